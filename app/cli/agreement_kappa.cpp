@@ -8,7 +8,7 @@
 
 #include "app/cli/agreement_methods.h"
 #include "app/cli/json_output.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

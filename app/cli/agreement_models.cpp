@@ -10,7 +10,7 @@
 #include "app/cli/json_output.h"
 #include "assessment/statistics/generalizability.h"
 #include "assessment/statistics/rasch.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::cli {
 

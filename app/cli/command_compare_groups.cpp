@@ -15,7 +15,6 @@
 #include "app/services/base/csv_table.h"
 #include "assessment/statistics/descriptive.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 

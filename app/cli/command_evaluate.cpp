@@ -17,7 +17,6 @@
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_resampling.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 

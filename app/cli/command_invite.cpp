@@ -13,7 +13,6 @@
 #include "app/services/access/invitations.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 

@@ -18,7 +18,6 @@
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/standard_setting.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 

@@ -20,7 +20,7 @@
 #include "assessment/catalogue/quantity.h"
 #include "sim/core/angle.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
 #include "sim/scene/scene.h"

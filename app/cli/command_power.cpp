@@ -11,7 +11,6 @@
 #include "app/cli/json_output.h"
 #include "assessment/statistics/power.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio::cli {
 

@@ -11,7 +11,6 @@
 
 #include "app/cli/commands.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/core/short_number.h"
 #include "sim/tissue/section/outline_file.h"
 #include "sim/tissue/section/section_solver.h"

@@ -22,7 +22,7 @@
 #include "assessment/results/number_format.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
-#include "sim/core/live_of_sample.h"
+#include "sim/core/live_types.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio::cli {

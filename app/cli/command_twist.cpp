@@ -20,7 +20,6 @@
 #include "app/cli/wall_twist.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"

@@ -9,7 +9,7 @@
 #include "sim/baseline/reference_solid.h"
 #include "sim/baseline/twist_simulation.h"
 #include "sim/core/angle.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/tissue/rod/rod.h"
 #include "sim/tissue/rod/rod_sections.h"
 #include "sim/tissue/rod/rod_skin.h"

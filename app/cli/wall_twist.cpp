@@ -13,8 +13,7 @@
 
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
-#include "sim/scene/wall_places.h"
+#include "sim/scene/organ_wall.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/rod/rod_sections.h"
 

@@ -10,7 +10,7 @@
 #include "app/services/study/scoring_plan.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

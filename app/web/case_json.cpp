@@ -9,7 +9,7 @@
 #include "assessment/domain/rating/sheet_state.h"
 #include "assessment/domain/rating/written_words.h"
 #include "sim/core/angle.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::web {

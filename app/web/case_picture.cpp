@@ -24,7 +24,7 @@
 #include "assessment/attempt/recorded_loads.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
-#include "sim/core/live_of_sample.h"
+#include "sim/core/live_types.h"
 #include "sim/scene/blood_map.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/hollow_view.h"

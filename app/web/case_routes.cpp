@@ -17,7 +17,6 @@
 #include "assessment/domain/rating/written_words.h"
 #include "db/connection/db_error.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::web {

@@ -13,7 +13,7 @@
 #include "app/web/web_desk.h"
 #include "assessment/domain/people/signature.h"
 #include "assessment/domain/rating/index_meaning.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

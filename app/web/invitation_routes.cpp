@@ -17,7 +17,7 @@
 #include "app/services/access/two_people.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

@@ -22,7 +22,7 @@
 #include "app/web/web_desk.h"
 #include "assessment/domain/rating/written_words.h"
 #include "sim/core/angle.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

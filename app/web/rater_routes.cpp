@@ -15,7 +15,7 @@
 #include "app/web/sealing.h"
 #include "app/web/web_desk.h"
 #include "assessment/domain/rating/written_words.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

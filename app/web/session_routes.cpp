@@ -6,7 +6,7 @@
 #include "app/services/access/access_service.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 

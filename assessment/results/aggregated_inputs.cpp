@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

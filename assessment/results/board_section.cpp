@@ -15,7 +15,7 @@
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/results/study_analysis.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -13,7 +13,7 @@
 #include "assessment/results/result_writer.h"
 #include "assessment/results/shown_inputs.h"
 #include "assessment/statistics/descriptive.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -11,7 +11,7 @@
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/shapiro_wilk.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

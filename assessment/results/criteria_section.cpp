@@ -14,7 +14,7 @@
 #include "assessment/results/report_sections.h"
 #include "assessment/results/result_writer.h"
 #include "assessment/results/shown_inputs.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

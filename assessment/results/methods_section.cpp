@@ -5,7 +5,7 @@
 #include "assessment/results/number_format.h"
 #include "assessment/results/record_sentences.h"
 #include "assessment/results/report_sections.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -10,7 +10,7 @@
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/results/provenance_line.h"
 
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/statistics/power.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

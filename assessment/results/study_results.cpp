@@ -11,6 +11,7 @@
 #include "assessment/results/report_sections.h"
 #include "assessment/results/result_writer.h"
 #include "assessment/statistics/descriptive.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

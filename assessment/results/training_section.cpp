@@ -9,7 +9,7 @@
 #include "assessment/results/report_sections.h"
 #include "assessment/results/study_analysis.h"
 #include "assessment/statistics/distributions.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 
 #include "sim/core/contracts.h"
 #include "sim/core/random.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 

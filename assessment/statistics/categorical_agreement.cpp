@@ -10,7 +10,7 @@
 #include "assessment/statistics/quantiles.h"
 #include "assessment/statistics/ratio_differences.h"
 #include "sim/core/random.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -10,7 +10,6 @@
 #include "assessment/statistics/rating_plan.h"
 #include "assessment/statistics/rating_scale.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/core/text.h"
 
 namespace torsio {

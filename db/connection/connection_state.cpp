@@ -152,7 +152,7 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
       refuseReadOnly(Text::tr("database file is read-only"), locator.file);
     }
     if (error.fault() == DbFault::kCorrupt) {
-      if (tellsOfDatabase(locator.file)) {
+      if (looksLikeDatabase(locator.file)) {
         throw Error(ErrorCode::kVerifyFailed, Text::tr("database is damaged"), location,
                     Text::tr("Restore the latest backup"));
       }

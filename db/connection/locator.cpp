@@ -8,7 +8,7 @@
 #include <QUrl>
 #include <QUrlQuery>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

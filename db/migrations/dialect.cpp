@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -20,7 +20,7 @@
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 // Outside any namespace, as Qt requires: a static library registers its resources only on request.
 static void registerMigrationFiles() {

@@ -48,4 +48,6 @@ struct CurveFrame {
 [[nodiscard]] std::vector<CurveFrame> framesAlong(const SplineCurve& curve, std::size_t count,
                                                   const Vec3& firstE1);
 
+inline constexpr double kMillimetre_m = 0.001;  ///< shapes are described in millimetres and made in metres
+
 }  // namespace torsio

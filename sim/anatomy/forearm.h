@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/anatomy/curves.h"
+#include "sim/anatomy/round_cone.h"
 #include "sim/core/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
@@ -52,5 +54,30 @@ struct Arm {
 
 /// Draws it. `edges`: as for makeIntestine().
 [[nodiscard]] Arm makeArm(const ArmMeasures& measures = {}, double edges = 1.0);
+
+/// The skin of forearm and hand as one implicit surface; millimetres, in the frame of Arm.
+class ArmShape {
+ public:
+  explicit ArmShape(const ArmMeasures& measures);
+
+  /// About the distance to the skin, negative inside.
+  [[nodiscard]] double operator()(const Vec3& p) const;
+  [[nodiscard]] Vec3 middleTip() const { return fingers_[1].back().b; }
+  [[nodiscard]] Vec3 knuckle(std::size_t finger) const { return knuckles_[finger].a; }
+  [[nodiscard]] Vec3 thumbBase() const { return thumb_.front().a; }
+  [[nodiscard]] double wristZ() const { return wristZ_; }
+
+ private:
+  [[nodiscard]] double tube(const Vec3& p) const;
+
+  double wristZ_;
+  MonotoneCurve halfWidth_;
+  MonotoneCurve halfDepth_;
+  double palmEndZ_;
+  std::vector<RoundCone> eminences_;               // thenar, hypothenar, wrist bones
+  std::vector<RoundCone> thumb_;                   // metacarpal, two phalanges
+  std::array<std::vector<RoundCone>, 4> fingers_;  // index to little finger
+  std::array<RoundCone, 4> knuckles_;
+};
 
 }  // namespace torsio

@@ -6,8 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/anatomy/marching_tetrahedra.h"
-#include "sim/anatomy/millimetre.h"
+#include "sim/anatomy/curves.h"
 #include "sim/anatomy/remesh.h"
 #include "sim/anatomy/round_cone.h"
 

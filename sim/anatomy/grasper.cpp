@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/anatomy/millimetre.h"
+#include "sim/anatomy/curves.h"
 #include "sim/core/angle.h"
 #include "sim/core/portable_math.h"
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "sim/anatomy/curves.h"
-#include "sim/anatomy/millimetre.h"
 #include "sim/core/angle.h"
 #include "sim/core/portable_math.h"
 #include "sim/geometry/query/collision_mesh.h"

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "sim/geometry/mesh/iso_surface.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio {
@@ -13,5 +14,10 @@ namespace torsio {
 /// is kept. Deterministic: the same bits on every platform.
 [[nodiscard]] TriangleMesh remeshed(const TriangleMesh& mesh,
                                     const std::function<double(const Vec3&)>& edgeLength);
+
+/// The isoSurface() of a field, negative inside. `field` should grow by at most `slope` per unit of length:
+/// regions further from the surface than that allows are skipped.
+[[nodiscard]] TriangleMesh zeroSurface(const SampleGrid& grid, double slope,
+                                       const std::function<double(const Vec3&)>& field);
 
 }  // namespace torsio

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "sim/anatomy/curves.h"
-#include "sim/anatomy/millimetre.h"
 #include "sim/anatomy/remesh.h"
 #include "sim/anatomy/tube.h"
 #include "sim/core/portable_math.h"

@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "sim/anatomy/curves.h"
-#include "sim/anatomy/marching_tetrahedra.h"
-#include "sim/anatomy/millimetre.h"
 #include "sim/anatomy/remesh.h"
 #include "sim/anatomy/round_cone.h"
 #include "sim/anatomy/tube.h"
@@ -131,15 +129,15 @@ class StomachShape {
 };
 
 TriangleMesh fineStomach(const StomachShape& shape) {
-  constexpr double kVoxel_mm = 1.9;
-  constexpr double kSlope = 1.2;
+  constexpr double kFineVoxel_mm = 1.9;
+  constexpr double kFineSlope = 1.2;
   SampleGrid grid;
-  grid.step = kVoxel_mm;
+  grid.step = kFineVoxel_mm;
   grid.origin = {-82.3, -62.1, -122.7};
   const Vec3 extent{205, 130, 214};
-  const auto points = [](double length) { return static_cast<std::size_t>(length / kVoxel_mm) + 2; };
+  const auto points = [](double length) { return static_cast<std::size_t>(length / kFineVoxel_mm) + 2; };
   grid.count = {points(extent.x), points(extent.y), points(extent.z)};
-  return zeroSurface(grid, kSlope, [&shape](const Vec3& p) { return shape(p); });
+  return zeroSurface(grid, kFineSlope, [&shape](const Vec3& p) { return shape(p); });
 }
 
 /// The same curve from its other end, e1 to the other side.

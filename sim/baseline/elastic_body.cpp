@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/error.h"
 #include "sim/core/portable_math.h"
-#include "sim/core/refusal.h"
 #include "sim/tissue/rod/restraint.h"
 
 namespace torsio {

@@ -9,7 +9,7 @@
 
 #include <Eigen/Dense>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

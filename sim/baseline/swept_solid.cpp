@@ -7,7 +7,6 @@
 #include <string>
 
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

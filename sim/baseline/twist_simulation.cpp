@@ -8,7 +8,7 @@
 #include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
 #include "sim/baseline/reference_solid.h"
-#include "sim/baseline/spring_calibration.h"
+#include "sim/baseline/spring_lattice.h"
 #include "sim/baseline/xpbd_frames.h"
 #include "sim/core/error.h"
 #include "sim/tissue/twist/twist_model_view.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "sim/baseline/lattice_surface.h"
-#include "sim/baseline/spring_calibration.h"
+#include "sim/baseline/spring_lattice.h"
 #include "sim/baseline/twist_dynamics.h"
 #include "sim/tissue/twist/twist_model.h"
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "sim/core/error.h"
 #include "sim/core/portable_math.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -6,13 +6,13 @@
 
 namespace torsio {
 
-// The one home of how a moment of a recording is written, and how long something took or still takes, below
-// an hour: minutes and seconds. In seconds with their unit stay what is measured or set against a limit (a
-// hold, a time to the target, a computing time), in words what is planned in whole minutes. Any thread.
+// Times within a recording and durations below an hour, as minutes and seconds. What is measured or compared
+// with a limit (a hold, a time to the target, a computing time) stays in seconds with its unit; planned
+// durations are whole minutes in words. Any thread.
 
-/// Whole seconds that are over: "2:05".
+/// Elapsed time, rounded down to seconds: "2:05".
 [[nodiscard]] std::string clockText(std::int64_t time_us);
-/// Whole seconds that are still to come, begun ones too: "2:05"; "0:00" when nothing is left.
+/// Time left, rounded up to seconds: "2:05"; "0:00" when nothing is left.
 [[nodiscard]] std::string clockLeftText(std::int64_t left_us);
 /// To the nearest tenth: "2:05.4".
 [[nodiscard]] std::string clockTenthsText(double time_s);

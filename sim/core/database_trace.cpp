@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kPage = 4096;
-constexpr std::size_t kHead = 100;         // of the file, at the begin of its first page
+constexpr std::size_t kHead = 100;         // of the file, at the start of its first page
 constexpr std::uintmax_t kMaxPages = 256;  // that are looked at, spread over the file
 
 std::size_t numberAt(std::string_view page, std::size_t at) {
@@ -53,7 +53,7 @@ bool isPageOfRows(std::string_view page, std::size_t begin) {
 
 }  // namespace
 
-bool tellsOfDatabase(const fs::path& file) {
+bool looksLikeDatabase(const fs::path& file) {
   constexpr std::string_view kFirstWords("SQLite format 3");
   std::error_code failed;
   if (!fs::is_regular_file(file, failed)) {

@@ -5,9 +5,9 @@
 
 namespace torsio {
 
-/// Whether the bytes of a file tell of an SQLite database in it, also of one that nobody can open any more:
-/// its first words, or, where these were destroyed, a whole page of rows or of an index among a sample of its
-/// pages (4096 bytes each, as Torsio writes them). False for a file that is missing, none or cannot be read.
-[[nodiscard]] bool tellsOfDatabase(const std::filesystem::path& file);
+/// Tells whether a file holds an SQLite database, even one too damaged to open: by its header or, where that
+/// is destroyed, by a whole b-tree page among a sample of its pages (4096 bytes each, as Torsio writes them).
+/// False for a file that is missing or cannot be read.
+[[nodiscard]] bool looksLikeDatabase(const std::filesystem::path& file);
 
 }  // namespace torsio

@@ -33,7 +33,7 @@ std::string readFile(const fs::path& file) {
 }
 
 void requireNoDatabase(const fs::path& file) {
-  if (tellsOfDatabase(file)) {
+  if (looksLikeDatabase(file)) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("is a database, which is never overwritten"),
                 file.string(), Text::tr("Name another file"));
   }

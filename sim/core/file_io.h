@@ -15,8 +15,8 @@ namespace torsio {
 /// Reads the whole file as bytes. Throws Error (kFileMissing, kFileUnreadable).
 [[nodiscard]] std::string readFile(const std::filesystem::path& file);
 
-/// Refuses to let a report, a table or a picture take the place of a database: whoever names the file of a
-/// record by mistake must not lose it. Throws Error (kFileUnwritable).
+/// Refuses to overwrite a database with a report, a table or a picture: naming the record by mistake must not
+/// destroy it. Throws Error (kFileUnwritable).
 void requireNoDatabase(const std::filesystem::path& file);
 
 /// Writes through a temporary file beside `file` and renames it, so that no half file is ever seen.

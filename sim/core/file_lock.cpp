@@ -51,12 +51,12 @@ FileLock::State FileLock::take() {
       close(std::exchange(descriptor_, -1));
       return State::kOthers;
     }
-    // Whoever held it may have removed the file between the two calls: then this lock is of no file.
+    // The former owner may have removed the file between the two calls: then this lock protects no file.
     struct stat locked {};
     struct stat named {};
     if (!taken || (fstat(descriptor_, &locked) == 0 && stat(file_.c_str(), &named) == 0 &&
                    locked.st_ino == named.st_ino && locked.st_dev == named.st_dev)) {
-      return State::kHeld;  // a file system without locks keeps nobody out
+      return State::kHeld;  // a file system without locks excludes nothing
     }
     close(std::exchange(descriptor_, -1));
   }

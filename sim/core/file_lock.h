@@ -6,8 +6,8 @@
 
 namespace torsio {
 
-/// A lock file: held against other programs, and other threads, while this object lives, then removed. The
-/// system gives it up when its program is killed; what is left of the file keeps nobody out.
+/// A lock file: held against other programs and threads while this object lives, then removed. The system
+/// releases it when its program is killed; a leftover file locks nobody out.
 class FileLock {
  public:
   /// Takes the lock unless somebody holds it for longer than `patience`.
@@ -34,8 +34,8 @@ class FileLock {
 /// Lock beside something unfinished.
 [[nodiscard]] std::filesystem::path lockNameOf(const std::filesystem::path& unfinished);
 
-/// The temporary file "<file>.part" of a file that is being written, by whatever writer. Two programs never
-/// write the same one; it goes again unless it was given its name.
+/// The temporary file "<file>.part" of a file that is being written. Two programs never write the same one;
+/// it is removed unless finish() renames it.
 class PartFile {
  public:
   /// Throws Error (kFileUnwritable), also when `file` is a database, a folder, a device or a pipe.
@@ -46,7 +46,7 @@ class PartFile {
 
   /// Where to write.
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-  /// Gives it its name. Throws Error (kFileUnwritable).
+  /// Renames it to its final name. Throws Error (kFileUnwritable).
   void finish();
 
  private:

@@ -9,13 +9,13 @@
 
 namespace torsio {
 
-/// What one hand turns without letting go: 70 degrees of pronation and 85 of supination.
+/// Turn of one hand without regrasping: 70 degrees of pronation and 85 of supination.
 inline constexpr double kHandTurn_rad = radians(155.0);
 
 /// Most marks of the jaw that a trial keeps.
 inline constexpr int kMaxTissueMarks = 32;
 
-/// How a hand may look whether blood flows. Each costs time and is wrong by a stated error.
+/// Ways to check the blood flow. Each takes time and has a stated error.
 enum class FlowCheck : std::uint8_t {
   kNone = 0,
   kLook = 1,     ///< at the colour and the pulsation of the vessels
@@ -23,13 +23,13 @@ enum class FlowCheck : std::uint8_t {
   kDoppler = 3,  ///< with a probe
 };
 
-/// What a check of the blood flow has said last.
+/// Result of the last check of the blood flow.
 struct FlowReading {
   FlowCheck running = FlowCheck::kNone;  ///< begun and not yet done
   FlowCheck done = FlowCheck::kNone;     ///< the last that was done; its answer follows
-  double flow = 0.0;                     ///< 0 .. 1, as it was told: true flow with the check's error
+  double flow = 0.0;                     ///< 0 .. 1, as reported: the true flow with the check's error
   std::int64_t done_us = -1;             ///< servo time; -1: none yet
-  std::int64_t ready_us = -1;            ///< when the one that runs is done
+  std::int64_t ready_us = -1;            ///< when the running check ends
   std::int32_t count = 0;                ///< checks done in this trial
   friend constexpr bool operator==(const FlowReading&, const FlowReading&) = default;
 };
@@ -43,7 +43,7 @@ struct TissueMark {
   friend constexpr bool operator==(const TissueMark&, const TissueMark&) = default;
 };
 
-/// How a hollow organ fares: recorded with each tick. Of an organ without a wall all as at rest.
+/// State of a hollow organ, recorded with each tick. A solid organ keeps these defaults.
 struct HollowReading {
   double pressure_Pa = 0.0;  ///< of the content, over outside
   double patency = 1.0;      ///< free cross-section of the narrowest place: 1 open, 0 closed
@@ -52,10 +52,10 @@ struct HollowReading {
   friend constexpr bool operator==(const HollowReading&, const HollowReading&) = default;
 };
 
-/// How a hollow organ that came twisted lies and fares. Trivially copyable. The angle of its mobile part
+/// Pose and state of a hollow organ that came twisted. Trivially copyable. The angle of its mobile part
 /// stands in TwistState::graspAngle_rad.
 struct HollowPose {
-  bool present = false;    ///< false: the scene knows no wall
+  bool present = false;    ///< false: a solid organ
   double start_rad = 0.0;  ///< angle with which the trial began, signed
   HollowReading reading;
   double congestion = 0.0;  ///< 0 .. 1: veins shut, artery open

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sim/core/beside_answer.h"
+#include "sim/core/async_model.h"
 #include "sim/core/device_sample.h"
 #include "sim/core/hollow_pose.h"
 #include "sim/core/rod_pose.h"
@@ -64,7 +64,7 @@ enum ForceLimit : std::uint32_t {
   kForceEngaging = 1U << 7,
   kForceInhibited = 1U << 8,
   kForcePassivity = 1U << 9,  ///< made smaller: the hand would get more energy than it has put in
-  /// The model beside the servo has failed, or said nothing for too long: the grip is not felt.
+  /// The asynchronous model has failed, or said nothing for too long: the grip is not felt.
   kForceModelLate = 1U << 10,
 };
 
@@ -99,16 +99,16 @@ struct ExerciseTimes {
   friend constexpr bool operator==(const ExerciseTimes&, const ExerciseTimes&) = default;
 };
 
-/// A wish of a view. At most one is obeyed at the start of each tick, and it is recorded with that tick.
+/// A command from a view. The servo applies at most one at the start of each tick and records it with it.
 struct ServoCommand {
   enum class Kind : std::uint8_t {
     kNone,
-    kReleaseTissue,  ///< let go and return to rest
+    kReleaseTissue,  ///< open the jaw and let the organ return to rest
     kSetForceScale,  ///< value: 0 .. 1
     kSetTarget,      ///< value: target angle in rad
     kEnableForce,    ///< value: 0 off, 1 on
-    kHoldOrgan,      ///< value: 1 a clip or an assistant holds a hollow organ where it is, 0 lets go
-    kVent,           ///< value: 1 opens the way out for the content, 0 closes it
+    kHoldOrgan,      ///< value: 1 a clip or an assistant holds a hollow organ in place, 0 releases it
+    kVent,           ///< value: 1 opens the vent for the content, 0 closes it
     kCheckFlow,      ///< value: FlowCheck
   };
   Kind kind = Kind::kNone;
@@ -120,8 +120,8 @@ struct ServoCommand {
 struct Sample {
   std::int64_t tick = 0;  ///< 0, 1, 2 ... without gaps unless the ring refused (then counted)
   DeviceSample device;
-  ServoCommand command;  ///< obeyed at the start of this tick; kNone mostly
-  BesideAnswer beside;   ///< of a model beside the servo, arrived before this tick; kNothing mostly
+  ServoCommand command;  ///< applied at the start of this tick; usually kNone
+  AsyncAnswer async;     ///< arrived before this tick; usually kNothing
   ExercisePhase phase = ExercisePhase::kTracking;
   std::uint32_t limits = kForceFull;
   TwistResponse response;                ///< response.force_N: before the governor
@@ -162,5 +162,9 @@ static_assert(std::is_trivially_copyable_v<Sample>);
 static_assert(std::is_trivially_copyable_v<LiveState>);
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 static_assert(std::is_trivially_copyable_v<ForceCommand>);
+
+/// Gives what a view sees of a tick, live or played back: time, tool, phase, answer and contact. What only
+/// the servo loop knows (target, device status, delays, patches) is left as it is at rest.
+[[nodiscard]] LiveState liveStateOf(const Sample& sample) noexcept;
 
 }  // namespace torsio

@@ -39,10 +39,10 @@ void keepFilesPrivate() noexcept {
 #ifndef _WIN32
   umask(S_IRWXG | S_IRWXO);
 #endif
-  leaveNoDump();
+  disableCoreDumps();
 }
 
-void leaveNoDump() noexcept {
+void disableCoreDumps() noexcept {
 #ifndef _WIN32
   const rlimit none{.rlim_cur = 0, .rlim_max = 0};
   setrlimit(RLIMIT_CORE, &none);

@@ -5,17 +5,15 @@
 
 namespace torsio {
 
-/// From now on every file that this process makes is for its owner alone (mode 0600), every folder too
-/// (0700): records, backups, packages, exports, pictures; and leaveNoDump(). On Windows the user's folders
-/// are private already. Call once, before any thread.
+/// Makes every file that this process creates from now on private to its owner (mode 0600), every folder too
+/// (0700): records, backups, packages, exports, pictures; calls disableCoreDumps(). On Windows the user's
+/// folders are private already. Call once, before any thread.
 void keepFilesPrivate() noexcept;
-
-/// A crash of this process leaves no core dump, which would hold names, passwords or a scan, and no other
-/// program of the same account reads its memory.
-void leaveNoDump() noexcept;
-
-/// Takes the rights of group and others away from `file`, or from a folder and all that lies in it. Returns
-/// whether anything had to be taken away. A file of somebody else stays as it is.
+/// Disables core dumps of this process, which would hold names, passwords or a scan, and keeps other programs
+/// of the account from reading its memory.
+void disableCoreDumps() noexcept;
+/// Removes the permissions of group and others from `file`, or from a folder and everything in it. Returns
+/// whether anything changed. Files of other owners stay as they are.
 bool makePrivate(const std::filesystem::path& file) noexcept;
 
 }  // namespace torsio

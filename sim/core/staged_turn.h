@@ -6,17 +6,17 @@
 
 namespace torsio {
 
-/// How an organ is to be turned back in stages: by no more than so much, then a rest, and so on.
+/// Stages of an untwisting: after each `turn_rad` the organ rests.
 struct TurnStages {
-  double turn_rad = 0.0;  ///< 0: no stages are asked for
+  double turn_rad = 0.0;  ///< 0: no stages
   double rest_s = 0.0;    ///< seconds of the tissue
   [[nodiscard]] bool asked() const noexcept { return turn_rad > 0.0; }
   friend bool operator==(const TurnStages&, const TurnStages&) = default;
 };
 
-/// An organ that moves by no more rests.
+/// An organ that moves by less than this is resting.
 inline constexpr double kRestingSway_rad = radians(5.0);
-/// A stage may be so much longer than asked for.
+/// By how much a stage may exceed what is asked for.
 inline constexpr double kStageTolerance_rad = radians(15.0);
 
 /// Follows how far an organ has been turned back since it last rested. A plain value; any one thread.

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -111,5 +112,14 @@ class Text {
 /// Returns `pattern` with `%1` to `%9` replaced by the arguments in one pass; a place without an argument
 /// stays.
 [[nodiscard]] std::string filledIn(std::string_view pattern, const std::vector<std::string>& arguments);
+
+/// Joins texts to "a, b, c"; empty for none. `two` is the pattern that joins two of them.
+[[nodiscard]] inline Text listed(std::span<const Text> items, Phrase two = Text::tr("%1, %2")) {
+  Text all;
+  for (const Text& item : items) {
+    all = all.empty() ? item : Text(two, all, item);
+  }
+  return all;
+}
 
 }  // namespace torsio

@@ -9,7 +9,7 @@
 namespace torsio {
 
 /// Which model answers the hand in a run. The first is computed in each tick of the servo; the others take
-/// longer than a tick, and run beside it at their own rate (sim/core/beside_link.h).
+/// longer than a tick, and run beside it at their own rate (sim/core/async_model.h).
 enum class TissueModel : std::uint8_t {
   kTwist = 0,           ///< the product's own: twist model or rod
   kFiniteElements = 1,  ///< corotational linear tetrahedra
@@ -24,8 +24,8 @@ inline constexpr std::array kTissueModels{TissueModel::kTwist, TissueModel::kFin
 [[nodiscard]] std::string_view tissueModelId(TissueModel model) noexcept;
 /// Returns the model of an id. Throws Error{kBadParameter} that lists the known ones.
 [[nodiscard]] TissueModel tissueModelOf(const std::string& id);
-/// Tells whether the model runs beside the servo.
-[[nodiscard]] constexpr bool runsBeside(TissueModel model) noexcept {
+/// Tells whether the model runs asynchronously.
+[[nodiscard]] constexpr bool runsAsync(TissueModel model) noexcept {
   return model != TissueModel::kTwist;
 }
 

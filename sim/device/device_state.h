@@ -42,7 +42,7 @@ enum class DeviceState : std::uint8_t {
   kRunning,           ///< calibrated, force on
   kDegraded,          ///< the servo is too slow or the motors are warm: force off until that has passed
   kSilent,            ///< the driver's thread does not call: what the motors do is not known
-  kLost,              ///< the connection broke off: close, then open again on the user's wish
+  kLost,              ///< the connection broke off: close, then open again when the user asks
   kClosed,
 };
 

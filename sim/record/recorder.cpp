@@ -10,7 +10,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/ids.h"
-#include "sim/record/spill_place.h"
+#include "sim/record/trial.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {

@@ -21,7 +21,7 @@ namespace {
 // bytes = magic, version, then one zstd frame (with its own checksum) over the columns in this order.
 constexpr std::array<std::uint8_t, 4> kChunkMagic{'T', 'R', 'S', 'C'};
 constexpr std::uint8_t kVersion = 1;        // the columns up to kRules
-constexpr std::uint8_t kVersionBeside = 2;  // up to kBesideSlope: a model beside the servo has answered
+constexpr std::uint8_t kVersionAsync = 2;   // up to kAsyncSlope: an asynchronous model has answered
 constexpr std::uint8_t kVersionHollow = 3;  // all: a hollow organ that came twisted
 constexpr std::size_t kHeaderSize = kChunkMagic.size() + 1;
 constexpr int kCompressionLevel = 3;
@@ -56,17 +56,17 @@ enum Column : std::size_t {
   kSentZ,
   kContact,
   kRules,
-  kBesideState,
-  kBesideAngle,  // the bits of the doubles, as of the value of a command: inputs are kept exactly
-  kBesideTorque,
-  kBesideSlope,
+  kAsyncState,
+  kAsyncAngle,  // the bits of the doubles, as of the value of a command: inputs are kept exactly
+  kAsyncTorque,
+  kAsyncSlope,
   kPressure,
   kNarrowing,  // 1 - patency, so that 0 is an organ at rest
   kWant,       // 1 - flow
   kDose,
   kColumns
 };
-constexpr std::size_t kColumnsWithoutBeside = kBesideState;
+constexpr std::size_t kColumnsWithoutAsync = kAsyncState;
 constexpr std::size_t kColumnsWithoutHollow = kPressure;
 
 using Row = std::array<std::int64_t, kColumns>;
@@ -117,10 +117,10 @@ Row toRow(const Sample& s) noexcept {
   row[kSentZ] = toSteps(s.force_N.z, kForceStep_N);
   row[kContact] = s.contact;
   row[kRules] = s.rules;
-  row[kBesideState] = static_cast<std::int64_t>(s.beside.state);
-  row[kBesideAngle] = std::bit_cast<std::int64_t>(s.beside.angle_rad);
-  row[kBesideTorque] = std::bit_cast<std::int64_t>(s.beside.torque_Nm);
-  row[kBesideSlope] = std::bit_cast<std::int64_t>(s.beside.slope_Nm_per_rad);
+  row[kAsyncState] = static_cast<std::int64_t>(s.async.state);
+  row[kAsyncAngle] = std::bit_cast<std::int64_t>(s.async.angle_rad);
+  row[kAsyncTorque] = std::bit_cast<std::int64_t>(s.async.torque_Nm);
+  row[kAsyncSlope] = std::bit_cast<std::int64_t>(s.async.slope_Nm_per_rad);
   row[kPressure] = toSteps(s.hollow.pressure_Pa, kPressureStep_Pa);
   row[kNarrowing] = toSteps(1.0 - s.hollow.patency, kShareStep);
   row[kWant] = toSteps(1.0 - s.hollow.flow, kShareStep);
@@ -163,12 +163,11 @@ void checkHollow(const Row& row) {
   }
 }
 
-BesideAnswer besideOf(const Row& row) {
-  constexpr auto kLastState = static_cast<std::int64_t>(BesideState::kBroken);
-  const std::int64_t state = row[kBesideState];
-  const BesideAnswer answer{static_cast<BesideState>(state), std::bit_cast<double>(row[kBesideAngle]),
-                            std::bit_cast<double>(row[kBesideTorque]),
-                            std::bit_cast<double>(row[kBesideSlope])};
+AsyncAnswer asyncOf(const Row& row) {
+  constexpr auto kLastState = static_cast<std::int64_t>(AsyncState::kBroken);
+  const std::int64_t state = row[kAsyncState];
+  const AsyncAnswer answer{static_cast<AsyncState>(state), std::bit_cast<double>(row[kAsyncAngle]),
+                           std::bit_cast<double>(row[kAsyncTorque]), std::bit_cast<double>(row[kAsyncSlope])};
   const bool finite = std::isfinite(answer.angle_rad) && std::isfinite(answer.torque_Nm) &&
                       std::isfinite(answer.slope_Nm_per_rad);
   if (state < 0 || state > kLastState || !finite) {
@@ -208,7 +207,7 @@ Sample toSample(const Row& row) {
   s.limits = within<std::uint32_t>(row[kLimits]);
   s.contact = within<std::uint32_t>(row[kContact]);
   s.rules = within<std::uint32_t>(row[kRules]);
-  s.beside = besideOf(row);
+  s.async = asyncOf(row);
   checkHollow(row);
   answersFromRow(row, s);
   return s;
@@ -217,8 +216,8 @@ Sample toSample(const Row& row) {
 std::size_t columnsOf(std::uint8_t version) noexcept {
   switch (version) {
     case kVersion:
-      return kColumnsWithoutBeside;
-    case kVersionBeside:
+      return kColumnsWithoutAsync;
+    case kVersionAsync:
       return kColumnsWithoutHollow;
     default:
       return kColumns;
@@ -232,8 +231,8 @@ std::uint8_t versionFor(std::span<const Sample> samples) noexcept {
     return kVersionHollow;
   }
   const bool arrived = std::any_of(samples.begin(), samples.end(),
-                                   [](const Sample& s) { return s.beside.state != BesideState::kNothing; });
-  return arrived ? kVersionBeside : kVersion;
+                                   [](const Sample& s) { return s.async.state != AsyncState::kNothing; });
+  return arrived ? kVersionAsync : kVersion;
 }
 
 std::vector<std::uint8_t> packColumns(std::span<const Sample> samples, std::size_t columns) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,6 +91,41 @@ class TrialSink {
   virtual void begin(const TrialHeader& header) = 0;
   virtual void append(const TrialChunk& chunk) = 0;
   virtual void finish(const TrialSummary& summary) = 0;
+};
+
+/// Returns the seed of a trial: the twist that a hollow organ comes with and the errors of checks hang on it.
+/// Of no id the same one always. Any thread.
+[[nodiscard]] std::uint64_t detorsionSeed(const TrialId& trialId) noexcept;
+
+/// Where a recording goes when its sink gives up, and the context that is written with it.
+struct SpillPlace {
+  std::filesystem::path folder;  ///< made when needed
+  std::string context;           ///< readable text that complements the header
+};
+
+/// A sink that knows its spill place. For any other sink the recorder's options decide.
+class SpillingTrialSink : public TrialSink {
+ public:
+  /// Returns the place. Called in the recorder's thread, after this sink has failed.
+  [[nodiscard]] virtual SpillPlace spillPlace() const = 0;
+};
+
+/// Keeps a recording in memory: for replay right after the trial, and for tests.
+class MemoryTrialSink final : public TrialSink {
+ public:
+  void begin(const TrialHeader& header) override {
+    trial_ = {};
+    trial_.header = header;
+    trial_.summary.outcome = TrialOutcome::kInterrupted;
+  }
+  void append(const TrialChunk& chunk) override { trial_.chunks.push_back(chunk); }
+  void finish(const TrialSummary& summary) override { trial_.summary = summary; }
+
+  /// Returns the trial as far as it was recorded; its outcome is interrupted until finish().
+  [[nodiscard]] const Trial& trial() const noexcept { return trial_; }
+
+ private:
+  Trial trial_;
 };
 
 }  // namespace torsio

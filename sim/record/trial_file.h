@@ -12,7 +12,7 @@ namespace torsio {
 
 /// A trial as one file, written while it is recorded: where a recording goes when the database cannot take
 /// it, and how a trial travels. Each record carries its own digest and is flushed at once; until finish() the
-/// file has the ending ".part", so that a crash leaves a readable file that nobody takes for a whole one.
+/// file has the ending ".part", so that a crash leaves a readable file that is not taken for a complete one.
 class TrialFileSink final : public TrialSink {
  public:
   /// Makes a sink for `file`, whose folder must exist; nothing is written before begin(). `context` is kept

@@ -9,7 +9,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/contracts.h"
 #include "sim/scene/hollow_organ.h"
-#include "sim/tissue/perfusion/tissue_colour.h"
+#include "sim/tissue/hollow/tissue_colour.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 
 namespace torsio {
@@ -18,7 +18,7 @@ namespace {
 
 using Factor = std::array<float, 3>;
 
-constexpr double kDemarcation = 0.25;  // of a span: over so much sound tissue fades into twisted
+constexpr double kDemarcation = 0.25;  // of a span: over this length sound tissue fades into twisted
 constexpr double kBruiseRadius_m = 0.006;
 constexpr double kTearRadius_m = 0.005;
 constexpr double kClipWidth_m = 0.004;

@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// How a hollow organ that came twisted looks: colour by its blood (sim/tissue/perfusion), beyond the held
+/// How a hollow organ that came twisted looks: colour by its blood (sim/tissue/hollow), beyond the held
 /// sections as sound tissue; bruises, tears, and the clip. Any one thread; holds the scene.
 class BloodMap {
  public:

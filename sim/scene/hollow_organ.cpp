@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "sim/core/angle.h"
+#include "sim/core/error.h"
 #include "sim/core/random.h"
-#include "sim/core/refusal.h"
-#include "sim/scene/wall_places.h"
+#include "sim/scene/organ_wall.h"
 
 namespace torsio {
 

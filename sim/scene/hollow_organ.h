@@ -12,8 +12,8 @@
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/hollow_reach.h"
 #include "sim/scene/organ_state.h"
+#include "sim/tissue/hollow/perfusion.h"
 #include "sim/tissue/hollow/wrung_organ.h"
-#include "sim/tissue/perfusion/perfusion.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 
 namespace torsio {
@@ -129,8 +129,8 @@ class HollowOrgan {
   /// Returns pressure times volume, J, of a gas at a pressure over outside inside the spans and the mobile
   /// part, outside's pressure counted; 0 where the content is no sealed gas. In the tick.
   [[nodiscard]] double gas_J(double angle_rad, double pressure_Pa) const noexcept;
-  /// Returns the pressure over outside, Pa, at which so much gas fills the organ at an angle: between 0 and
-  /// the highest of the table, within 1e-6 of that. 20 queries; in the tick.
+  /// Returns the pressure over outside, Pa, at which this amount of gas fills the organ at an angle: between
+  /// 0 and the highest of the table, within 1e-6 of that. 20 queries; in the tick.
   [[nodiscard]] double sealedPressure_Pa(double angle_rad, double gas_J) const noexcept;
   /// Returns the free cross-section of the narrowest place. In the tick.
   [[nodiscard]] double patency(double angle_rad, double pressure_Pa) const noexcept;

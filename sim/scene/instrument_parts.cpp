@@ -9,7 +9,6 @@
 #include "sim/core/angle.h"
 #include "sim/core/pose.h"
 #include "sim/geometry/mesh/mesh_check.h"
-#include "sim/geometry/mesh/mesh_cut.h"
 #include "sim/geometry/mesh/mesh_holes.h"
 #include "sim/geometry/mesh/mesh_pieces.h"
 #include "sim/geometry/mesh/mesh_repair.h"

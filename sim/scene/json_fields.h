@@ -18,7 +18,7 @@ namespace torsio {
 // and so never goes into a public header.
 
 /// One JSON object of a data file, read field by field. Every refusal names file and field; finish() refuses
-/// fields that nobody asked for, so that a misspelt one never passes silently.
+/// unknown fields, so that a misspelt one never passes silently.
 class JsonFields {
  public:
   /// Makes a reader of `json`, which outlives it. `where`: file and place for messages.

@@ -74,7 +74,7 @@ void addRepairs(const MeshRepairs& done, std::vector<OrganFinding>& findings) {
       Text::tr("%1 small separate {piece|pieces} left out", std::to_string(done.droppedComponents)));
   add("M15", done.droppedShells,
       Text::tr("%1 inner {shell|shells} left out", std::to_string(done.droppedShells)));
-  // An inner wall says something of the organ: whoever reads its numbers has to know that it is gone.
+  // An inner wall matters to the organ's numbers: report that it is gone.
   for (OrganFinding& finding : findings) {
     if (finding.code == "M15") {
       finding.weight = FindingWeight::kWarning;
@@ -96,7 +96,7 @@ void addIgnored(const MeshExtras& ignored, std::vector<OrganFinding>& findings) 
   findings.push_back(std::move(finding));
 }
 
-/// Closes holes where that was asked for: small ones are told, large ones warned of. A face along a rim that
+/// Closes holes where asked for: reports small ones, warns of large ones. A face along a rim that
 /// disagrees with its neighbours would hide the hole: faces are turned first. Returns what else was mended.
 MeshRepairs mendHoles(const OrganImportRequest& request, TriangleMesh& mesh,
                       std::vector<OrganFinding>& findings) {

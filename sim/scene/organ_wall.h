@@ -10,6 +10,8 @@
 
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/tissue/hollow/wrung_organ.h"
+#include "sim/tissue/section/wall_section.h"
 
 namespace torsio {
 
@@ -35,5 +37,11 @@ struct OrganWallMap {
 /// Returns the thickness along an organ, as HollowWall has it: pairs of a share of the length and the
 /// thickness that carries the same shear round the section (Bredt): the harmonic mean of its patches.
 [[nodiscard]] std::vector<std::array<double, 2>> thicknessAlong_m(const OrganWallMap& map);
+
+/// Computes the wall of an organ at 41 equal steps of its axis, from one arc length to another (either way):
+/// the radius of the middle line of the wall, from the organ's outlines. Throws Error{kBadMesh,
+/// kBadParameter} as SectionLattice::outlinesAt and wallSection. Allocates, not for the tick.
+[[nodiscard]] std::vector<WallPlace> wallPlaces(const SectionLattice& lattice, const WallMap& wall,
+                                                double from_m, double to_m);
 
 }  // namespace torsio

@@ -219,7 +219,7 @@ std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const
   if (!pattern.detorsion) {
     return nullptr;
   }
-  if (runsBeside(request.tissue) || scene.formulation == Formulation::kPaper) {
+  if (runsAsync(request.tissue) || scene.formulation == Formulation::kPaper) {
     throw Error(
         ErrorCode::kBadParameter,
         Text::tr("the pattern '%1' is undone, which only the twist model with a wall knows", pattern.id),
@@ -259,7 +259,7 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
   TwistModel model(mesh, lattice, description.material, options);
   CollisionMesh collision(mesh);
   std::shared_ptr<const RodOrgan> rod;
-  const bool bar = request.noRod || description.model.ofBar() || runsBeside(request.tissue);
+  const bool bar = request.noRod || description.model.ofBar() || runsAsync(request.tissue);
   if (pattern.task && !bar && description.formulation != Formulation::kPaper) {
     rod = std::make_shared<const RodOrgan>(RodOrgan::Parts{.mesh = &mesh,
                                                            .model = &model,

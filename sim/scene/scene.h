@@ -87,7 +87,7 @@ struct SceneRequest {
   bool asRecorded = false;  ///< of a recording: the organ is taken as it was then, with organWarnings
   std::vector<OrganWarning> organWarnings;  ///< with asRecorded
   ModelChoice model;  ///< of an engineer, in place of the scene's own: no scene to record
-  /// The model that answers the hand. One that runs beside the servo knows no tasks of a curved organ: it
+  /// The model that answers the hand. One that runs asynchronously knows no tasks of a curved organ: it
   /// twists the organ about its own axis.
   TissueModel tissue = TissueModel::kTwist;
   /// Parameters of a recording (TrialHeader::parametersJson): where they are not those of the scene but of
@@ -115,7 +115,7 @@ struct Scene {
   /// formulation knows no rod.
   std::shared_ptr<const RodOrgan> rod{};
   ModelChoice modelChoice{};  ///< what `model` was built with beyond the formulation
-  /// The model that answers the hand; where it runs beside the servo, `model` says where the instrument meets
+  /// The model that answers the hand; where it runs asynchronously, `model` says where the instrument meets
   /// the organ, and it says what is felt and seen.
   TissueModel tissue = TissueModel::kTwist;
   /// The organ with its wall, twisted at the start, for a pattern that is to be undone; null: one that is to
@@ -129,6 +129,8 @@ struct Scene {
   bool former = false;  ///< the former state of the scene: SceneRequest::former
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
+  /// Tells whether the organ comes twisted and is to be undone; otherwise it is to be twisted.
+  [[nodiscard]] bool comesTwisted() const noexcept { return hollow != nullptr; }
 
   /// Maps a point of the organ at rest to where it lies, without warping or folds. In the tick.
   [[nodiscard]] Vec3 toDeformed_m(const Vec3& rest_m, const OrganState& state) const noexcept;

@@ -9,7 +9,7 @@
 #include "sim/core/error.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/scene.h"
-#include "sim/tissue/twist/material.h"
+#include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
 

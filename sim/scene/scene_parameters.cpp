@@ -261,7 +261,7 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
     json["detorsion"] = toJson(*pattern.detorsion);
   }
   // The model of the product goes unsaid, so that the hashes of older trials stay true.
-  if (runsBeside(tissue)) {
+  if (runsAsync(tissue)) {
     json["tissue_model"] = std::string(tissueModelId(tissue));
   }
   return json.dump();

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "sim/record/trial_seed.h"
+#include "sim/record/trial.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/grasp.h"
 
@@ -52,7 +52,7 @@ class DetorsionStep {
 
   /// Closes the jaw at an angle round the grasped section, from its frame's e1.
   void grip(double round_rad) noexcept { round_rad_ = round_rad; }
-  /// Sets or takes off the clip as the button and the wishes say. Before the hand turns the organ.
+  /// Sets or takes off the clip as the button and the commands ask. Before the hand turns the organ.
   void setHolders(const JawState& jaw, OrganState& organ, std::uint32_t& events) noexcept;
   /// Moves the organ on by a tick: what nothing holds slips or relapses, content leaves, blood flows, the jaw
   /// bruises, checks end. `events`: gets ExerciseEvent bits.

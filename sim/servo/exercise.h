@@ -70,7 +70,7 @@ class Exercise {
   /// close to grip again; the tissue takes what concerns it.
   void apply(const ServoCommand& command) noexcept;
   /// Takes what a model outside the servo has answered before the next step, if anything; once a tick.
-  void hear(const BesideAnswer& answer) noexcept { tissue_.hear(answer); }
+  void takeAnswer(const AsyncAnswer& answer) noexcept { tissue_.takeAnswer(answer); }
   /// Steps the exercise by one tick. Servo thread; noexcept, no allocation.
   [[nodiscard]] ExerciseStep step(const ToolState& tool) noexcept;
 

@@ -17,7 +17,7 @@ namespace torsio {
 /// is stepped on from there. So every answer is that of one exercise stepped from the first sample on, bit
 /// for bit, whatever the record says.
 ///
-/// A scene with a wall that came twisted, or with a model beside the servo, never comes to such a place: it
+/// A scene with a wall that came twisted, or with an asynchronous model, never comes to such a place: it
 /// is stepped on one thread. One thread asks.
 class ExerciseAhead {
  public:

@@ -30,7 +30,7 @@ struct GripFeel {
   bool late = false;  ///< the tissue's model has not answered in time: nothing is felt, not even the jaw
 };
 
-/// What became of an organ that is let alone for a tick.
+/// State of a released organ after a tick.
 enum class TissueReturn : std::uint8_t {
   kMoving,    ///< on its way back
   kReturned,  ///< at rest, where it was at first or in another balance
@@ -45,11 +45,11 @@ struct CommonTissue {
   /// Takes a command, for the next step.
   void apply(const ServoCommand& /*command*/) noexcept {}
   /// Takes what the tissue's model delivered before this tick, if it runs outside the servo.
-  void hear(const BesideAnswer& /*answer*/) noexcept {}
+  void takeAnswer(const AsyncAnswer& /*answer*/) noexcept {}
   /// Sets or takes off what holds the organ besides the jaw. Before the hand turns it.
   void setHolders(const JawState& /*jaw*/, OrganState& /*organ*/, std::uint32_t& /*events*/) noexcept {}
-  /// Does what the organ does by itself in a tick, after the hand has turned it. Returns the energy that the
-  /// tissue brings along into the grip, J.
+  /// Moves the organ on by a tick after the hand has turned it: friction, content, blood. Returns the energy
+  /// that the tissue brings along into the grip, J.
   [[nodiscard]] double step(const JawState& /*jaw*/, OrganState& /*organ*/,
                             std::uint32_t& /*events*/) noexcept {
     return 0.0;

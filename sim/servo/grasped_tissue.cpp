@@ -4,7 +4,7 @@
 namespace torsio {
 
 GraspedTissue::Kind GraspedTissue::kindOf(const Scene& scene, std::int64_t tickPeriod_us) {
-  if (runsBeside(scene.tissue)) {
+  if (runsAsync(scene.tissue)) {
     return GraspedAsync(scene, tickPeriod_us);
   }
   if (scene.rod) {

@@ -35,8 +35,8 @@ class GraspedTissue {
   void apply(const ServoCommand& command) noexcept {
     ask(kind_, [&](auto& kind) { kind.apply(command); });
   }
-  void hear(const BesideAnswer& answer) noexcept {
-    ask(kind_, [&](auto& kind) { kind.hear(answer); });
+  void takeAnswer(const AsyncAnswer& answer) noexcept {
+    ask(kind_, [&](auto& kind) { kind.takeAnswer(answer); });
   }
   void setHolders(const JawState& jaw, OrganState& organ, std::uint32_t& events) noexcept {
     ask(kind_, [&](auto& kind) { kind.setHolders(jaw, organ, events); });

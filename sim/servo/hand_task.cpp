@@ -142,7 +142,7 @@ HandTask handTask(const Scene& scene) {
 }
 
 HandTask handTask(const Scene& scene, double angle_rad) {
-  if (scene.hollow) {
+  if (scene.comesTwisted()) {
     return detorseTask(scene, detorsionSeed({}));
   }
   const double arc_m = graspArc_m(scene);

@@ -10,7 +10,7 @@
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/float_mode.h"
-#include "sim/core/live_of_sample.h"
+#include "sim/core/live_types.h"
 
 namespace torsio {
 
@@ -90,7 +90,8 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options, const Pinn
                                std::to_string(options.forceScale), std::to_string(options.targetAngle_rad)),
                 Text::verbatim("servo loop"), Text::verbatim("Check the exercise's options"));
   }
-  sample_.rules = links.scene->hollow ? kRulesOfDetorsion : std::min(options.rules, kRulesOfStoredEnergy);
+  sample_.rules =
+      links.scene->comesTwisted() ? kRulesOfDetorsion : std::min(options.rules, kRulesOfStoredEnergy);
 }
 
 void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
@@ -100,8 +101,8 @@ void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
   sample_.tick = nextTick_++;
   sample_.command = nextCommand();
   apply(sample_.command);
-  sample_.beside = heard();
-  exercise_.hear(sample_.beside);
+  sample_.async = asyncAnswer();
+  exercise_.takeAnswer(sample_.async);
 
   sample_.device = links_.device->read(time_us);
   if (options_.holdsBack) {
@@ -113,7 +114,7 @@ void ServoLoop::tick(std::int64_t time_us, const ExerciseStep* known) noexcept {
   if (options_.holdsBack) {
     proxy_.note(step, options_.drive, *links_.scene, exercise_.organ());
   }
-  ask();
+  askAsyncModel();
   noteEvents(step);
   std::uint32_t damped = kForceFull;
   const Vec3 wanted_N = wantedForce_N(step, tool, damped);
@@ -245,26 +246,26 @@ void ServoLoop::apply(const ServoCommand& command) noexcept {
   }
 }
 
-BesideAnswer ServoLoop::heard() noexcept {
-  if (links_.beside == nullptr) {
+AsyncAnswer ServoLoop::asyncAnswer() noexcept {
+  if (links_.async == nullptr) {
     return {};
   }
-  const BesideDelivery& newest = links_.beside->deliveries.latest();
+  const AsyncDelivery& newest = links_.async->deliveries.latest();
   const bool news = newest.number != lastDelivery_;
   lastDelivery_ = newest.number;
   if (!news || newest.grip != exercise_.grips() || exercise_.phase() != ExercisePhase::kTwisting) {
     return {};
   }
-  const BesideAnswer& answer = newest.answer;
+  const AsyncAnswer& answer = newest.answer;
   const bool finite = std::isfinite(answer.angle_rad) && std::isfinite(answer.torque_Nm) &&
                       std::isfinite(answer.slope_Nm_per_rad);
-  return answer.state == BesideState::kSound && finite ? answer : BesideAnswer{.state = BesideState::kBroken};
+  return answer.state == AsyncState::kSound && finite ? answer : AsyncAnswer{.state = AsyncState::kBroken};
 }
 
-void ServoLoop::ask() noexcept {
-  if (links_.beside != nullptr) {
+void ServoLoop::askAsyncModel() noexcept {
+  if (links_.async != nullptr) {
     const TwistState& twist = exercise_.organ().twist;
-    links_.beside->questions.publish({exercise_.grips(), twist.graspArc_m, twist.graspAngle_rad});
+    links_.async->questions.publish({exercise_.grips(), twist.graspArc_m, twist.graspAngle_rad});
   }
 }
 

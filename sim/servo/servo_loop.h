@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "sim/core/beside_link.h"
+#include "sim/core/async_model.h"
 #include "sim/core/latest_value.h"
 #include "sim/core/live_types.h"
 #include "sim/core/spsc_ring.h"
@@ -52,8 +52,8 @@ class ServoLoop {
     LatestValue<LiveState>* live = nullptr;      ///< may be null
     SpscRing<ServoCommand>* commands = nullptr;  ///< may be null
     SpscRing<ExerciseMoment>* events = nullptr;  ///< may be null: each tick in which something happened
-    /// Of a scene that a model beside the servo answers; null: it stays silent, and nothing is felt of it.
-    BesideLink* beside = nullptr;
+    /// Of a scene that an asynchronous model answers; null: it stays silent, and nothing is felt of it.
+    AsyncLink* async = nullptr;
   };
 
   /// Returns the options of the exercise of such a loop.
@@ -100,16 +100,17 @@ class ServoLoop {
   [[nodiscard]] bool energyLast() const noexcept { return options_.rules >= kRulesOfStoredEnergy; }
   [[nodiscard]] ServoCommand nextCommand() noexcept;
   void apply(const ServoCommand& command) noexcept;
-  /// Takes the newest answer of the model beside the servo, if it belongs to the present grip.
-  [[nodiscard]] BesideAnswer heard() noexcept;
-  /// Tells the model beside the servo how far the grip is turned.
-  void ask() noexcept;
+  /// Takes the newest answer of the asynchronous model, if it belongs to the present grip.
+  [[nodiscard]] AsyncAnswer asyncAnswer() noexcept;
+  /// Tells the asynchronous model how far the grip is turned.
+  void askAsyncModel() noexcept;
   void countLate(std::int64_t time_us) noexcept;
   /// Returns the wanted force of this tick, scaled, by rules 1 kept passive; NaN when the answer of the
   /// tissue is not finite.
   [[nodiscard]] Vec3 wantedForce_N(const ExerciseStep& step, const ToolState& tool,
                                    std::uint32_t& limits) noexcept;
-  /// Takes how a hollow organ fares into the sample; false, and the last that was sound, when it is in doubt.
+  /// Puts the state of a hollow organ into the sample. False when it is not finite: the last sound state is
+  /// recorded then.
   [[nodiscard]] bool readHollow() noexcept;
   void noteEvents(const ExerciseStep& step) noexcept;
   void publish() noexcept;

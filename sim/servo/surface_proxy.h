@@ -19,7 +19,7 @@ namespace torsio {
 inline constexpr double kDeepestPress_m = 0.020;
 /// Deepest that the shaft gets.
 inline constexpr double kDeepestShaft_m = 0.010;
-/// Depth from which on people are told that they press too deep.
+/// Depth from which the screen says that the trainee presses too deep.
 inline constexpr double kTooDeep_m = 0.005;
 
 /// Holds the instrument at the side of the organ on which it arrived (a proxy, or god object: Zilles and
@@ -29,7 +29,7 @@ inline constexpr double kTooDeep_m = 0.005;
 /// outwards it is free. What is recorded is the instrument that is held back, so that a replay needs no
 /// proxy. A hand that leads a gripped organ round is not held back while it holds.
 ///
-/// A plain value: deterministic, allocation-free; a copy goes on by itself. One thread.
+/// A plain value: deterministic, allocation-free; a copy continues on its own. One thread.
 class SurfaceProxy {
  public:
   /// Returns the reading with the tip where the tissue lets it be. Without contact, and in contact that is

@@ -6,8 +6,8 @@
 
 #include "sim/core/portable_math.h"
 #include "sim/geometry/query/deformed_surface.h"
+#include "sim/scene/hollow_map.h"
 #include "sim/scene/rod_organ.h"
-#include "sim/scene/wrung_surface.h"
 #include "sim/tissue/twist/twist_model_map.h"
 
 namespace torsio {
@@ -150,7 +150,7 @@ ToolTouch touchAll(Surface& surface, const ToolShape& shape, const Scene& scene,
   ToolTouch touch;
   if (near.tip) {
     touch.tip = touchTip(memory.tip);
-    // Of a deformed organ none is told beyond kTipReach_m.
+    // A deformed organ reports no distance beyond kTipReach_m.
     remember(memory.tip, {shape.tip_m, shape.tip_m}, scene, organ,
              std::min(touch.tip.gap_m, kTipReach_m - shape.tipRadius_m));
   }

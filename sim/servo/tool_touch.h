@@ -8,9 +8,9 @@
 
 #include "sim/core/angle.h"
 #include "sim/core/device_sample.h"
-#include "sim/geometry/mesh/segment.h"
+#include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/geometry/query/deformed_surface.h"
-#include "sim/geometry/query/surface_point.h"
+#include "sim/geometry/query/nearest_to_segment.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/scene.h"
 

@@ -29,15 +29,15 @@ ExerciseOptions TrialRerun::exerciseOptions(const TrialHeader& header, std::uint
 
 TrialRerun::TrialRerun(const Scene& scene, const TrialHeader& header, std::uint32_t rules)
     : device_(header),
-      loop_({.device = &device_, .scene = &scene, .commands = &commands_, .beside = &beside_},
+      loop_({.device = &device_, .scene = &scene, .commands = &commands_, .async = &asyncLink_},
             optionsOf(header, rules)) {}
 
 const Sample& TrialRerun::next(const Sample& recorded, const ExerciseStep* known) {
   if (recorded.command.kind != ServoCommand::Kind::kNone) {
     (void)commands_.push(recorded.command);
   }
-  if (recorded.beside.state != BesideState::kNothing) {
-    beside_.deliveries.publish({++deliveries_, loop_.grips(), recorded.beside});
+  if (recorded.async.state != AsyncState::kNothing) {
+    asyncLink_.deliveries.publish({++deliveries_, loop_.grips(), recorded.async});
   }
   device_.hand(recorded.device);
   loop_.tick(recorded.device.time_us, known);

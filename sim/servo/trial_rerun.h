@@ -47,7 +47,7 @@ class TrialRerun {
   };
 
   SpscRing<ServoCommand> commands_{1};
-  BesideLink beside_;  // hands on what the model beside the servo had said
+  AsyncLink asyncLink_;  // hands on what the asynchronous model had said
   std::int64_t deliveries_ = 0;
   HandedSample device_;
   ServoLoop loop_;

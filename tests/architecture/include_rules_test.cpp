@@ -78,13 +78,11 @@ const std::vector<Floor>& floors() {
        {}},
       {"Simulator: tissue",
        "sim",
-       {"tissue/section", "tissue/view", "tissue/reference", "tissue/hollow", "tissue/perfusion",
-        "tissue/twist", "tissue/rod", "baseline"},
+       {"tissue/section", "tissue/view", "tissue/hollow", "tissue/twist", "tissue/rod", "baseline"},
        {"sim/core", "sim/geometry"}},
       {"Simulator: devices",
        "sim/device",
-       {"safety", "", "steering", "virtual", "hdapi", "inverse3", "controller", "spacemouse", "process",
-        "process/host", "drivers"},
+       {"safety", "", "virtual", "hdapi", "inverse3", "steering", "process", "process/host", "drivers"},
        {"sim/core"}},
       {"Simulator: recordings", "sim/record", {""}, {"sim/core"}},
       {"Simulator: scenes and servo", "sim", {"scene", "scene/skin", "servo"}, {}},
@@ -218,8 +216,8 @@ const std::map<std::string, std::set<std::string>>& privateLibraries() {
       {"CLI/", {"app/cli"}},
       {"xlsxwriter", {"app/outputs/tables"}},
       {"readstat", {"app/outputs/tables"}},
-      {"SDL", {"sim/device/controller"}},
-      {"spnav", {"sim/device/spacemouse"}},
+      {"SDL", {"sim/device/steering"}},
+      {"spnav", {"sim/device/steering"}},
   };
   return kPrivate;
 }

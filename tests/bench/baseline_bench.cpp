@@ -11,6 +11,7 @@
 #include "sim/baseline/lattice_update.h"
 #include "sim/baseline/twist_simulation.h"
 #include "sim/scene/scene.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -30,8 +31,7 @@ double medianFrame_s(TwistSimulation& model, double torque_Nm, int frames) {
 }
 
 int run() {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  SceneRequest request = testing::shippedRequest();
   request.ridges = 36;
   request.sections = 37;
   const Scene scene = loadScene(request);

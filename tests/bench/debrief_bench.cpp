@@ -12,9 +12,10 @@
 #include "app/services/training/debrief.h"
 #include "sim/core/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"
+#include "sim/record/trial.h"
 #include "sim/servo/hand_task.h"
+#include "tests/support/shipped_scene.h"
 
 namespace {
 
@@ -42,9 +43,7 @@ double processor_s() {
 }  // namespace
 
 int main() {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "forearm";
+  SceneRequest request = testing::shippedRequest("forearm");
   const Scene scene = loadScene(request);
   bool kept = true;
   for (const std::int64_t minutes : {20, 40}) {

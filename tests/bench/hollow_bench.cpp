@@ -23,8 +23,9 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/hollow_view.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/wrung_surface.h"
+#include "sim/scene/hollow_map.h"
 #include "sim/tissue/view/twist_kernels.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -63,10 +64,7 @@ double median_ns(const Query& query) {
 }
 
 SceneRequest requestOf(const std::string& id) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  request.pattern = "detorse";
+  SceneRequest request = testing::shippedRequest(id, "detorse");
   return request;
 }
 

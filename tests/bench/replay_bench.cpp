@@ -18,6 +18,7 @@
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -26,10 +27,7 @@ constexpr std::int64_t kTicksPerSecond = 1000;
 constexpr std::uint64_t kSeed = 3;
 
 Scene shipped(const std::string& id) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  return loadScene(request);
+  return testing::shippedScene(id);
 }
 
 /// A hand of middling skill for so many seconds.

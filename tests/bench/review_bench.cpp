@@ -25,7 +25,8 @@
 #include "app/gui/physician/replay_panel.h"
 #include "app/services/recording/pipeline.h"
 #include "sim/core/random.h"
-#include "sim/record/memory_trial_sink.h"
+#include "sim/record/trial.h"
+#include "tests/support/shipped_scene.h"
 
 namespace {
 
@@ -78,14 +79,11 @@ double renderer_MB() {
 }
 
 Trial recorded(const std::filesystem::path& assets, double duration_s) {
-  SceneRequest request;
-  request.assets = assets;
-  request.id = "forearm";
   ScriptedTrial script;
   script.recording = {.trialId = "bench", .phaseLabel = "bench"};
   script.duration_s = duration_s;
   MemoryTrialSink sink;
-  recordScriptedTrial(loadScene(request), script, sink);
+  recordScriptedTrial(testing::shippedScene("forearm"), script, sink);
   return sink.trial();
 }
 

@@ -26,6 +26,7 @@
 #include "tests/sim/servo/bar_scene.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/lock_count.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -190,11 +191,7 @@ void printRelay() {
 }
 
 Scene shipped(const std::string& id, const std::string& pattern = {}) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  request.pattern = pattern;
-  return loadScene(request);
+  return testing::shippedScene(id, pattern);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/hand_task.h"
 #include "tests/sim/servo/bar_scene.h"
+#include "tests/support/shipped_scene.h"
 
 namespace {
 
@@ -94,10 +95,7 @@ std::shared_ptr<const Scene> sceneOf(const Options& options) {
     return std::make_shared<const Scene>(
         barScene(testing::prism(testing::circleOutline(kBarRadius_m, sides), kBarLength_m, rows)));
   }
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = options.organ;
-  return std::make_shared<const Scene>(loadScene(request));
+  return std::make_shared<const Scene>(torsio::testing::shippedScene(options.organ));
 }
 
 std::unique_ptr<ScriptedHand> handFor(const Scene& scene, double seconds) {

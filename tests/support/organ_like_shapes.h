@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "sim/anatomy/marching_tetrahedra.h"
+#include "sim/anatomy/remesh.h"
 #include "sim/core/portable_math.h"
 
 namespace torsio::testing {

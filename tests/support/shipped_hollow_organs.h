@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "sim/scene/hollow_map.h"
 #include "sim/scene/hollow_organ.h"
-#include "sim/scene/scene.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio::testing {
 
@@ -19,11 +18,7 @@ inline const Scene& twistedOrgan(const std::string& id) {
   if (found != loaded.end()) {
     return found->second;
   }
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  request.pattern = "detorse";
-  return loaded.emplace(id, loadScene(request)).first->second;
+  return loaded.emplace(id, shippedScene(id, "detorse")).first->second;
 }
 
 /// Its vertices as it lies, without the folds of its wall.

@@ -11,8 +11,8 @@
 #include "app/services/base/build_info.h"
 #include "sim/core/device_sample.h"
 #include "sim/core/digest.h"
+#include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/refusal.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "app/services/base/csv_table.h"
+#include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

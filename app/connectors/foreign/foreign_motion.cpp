@@ -13,8 +13,7 @@
 #include "app/connectors/foreign/foreign_rows.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
-#include "sim/core/rotation_matrix.h"
+#include "sim/core/pose.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -6,7 +6,7 @@
 #include <QByteArray>
 #include <QDateTime>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

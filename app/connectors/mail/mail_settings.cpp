@@ -9,7 +9,8 @@
 
 #include "app/services/access/centre_settings.h"
 #include "db/connection/connection.h"
-#include "sim/core/refusal.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -11,7 +11,7 @@
 #include "app/services/access/access_service.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 
 #include "app/connectors/mail/mail_settings.h"
 #include "app/connectors/mail/smtp_client.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

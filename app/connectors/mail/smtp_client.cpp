@@ -11,7 +11,6 @@
 
 #include "app/services/base/this_computer.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -12,8 +12,8 @@
 #include <igtl_transform.h>
 #include <igtl_util.h>
 
-#include "sim/core/refusal.h"
-#include "sim/core/rotation_matrix.h"
+#include "sim/core/error.h"
+#include "sim/core/pose.h"
 
 namespace torsio {
 

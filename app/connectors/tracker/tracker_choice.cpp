@@ -4,7 +4,7 @@
 #include <QSettings>
 
 #include "app/connectors/tracker/own_address.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

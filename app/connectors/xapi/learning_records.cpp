@@ -10,7 +10,7 @@
 #include "app/services/base/stored_sentence.h"
 #include "db/connection/connection.h"
 #include "db/repository/system/learning_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -14,9 +14,10 @@
 #include "app/services/base/this_computer.h"
 #include "assessment/domain/people/learning_event.h"
 #include "db/connection/connection.h"
+#include "db/repository/system/setting_repository.h"
+#include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/private_files.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

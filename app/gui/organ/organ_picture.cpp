@@ -127,7 +127,7 @@ OrganState OrganPicture::state() const {
     return {};
   }
   const double angle_rad = radians(static_cast<double>(twist_->value()));
-  if (trial_.scene->hollow != nullptr) {
+  if (trial_.scene->comesTwisted()) {
     return trial_.scene->hollow->stateAt(angle_rad);
   }
   return {{trial_.scene->lattice().length_m(), angle_rad}, {}};

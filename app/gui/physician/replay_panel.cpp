@@ -69,8 +69,8 @@ std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
     checkScene(recording, *scene);
     loaded->playback.setPoses(PoseTrack(*scene, loaded->playback.header(), loaded->playback.chunks()));
     loaded->view = makeViewScene(scene);
-    if (auto shape = showBesideShape(*scene, loaded->view)) {
-      loaded->beside = std::make_unique<BesidePlayback>(scene, std::move(shape));
+    if (auto shape = showAsyncShape(*scene, loaded->view)) {
+      loaded->async = std::make_unique<AsyncModelPlayback>(scene, std::move(shape));
     }
     loaded->scene = std::move(scene);
   } catch (const Error&) {
@@ -359,8 +359,8 @@ void ReplayPanel::frame(double elapsed_s) {
 void ReplayPanel::showState() {
   if (recording_ != nullptr && recording_->scene != nullptr) {
     const LiveState state = recording_->playback.state();
-    if (recording_->beside) {
-      recording_->beside->follow(state);
+    if (recording_->async) {
+      recording_->async->follow(state);
     }
     view_->setOrgan(organStateOf(state));
     view_->setTool(state.tool, state.grip);

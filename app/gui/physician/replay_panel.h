@@ -15,7 +15,7 @@
 
 #include "app/gui/physician/trace_view.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/beside_view.h"
+#include "app/gui/simulator/async_view.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/recording/trial_playback.h"
 #include "app/services/review/blinded_case.h"
@@ -36,7 +36,7 @@ struct LoadedRecording {
   BlindedTask task;
   std::shared_ptr<const Scene> scene;  ///< null: the organ is not here, traces only
   ViewScene view;
-  std::unique_ptr<BesidePlayback> beside;  ///< null: the view needs none
+  std::unique_ptr<AsyncModelPlayback> async;  ///< null: the view needs none
 };
 /// Decodes, checks and builds; a missing organ leaves the scene empty. Throws Error for a recording that
 /// cannot be played. Worker thread.

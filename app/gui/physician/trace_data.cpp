@@ -6,8 +6,8 @@
 
 #include "assessment/attempt/recorded_loads.h"
 #include "sim/core/angle.h"
+#include "sim/tissue/hollow/tissue_colour.h"
 #include "sim/tissue/hollow/wrung_organ.h"
-#include "sim/tissue/perfusion/tissue_colour.h"
 
 namespace torsio::gui {
 

@@ -331,7 +331,7 @@ void SimulatorWindow::frame(double elapsed_s) {
   measureRate();
   readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a picture has no rate
   detorsion_->show(state);
-  exercise_->showBeside(controller_->besideRate_per_s(), (state.limits & kForceModelLate) != 0);
+  exercise_->showBeside(controller_->asyncRate_per_s(), (state.limits & kForceModelLate) != 0);
   hint_->show(state);
   if (controller_->mode() == SimulationController::Mode::kRecording) {
     recordingTime_->setText(

@@ -102,7 +102,7 @@ class SceneView : public QWidget {
   void showSkin();
   /// Tells whether the organ lies otherwise than it is shown.
   [[nodiscard]] bool moves(const OrganState& state) const;
-  /// Computes the vertices: of the state, or of the shape that a model beside the servo has delivered.
+  /// Computes the vertices: of the state, or of the shape that an asynchronous model has delivered.
   void deformSkin(const OrganState& state);
   void paintSkin();
   void showSurroundings();

@@ -35,7 +35,7 @@ struct ViewScene {
   std::vector<SkinAnchor> markers;       ///< empty: the organ has none
   /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
   std::function<void(const OrganState&, std::span<Vec3>)> deform;
-  /// Where a model beside the servo answers: the number of its newest shape, 0 before the first, and the
+  /// Where an asynchronous model answers: the number of its newest shape, 0 before the first, and the
   /// vertices of that shape. GUI thread. Empty: `deform` tells all.
   std::function<std::int64_t()> shapeNumber;
   std::function<void(std::span<Vec3>)> shape;

@@ -181,7 +181,7 @@ void DetorsionPanel::steer(SimulationController& controller) {
 }
 
 void DetorsionPanel::setScene(const Scene* scene) {
-  present_ = scene != nullptr && scene->hollow != nullptr;
+  present_ = scene != nullptr && scene->comesTwisted();
   if (present_) {
     detorsion_ = scene->hollow->detorsion();
   }

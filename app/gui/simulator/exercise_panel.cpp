@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kEnglishRole = Qt::UserRole + 1;
 constexpr double kLargestTarget_deg = 360.0;
-constexpr int kBesideItems = 16;  ///< items of the models beside the servo; below it the formulations
+constexpr int kBesideItems = 16;  ///< items of the asynchronous models; below it the formulations
 
 int itemOf(TissueModel tissue) {
   return kBesideItems + static_cast<int>(tissue);
@@ -194,7 +194,7 @@ void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrg
   pattern_->setToolTip(toQString(scene.pattern.source));
   nameChosen();
   const int item =
-      runsBeside(scene.tissue) ? itemOf(scene.tissue) : static_cast<int>(scene.model.options().formulation);
+      runsAsync(scene.tissue) ? itemOf(scene.tissue) : static_cast<int>(scene.model.options().formulation);
   formulation_->setCurrentIndex(formulation_->findData(item));
   target_->setValue(std::round(degrees(target_rad)));
 }

@@ -28,7 +28,7 @@ class ExercisePanel : public QWidget {
   void setOrgans(const std::filesystem::path& assets);
   /// What is loaded now; emits nothing. `ownOrgan`: a mesh of the user's stands in for the shipped one.
   void showScene(const Scene& scene, double target_rad, bool ownOrgan);
-  /// Says at which rate a model beside the servo answers, or that it does not (`late`). `rate_per_s`: 0
+  /// Says at which rate an asynchronous model answers, or that it does not (`late`). `rate_per_s`: 0
   /// before its first answer; none: the servo answers alone, and nothing is said.
   void showBeside(std::optional<double> rate_per_s, bool late);
   /// Off while a trial is recorded or replayed: the exercise must not change under it.
@@ -40,7 +40,7 @@ class ExercisePanel : public QWidget {
   void organChosen(const QString& id);
   void patternChosen(const QString& id);
   void formulationChosen(torsio::Formulation formulation);
-  /// A model that runs beside the servo.
+  /// An asynchronous model.
   void tissueChosen(torsio::TissueModel tissue);
   void targetChosen(double target_rad);
 

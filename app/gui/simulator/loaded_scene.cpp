@@ -13,7 +13,7 @@ LoadedScene loadSceneForView(const SceneRequest& request) {
   // A user's organ is not what the scene it borrows was drawn for.
   const std::string tissue = request.organFile ? request.organFile->stem().string() : std::string();
   loaded.view = makeViewScene(loaded.scene, tissue);
-  loaded.shape = showBesideShape(*loaded.scene, loaded.view);
+  loaded.shape = showAsyncShape(*loaded.scene, loaded.view);
   if (!request.organFile) {
     loaded.view.markers = organMarkers(*loaded.scene, request.assets);
   }

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/beside_view.h"
+#include "app/gui/simulator/async_view.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 
@@ -15,7 +15,7 @@ namespace torsio::gui {
 struct LoadedScene {
   std::shared_ptr<const Scene> scene;
   ViewScene view;
-  std::shared_ptr<NewestShape> shape{};  ///< where a model beside the servo answers; else null
+  std::shared_ptr<LatestShape> shape{};  ///< where an asynchronous model answers; else null
 };
 
 /// Reads a scene. Called in a worker thread; throws Error.

@@ -26,7 +26,7 @@ LiveState ShownTool::show(const LiveState& state) {
     axis = controller_.scene()->graspFrame(state.response.graspArc_m, state.tool.position_m).tangent;
   }
   // Beyond what a hand turns an organ that came twisted its shaft would swing through the tissue.
-  const bool undone = axis && controller_.scene()->hollow != nullptr;
+  const bool undone = axis && controller_.scene()->comesTwisted();
   pointer_.setHeldAxis(axis, undone ? kHandTurn_rad + kLag_rad : PointerControls::kNoEnd_rad);
   const std::optional<SurfacePoint> near = controller_.nearby(state);
   const bool close = near && near->distance_m < kLeanWithin_m;
@@ -47,12 +47,13 @@ LiveState ShownTool::carried(const LiveState& state) const {
   const Scene& scene = *controller_.scene();
   const AxisFrame frame = scene.graspFrame(state.response.graspArc_m, state.tool.position_m);
   // An organ that came twisted: only what it turned since the jaw took hold of it carries the tool round.
-  const double turn_rad = state.response.angle_rad - (scene.hollow ? heldFrom_rad_ : 0.0);
+  const double turn_rad = state.response.angle_rad - (scene.comesTwisted() ? heldFrom_rad_ : 0.0);
   LiveState drawn = state;
   drawn.response.force_N = rotateAbout(state.response.force_N, frame.tangent, turn_rad);
-  drawn.tool.position_m = scene.hollow ? frame.centre_m + rotateAbout(state.tool.position_m - frame.centre_m,
-                                                                      frame.tangent, turn_rad)
-                                       : scene.toDeformed_m(state.tool.position_m, organStateOf(state));
+  drawn.tool.position_m =
+      scene.comesTwisted()
+          ? frame.centre_m + rotateAbout(state.tool.position_m - frame.centre_m, frame.tangent, turn_rad)
+          : scene.toDeformed_m(state.tool.position_m, organStateOf(state));
   return drawn;
 }
 

@@ -126,7 +126,7 @@ void SimulationController::replace(const SceneRequest& request, LoadedScene load
   if (playback) {
     target_rad_ = playback->header().targetAngle_rad;
     playback->setPlaying(true);
-    enter(stage::Replaying{std::move(*playback), besidePlayback()});
+    enter(stage::Replaying{std::move(*playback), asyncPlayback()});
   } else {
     target_rad_ = loaded_.scene->pattern.targetAngle_rad;
     practise(nullptr);
@@ -245,8 +245,8 @@ void SimulationController::advance(double elapsed_s) {
   }
   const bool was = played->playing();
   played->advance(elapsed_s);
-  if (const auto& beside = std::get<stage::Replaying>(stage_).beside) {
-    beside->follow(played->state());
+  if (const auto& async = std::get<stage::Replaying>(stage_).async) {
+    async->follow(played->state());
   }
   if (was != played->playing()) {
     Q_EMIT modeChanged();
@@ -263,16 +263,16 @@ LiveState SimulationController::state() {
   return run() != nullptr ? run()->latest() : LiveState{};
 }
 
-std::unique_ptr<BesidePlayback> SimulationController::besidePlayback() const {
-  return loaded_.shape ? std::make_unique<BesidePlayback>(loaded_.scene, loaded_.shape) : nullptr;
+std::unique_ptr<AsyncModelPlayback> SimulationController::asyncPlayback() const {
+  return loaded_.shape ? std::make_unique<AsyncModelPlayback>(loaded_.scene, loaded_.shape) : nullptr;
 }
 
-std::optional<double> SimulationController::besideRate_per_s() const {
+std::optional<double> SimulationController::asyncRate_per_s() const {
   const stage::Running* now = running();
-  if (now == nullptr || now->run->beside() == nullptr) {
+  if (now == nullptr || now->run->asyncModel() == nullptr) {
     return std::nullopt;
   }
-  return now->run->beside()->framesPerSecond();
+  return now->run->asyncModel()->framesPerSecond();
 }
 
 bool SimulationController::toolRidesOnTissue() const noexcept {

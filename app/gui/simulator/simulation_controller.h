@@ -15,7 +15,7 @@
 
 #include "app/gui/base/problem.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/beside_view.h"
+#include "app/gui/simulator/async_view.h"
 #include "app/gui/simulator/loaded_scene.h"
 #include "app/gui/simulator/simulation_stage.h"
 #include "app/gui/simulator/trial_recording.h"
@@ -65,9 +65,9 @@ class SimulationController : public QObject {
   void advance(double elapsed_s);
   /// What the window shows now.
   [[nodiscard]] LiveState state();
-  /// How often a second the model beside the servo answers; 0 before its first answer, nothing where the
+  /// How often a second the asynchronous model answers; 0 before its first answer, nothing where the
   /// servo answers alone or nothing runs.
-  [[nodiscard]] std::optional<double> besideRate_per_s() const;
+  [[nodiscard]] std::optional<double> asyncRate_per_s() const;
   /// True while the pointer turns what it holds instead of carrying it round (TwistDrive::kRoll).
   [[nodiscard]] bool toolRidesOnTissue() const noexcept;
   /// The organ's surface next to the tip while nothing holds it; `distance_m` counts from the tip's sphere.
@@ -139,7 +139,7 @@ class SimulationController : public QObject {
   [[nodiscard]] const stage::Running* running() const noexcept;
   [[nodiscard]] stage::Running newRun(std::unique_ptr<HapticDevice> device, const RecordingSpec& recording,
                                       std::shared_ptr<TrialSink> sink) const;
-  [[nodiscard]] std::unique_ptr<BesidePlayback> besidePlayback() const;
+  [[nodiscard]] std::unique_ptr<AsyncModelPlayback> asyncPlayback() const;
   void practise(std::unique_ptr<HapticDevice> device);
   [[nodiscard]] std::optional<RecordingResult> finishRun(TrialOutcome outcome);
   void openHaptic();

@@ -6,7 +6,7 @@
 #include <memory>
 #include <variant>
 
-#include "app/services/recording/beside_playback.h"
+#include "app/services/recording/async_model_playback.h"
 #include "app/services/recording/recorded_run.h"
 #include "app/services/recording/trial_playback.h"
 #include "sim/core/live_types.h"
@@ -47,7 +47,7 @@ struct Still {
 /// A recording is played.
 struct Replaying {
   TrialPlayback playback;
-  std::unique_ptr<BesidePlayback> beside{};  ///< null: the recording needs none
+  std::unique_ptr<AsyncModelPlayback> async{};  ///< null: the recording needs none
 };
 
 }  // namespace stage

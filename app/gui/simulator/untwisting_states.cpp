@@ -61,7 +61,7 @@ void putBlood(const PerfusionState& blood, HollowPose& pose) {
 }  // namespace
 
 LiveState untwistingState(const Scene& scene, UntwistingState state) {
-  TORSIO_EXPECTS(scene.hollow != nullptr);
+  TORSIO_EXPECTS(scene.comesTwisted());
   const HollowOrgan& organ = *scene.hollow;
   const Detorsion& detorsion = organ.detorsion();
   LiveState live = scriptedTwist(scene, detorsion.start.sign * angleOf(organ, state));

@@ -19,7 +19,7 @@ ValidityButton::ValidityButton(QWidget* parent) : QToolButton(parent) {
 
 void ValidityButton::setScene(const Scene* scene) {
   words_.clear();
-  if (scene != nullptr && scene->hollow != nullptr) {
+  if (scene != nullptr && scene->comesTwisted()) {
     words_ = scene->hollow->detorsion().validity;
   }
   setVisible(!words_.empty());

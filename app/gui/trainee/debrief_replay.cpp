@@ -76,8 +76,8 @@ std::shared_ptr<DebriefRecordings> loadForDebrief(const Debrief& debrief, const 
       loaded->grips_s = debrief.grips_s;
     }
     loaded->view = makeViewScene(scene);
-    if (auto shape = showBesideShape(*scene, loaded->view)) {
-      loaded->beside = std::make_unique<BesidePlayback>(scene, std::move(shape));
+    if (auto shape = showAsyncShape(*scene, loaded->view)) {
+      loaded->async = std::make_unique<AsyncModelPlayback>(scene, std::move(shape));
     }
     loaded->scene = std::move(scene);
     return loaded;
@@ -219,8 +219,8 @@ void DebriefReplay::showState() {
     return;
   }
   const LiveState state = recordings_->own.state();
-  if (recordings_->beside) {
-    recordings_->beside->follow(state);
+  if (recordings_->async) {
+    recordings_->async->follow(state);
   }
   view_->setOrgan(organStateOf(state));
   view_->setTool(state.tool, state.grip);

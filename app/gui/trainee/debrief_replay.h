@@ -12,7 +12,7 @@
 #include <QWidget>
 
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/beside_view.h"
+#include "app/gui/simulator/async_view.h"
 #include "app/services/recording/trial_playback.h"
 #include "app/services/training/debrief.h"
 
@@ -35,7 +35,7 @@ struct DebriefRecordings {
   double expertLasts_s = 0.0;     ///< from there to the end of its twist
   std::shared_ptr<const Scene> scene{};
   ViewScene view{};
-  std::unique_ptr<BesidePlayback> beside{};
+  std::unique_ptr<AsyncModelPlayback> async{};
 
   /// Returns where in the expert's recording a moment of the run lies; empty outside the twists.
   [[nodiscard]] std::optional<double> expertTime_s(double at_s) const noexcept;

@@ -246,7 +246,7 @@ void RunPage::record() {
 
 void RunPage::guide() {
   const Scene* scene = scene_->controller().scene();
-  if (!runSession_ || runSession_->graded() || scene == nullptr || scene->hollow != nullptr) {
+  if (!runSession_ || runSession_->graded() || scene == nullptr || scene->comesTwisted()) {
     return;
   }
   guide_->begin(haptic_, runSession_->step().module.hold_us > 0);

@@ -233,7 +233,7 @@ void RunPanel::showTime(bool started, bool mayRest) {
                      : tr("&Rest (used up)"));
   rest_->setMinimumWidth(std::max(rest_->minimumWidth(), rest_->sizeHint().width()));
   const Scene* scene = controller_.scene();
-  const bool untwisted = scene != nullptr && scene->hollow != nullptr;
+  const bool untwisted = scene != nullptr && scene->comesTwisted();
   angle_->setVisible(!real && !untwisted);
   detorsion_->setVisible(!real && untwisted);
   detorsion_->setUsable(started && run.state() == RunState::kRunning);

@@ -22,8 +22,8 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/digest.h"
+#include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 #include "sim/core/tick_period.h"
 #include "sim/core/time_units.h"
 

@@ -21,7 +21,6 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/refusal.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {

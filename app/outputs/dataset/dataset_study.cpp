@@ -18,8 +18,8 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/contracts.h"
+#include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_file.h"
 

@@ -8,7 +8,7 @@
 
 #include <QByteArray>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

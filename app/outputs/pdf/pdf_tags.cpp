@@ -9,7 +9,7 @@
 #include <QPainter>
 
 #include "app/outputs/pdf/pdf_file.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

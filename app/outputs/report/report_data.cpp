@@ -24,7 +24,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -4,7 +4,7 @@
 #include "assessment/domain/study/cohort.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

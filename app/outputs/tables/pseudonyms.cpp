@@ -8,7 +8,7 @@
 
 #include "db/repository/base/id_source.h"
 #include "sim/core/digest.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -6,7 +6,7 @@
 
 #include <qrencode.h>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

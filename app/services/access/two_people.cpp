@@ -15,7 +15,7 @@
 #include "db/repository/people/duty_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/core/contracts.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -10,7 +10,7 @@
 #include "sim/core/contracts.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -16,7 +16,6 @@
 #include "sim/baseline/lattice_update.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/tissue/view/cpu_features.h"
 
 namespace torsio {

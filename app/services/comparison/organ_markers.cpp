@@ -12,7 +12,6 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/portable_math.h"
-#include "sim/core/refusal.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/scene/scene_file.h"
 

@@ -30,7 +30,6 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 #include "sim/record/sample_codec.h"
 

@@ -26,7 +26,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/random.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

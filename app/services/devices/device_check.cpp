@@ -13,7 +13,7 @@
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
 #include "sim/core/load_decimals.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 #include "sim/servo/servo_thread.h"
 
 namespace torsio {

@@ -9,7 +9,7 @@
 #include <QSettings>
 
 #include "assessment/results/number_format.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/device/drivers/device_list.h"
 
 namespace torsio {

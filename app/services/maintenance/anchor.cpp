@@ -16,7 +16,6 @@
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -22,7 +22,6 @@
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {

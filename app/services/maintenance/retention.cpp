@@ -9,7 +9,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

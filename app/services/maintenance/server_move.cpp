@@ -17,7 +17,6 @@
 #include "db/repository/people/server_roles.h"
 #include "db/repository/system/schema_tables.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

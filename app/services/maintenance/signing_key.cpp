@@ -13,7 +13,6 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/private_files.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include "sim/anatomy/forearm.h"
 #include "sim/anatomy/shipped_files.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/short_number.h"
 
 namespace torsio {

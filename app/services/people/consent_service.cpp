@@ -13,7 +13,6 @@
 #include "db/repository/people/people_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

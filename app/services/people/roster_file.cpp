@@ -10,7 +10,7 @@
 #include "app/services/people/roster_text.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "app/services/people/people_service.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/core/contracts.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

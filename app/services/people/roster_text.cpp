@@ -9,7 +9,7 @@
 #include <QString>
 #include <QStringDecoder>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "app/services/recording/recorded_run.h"
 #include "sim/core/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/memory_trial_sink.h"
+#include "sim/record/trial.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/detorsion.h"
 #include "sim/servo/hand_task.h"
@@ -29,7 +29,7 @@ HandTask untwistingOf(const Scene& scene, const ScriptedTrial& trial) {
 ScriptedHandOptions handOf(const Scene& scene, const ScriptedTrial& trial) {
   ScriptedHandOptions hand;
   hand.seed = trial.trialSeed;
-  hand.task = scene.hollow ? untwistingOf(scene, trial) : handTask(scene);
+  hand.task = scene.comesTwisted() ? untwistingOf(scene, trial) : handTask(scene);
   hand.profile = handProfile(trial.personSeed);
   hand.practisedBefore_min = trial.practisedBefore_min;
   hand.practiceScale = trial.practiceScale;
@@ -71,7 +71,7 @@ constexpr HandProfile kNothingLeftToLearn{
 
 ScriptedHandOptions expertHand(const Scene& scene, double target_rad) {
   ScriptedHandOptions hand;
-  hand.task = scene.hollow ? detorseTask(scene, detorsionSeed("expert")) : handTask(scene, target_rad);
+  hand.task = scene.comesTwisted() ? detorseTask(scene, detorsionSeed("expert")) : handTask(scene, target_rad);
   hand.profile = kNothingLeftToLearn;
   hand.duration_s = kLongestPlan_s;
   return hand;

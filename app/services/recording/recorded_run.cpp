@@ -7,7 +7,7 @@
 //   device      a stylus, a mouse or a scripted hand says where the instrument is (sim/device)
 //   servo       each millisecond: collide, step the tissue, govern the force (sim/servo/servo_loop.cpp)
 //   tissue      answers angle and place of the jaw with torque and force (sim/tissue)
-//   beside      a model that takes longer than a tick delivers torque and slope (beside_worker.h)
+//   beside      a model that takes longer than a tick delivers torque and slope (async_model_worker.h)
 //   recorder    packs what happened, second by second (sim/record/recorder.cpp)
 //   database    a sink takes header, chunks and summary (unstored_trials.h, db/repository)
 //   assessment  reads a stored trial: twists, metrics, marks, statistics (assessment)
@@ -28,7 +28,7 @@ namespace {
 constexpr std::size_t kCommandsWaiting = 64;
 constexpr std::int64_t kPumpEvery_us = 1'000'000;  // well within what the ring of the recording holds
 
-constexpr std::int64_t kTicksOfAFrame = 17;  // of a model beside the servo, in the time of step()
+constexpr std::int64_t kTicksOfAFrame = 17;  // of an asynchronous model, in the time of step()
 
 /// A hand leads the instrument now: it is held at the surface.
 ServoOptions liveOptions(const TrialHeader& header) {
@@ -47,15 +47,15 @@ Pointer present(Pointer pointer) {
 
 RecordedRun::RecordedRun(std::shared_ptr<const Scene> scene, std::unique_ptr<HapticDevice> device,
                          const RecordingSpec& spec, std::shared_ptr<TrialSink> sink,
-                         std::shared_ptr<NewestShape> shape)
+                         std::shared_ptr<LatestShape> shape)
     : scene_(present(std::move(scene))),
       device_(present(std::move(device))),
       header_(headerFor(*scene_, device_->capabilities(), spec)),
       commands_(kCommandsWaiting),
       samples_(sink != nullptr ? std::make_unique<SpscRing<Sample>>(kRecordingRing) : nullptr),
-      beside_(runsBeside(scene_->tissue)
-                  ? std::make_unique<BesideWorker>(scene_, besideLink_, std::move(shape))
-                  : nullptr),
+      asyncModel_(runsAsync(scene_->tissue)
+                      ? std::make_unique<AsyncModelWorker>(scene_, asyncLink_, std::move(shape))
+                      : nullptr),
       loop_(links(), liveOptions(header_)),
       sink_(std::move(sink)) {
   if (sink_ != nullptr) {
@@ -72,7 +72,7 @@ ServoLoop::Links RecordedRun::links() noexcept {
           .recording = samples_.get(),
           .live = &live_,
           .commands = &commands_,
-          .beside = beside_ ? &besideLink_ : nullptr};
+          .async = asyncModel_ ? &asyncLink_ : nullptr};
 }
 
 void RecordedRun::start() {
@@ -80,8 +80,8 @@ void RecordedRun::start() {
   if (recorder_) {
     recorder_->start();
   }
-  if (beside_) {
-    beside_->start();
+  if (asyncModel_) {
+    asyncModel_->start();
   }
   thread_.emplace(loop_, kTickPeriod_us);
   thread_->start();
@@ -90,8 +90,8 @@ void RecordedRun::start() {
 void RecordedRun::step(std::int64_t ticks) {
   TORSIO_EXPECTS(!thread_);
   for (std::int64_t i = 0; i < ticks; ++i) {
-    if (beside_ && loop_.ticks() % kTicksOfAFrame == 0) {
-      static_cast<void>(beside_->work());
+    if (asyncModel_ && loop_.ticks() % kTicksOfAFrame == 0) {
+      static_cast<void>(asyncModel_->work());
     }
     loop_.tick(clock_.now_us());
     clock_.advance_us(kTickPeriod_us);

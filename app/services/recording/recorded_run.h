@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/services/recording/beside_worker.h"
+#include "app/services/recording/async_model_worker.h"
 #include "app/services/recording/recording_spec.h"
 #include "sim/core/clock.h"
 #include "sim/core/latest_value.h"
@@ -25,7 +25,7 @@ namespace torsio {
 ///
 /// After start() the time is real, and the servo and the recorder have a thread each. Without start() the
 /// time is that of step(), as fast as it is called. The device is read and answered by the same servo loop.
-/// Where a model beside the servo answers, it has a thread too; in the time of step() it is given a sixtieth
+/// Where an asynchronous model answers, it has a thread too; in the time of step() it is given a sixtieth
 /// of a second for each frame.
 ///
 /// Belongs to the thread that made it. Owns all that must live and die together with a servo loop; the sink
@@ -34,11 +34,11 @@ class RecordedRun {
  public:
   /// Wires the run; nothing moves yet. `sink`: gets the recording from the first tick on; null: free
   /// practice, of which nothing is kept. Throws Error{kBadParameter} when the limits of the device or the
-  /// target make no sense. `shape`: gets what a model beside the servo makes of the organ; null: nobody
+  /// target make no sense. `shape`: gets what an asynchronous model makes of the organ; null: nobody
   /// looks.
   RecordedRun(std::shared_ptr<const Scene> scene, std::unique_ptr<HapticDevice> device,
               const RecordingSpec& spec, std::shared_ptr<TrialSink> sink,
-              std::shared_ptr<NewestShape> shape = nullptr);
+              std::shared_ptr<LatestShape> shape = nullptr);
   /// Stops. A recording that was not finished stays with its sink as interrupted.
   ~RecordedRun();
   RecordedRun(const RecordedRun&) = delete;
@@ -57,8 +57,8 @@ class RecordedRun {
   [[nodiscard]] const TrialHeader& header() const noexcept { return header_; }
   /// Tells whether the run is recorded.
   [[nodiscard]] bool recorded() const noexcept { return recorder_.has_value(); }
-  /// Returns who runs the model beside the servo; null where the servo needs none.
-  [[nodiscard]] const BesideWorker* beside() const noexcept { return beside_.get(); }
+  /// Returns who runs the asynchronous model; null where the servo needs none.
+  [[nodiscard]] const AsyncModelWorker* asyncModel() const noexcept { return asyncModel_.get(); }
   /// Returns the thread of the servo, for its timing. After start().
   [[nodiscard]] const ServoThread& thread() const { return *thread_; }
 
@@ -79,8 +79,8 @@ class RecordedRun {
   SpscRing<ServoCommand> commands_;
   LatestValue<LiveState> live_;
   std::unique_ptr<SpscRing<Sample>> samples_;  // null: not recorded
-  BesideLink besideLink_;
-  std::unique_ptr<BesideWorker> beside_;  // null: the servo answers alone
+  AsyncLink asyncLink_;
+  std::unique_ptr<AsyncModelWorker> asyncModel_;  // null: the servo answers alone
   ServoLoop loop_;
   std::shared_ptr<TrialSink> sink_;
   std::optional<Recorder> recorder_;

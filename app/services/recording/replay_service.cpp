@@ -11,7 +11,7 @@
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -6,7 +6,6 @@
 #include <memory>
 #include <thread>
 
-#include "sim/record/spill_place.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

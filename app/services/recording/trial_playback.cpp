@@ -7,8 +7,7 @@
 
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/live_of_sample.h"
-#include "sim/core/refusal.h"
+#include "sim/core/live_types.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

@@ -11,9 +11,8 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/record/content_hash.h"
-#include "sim/record/trial_seed.h"
+#include "sim/record/trial.h"
 
 namespace torsio {
 

@@ -18,7 +18,6 @@
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/core/tissue_model.h"
 #include "sim/scene/scene.h"
 

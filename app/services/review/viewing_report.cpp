@@ -7,7 +7,7 @@
 
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -24,7 +24,7 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

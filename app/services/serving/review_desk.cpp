@@ -23,7 +23,6 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/file_lock.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -19,7 +19,6 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -18,7 +18,6 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/random.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -17,7 +17,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -17,7 +17,6 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -12,7 +12,6 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 #include "sim/scene/json_fields.h"
 

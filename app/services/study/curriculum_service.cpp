@@ -15,7 +15,7 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

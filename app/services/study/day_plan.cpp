@@ -12,7 +12,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/slot_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

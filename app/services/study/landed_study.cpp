@@ -22,7 +22,7 @@
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/record/content_hash.h"
 
 namespace torsio {

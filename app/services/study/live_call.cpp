@@ -21,7 +21,6 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

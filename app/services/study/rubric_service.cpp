@@ -15,7 +15,6 @@
 #include "db/repository/rating/rubric_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/refusal.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {

@@ -27,7 +27,6 @@
 #include "db/repository/trial/question_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/random.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/services/base/name_places.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

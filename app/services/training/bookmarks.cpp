@@ -5,7 +5,7 @@
 
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/tick_period.h"
 
 namespace torsio {

@@ -22,7 +22,6 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

@@ -20,7 +20,6 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 #include "sim/core/tick_period.h"
 
 namespace torsio {

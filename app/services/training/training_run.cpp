@@ -6,7 +6,7 @@
 
 #include "assessment/domain/ids.h"
 #include "sim/core/contracts.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

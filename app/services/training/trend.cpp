@@ -11,7 +11,7 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
 #include "assessment/statistics/curve_fit.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "assessment/domain/people/common_passwords.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

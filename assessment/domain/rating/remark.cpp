@@ -2,7 +2,6 @@
 #include "assessment/domain/rating/remark.h"
 
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

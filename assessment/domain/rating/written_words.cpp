@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

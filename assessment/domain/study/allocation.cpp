@@ -8,7 +8,7 @@
 #include <span>
 
 #include "sim/core/digest.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "sim/core/contracts.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

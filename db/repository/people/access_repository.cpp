@@ -10,7 +10,7 @@
 #include "assessment/domain/people/password_rule.h"
 #include "db/connection/row_reader.h"
 #include "sim/core/digest.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

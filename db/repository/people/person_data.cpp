@@ -12,7 +12,7 @@
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/people/person_rules.h"
 #include "db/repository/people/server_roles.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 #include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -9,7 +9,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/people/person_rules.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -8,7 +8,6 @@
 #include "db/repository/people/person_rules.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 
 #include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

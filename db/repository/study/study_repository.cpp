@@ -6,7 +6,7 @@
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/base/stored_term.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -8,7 +8,6 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/schema_tables.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

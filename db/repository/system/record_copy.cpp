@@ -12,7 +12,6 @@
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

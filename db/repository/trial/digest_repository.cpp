@@ -8,7 +8,7 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/learning_events.h"
 #include "sim/core/contracts.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 

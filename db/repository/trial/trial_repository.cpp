@@ -20,7 +20,6 @@
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/refusal.h"
 #include "sim/record/content_hash.h"
 
 namespace torsio {

@@ -2,11 +2,10 @@
 #include "sim/device/drivers/device_list.h"
 
 #include "sim/core/error.h"
-#include "sim/device/controller/game_controller.h"
 #include "sim/device/inverse3/inverse3_driver.h"
 #include "sim/device/process/device_process.h"
-#include "sim/device/process/stylus_device_driver.h"
-#include "sim/device/spacemouse/spacemouse.h"
+#include "sim/device/steering/game_controller.h"
+#include "sim/device/steering/spacemouse.h"
 #include "sim/device/virtual/virtual_drivers.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 
 namespace torsio {
 
-/// Time within which a switch bounces and nobody presses twice.
+/// Debounce time: a switch bounces within it, a person does not press twice.
 inline constexpr std::int64_t kButtonBounce_us = 5'000;
 
 /// Debounces buttons without delaying them: a change counts at once, further changes of the same button are

@@ -257,7 +257,7 @@ void HdapiServo::judge(std::int64_t now_us) noexcept {
     status |= kDeviceStale;
   }
   if (snapshot_.frozen) {
-    status |= kDeviceStale | kDeviceUncalibrated;  // nobody knows where the hand is
+    status |= kDeviceStale | kDeviceUncalibrated;  // the position of the hand is unknown
   }
   if (!calibration_.calibrated() || now_us < distrustUntil_us_) {
     status |= kDeviceUncalibrated;
@@ -325,7 +325,7 @@ void HdapiServo::runTick(std::int64_t now_us) noexcept {
 void HdapiServo::revokeTick() noexcept {
   revoked_.store(true);
   while (inTick_.load()) {
-    // Not a yield: whoever waits here may go before the servo, which then would never end its tick.
+    // Not a yield: a waiting thread of higher rank would keep the servo from ending its tick.
     std::this_thread::sleep_for(std::chrono::microseconds(50));
   }
 }

@@ -20,7 +20,6 @@
 #include "sim/device/hdapi/position_liveness.h"
 #include "sim/device/hosted_device.h"
 #include "sim/device/safety/force_gate.h"
-#include "sim/device/safety/force_rise.h"
 #include "sim/device/stylus_roll.h"
 
 namespace torsio {
@@ -50,7 +49,7 @@ inline constexpr std::int64_t kGripTime_us = 100'000;
 
 /// Everything that happens in the vendor's servo thread: one frame a tick, errors, calibration, the border
 /// to SI and the force. Only this object calls the library while the scheduler runs; other threads leave
-/// wishes in atomics and read mailboxes.
+/// requests in atomics and read mailboxes.
 class HdapiServo {
  public:
   HdapiServo(const hd::Api& api, const HdapiSetup& setup, const Clock& clock);

@@ -117,7 +117,7 @@ void Inverse3Device::follow() {
   released_.store(true, std::memory_order_release);
 }
 
-/// Reads, lets the tick answer, and sends the force; none while nobody knows where the hand is.
+/// Reads, lets the tick answer, and sends the force; none while the position of the hand is unknown.
 void Inverse3Device::answer(bool came, const std::string& text, std::int64_t now_us) {
   const bool valid = came && take(text, now_us);
   if (came) {

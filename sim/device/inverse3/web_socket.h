@@ -14,7 +14,7 @@ class WebSocket {
   /// Longest message that is taken; a longer one ends the connection.
   static constexpr std::size_t kLongest = 1U << 20U;
 
-  /// Connects and shakes hands. Throws Error{kDevice} when nobody answers within `patience_us`.
+  /// Connects and shakes hands. Throws Error{kDevice} without an answer within `patience_us`.
   WebSocket(const std::string& host, int port, std::int64_t patience_us);
   /// Says goodbye and closes.
   ~WebSocket();

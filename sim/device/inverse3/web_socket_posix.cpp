@@ -99,7 +99,7 @@ struct WebSocket::Wire {
     return true;
   }
   void put(const std::string& bytes) {
-    // What does not fit into the system's buffer has not been read by anybody for long.
+    // A full system buffer means that the service stopped reading long ago.
     if (file >= 0 &&
         ::send(file, bytes.data(), bytes.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(bytes.size())) {
       close();

@@ -11,7 +11,6 @@
 #include "sim/device/device_driver.h"
 #include "sim/device/device_mail.h"
 #include "sim/device/hdapi/hdapi_library.h"
-#include "sim/device/process/shared_events.h"
 #include "sim/device/process/shared_value.h"
 
 namespace torsio {

@@ -38,4 +38,7 @@ struct StylusOpening {
 /// started, watched and ended as a stylus is. Where there is no device process (Windows), the driver itself.
 [[nodiscard]] DeviceDriver hosted(const DeviceDriver& driver);
 
+/// PHANTOM Omni and 3D Systems Touch, their vendor's library in the device process.
+[[nodiscard]] DeviceDriver stylusDeviceDriver();
+
 }  // namespace torsio

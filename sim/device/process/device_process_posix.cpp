@@ -213,7 +213,7 @@ class ProcessDevice final : public HapticDevice {
   bool read_ = false;
 };
 
-/// Waits until the device process leaves `from`; ends it when it takes too long or nobody waits any more.
+/// Waits until the device process leaves `from`; ends it when it takes too long or was cancelled.
 ChannelStage answerOf(Child& child, ChannelStage from, const std::function<bool()>& cancelled) {
   const auto until = steady_clock::now() + kOpens;
   for (;;) {
@@ -321,7 +321,7 @@ bool ProcessDevice::close() {
   }
   DeviceChannel& channel = child_->channel();
   channel.closeAsked.store(true);
-  // A device that was lost was let go of already, or is ended anyway: nobody waits for its library.
+  // A lost device was released already or is ended anyway: do not wait for its library.
   const std::optional<DeviceSnapshot> last = channel.snapshot.latest();
   const bool lost = lost_.load() || (last && last->state == DeviceState::kLost);
   const auto until =

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -11,7 +12,7 @@
 namespace torsio {
 
 /// The newest value of one writer for one reader in memory that two processes share. The writer never waits;
-/// the reader tries a few times and else keeps what it had: a writer that died while writing holds up nobody.
+/// the reader tries a few times, then keeps its old value: a writer that died while writing blocks nothing.
 template <typename T>
 class SharedValue {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -58,6 +59,37 @@ class SharedValue {
 
   std::atomic<std::uint64_t> sequence_{0};
   std::array<std::atomic<std::uint64_t>, kWords> words_{};
+};
+
+/// Events of one writer for one reader in memory that two processes share. Neither ever waits; a reader that
+/// comes too late misses the oldest.
+template <typename T, std::size_t Capacity>
+class SharedEvents {
+ public:
+  /// Writer's thread.
+  void publish(const T& event) noexcept {
+    const std::uint64_t number = published_.load(std::memory_order_relaxed);
+    slots_[number % Capacity].publish(event);
+    published_.store(number + 1, std::memory_order_release);
+  }
+  /// Takes the event after the `taken` ones and counts it there; false when there is none. Reader's thread.
+  [[nodiscard]] bool next(std::uint64_t& taken, T& event) const noexcept {
+    const std::uint64_t published = published_.load(std::memory_order_acquire);
+    if (published - taken > Capacity) {
+      taken = published - Capacity;
+    }
+    while (taken < published) {
+      if (const std::optional<T> found = slots_[taken++ % Capacity].latest()) {
+        event = *found;
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::atomic<std::uint64_t> published_{0};
+  std::array<SharedValue<T>, Capacity> slots_{};
 };
 
 }  // namespace torsio

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/device/process/stylus_device_driver.h"
 
 #include <utility>
 

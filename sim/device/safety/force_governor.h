@@ -6,7 +6,7 @@
 
 #include "sim/core/live_types.h"
 #include "sim/core/tick_period.h"
-#include "sim/device/safety/force_rise.h"
+#include "sim/device/safety/force_gate.h"
 
 namespace torsio {
 

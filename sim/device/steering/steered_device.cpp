@@ -81,7 +81,7 @@ void SteeredDevice::follow() {
     snapshots_.publish(snapshot);
     if (!input) {
       (void)events_.push({DeviceEvent::Kind::kLost, now_us - begun_us, 0, 0, 0});
-      return;  // it is opened anew on the user's wish
+      return;  // the user opens it again
     }
     std::this_thread::sleep_for(kPollEvery);
   }

@@ -32,16 +32,8 @@ inline constexpr std::int64_t kSteeringLost_us = 2'000'000;
 /// A device without force whose deflections are speeds: game controller, six-axis puck. A thread of its own
 /// asks the source a thousand times a second, steers (RateSteering) and publishes; the servo reads the
 /// newest.
-///
-/// | channel      | direction | unit | source                                        |
-/// |--------------|-----------|------|-----------------------------------------------|
-/// | position     | given     | m    | deflections, summed up; a cube about the organ |
-/// | orientation  | given     | 1    | the same: yaw, pitch, roll                    |
-/// | roll         | given     | rad  | the same, unwrapped                           |
-/// | grip         | given     | 1    | trigger or button, smoothed                   |
-/// | buttons      | given     |      | kButtonGrip, kButtonSecond, kButtonBookmark   |
-/// | status       | given     |      | kDeviceOk, kDeviceInvalid, kDeviceStale, kDeviceLost |
-/// | force        | taken     | N    | not rendered (shown by the views)             |
+/// Position and orientation are the summed deflections, in a cube about the organ; the grip is a trigger or
+/// a button, smoothed. Forces are not rendered: the views show them.
 class SteeredDevice final : public HapticDevice {
  public:
   /// `identity.model` names it to people.

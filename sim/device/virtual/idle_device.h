@@ -5,17 +5,8 @@
 
 namespace torsio {
 
-/// A device that nobody holds: the instrument stays where it was put. For pictures, views and tests.
-///
-/// | channel     | direction | unit | value                      |
-/// |-------------|-----------|------|----------------------------|
-/// | position    | given     | m    | constant                   |
-/// | orientation | given     | 1    | constant                   |
-/// | roll        | given     | rad  | 0                          |
-/// | grip        | given     | 1    | 0 (open)                   |
-/// | buttons     | given     |      | none                       |
-/// | status      | given     |      | kDeviceOk                  |
-/// | force       | taken     | N    | ignored                    |
+/// A device that nobody holds: the instrument stays where it was put, its jaw open. For pictures, views and
+/// tests.
 class IdleDevice final : public HapticDevice {
  public:
   explicit IdleDevice(const Pose& pose);

@@ -8,17 +8,8 @@
 
 namespace torsio {
 
-/// Gives recorded samples again, one a read, whatever the time asked for.
-///
-/// | channel     | direction | unit            | value                                        |
-/// |-------------|-----------|-----------------|----------------------------------------------|
-/// | position    | given     | kPositionStep_m | as recorded                                  |
-/// | orientation | given     | kOrientationStep| as recorded                                  |
-/// | roll        | given     | kRollStep_rad   | as recorded                                  |
-/// | grip        | given     | kGripStep       | as recorded                                  |
-/// | buttons     | given     |                 | as recorded                                  |
-/// | status      | given     |                 | as recorded; kDeviceEnded after the last one |
-/// | force       | taken     | N               | ignored                                      |
+/// Plays recorded samples back, one per read, whatever the time asked for; kDeviceEnded after the last one.
+/// Ignores forces.
 class ReplayDevice final : public HapticDevice {
  public:
   /// Makes a device that gives `samples`, with the `capabilities` of the device that was recorded.

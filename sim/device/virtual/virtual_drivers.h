@@ -11,7 +11,7 @@ namespace torsio {
 [[nodiscard]] DeviceDriver scriptedHandDriver();
 /// What was recorded, tick by tick.
 [[nodiscard]] DeviceDriver replayDriver();
-/// Nobody's hand: the instrument stays at `start`.
+/// Driver of IdleDevice: the instrument stays at `start`.
 [[nodiscard]] DeviceDriver idleDriver();
 
 }  // namespace torsio

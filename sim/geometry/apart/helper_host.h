@@ -9,7 +9,7 @@ namespace torsio {
 
 // For the programs that runHelper() starts.
 
-/// Gives up what reading a file does not need: more than so much memory and time of the processor, files
+/// Gives up what reading a file does not need: memory and processor time beyond a limit, files
 /// larger than an answer, processes of its own, life after its parent. False when the system refuses.
 [[nodiscard]] bool bindHelper(std::uint64_t memory_MB, std::uint64_t processor_s);
 

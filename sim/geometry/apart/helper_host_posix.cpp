@@ -29,8 +29,8 @@ bool limited(int resource, std::uint64_t most) {
 bool bindHelper(std::uint64_t memory_MB, std::uint64_t processor_s) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-  leaveNoDump();
-  std::signal(SIGPIPE, SIG_IGN);  // whoever asked may have stopped listening
+  disableCoreDumps();
+  std::signal(SIGPIPE, SIG_IGN);  // the program that asked may have gone
   return (!kLimitsMemory || limited(RLIMIT_AS, memory_MB * 1'000'000)) && limited(RLIMIT_CPU, processor_s) &&
          limited(RLIMIT_FSIZE, kMaxAnswerBytes) && limited(RLIMIT_NPROC, 0);
 }

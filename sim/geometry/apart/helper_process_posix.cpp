@@ -93,7 +93,7 @@ std::optional<pid_t> started(const std::vector<std::string>& words, int answer, 
   return failed == 0 ? std::optional(process) : std::nullopt;
 }
 
-/// Ends a process unless it is let go: nobody waits for its answer any more.
+/// Ends a process unless it is released first: its answer is no longer wanted.
 class Leash {
  public:
   explicit Leash(pid_t process) : process_(process) {}

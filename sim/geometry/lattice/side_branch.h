@@ -28,7 +28,7 @@ class TrimmedOrgan {
   /// Takes coordinates of the trimmed organ's vertices to those of the whole: a vertex of the branch has that
   /// of the point of the lid on which it stands.
   [[nodiscard]] std::vector<LatticeCoordinate> toWhole(std::span<const LatticeCoordinate> trimmed) const;
-  /// Takes parts likewise: the branch is side.
+  /// The same for parts: the branch is `side`.
   [[nodiscard]] std::vector<LatticePart> toWhole(std::span<const LatticePart> trimmed) const;
   /// Takes a point of the trimmed organ to one of the whole: one of the lid goes to the rim.
   [[nodiscard]] LatticePoint toWhole(const LatticePoint& point) const;

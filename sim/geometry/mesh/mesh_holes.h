@@ -18,4 +18,9 @@ struct ClosedHoles {
 /// must agree in their orientation for it to be found.
 [[nodiscard]] ClosedHoles closeHoles(TriangleMesh& mesh);
 
+/// Returns the part of a welded surface where dot(normal, p) >= offset_m. A triangle that the plane crosses
+/// is cut; both of two neighbours get the same new vertex, so that a closed surface is left with rims in the
+/// plane and nothing else open. Vertices that nothing uses are gone. `normal` is a unit vector.
+[[nodiscard]] TriangleMesh cutAt(const TriangleMesh& mesh, const Vec3& normal, double offset_m);
+
 }  // namespace torsio

@@ -14,4 +14,9 @@ namespace torsio {
 /// triangles. Deterministic: the same bits on every platform.
 [[nodiscard]] TriangleMesh thinned(TriangleMesh mesh, std::size_t most);
 
+/// Smooths a closed surface without shrinking it (Taubin 1995: each pass draws every vertex towards the mean
+/// of its neighbours by 0.5 and then pushes it away by 0.53). Stair steps go, the volume stays within some
+/// hundredths of a per cent. Indices must be in range.
+void smooth(TriangleMesh& mesh, int passes);
+
 }  // namespace torsio

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "sim/core/vec3.h"
-#include "sim/geometry/mesh/segment.h"
+#include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/geometry/mesh/surface_patches.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
-#include "sim/geometry/query/surface_point.h"
+#include "sim/geometry/query/nearest_to_segment.h"
 
 namespace torsio {
 

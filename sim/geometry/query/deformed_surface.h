@@ -6,9 +6,8 @@
 #include <cstdint>
 
 #include "sim/geometry/mesh/nearest_on_triangle.h"
-#include "sim/geometry/mesh/segment.h"
 #include "sim/geometry/mesh/surface_patches.h"
-#include "sim/geometry/query/surface_point.h"
+#include "sim/geometry/query/nearest_to_segment.h"
 
 namespace torsio {
 

@@ -26,11 +26,11 @@ struct ScanApart {
 [[nodiscard]] ScanApart scanApart(const ScanRequest& request, const ScanProgress& progress = {},
                                   const HelperLimits& limits = kScanLimits);
 
-/// Does what toolOfScan() does in such a process; throws likewise.
+/// As toolOfScan(), in such a process.
 [[nodiscard]] ToolSurface toolApart(const ToolRequest& request, const ScanProgress& progress = {},
                                     const HelperLimits& limits = kScanLimits);
 
-/// Does what previewOfScan() does in such a process; throws likewise.
+/// As previewOfScan(), in such a process.
 [[nodiscard]] ScanPreview previewApart(const ScanRequest& request, bool find,
                                        const ScanProgress& progress = {},
                                        const HelperLimits& limits = kScanLimits);

@@ -38,7 +38,7 @@ void requireScanEnded(const HelperEnd& end, const std::string& where, const std:
              again);
 }
 
-/// Hands what a process tells about its progress to whoever listens, and looks whether it is still wanted.
+/// Forwards the progress of a process to the listener, and asks whether the work is still wanted.
 class ScanNews {
  public:
   explicit ScanNews(const ScanProgress& progress) : progress_(progress) {}

@@ -14,7 +14,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 #include "sim/imaging/scan/dicom_slice.h"
 #include "sim/imaging/scan/dicom_stack.h"
 
@@ -224,7 +224,7 @@ void requirePlace(const DicomSlice& slice, const std::string& where) {
   }
 }
 
-/// Refuses slices that do not belong on one grid; tells of scales that change.
+/// Refuses slices that do not lie on one grid; reports scales that change.
 void requireAlike(const std::vector<DicomSlice>& slices, const std::string& where,
                   std::vector<ScanRemark>& remarks) {
   const DicomSlice& first = slices.front();

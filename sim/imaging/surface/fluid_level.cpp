@@ -9,7 +9,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
-#include "sim/imaging/surface/grid_axes.h"
+#include "sim/imaging/surface/work_grid.h"
 
 namespace torsio {
 

@@ -11,11 +11,10 @@
 
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_pieces.h"
 #include "sim/geometry/mesh/mesh_repair.h"
-#include "sim/geometry/mesh/mesh_smoothing.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/imaging/scan/dicom_series.h"
 #include "sim/imaging/scan/nifti_file.h"

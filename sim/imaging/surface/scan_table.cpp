@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/imaging/surface/grid_axes.h"
+#include "sim/imaging/surface/work_grid.h"
 
 namespace torsio {
 

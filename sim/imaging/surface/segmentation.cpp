@@ -8,7 +8,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
-#include "sim/core/text_list.h"
+#include "sim/core/text.h"
 #include "sim/imaging/surface/scan_table.h"
 
 namespace torsio {
@@ -204,7 +204,7 @@ VoxelMask chosenPiece(const WorkGrid& grid, const VoxelMask& within, const ScanR
   const MaskPiece& piece = pieces.list()[chosen];
   if (bordersOf(piece) > kMaxBorders) {
     if (onTable) {
-      remarks.erase(remarks.begin() + before, remarks.end());  // of pieces that are told of anew
+      remarks.erase(remarks.begin() + before, remarks.end());  // of pieces that are reported again
       if (const auto body = offTheTable(grid, within, request, remarks)) {
         return chosenPiece(grid, *body, request, where, remarks, false);
       }

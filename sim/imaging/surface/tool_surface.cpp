@@ -12,7 +12,6 @@
 #include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_pieces.h"
 #include "sim/geometry/mesh/mesh_repair.h"
-#include "sim/geometry/mesh/mesh_smoothing.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/imaging/surface/mask_surface.h"
 #include "sim/imaging/surface/organ_voxels.h"

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
 
+#include "sim/core/vec3.h"
 #include "sim/imaging/scan/scan_volume.h"
 
 namespace torsio {
@@ -44,5 +46,25 @@ struct VoxelRange {
 /// `outside`.
 [[nodiscard]] WorkGrid workGrid(const ScanVolume& scan, const VoxelRange& range, double mostVoxels,
                                 const std::function<float(std::int16_t)>& valueOf, std::int16_t outside);
+
+/// A direction along an axis of a grid.
+struct GridWay {
+  std::size_t axis = 0;
+  bool backwards = false;  ///< towards smaller numbers of voxels
+};
+
+/// Returns the direction of a grid that is nearest to one of the patient's.
+[[nodiscard]] inline GridWay wayNearest(const ScanVolume& grid, const Vec3& direction) {
+  GridWay best;
+  double most = -1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double along = dot(grid.step_mm[axis], direction) / norm(grid.step_mm[axis]);
+    if (std::abs(along) > most) {
+      most = std::abs(along);
+      best = {axis, along < 0.0};
+    }
+  }
+  return best;
+}
 
 }  // namespace torsio

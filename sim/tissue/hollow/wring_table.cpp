@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/core/angle.h"
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 #include "sim/tissue/hollow/tube_onset.h"
 
 namespace torsio {

@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// What a wrung tube is like at one pressure and angle. Units of TubeWall, or SI where a WrungOrgan says so.
+/// State of a wrung tube at one pressure and angle. Units of TubeWall, or SI where a WrungOrgan says so.
 struct WrungState {
   double torque = 0.0;
   double waist = 0.0;       ///< mean radius of the wall where it is narrowest against its unloaded radius
@@ -20,13 +20,13 @@ struct WrungState {
   double length = 0.0;  ///< between the ends
 };
 
-/// How a wrung tube lies at one place along it. Units of TubeWall, or SI where a WrungOrgan says so.
+/// Shape of a wrung tube at one place along it. Units of TubeWall, or SI where a WrungOrgan says so.
 struct WrungPlace {
   double radius = 0.0;    ///< mean, of the middle line; of a WrungOrgan: against the organ as drawn
   double turn = 0.0;      ///< share of the angle between the ends by which this place is turned: 0 .. 1
   double shift = 0.0;     ///< from the fixed end; of a WrungOrgan: against the organ as drawn
   double slack = 1.0;     ///< mean radius against the one that the perimeter would fill round: below 1 folded
-  double foldTurn = 0.0;  ///< chi, rad: about so much the crest of a fold has gone round since the fixed end
+  double foldTurn = 0.0;  ///< chi, rad: turn of a fold's crest since the fixed end, approximately
 };
 
 /// A tube solved over pressure and angle for queries in the tick. The angle's axis is normalised at each

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "sim/core/error.h"
 #include "sim/core/index.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

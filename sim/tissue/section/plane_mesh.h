@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,5 +41,16 @@ void linkNeighbours(PlaneMesh& mesh);
 /// Splits each marked triangle (and those that conformity asks for) through the middle of its longest edge
 /// (Rivara): the smallest angle stays above half of its first value, the polygon does not change.
 void bisect(PlaneMesh& mesh, std::span<const char> marked);
+
+/// Meshes a section by rings of the outline, shrunk towards `centre` and closer together outside, with
+/// every second ray left out from ring to ring where the cells would otherwise be longer along the ray than
+/// across. `outline` must be star-shaped about `centre`.
+[[nodiscard]] PlaneMesh polarMesh(const BoundaryLoop& outline, const Point2& centre, int rings);
+
+/// Triangulates any simple outline (anticlockwise) with holes (clockwise) inside it by Delaunay's rule.
+/// Boundary edges stay as they are; points are added inside until the triangles are well shaped. Returns
+/// none when rounding leaves no ear to cut, which happens only when edges all but touch.
+[[nodiscard]] std::optional<PlaneMesh> polygonMesh(const BoundaryLoop& outline,
+                                                   std::span<const BoundaryLoop> holes);
 
 }  // namespace torsio

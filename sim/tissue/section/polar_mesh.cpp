@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/tissue/section/polar_mesh.h"
-
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "sim/core/contracts.h"
 #include "sim/core/portable_math.h"
+#include "sim/tissue/section/plane_mesh.h"
 
 namespace torsio {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/tissue/section/polygon_mesh.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "sim/core/index.h"
+#include "sim/tissue/section/plane_mesh.h"
 
 namespace torsio {
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "sim/core/error.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -14,8 +14,6 @@
 #include "sim/tissue/section/boundary_elements.h"
 #include "sim/tissue/section/boundary_values.h"
 #include "sim/tissue/section/plane_mesh.h"
-#include "sim/tissue/section/polar_mesh.h"
-#include "sim/tissue/section/polygon_mesh.h"
 #include "sim/tissue/section/quadratic_elements.h"
 #include "sim/tissue/section/section_outline.h"
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "sim/core/error.h"
 #include "sim/core/portable_math.h"
-#include "sim/core/refusal.h"
 #include "sim/core/short_number.h"
 #include "sim/tissue/section/section_outline.h"
 
@@ -149,7 +149,7 @@ WallSection wallSection(std::span<const Point2> outline, std::span<const double>
   section.perimeterMid = outer - kPi * mean;
   section.radius = section.perimeterMid / (2.0 * kPi);
   section.thickest = *std::max_element(wall.begin(), wall.end());
-  const double share = section.perimeterMid / outer;  // the middle line is so much shorter than the outline
+  const double share = section.perimeterMid / outer;  // length of the middle line against the outline
   section.area = swept * share;
   // A wall with more in it than the outline holds lies on itself where the section is narrow.
   if (!(section.areaMid > 0.0) || !(section.thickest <= kMaxOfRadius * section.radius) ||

@@ -15,7 +15,6 @@
 #include "sim/core/error.h"
 #include "sim/core/index.h"
 #include "sim/core/portable_math.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

@@ -11,7 +11,6 @@
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
-#include "sim/core/refusal.h"
 
 namespace torsio {
 

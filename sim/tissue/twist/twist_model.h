@@ -3,18 +3,28 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
 #include "sim/core/vec3.h"
 #include "sim/geometry/lattice/section_lattice.h"
-#include "sim/tissue/reference/paper_formulation.h"
 #include "sim/tissue/section/section_solver.h"
 #include "sim/tissue/twist/kriging.h"
-#include "sim/tissue/twist/material.h"
+#include "sim/tissue/twist/paper_formulation.h"
 #include "sim/tissue/twist/saint_venant.h"
 
 namespace torsio {
+
+/// An isotropic tissue. Data with sources: assets/scenes/materials.json.
+struct Material {
+  std::string id;
+  double shearModulus_Pa = 5000.0;  ///< G; for nearly incompressible tissue E / 3
+  std::string source;               ///< where the number comes from
+  std::string title;                ///< for people
+  double lowest_Pa = 0.0;           ///< range of the published values
+  double highest_Pa = 0.0;
+};
 
 /// The two readings of the paper's equations (docs/model.md).
 enum class Formulation {

@@ -10,7 +10,6 @@
 #include "sim/core/error.h"
 #include "sim/core/index.h"
 #include "sim/core/portable_math.h"
-#include "sim/core/refusal.h"
 #include "sim/tissue/twist/twist_model_map.h"
 #include "sim/tissue/twist/twist_model_sections.h"
 

@@ -51,7 +51,7 @@ TEST(DeviceSample, RoundTripsWithinHalfAStep) {
   }
 }
 
-TEST(DeviceSample, IsMadeOfStepsThatReadBackAsThemselves) {
+TEST(DeviceSample, QuantisedValuesReadBackUnchanged) {
   // What was recorded and decoded once is the same integer when quantised again (position, roll and grip;
   // the quaternion was normalised).
   Random random(2);
@@ -103,7 +103,7 @@ TEST(DeviceSample, RepeatsThePreviousPoseForAReadingThatIsNotFiniteOrOutOfRange)
   }
 }
 
-TEST(DeviceSample, RefusesAnOrientationThatIsNone) {
+TEST(DeviceSample, RefusesAnInvalidOrientation) {
   Random random(4);
   const DeviceSample previous = quantize(randomReading(random), {});
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -49,7 +49,7 @@ TEST(Digest, TakesNumbersAsLittleEndianBytes) {
   EXPECT_EQ(digest.hex(), "f13061cc10033a92f03b082cefb38474fc4162a4504f4d043ff8c45acb99a685");
 }
 
-TEST(Digest, MayBeAskedInBetween) {
+TEST(Digest, CanBeReadBeforeTheEnd) {
   Digest digest;
   digest.update("a");
   const std::string first = digest.hex();
@@ -118,7 +118,7 @@ TEST_F(FileIo, LeavesTheOldFileWhenTheWriterThrows) {
   EXPECT_EQ(filesLeft(), 1U);
 }
 
-TEST_F(FileIo, IsWrittenByOneProgramAtATimeAndTheOtherIsToldSo) {
+TEST_F(FileIo, IsWrittenByOneProgramAtATime) {
   writeFileAtomically(folder / "a", "old");
   {
     const PartFile other(folder / "a");
@@ -144,7 +144,7 @@ TEST_F(FileIo, IsWrittenByOneProgramAtATimeAndTheOtherIsToldSo) {
 }
 
 #ifdef __linux__
-TEST_F(FileIo, TakesTheNameOfNothingThatIsNoFile) {
+TEST_F(FileIo, NeverReplacesSomethingThatIsNoFile) {
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   ensureFolder(folder / "set");
 
@@ -202,9 +202,9 @@ TEST(MonotonicClock, NeverGoesBack) {
 }
 
 #ifdef __linux__
-TEST(PrivateFiles, AProcessThatLeavesNoDumpLeavesNoneToAProgramEither) {
+TEST(PrivateFiles, DisablesCoreDumpsAndMemoryReads) {
   const auto child = [] {
-    leaveNoDump();
+    disableCoreDumps();
     rlimit core{.rlim_cur = 1, .rlim_max = 1};
     getrlimit(RLIMIT_CORE, &core);
     std::_Exit(core.rlim_max == 0 && prctl(PR_GET_DUMPABLE, 0, 0, 0, 0) == 0 ? 0 : 1);

@@ -84,7 +84,7 @@ TEST(Random, DrawsNormalNumbersWithTheRightMoments) {
   EXPECT_NEAR(fourth / kDraws, 3.0, 0.13);    // of sqrt(96/n)
 }
 
-TEST(Random, GivesEachStreamItsOwnNumbersWhateverWasDrawnBefore) {
+TEST(Random, EachStreamIsIndependentOfEarlierDraws) {
   Random used(5);
   (void)used.next();
   Random a = Random::forStream(5, 1);

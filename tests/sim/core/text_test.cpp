@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/error.h"
-#include "sim/core/text_list.h"
 #include "sim/core/text_packing.h"
 
 namespace torsio {
@@ -31,7 +30,7 @@ TEST(Text, TakesTextsAsArguments) {
   EXPECT_EQ(text.arguments().front().pattern(), "module %1");
 }
 
-TEST(Text, SaysOneOrManyByTheNumberBefore) {
+TEST(Text, ChoosesSingularOrPluralByTheNumber) {
   const auto said = [](int trainees, int groups) {
     return Text::verbatim("%1 {trainee was|trainees were} put into %2 {group|groups}", trainees, groups)
         .str();
@@ -56,7 +55,7 @@ TEST(Text, LeavesAPlainSentenceAlone) {
   EXPECT_TRUE(Text().empty());
 }
 
-TEST(Text, IsEqualToWhatSaysTheSame) {
+TEST(Text, EqualsATextOfTheSameWords) {
   EXPECT_EQ(Text::verbatim("trial %1", 4), Text::verbatim("trial 4"));
   EXPECT_FALSE(Text::verbatim("trial %1", 4) == Text::verbatim("trial %1", 5));
   std::ostringstream out;
@@ -73,7 +72,7 @@ static_assert(!std::is_constructible_v<Error, ErrorCode, Text, const char (&)[4]
 static_assert(!std::is_constructible_v<Error, ErrorCode, Text, Text, const char (&)[4]>);
 static_assert(std::is_constructible_v<Error, ErrorCode, Phrase, std::string, const char (&)[1]>);
 
-TEST(Text, IsMadeAgainOfItsPatternAndItsArguments) {
+TEST(Text, IsRestoredFromItsPatternAndArguments) {
   const Text text = Text::verbatim("case %1", std::string("7F"));
 
   const Text again = Text::restored(text.pattern(), text.arguments());
@@ -82,7 +81,7 @@ TEST(Text, IsMadeAgainOfItsPatternAndItsArguments) {
   EXPECT_EQ(again.str(), "case 7F");
 }
 
-TEST(Error, SpeaksEnglishOnItsOwnAndKeepsItsPatterns) {
+TEST(Error, HasAnEnglishMessageAndKeepsItsPatterns) {
   const Error error(ErrorCode::kBadData, Text::verbatim("row %1 is not answered", Text::verbatim("C2")),
                     Text::verbatim("case %1", Text::verbatim("7F")), Text::verbatim("Fill it in"));
 

@@ -21,6 +21,7 @@
 #include "sim/core/error.h"
 #include "sim/device/hdapi/hdapi_device.h"
 #include "sim/device/process/device_channel.h"
+#include "tests/support/eventually.h"
 #include "tests/support/fakehd/record_file.h"
 
 namespace torsio {
@@ -69,14 +70,6 @@ class DeviceProcess : public ::testing::Test {
     EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << all;
   }
 
-  template <typename Condition>
-  static bool eventually(const Condition& holds, std::chrono::milliseconds within) {
-    const auto until = Clock::now() + within;
-    while (!holds() && Clock::now() < until) {
-      std::this_thread::sleep_for(500us);
-    }
-    return holds();
-  }
   std::chrono::nanoseconds killed(std::chrono::microseconds after);
 
   std::string record_ = ::testing::TempDir() + "device_process_record_" + std::to_string(getpid());
@@ -129,13 +122,13 @@ std::chrono::nanoseconds DeviceProcess::killed(std::chrono::microseconds after) 
     const std::int64_t device = record->process;
     return fakehd::waited_ns(device, device) + fakehd::waited_ns(device, record->servo);
   };
-  EXPECT_TRUE(eventually([&record] { return record->motors_uN > 0; }, 10s));
+  EXPECT_TRUE(testing::eventually([&record] { return record->motors_uN > 0; }, 10s));
   std::this_thread::sleep_for(after);
   const std::int64_t waitedBefore_ns = waited();
   const std::int64_t killed_ns = deadlineNow_ns();
   kill(program, SIGKILL);
   waitpid(program, nullptr, 0);
-  EXPECT_TRUE(eventually([&record] { return record.last(fakehd::Seen::kDisable) != nullptr; }, 2s));
+  EXPECT_TRUE(testing::eventually([&record] { return record.last(fakehd::Seen::kDisable) != nullptr; }, 2s));
   const fakehd::SeenEvent* const rest = record.first(fakehd::Seen::kRest, killed_ns);
   EXPECT_NE(rest, nullptr) << "it stopped pushing before it was killed, or never";
   return std::chrono::nanoseconds(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SDL2 itself with a virtual joystick of its own in place of a controller.
-#include "sim/device/controller/game_controller.h"
+#include "sim/device/steering/game_controller.h"
 
 #include <SDL.h>
 #include <chrono>
@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/error.h"
+#include "tests/support/eventually.h"
 
 namespace torsio {
 namespace {
@@ -69,20 +70,9 @@ class VirtualController : public ::testing::Test {
   void open() {
     device_ = gameControllerDriver().open(request());
     device_->serve();
-    ASSERT_TRUE(eventually([this] { return device_->read(0).status == kDeviceOk; }));
+    ASSERT_TRUE(testing::eventually([this] { return device_->read(0).status == kDeviceOk; }));
   }
   [[nodiscard]] ToolState tool() { return toolState(device_->read(0)); }
-  template <typename Condition>
-  static bool eventually(const Condition& condition) {
-    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (std::chrono::steady_clock::now() < until) {
-      if (condition()) {
-        return true;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
-  }
 
   int index_ = -1;
   SDL_Joystick* joystick_ = nullptr;
@@ -117,11 +107,11 @@ TEST_F(VirtualController, TheLeftStickMovesTheTipSidewaysAndUp) {
   open();
 
   axis(SDL_CONTROLLER_AXIS_LEFTX, kAxisMost);
-  EXPECT_TRUE(eventually([this] { return tool().pose.position_m.x > 0.01; }));
+  EXPECT_TRUE(testing::eventually([this] { return tool().pose.position_m.x > 0.01; }));
   axis(SDL_CONTROLLER_AXIS_LEFTX, 0);
   axis(SDL_CONTROLLER_AXIS_LEFTY, kAxisLeast);  // SDL counts downwards
 
-  EXPECT_TRUE(eventually([this] { return tool().pose.position_m.z > 0.21; }));
+  EXPECT_TRUE(testing::eventually([this] { return tool().pose.position_m.z > 0.21; }));
   EXPECT_NEAR(tool().pose.position_m.y, 0.0, 1e-6);
 }
 
@@ -129,11 +119,11 @@ TEST_F(VirtualController, TheRightStickTurnsTheJawAndMovesItAway) {
   open();
 
   axis(SDL_CONTROLLER_AXIS_RIGHTX, kAxisLeast);
-  EXPECT_TRUE(eventually([this] { return tool().roll_rad > 0.1; }));
+  EXPECT_TRUE(testing::eventually([this] { return tool().roll_rad > 0.1; }));
   axis(SDL_CONTROLLER_AXIS_RIGHTX, 0);
   axis(SDL_CONTROLLER_AXIS_RIGHTY, kAxisLeast);  // pushed away
 
-  EXPECT_TRUE(eventually([this] { return tool().pose.position_m.y > 0.01; }));
+  EXPECT_TRUE(testing::eventually([this] { return tool().pose.position_m.y > 0.01; }));
 }
 
 TEST_F(VirtualController, TheRightTriggerClosesTheJawAsFarAsItIsPulled) {
@@ -142,11 +132,11 @@ TEST_F(VirtualController, TheRightTriggerClosesTheJawAsFarAsItIsPulled) {
 
   // Half of the way: (0.5 - 0.03) / (1 - 0.03) = 0.4845; SDL's own rounding adds up to 1 / 32767.
   axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 0);
-  EXPECT_TRUE(eventually([this] { return std::abs(tool().grip - 0.4845) < 1e-3; })) << tool().grip;
+  EXPECT_TRUE(testing::eventually([this] { return std::abs(tool().grip - 0.4845) < 1e-3; })) << tool().grip;
   EXPECT_EQ(tool().buttons & kButtonGrip, 0U);
   axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, kAxisMost);
 
-  EXPECT_TRUE(eventually([this] { return tool().grip > 0.999; }));
+  EXPECT_TRUE(testing::eventually([this] { return tool().grip > 0.999; }));
   EXPECT_NE(tool().buttons & kButtonGrip, 0U);
 }
 
@@ -156,16 +146,16 @@ TEST_F(VirtualController, ButtonsReachTheSimulation) {
   button(SDL_CONTROLLER_BUTTON_A, true);
   button(SDL_CONTROLLER_BUTTON_Y, true);
 
-  EXPECT_TRUE(eventually([this] { return tool().buttons == (kButtonSecond | kButtonBookmark); }));
+  EXPECT_TRUE(testing::eventually([this] { return tool().buttons == (kButtonSecond | kButtonBookmark); }));
 }
 
-TEST_F(VirtualController, UnpluggedItIsLost) {
+TEST_F(VirtualController, IsLostWhenUnplugged) {
   open();
 
   unplug();
 
-  EXPECT_TRUE(eventually([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
-  EXPECT_TRUE(eventually([this] { return device_->snapshot().state == DeviceState::kLost; }));
+  EXPECT_TRUE(testing::eventually([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
+  EXPECT_TRUE(testing::eventually([this] { return device_->snapshot().state == DeviceState::kLost; }));
   EXPECT_TRUE(device_->close());
 }
 

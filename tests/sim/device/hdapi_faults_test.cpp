@@ -67,7 +67,7 @@ TEST_F(HdapiFaults, AFatalErrorAtTheEndOfAFrameSendsZeroAndSwitchesOffInTheSameT
   EXPECT_EQ(fake.rule_breaks(), 0);
 }
 
-TEST_F(HdapiFaults, ADeadServoIsLetGoOfFromOutside) {
+TEST_F(HdapiFaults, ADeadServoIsReleasedFromOutside) {
   engageAtOneNewton();
   fake.die();
   const int begin = fake.log_count();
@@ -84,7 +84,7 @@ TEST_F(HdapiFaults, ADeadServoIsLetGoOfFromOutside) {
   EXPECT_LT(logged("hdStopScheduler", begin).at(0), logged("hdDisableDevice", begin).at(0));
 }
 
-TEST_F(HdapiFaults, ASilentServoIsSaidToBeSilent) {
+TEST_F(HdapiFaults, ReportsASilentServo) {
   start();
   EXPECT_NE(device->snapshot().state, DeviceState::kSilent);
 

@@ -284,7 +284,7 @@ TEST_P(Inverse3, AServiceThatAnswersRubbishGetsZeroAndIsALostDevice) {
   EXPECT_TRUE(inTime([this] { return device_->snapshot().state == DeviceState::kLost; }));
 }
 
-TEST_P(Inverse3, AServiceThatHangsHoldsNothingUp) {
+TEST_P(Inverse3, AHangingServiceBlocksNothing) {
   open();
   device_->enableForce(true);
   ASSERT_TRUE(pushUntilFelt(kPush_N));

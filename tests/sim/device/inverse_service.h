@@ -19,6 +19,7 @@
 
 #include "sim/core/deadline.h"
 #include "sim/core/vec3.h"
+#include "tests/support/eventually.h"
 
 namespace torsio::testing {
 
@@ -145,14 +146,7 @@ class InverseService {
 /// Whether it comes about within a minute.
 template <typename Condition>
 bool inTime(const Condition& condition) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (std::chrono::steady_clock::now() < until) {
-    if (condition()) {
-      return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
+  return eventually(condition, std::chrono::seconds(60));
 }
 
 }  // namespace torsio::testing

@@ -120,7 +120,7 @@ TEST(PassivityController, LeavesAHandAloneThatPutsInMoreThanItGetsBack) {
   }
 }
 
-TEST(PassivityController, AddsNothingWhereNoForceIsWanted) {
+TEST(PassivityController, AddsNothingToAZeroForce) {
   PassivityController controller({});
   std::uint32_t limits = kForceFull;
   (void)controller.control(0, {}, {1.0, 0.0, 0.0}, true, limits);
@@ -183,7 +183,7 @@ TEST(PassivityController, DampsAgainstTheMotionAndNeverBeyondItsLimit) {
   EXPECT_GT(damped, 100);
 }
 
-TEST(PassivityController, BeginsAnewOutOfContactAndWhenTheHandIsLost) {
+TEST(PassivityController, ResetsOutOfContactAndWhenTheHandIsLost) {
   std::uint32_t limits = kForceFull;
   for (const bool lost : {false, true}) {
     PassivityController controller({});

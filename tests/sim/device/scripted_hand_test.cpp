@@ -238,7 +238,7 @@ TEST(ScriptedHand, GraspsFromEveryDirection) {
   }
 }
 
-TEST(ScriptedHand, RefusesATaskThatHasNoMeaning) {
+TEST(ScriptedHand, RefusesAnInvalidTask) {
   ScriptedHandOptions onTheAxis = quarterTurn(1);
   onTheAxis.task.graspPoint_m = {0.0, 0.0, 0.2};
   ScriptedHandOptions longAxis = quarterTurn(1);

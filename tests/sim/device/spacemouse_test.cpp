@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The real libspnav against a daemon that speaks the protocol of spacenavd (version 1) on its socket: packets
 // of eight 32-bit words, requests tagged 0x7faa in the upper half.
-#include "sim/device/spacemouse/spacemouse.h"
+#include "sim/device/steering/spacemouse.h"
 
 #include <array>
 #include <atomic>
@@ -26,6 +26,7 @@
 
 #include "sim/core/error.h"
 #include "sim/device/steering/rate_steering.h"
+#include "tests/support/eventually.h"
 
 namespace torsio {
 namespace {
@@ -138,18 +139,6 @@ class Daemon {
   std::thread thread_;
 };
 
-template <typename Condition>
-bool soon(const Condition& condition) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (std::chrono::steady_clock::now() < until) {
-    if (condition()) {
-      return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
-}
-
 class SpaceMouse : public ::testing::Test {
  protected:
   std::string path_ = "/tmp/torsio_spnav_" + std::to_string(getpid());
@@ -172,7 +161,7 @@ class SpaceMouse : public ::testing::Test {
     daemon_ = std::make_unique<Daemon>(path_, "SpaceMouse Compact");
     device_ = spaceMouseDriver().open(request());
     device_->serve();
-    ASSERT_TRUE(soon([this] { return device_->read(0).status == kDeviceOk; }));
+    ASSERT_TRUE(testing::eventually([this] { return device_->read(0).status == kDeviceOk; }));
   }
   /// The puck, pushed by (x, y, z) and turned by (rx, ry, rz).
   void push(int x, int y, int z, int rx, int ry, int rz) { daemon_->say({kMotion, x, y, z, rx, ry, rz, 16}); }
@@ -205,7 +194,8 @@ TEST_F(SpaceMouse, IsFoundByTheNameThatTheDaemonGives) {
   EXPECT_TRUE(found.available);
   EXPECT_NE(found.sentence.str().find("SpaceMouse Compact"), std::string::npos);
   EXPECT_NE(found.sentence.str().find("not confirmed on hardware"), std::string::npos);
-  EXPECT_TRUE(soon([this] { return daemon_->clients() == 0; })) << "looking keeps nothing open";
+  EXPECT_TRUE(testing::eventually([this] { return daemon_->clients() == 0; }))
+      << "looking keeps nothing open";
 }
 
 TEST_F(SpaceMouse, SaysWhatItIsAndThatItGivesNoForce) {
@@ -230,7 +220,7 @@ TEST_F(SpaceMouse, IsMovedTheWayThatItsOwnLibraryMovesAnObject) {
 
   push(kFull, kFull, kFull, 0, 0, 0);
 
-  ASSERT_TRUE(soon([this] { return tool().pose.position_m.x > 0.01; }));
+  ASSERT_TRUE(testing::eventually([this] { return tool().pose.position_m.x > 0.01; }));
   const Vec3 way_m = tool().pose.position_m - Vec3{0.0, 0.0, 0.2};
   const Vec3 world{expected.pos[0], -expected.pos[2], expected.pos[1]};  // up is z, the user stands at -y
   EXPECT_NEAR(norm(way_m / norm(way_m) - world / norm(world)), 0.0, 1e-4);
@@ -259,7 +249,7 @@ TEST_F(SpaceMouse, IsTurnedTheWayThatItsOwnLibraryTurnsAnObject) {
     const auto turned = [&] {
       return conjugate(rest) * tool().pose.orientation;  // in the frame of the user
     };
-    ASSERT_TRUE(soon([&] { return std::abs(turned().w) < 0.995; }));
+    ASSERT_TRUE(testing::eventually([&] { return std::abs(turned().w) < 0.995; }));
     const Quat got = turned();
     const Vec3 axis = Vec3{got.x, got.y, got.z} * (got.w < 0.0 ? -1.0 : 1.0);
     const Vec3 wanted{expected.rot[0], expected.rot[1], expected.rot[2]};
@@ -269,16 +259,16 @@ TEST_F(SpaceMouse, IsTurnedTheWayThatItsOwnLibraryTurnsAnObject) {
   }
 }
 
-TEST_F(SpaceMouse, LetGoItStandsStill) {
+TEST_F(SpaceMouse, StandsStillWhenReleased) {
   open();
   push(kFull, 0, 0, 0, 0, 0);
-  ASSERT_TRUE(soon([this] { return tool().pose.position_m.x > 0.005; }));
+  ASSERT_TRUE(testing::eventually([this] { return tool().pose.position_m.x > 0.005; }));
 
   push(0, 0, 0, 0, 0, 0);
 
   // The smoothing fades by 30/31 a millisecond: after half a second nothing is left that could be read. Full,
   // it would go on by far more in that time.
-  EXPECT_TRUE(soon([this] {
+  EXPECT_TRUE(testing::eventually([this] {
     const double before_m = tool().pose.position_m.x;
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     return std::abs(tool().pose.position_m.x - before_m) < 1e-5;
@@ -290,12 +280,12 @@ TEST_F(SpaceMouse, TheFirstButtonHoldsTheJawClosedWithCareAndTheSecondIsTheSecon
 
   daemon_->say({kPress, 0});
   daemon_->say({kPress, 1});
-  EXPECT_TRUE(soon([this] { return std::abs(tool().grip - 0.6) < 1e-3; }));
+  EXPECT_TRUE(testing::eventually([this] { return std::abs(tool().grip - 0.6) < 1e-3; }));
   EXPECT_EQ(tool().buttons, static_cast<std::uint32_t>(kButtonGrip | kButtonSecond));
   daemon_->say({kRelease, 0});
   daemon_->say({kRelease, 1});
 
-  EXPECT_TRUE(soon([this] { return tool().grip < 1e-3 && tool().buttons == 0; }));
+  EXPECT_TRUE(testing::eventually([this] { return tool().grip < 1e-3 && tool().buttons == 0; }));
 }
 
 TEST_F(SpaceMouse, ADaemonThatEndsIsALostDevice) {
@@ -303,8 +293,8 @@ TEST_F(SpaceMouse, ADaemonThatEndsIsALostDevice) {
 
   daemon_->stop();
 
-  EXPECT_TRUE(soon([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
-  EXPECT_TRUE(soon([this] { return device_->snapshot().state == DeviceState::kLost; }));
+  EXPECT_TRUE(testing::eventually([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
+  EXPECT_TRUE(testing::eventually([this] { return device_->snapshot().state == DeviceState::kLost; }));
 }
 
 TEST_F(SpaceMouse, APuckThatIsUnpluggedIsALostDevice) {
@@ -312,7 +302,7 @@ TEST_F(SpaceMouse, APuckThatIsUnpluggedIsALostDevice) {
 
   daemon_->say({kDeviceChange, SPNAV_DEV_RM, 0, SPNAV_DEV_SMCOMP});
 
-  EXPECT_TRUE(soon([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
+  EXPECT_TRUE(testing::eventually([this] { return (device_->read(0).status & kDeviceLost) != 0; }));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/allocation_count.h"
+#include "tests/support/eventually.h"
 #include "tests/support/lock_count.h"
 
 namespace torsio {
@@ -40,18 +41,6 @@ class PluggedSource final : public SteeringSource {
   std::shared_ptr<Plug> plug_;
 };
 
-template <typename Condition>
-bool eventually(const Condition& condition) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (std::chrono::steady_clock::now() < until) {
-    if (condition()) {
-      return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
-}
-
 class Steered : public ::testing::Test {
  protected:
   std::shared_ptr<Plug> plug_ = std::make_shared<Plug>();
@@ -70,11 +59,11 @@ class Steered : public ::testing::Test {
   }
   void serveUntilRead() {
     device_.serve();
-    ASSERT_TRUE(eventually([this] { return device_.read(0).status == kDeviceOk; }));
+    ASSERT_TRUE(testing::eventually([this] { return device_.read(0).status == kDeviceOk; }));
   }
 };
 
-TEST_F(Steered, GivesNoForceAndTurnsInsteadOfBeingLed) {
+TEST_F(Steered, RendersNoForceAndTwistsByRoll) {
   EXPECT_EQ(device_.capabilities().model, "Puck");
   EXPECT_FALSE(device_.capabilities().rendersForce);
   EXPECT_EQ(device_.capabilities().drive, TwistDrive::kRoll);
@@ -87,20 +76,20 @@ TEST_F(Steered, IsStaleUntilItsThreadHasSpokenAndReadyAfterwards) {
   serveUntilRead();
 
   EXPECT_EQ(before.status, static_cast<std::uint32_t>(kDeviceStale));
-  EXPECT_TRUE(eventually([this] { return device_.snapshot().state == DeviceState::kReady; }));
+  EXPECT_TRUE(testing::eventually([this] { return device_.snapshot().state == DeviceState::kReady; }));
   EXPECT_EQ(device_.snapshot().calibration, CalibrationState::kCalibrated);
-  EXPECT_TRUE(eventually([this] { return toolState(device_.read(0)).pose.position_m.x > 0.101; }));
+  EXPECT_TRUE(testing::eventually([this] { return toolState(device_.read(0)).pose.position_m.x > 0.101; }));
 }
 
-TEST_F(Steered, ALostDeviceIsSaidInTheReadingTheSnapshotAndAnEvent) {
+TEST_F(Steered, ReportsALostDeviceInReadingSnapshotAndEvent) {
   serveUntilRead();
 
   plug_->plugged = false;
 
-  EXPECT_TRUE(eventually([this] { return (device_.read(0).status & kDeviceLost) != 0; }));
-  EXPECT_TRUE(eventually([this] { return device_.snapshot().state == DeviceState::kLost; }));
+  EXPECT_TRUE(testing::eventually([this] { return (device_.read(0).status & kDeviceLost) != 0; }));
+  EXPECT_TRUE(testing::eventually([this] { return device_.snapshot().state == DeviceState::kLost; }));
   DeviceEvent event;
-  ASSERT_TRUE(eventually([&] { return device_.nextEvent(event); }));
+  ASSERT_TRUE(testing::eventually([&] { return device_.nextEvent(event); }));
   EXPECT_EQ(event.kind, DeviceEvent::Kind::kLost);
   EXPECT_FALSE(device_.lossText(device_.snapshot().lostBecause).empty());
 }
@@ -109,7 +98,7 @@ TEST_F(Steered, AThreadThatHangsMakesTheReadingStaleThenLost) {
   serveUntilRead();
 
   plug_->hangs = true;
-  ASSERT_TRUE(eventually([this] { return plug_->hanging.load(); }));  // the poll before it has ended
+  ASSERT_TRUE(testing::eventually([this] { return plug_->hanging.load(); }));  // the poll before it has ended
   const DeviceSample last = device_.read(1'000'000);
   const DeviceSample stale = device_.read(1'000'000 + kSteeringStale_us + 1);
   const DeviceSample lost = device_.read(1'000'000 + kSteeringLost_us + 1);
@@ -124,9 +113,9 @@ TEST_F(Steered, ButtonsAreEventsThatNoLaterOneOverwrites) {
   serveUntilRead();
 
   plug_->buttons = kButtonSecond;
-  ASSERT_TRUE(eventually([this] { return device_.read(0).buttons == kButtonSecond; }));
+  ASSERT_TRUE(testing::eventually([this] { return device_.read(0).buttons == kButtonSecond; }));
   plug_->buttons = 0;
-  ASSERT_TRUE(eventually([this] { return device_.read(0).buttons == 0; }));
+  ASSERT_TRUE(testing::eventually([this] { return device_.read(0).buttons == 0; }));
 
   DeviceEvent pressed;
   DeviceEvent released;
@@ -151,7 +140,7 @@ TEST_F(Steered, ReadingTakesNoMemoryAndNoLock) {
   EXPECT_EQ(testing::lockCount() - locked, 0);
 }
 
-TEST_F(Steered, ClosedTwiceItIsClosed) {
+TEST_F(Steered, CanBeClosedTwice) {
   serveUntilRead();
 
   EXPECT_TRUE(device_.close());

@@ -58,7 +58,7 @@ TEST(StoredEnergyLimit, KeepsASlewLimiterFromMakingAWallActive) {
   EXPECT_LE(after_J, 1e-3);
 }
 
-TEST(StoredEnergyLimit, LeavesAnHonestSpringAlone) {
+TEST(StoredEnergyLimit, NeverChangesAPassiveSpring) {
   StoredEnergyLimit limit({});
   for (int tick = 0; tick < 2'000; ++tick) {
     // A finger presses 4 mm deep and comes back, at most 13 mm/s, on 500 N/m.
@@ -85,7 +85,7 @@ TEST(StoredEnergyLimit, CountsTheEnergyOfAHeldForceExactly) {
   EXPECT_EQ(bits, static_cast<std::uint32_t>(kForceFull));
 }
 
-TEST(StoredEnergyLimit, WithholdsAForceThatNobodyHasPaidFor) {
+TEST(StoredEnergyLimit, WithholdsAForceWithoutStoredEnergy) {
   StoredEnergyLimit limit({});
   std::uint32_t bits = kForceFull;
 
@@ -96,7 +96,7 @@ TEST(StoredEnergyLimit, WithholdsAForceThatNobodyHasPaidFor) {
   EXPECT_EQ(bits, static_cast<std::uint32_t>(kForcePassivity));
 }
 
-TEST(StoredEnergyLimit, PaysOutWhatTheTissueBringsAlong) {
+TEST(StoredEnergyLimit, ReturnsTheEnergyThatTheTissueLends) {
   StoredEnergyLimit limit({});
   std::uint32_t bits = kForceFull;
   (void)limit.limited({}, {}, true, bits);
@@ -105,7 +105,7 @@ TEST(StoredEnergyLimit, PaysOutWhatTheTissueBringsAlong) {
   EXPECT_EQ(limit.limited({}, {3.0, 0.0, 0.0}, true, bits).x, 3.0);  // sqrt(2 x 1000 x 0.0201) = 6.3 N
 }
 
-TEST(StoredEnergyLimit, ForgetsACreditButNoDebtWhenTheTissueLetsGo) {
+TEST(StoredEnergyLimit, ForgetsCreditButNotDebtAtARelease) {
   StoredEnergyLimit limit({});
   limit.lend(0.02);
 

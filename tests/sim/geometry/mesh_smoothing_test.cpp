@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/mesh/mesh_smoothing.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "sim/geometry/mesh/iso_surface.h"
 #include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_thinning.h"
 
 namespace torsio {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "sim/anatomy/curves.h"
 #include "sim/anatomy/forearm.h"
-#include "sim/anatomy/marching_tetrahedra.h"
 #include "sim/anatomy/remesh.h"
 #include "sim/anatomy/stomach.h"
 #include "sim/anatomy/tube.h"

@@ -9,7 +9,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/record/memory_trial_sink.h"
+#include "sim/record/trial.h"
 #include "sim/record/trial_file.h"
 #include "tests/sim/record/samples.h"
 

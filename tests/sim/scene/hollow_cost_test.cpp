@@ -9,21 +9,18 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
 
 Scene hollowScene(const std::string& id) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  request.pattern = "detorse";
-  return loadScene(request);
+  return testing::shippedScene(id, "detorse");
 }
 
 class HollowOrganCost : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(HollowOrganCost, OfAQueryIsNoAllocation) {
+TEST_P(HollowOrganCost, QueriesAllocateNothing) {
   const Scene scene = hollowScene(GetParam());
   double sum = 0.0;
   unsigned state = 1;
@@ -40,7 +37,7 @@ TEST_P(HollowOrganCost, OfAQueryIsNoAllocation) {
   EXPECT_NE(sum, 0.0);
 }
 
-TEST_P(HollowOrganCost, OfASecondSetUpBuysTheSameOrgan) {
+TEST_P(HollowOrganCost, ASecondSetUpGivesTheSameOrgan) {
   const Scene scene = hollowScene(GetParam());
   const HollowOrgan::Parts parts{.lattice = &scene.lattice(),
                                  .shearModulus_Pa = scene.model.material().shearModulus_Pa,

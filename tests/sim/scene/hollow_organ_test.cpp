@@ -9,7 +9,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/scene/hollow_map.h"
-#include "sim/scene/wall_places.h"
+#include "sim/scene/organ_wall.h"
 #include "sim/tissue/hollow/tube_onset.h"
 #include "sim/tissue/hollow/wrung_tube.h"
 #include "tests/sim/servo/hollow_bar.h"
@@ -145,7 +145,7 @@ TEST(HollowOrgan, TurnsTheSectionsOfALimbMoreAndMoreTowardsTheMobilePart) {
   }
 }
 
-TEST(HollowOrgan, GoesOverIntoItsMobilePartWithoutAStep) {
+TEST(HollowOrgan, IsContinuousIntoItsMobilePart) {
   // Gas out: the wall between its ends draws in; what it ends at keeps its radius.
   const HollowOrgan& organ = *twoLimbs().hollow;
   OrganState state = organ.stateAt(0.2);

@@ -11,16 +11,13 @@
 #include "sim/scene/hollow_map.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
 
 Scene shipped(const std::string& id) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  request.pattern = "detorse";
-  return loadScene(request);
+  return testing::shippedScene(id, "detorse");
 }
 
 /// The states that are looked at: every 15 degrees both ways up to the largest twist, at four pressures.
@@ -42,7 +39,7 @@ std::vector<OrganState> statesOf(const Scene& scene) {
 
 class HollowReachOf : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(HollowReachOf, NoPieceIsPassedByItsVerticesHoweverTheOrganLies) {
+TEST_P(HollowReachOf, NoVertexLeavesTheBoundOfItsPatch) {
   const Scene scene = shipped(GetParam());
   const SurfacePatches& patches = scene.collision.patches();
   const HollowReach& reach = scene.hollow->reach();

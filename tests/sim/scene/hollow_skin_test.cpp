@@ -41,7 +41,7 @@ std::vector<double> radiiAt(double angle_rad) {
   return radii;
 }
 
-TEST(HollowSkin, AtRestNoVertexMovesByABit) {
+TEST(HollowSkin, LeavesEveryVertexAtRestUnchanged) {
   EXPECT_EQ(drawnAt(0.0), wrungBar().mesh.vertices_m);
 }
 

@@ -187,7 +187,7 @@ TEST_P(HollowTurn, FindsItsWayBackFromEveryVertex) {
   EXPECT_LE(ambiguous, vertices.size() / 5 / 1000);
 }
 
-TEST_P(HollowTurn, AtRestNoVertexMovesByABit) {
+TEST_P(HollowTurn, LeavesEveryVertexAtRestUnchanged) {
   const Scene& scene = twistedOrgan(GetParam());
   const TwistVertex& vertex = scene.hollow->vertices().front();
   const HollowOrgan& organ = *scene.hollow;

@@ -15,16 +15,13 @@
 #include "sim/core/angle.h"
 #include "sim/scene/scene_file.h"
 #include "sim/tissue/view/twist_kernels.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
 
 std::shared_ptr<const Scene> shippedHollow(const std::string& id) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  request.pattern = "detorse";
-  return std::make_shared<const Scene>(loadScene(request));
+  return std::make_shared<const Scene>(testing::shippedScene(id, "detorse"));
 }
 
 // Onset and closing (of a cord some turns), half and whole turns, both ways.

@@ -227,7 +227,7 @@ TEST(OrganImport, ComparesTheVolumeWithThatOfItsAnatomy) {
   EXPECT_NEAR(found(import, "M09")->value.value(), 20.0, 0.3);
 }
 
-TEST(OrganImport, RefusesARequestThatMeansNothing) {
+TEST(OrganImport, RefusesAnInvalidRequest) {
   OrganImportRequest request = importOf(bar(), "request.ply");
   const auto codeOf = [](const OrganImportRequest& one) {
     try {
@@ -251,7 +251,7 @@ TEST(OrganImport, RefusesARequestThatMeansNothing) {
   EXPECT_EQ(codeOf(wrong), ErrorCode::kUsage);
 }
 
-TEST(OrganImport, OutlivesAnImporterThatDoesNot) {
+TEST(OrganImport, SurvivesACrashOfTheImporter) {
   const OrganImportRequest request = importOf(bar(), "fatal.ply");
   {
     const OtherReader crashing("kill -SEGV $$");
@@ -276,7 +276,7 @@ TEST(OrganImport, OutlivesAnImporterThatDoesNot) {
   }
 }
 
-TEST(OrganImport, KeepsToItsMemory) {
+TEST(OrganImport, KeepsToItsMemoryLimit) {
   OrganImportRequest request =
       importOf(testing::prism(testing::circleOutline(0.03, 400), 0.2, 300), "large.ply");
   request.reading.memory_MB = 10;
@@ -316,7 +316,7 @@ TEST(OrganFile, IsReadAsItWasWritten) {
   EXPECT_EQ(read.warnings, organ.warnings);
 }
 
-TEST(OrganFile, TellsWhenItWasDamagedChangedOrIsNone) {
+TEST(OrganFile, ReportsDamageChangesAndOtherFiles) {
   OrganFile organ;
   organ.mesh = bar();
   const std::filesystem::path file = ownFile("damaged.organ");

@@ -169,7 +169,7 @@ TriangleMesh withFans(TriangleMesh tube) {
   return tube;
 }
 
-TEST(OrganJudgement, FindsTheEndsOfATubeWhoeverDrewThem) {
+TEST(OrganJudgement, FindsTheEndsOfATubeInAnyMeshing) {
   for (const auto& [points, rings] : {std::pair{60, 100}, {100, 200}, {200, 240}}) {
     const OrganJudgement tube =
         judgementOf(asInFile(withFans(testing::bentTube(0.03, 0.09, 2.2, points, rings))));
@@ -179,7 +179,7 @@ TEST(OrganJudgement, FindsTheEndsOfATubeWhoeverDrewThem) {
   }
 }
 
-TEST(OrganJudgement, SaysTheSameOfOneShapeHoweverFineItIs) {
+TEST(OrganJudgement, JudgesAShapeAlikeAtAnyResolution) {
   constexpr double kBend_m = 0.09;
   constexpr double kTurn = 2.2;
   double usual = 0.0;

@@ -17,6 +17,7 @@
 #include "sim/scene/scene.h"
 #include "tests/support/dicom_files.h"
 #include "tests/support/scan_files.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -175,8 +176,7 @@ TEST(OrganWall, IsKeptInTheFileAndTakenByTheHollowModel) {
   for (std::size_t n = 0; n < read.wallMap->thickness_m.size(); ++n) {
     ASSERT_NEAR(read.wallMap->thickness_m[n], import.organ.wallMap->thickness_m[n], 1e-6);
   }
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  SceneRequest request = testing::shippedRequest();
   request.organFile = file;
   const Scene scene = loadScene(request);
 

@@ -15,15 +15,13 @@
 #include "sim/tissue/rod/rod_sections.h"
 #include "sim/tissue/rod/rod_skin.h"
 #include "sim/tissue/rod/rod_solve.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
 
 Scene shippedScene(const std::string& id) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
-  return loadScene(request);
+  return testing::shippedScene(id);
 }
 
 /// One turn of a jaw: where it grips (fraction of the length), about which line, how far. No direction: about

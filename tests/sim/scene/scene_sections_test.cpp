@@ -8,14 +8,13 @@
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/scene.h"
 #include "tests/support/procedural_mesh.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
 
 SceneRequest withSections(const std::string& id, int sections) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = id;
+  SceneRequest request = testing::shippedRequest(id);
   request.sections = sections;
   return request;
 }

@@ -127,7 +127,7 @@ TEST(Scene, RecordingsFindTheOrganThatTheyWereMadeOn) {
   }
 }
 
-TEST(Scene, HasAFormerStateOnlyWhereSomethingWasChanged) {
+TEST(Scene, HasAFormerStateOnlyAfterAChange) {
   for (const char* id :
        {"stomach", "gastric-organo-axial", "gastric-mesentero-axial", "intestine", "small-bowel-loop"}) {
     const std::optional<SceneDescription> former = readFormerScene(kShippedAssets, id);
@@ -212,7 +212,7 @@ TEST(Scene, TasksAreDoneWithRestraintsHalfAndTwiceAsStiff) {
   std::filesystem::remove_all(assets);
 }
 
-TEST(Scene, AnotherGripTwistsTheStomachOtherwise) {
+TEST(Scene, GripPlaceChangesTheTwistOfTheStomach) {
   const Scene scene = loadScene(shipped("stomach", "partial"));
 
   const TaskPoint near = scene.rod->follow(0.2, radians(60.0)).back();
@@ -252,7 +252,7 @@ TEST(Scene, SaysWhatDecidesItsAnswersInOneStableText) {
   EXPECT_EQ(scene.parameterHash, loadScene(shipped("forearm")).parameterHash);
 }
 
-TEST(Scene, ChangesItsParameterHashWithEveryWish) {
+TEST(Scene, EveryOptionChangesTheParameterHash) {
   std::set<std::string> hashes;
   SceneRequest request = shipped("forearm");
   hashes.insert(loadScene(request).parameterHash);

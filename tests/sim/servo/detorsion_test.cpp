@@ -63,6 +63,15 @@ class Detorser {
     }
   }
   void holdOrgan(bool held) { exercise.apply({ServoCommand::Kind::kHoldOrgan, held ? 1.0 : 0.0}); }
+  /// Takes off the clip in a new grip, turns, and sets the clip again, or not.
+  ExerciseStep turnInAGrip(double by_rad, bool clipped = true) {
+    grip();
+    holdOrgan(false);
+    const ExerciseStep last = turn(by_rad);
+    holdOrgan(clipped);
+    letGo();
+    return last;
+  }
   void vent(bool open) { exercise.apply({ServoCommand::Kind::kVent, open ? 1.0 : 0.0}); }
   void check(FlowCheck check) {
     exercise.apply({ServoCommand::Kind::kCheckFlow, static_cast<double>(check)});
@@ -101,11 +110,7 @@ TEST(Detorsion, RelapsesWhereItIsLetGoAt200DegreesAndStaysAt60) {
   loose.letGo();
   loose.wait(3.0);
   for (int i = 0; i < 2; ++i) {  // two grips, clipped between
-    held.grip();
-    held.holdOrgan(false);
-    held.turn(-radians(105.0));
-    held.holdOrgan(i == 0);
-    held.letGo();
+    held.turnInAGrip(-radians(105.0), i == 0);
   }
   const double left_rad = held.angle_rad();
   held.wait(3.0);
@@ -137,11 +142,7 @@ TEST(Detorsion, NeedsFourGripsFor540Degrees) {
 
   int grips = 0;
   while (std::abs(hand.angle_rad()) > radians(15.0) && grips < 10) {
-    hand.grip();
-    hand.holdOrgan(false);
-    hand.turn(-std::min(kHand_rad, hand.angle_rad()));
-    hand.holdOrgan(true);
-    hand.letGo();
+    hand.turnInAGrip(-std::min(kHand_rad, hand.angle_rad()));
     hand.wait(0.2);
     ++grips;
   }
@@ -163,18 +164,14 @@ TEST(Detorsion, HoldsByFrictionAloneWhereNothingRelapses) {
   EXPECT_EQ(hand.angle_rad(), left_rad);
 }
 
-TEST(Detorsion, SettlesTowardsNothingAsFarAsFrictionLetsIt) {
+TEST(Detorsion, UntwistsAsFarAsFrictionAllows) {
   Detorsion slippery = twistedCord(radians(540.0));
   slippery.base.stickShare = 0.05;  // of the torque at 540 degrees: 27 degrees
   const Scene cord = hollowScene(slippery);
   Detorser hand(cord);
 
   for (int i = 0; i < 3; ++i) {
-    hand.grip();
-    hand.holdOrgan(false);
-    hand.turn(-radians(153.0));  // to 81 degrees, below which it settles
-    hand.holdOrgan(i < 2);
-    hand.letGo();
+    hand.turnInAGrip(-radians(153.0), i < 2);  // to 81 degrees, below which it settles
   }
   hand.wait(30.0);
 
@@ -240,16 +237,12 @@ TEST(Detorsion, AJawThatSlidesFarRoundAClippedOrganSlipsOff) {
   EXPECT_EQ(hand.angle_rad(), clipped_rad);
 }
 
-TEST(Detorsion, StaysFiniteHoweverFarItIsWound) {
+TEST(Detorsion, StaysFiniteAtAnyWinding) {
   Detorser hand(tube());
 
   ExerciseStep last;
   for (int i = 0; i < 30; ++i) {
-    hand.grip();
-    hand.holdOrgan(false);
-    last = hand.turn(radians(150.0));
-    hand.holdOrgan(true);
-    hand.letGo();
+    last = hand.turnInAGrip(radians(150.0));
   }
 
   EXPECT_GT(hand.angle_rad(), radians(4000.0));
@@ -259,7 +252,7 @@ TEST(Detorsion, StaysFiniteHoweverFarItIsWound) {
   EXPECT_GE(hand.pose().reading.flow, 0.0);
 }
 
-TEST(Detorsion, SetsNoClipFromAfar) {
+TEST(Detorsion, SetsAClipOnlyInContact) {
   Detorser hand(tube());
 
   hand.wait(0.01);
@@ -281,7 +274,7 @@ TEST(Detorsion, GripsTheMobilePartOnly) {
   EXPECT_NE(hand.exercise.phase(), ExercisePhase::kTwisting);
 }
 
-TEST(Detorsion, LetsTheHandFeelTheWallAndWhatRelapses) {
+TEST(Detorsion, HandFeelsTheWallAndTheRelapse) {
   Detorser hand(tube());
   const HollowOrgan& organ = *tube().hollow;
   const double pressure_Pa = organ.detorsion().wall.pressure_Pa;
@@ -421,7 +414,7 @@ TEST(Detorsion, FollowsTheGasLawUntilTheContentIsLetOut) {
   EXPECT_LT(hand.pose().reading.pressure_Pa, vented_Pa);
 }
 
-TEST(Detorsion, VentsNothingWhereTheSceneLetsNothingOut) {
+TEST(Detorsion, VentsOnlyWhereTheSceneHasAVent) {
   Detorsion shut = twistedTube();
   shut.wall.vent = false;
   const Scene scene = hollowScene(shut);
@@ -442,11 +435,7 @@ TEST(Detorsion, RestoresTheBloodInTheScenesOwnTime) {
 
   const double before = hand.pose().reading.flow;
   for (int i = 0; i < 4; ++i) {
-    hand.grip();
-    hand.holdOrgan(false);
-    hand.turn(-radians(135.0));
-    hand.holdOrgan(true);
-    hand.letGo();
+    hand.turnInAGrip(-radians(135.0));
   }
   hand.wait(10.0);
 
@@ -483,7 +472,7 @@ TEST(Detorsion, AnswersACheckAfterItsTimeWithItsErrorAndBreaksOffWhenTheHandTurn
   EXPECT_EQ(hand.pose().check.count, 1);  // the touch was broken off
 }
 
-TEST(Detorsion, ChecksAreOutByTheirDeviation) {
+TEST(Detorsion, ChecksHaveTheirStatedDeviation) {
   const Scene scene = hollowScene(twistedCord(radians(400.0)));
   double sum = 0.0;
   double squares = 0.0;

@@ -144,7 +144,7 @@ TEST(DetorsionTrial, ReplaysBitForBitWithAnOrganThatWasBuiltAnew) {
   EXPECT_TRUE(report.identical()) << (report.first ? report.first->field : "");
 }
 
-TEST(DetorsionTrial, BeginsOtherwiseUnderAnotherIdSoThatAForeignIdIsSeen) {
+TEST(DetorsionTrial, StartsDifferentlyUnderAnotherTrialId) {
   Detorsion drawn = *tubeOfTrial().pattern.detorsion;
   drawn.start.least_rad = radians(200.0);
   const Scene scene = hollowScene(drawn);
@@ -158,7 +158,7 @@ TEST(DetorsionTrial, BeginsOtherwiseUnderAnotherIdSoThatAForeignIdIsSeen) {
   EXPECT_FALSE(replayTrial(scene, trial).identical());
 }
 
-TEST(DetorsionTrial, LiesAsItDidWhereItsIdWasTakenOutButItsSeedKept) {
+TEST(DetorsionTrial, ReplaysFromItsSeedWithoutItsId) {
   TrialHeader blinded = done().trial.header;
   blinded.seed = detorsionSeed(blinded.trialId);
   blinded.trialId = "case A";
@@ -184,7 +184,7 @@ TEST(DetorsionTrial, SeesAChangedReadingInItsReplay) {
   EXPECT_EQ(report.first->field, "flow");
 }
 
-TEST(DetorsionTrial, GivesAViewOfTheRecordingWhoHoldsTheOrgan) {
+TEST(DetorsionTrial, HoldsTheStateOfTheOrganForViews) {
   const PoseTrack track(tubeOfTrial(), done().trial.header, done().trial.chunks);
   const HollowPose end = track.hollowAt(done().samples.back().device.time_us);
 
@@ -195,7 +195,7 @@ TEST(DetorsionTrial, GivesAViewOfTheRecordingWhoHoldsTheOrgan) {
   EXPECT_TRUE(end.present);
 }
 
-TEST(DetorsionTrial, TakesNoWishThatMakesNoSense) {
+TEST(DetorsionTrial, IgnoresInvalidCommands) {
   ScriptedHand hand({.task = handTask(tubeOfTrial()), .profile = {}, .duration_s = 5.0});
   SpscRing<ServoCommand> commands(8);
   ServoLoop loop({.device = &hand, .scene = &tubeOfTrial(), .commands = &commands}, {});
@@ -211,7 +211,7 @@ TEST(DetorsionTrial, TakesNoWishThatMakesNoSense) {
   EXPECT_EQ(loop.organ().hollow.check.running, FlowCheck::kNone);
 }
 
-TEST(DetorsionTrial, RunAgainGivesItsMomentsAsTheyWere) {
+TEST(DetorsionTrial, RerunFindsTheSameMoments) {
   const std::vector<Sample> kept = decodeTrial(done().trial);
 
   const auto all = rerunMoments(tubeOfTrial(), done().trial.header, kept, ~0U);

@@ -18,6 +18,8 @@
 #include "sim/servo/servo_loop.h"
 #include "sim/servo/trial_rerun.h"
 #include "tests/sim/servo/recorded_bar.h"
+#include "tests/sim/servo/recorded_trial.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -30,25 +32,11 @@ Trial recordedIn(const Scene& scene, std::uint64_t seed, std::int64_t seconds) {
                      .task = handTask(scene),
                      .profile = {.initialSkill = 0.6, .finalSkill = 0.6},
                      .duration_s = static_cast<double>(seconds)});
-  Trial trial;
-  trial.header.trialId = TrialId("00000000-0000-4000-8000-000000000009");
-  trial.header.organHash = scene.organHash;
-  trial.header.parameterHash = scene.parameterHash;
-  trial.header.deviceLimits = deviceLimits(hand.capabilities());
-  trial.header.targetAngle_rad = scene.pattern.targetAngle_rad;
-  ServoLoop loop({.device = &hand, .scene = &scene}, servoOptions(trial.header));
-  std::int64_t tick = 0;
-  for (std::int64_t second = 0; second < seconds; ++second) {
-    std::vector<Sample> samples;
-    for (std::int64_t i = 0; i < kChunk; ++i) {
-      loop.tick(1000 * tick++);
-      samples.push_back(loop.lastSample());
-    }
-    trial.chunks.push_back(encodeChunk(second, samples));
-  }
-  trial.summary.samples = tick;
-  trial.summary.contentHash = contentHash(trial);
-  return trial;
+  TrialHeader header = headerOf(scene, hand);
+  header.trialId = "00000000-0000-4000-8000-000000000009";
+  header.targetAngle_rad = scene.pattern.targetAngle_rad;
+  ServoLoop loop({.device = &hand, .scene = &scene}, servoOptions(header));
+  return recordedTrial(loop, header, seconds);
 }
 
 const Trial& barTrial() {
@@ -121,10 +109,7 @@ TEST(ExerciseAhead, ReplaysBitForBitOnAnyNumberOfThreads) {
 }
 
 TEST(ExerciseAhead, ReplaysAnOrganThatIsARod) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "stomach";
-  const Scene stomach = loadScene(request);
+  const Scene stomach = testing::shippedScene("stomach");
   const Trial trial = recordedIn(stomach, 5, 12);
 
   const ReplayReport report = replayTrial(stomach, trial, 3);

@@ -76,7 +76,7 @@ class ExerciseTest : public ::testing::Test {
   Exercise exercise{{}, scene()};
 };
 
-TEST_F(ExerciseTest, AnswersWithNothingAtAllOutOfContact) {
+TEST_F(ExerciseTest, GivesNoForceOutOfContact) {
   Random random(1);
   for (int i = 0; i < 2'000; ++i) {
     ToolState tool;
@@ -112,7 +112,7 @@ TEST_F(ExerciseTest, PushesBackAlongTheNormalInContactAndDeformsNothing) {
   EXPECT_TRUE(exercise.organ().atRest());
 }
 
-TEST_F(ExerciseTest, FeelsTheShaftAndTellsItFromTheJaw) {
+TEST_F(ExerciseTest, TellsTheShaftFromTheJaw) {
   // Stylus across the bar: the tip is 60 mm past it, the shaft lies 1 mm deep in its side.
   ToolState tool;
   tool.pose.position_m = {kBarRadius_m + kTipRadius_m - 0.001, -0.060, kArc_m};
@@ -396,7 +396,7 @@ TEST_F(ExerciseTest, PullsTheJawBackToTheSectionAndSlipsOffBeyondItsWay) {
   EXPECT_EQ(slipped.events, static_cast<std::uint32_t>(kEventReleased | kEventSlipped));
 }
 
-TEST_F(ExerciseTest, TouchesAnewFromWhereTheJawLetGo) {
+TEST_F(ExerciseTest, StartsANewContactWhereTheJawOpened) {
   gripAt(0.0);
   (void)turn(0.0, radians(90.0));
 
@@ -413,7 +413,7 @@ TEST_F(ExerciseTest, TouchesAnewFromWhereTheJawLetGo) {
   EXPECT_NEAR(deeper.response.force_N.x, 0.0, 0.03);  // a facet may tilt by 2.5 degrees
 }
 
-TEST_F(ExerciseTest, IsTouchedAsEverOnceTheJawHasComeOut) {
+TEST_F(ExerciseTest, TouchesAsBeforeOnceTheJawIsOut) {
   gripAt(0.0);
   (void)step(onSurface(0.0, 0.001));   // let go, deep in
   (void)step(onSurface(0.0, -0.002));  // out
@@ -426,7 +426,7 @@ TEST_F(ExerciseTest, IsTouchedAsEverOnceTheJawHasComeOut) {
   EXPECT_GT(norm(touched.response.force_N), 0.4 - 400.0 * kFlat_m);
 }
 
-TEST_F(ExerciseTest, RefusesToTwistWhatIsHeldFast) {
+TEST_F(ExerciseTest, RefusesToTwistAHeldSection) {
   (void)step(onSurface(0.0, 0.001, 0.0, 0.0));
   for (int i = 0; i < 5; ++i) {
     const ExerciseStep answer = step(onSurface(0.0, 0.001, 1.0, 0.0));
@@ -435,7 +435,7 @@ TEST_F(ExerciseTest, RefusesToTwistWhatIsHeldFast) {
   }
 }
 
-TEST_F(ExerciseTest, ObeysItsRulesUnderWildMotion) {
+TEST_F(ExerciseTest, KeepsItsRulesUnderRandomMotion) {
   Random random(7);
   ToolState tool = onSurface(0.0, 0.0);
   ExercisePhase before = ExercisePhase::kTracking;
@@ -503,7 +503,7 @@ TEST_F(ExerciseTest, IgnoresTheCommandsForHollowOrgansOnASolidOne) {
   }
 }
 
-TEST(Exercise, RefusesAStiffnessThatIsNone) {
+TEST(Exercise, RefusesAnInvalidStiffness) {
   EXPECT_THROW(Exercise({.maxStiffness_N_per_m = 0.0}, scene()), Error);
   EXPECT_THROW(Exercise({.maxStiffness_N_per_m = std::nan("")}, scene()), Error);
   EXPECT_THROW(Exercise({.tickPeriod_us = 0}, scene()), Error);

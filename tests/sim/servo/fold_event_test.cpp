@@ -12,14 +12,15 @@
 #include "sim/core/spsc_ring.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/geometry/mesh/mesh_export.h"
-#include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
+#include "sim/record/trial.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
 #include "sim/servo/trial_rerun.h"
 #include "tests/support/procedural_mesh.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -31,10 +32,7 @@ const Scene& thinOrgan() {
   static const Scene kScene = [] {
     const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "thin_organ.obj";
     writeObj(file, testing::bentTube(0.008, 0.030, 2.5, 32, 60));
-    SceneRequest request;
-    request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-    request.id = "stomach";
-    request.pattern = "mesentero-axial";
+    SceneRequest request = testing::shippedRequest("stomach", "mesentero-axial");
     request.organFile = file;
     return loadScene(request);
   }();
@@ -108,7 +106,7 @@ TEST(FoldEvent, EndsTheGripAndNamesItsReason) {
   EXPECT_EQ(run.last.times.slipped_us, -1);
 }
 
-TEST(FoldEvent, LetsTheTorqueAndTheForceGo) {
+TEST(FoldEvent, EndsTorqueAndForce) {
   const Overdone& run = overdone();
   const ExerciseMoment* moment = folded(run);
   ASSERT_NE(moment, nullptr);
@@ -125,7 +123,7 @@ TEST(FoldEvent, LetsTheTorqueAndTheForceGo) {
   EXPECT_LT(norm(later.force_N), 0.2 * norm(held.force_N));
 }
 
-TEST(FoldEvent, OfTheRecordingIsFoundWhenItIsRunAgain) {
+TEST(FoldEvent, IsFoundAgainInARerun) {
   const Overdone& run = overdone();
   const ExerciseMoment* moment = folded(run);
   ASSERT_NE(moment, nullptr);
@@ -157,11 +155,7 @@ struct Overturned {
 };
 
 Overturned overturned() {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "stomach";
-  request.pattern = "partial";
-  const Scene scene = loadScene(request);
+  const Scene scene = testing::shippedScene("stomach", "partial");
   HandTask task = handTask(scene);
   task.targetAngle_rad = radians(330.0);
   ScriptedHand hand(

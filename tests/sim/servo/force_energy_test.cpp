@@ -122,7 +122,7 @@ std::vector<Hand> hands(int count) {
   return all;
 }
 
-TEST(ForceEnergy, OfAnyContactIsNoMoreThanTheHandHasPutIn) {
+TEST(ForceEnergy, NoContactReturnsMoreThanTheHandPutIn) {
   const Scene scene = barScene();
   int felt = 0;
   std::int64_t grips = 0;
@@ -143,7 +143,7 @@ TEST(ForceEnergy, OfAnyContactIsNoMoreThanTheHandHasPutIn) {
   RecordProperty("worst_mJ", std::to_string(1e3 * worst_J));
 }
 
-TEST(ForceEnergy, WasGivenAwayByTheRulesBefore) {
+TEST(ForceEnergy, EarlierRulesGaveEnergyAway) {
   const Scene scene = barScene();
   int over = 0;
   for (const Hand& hand : hands(40)) {

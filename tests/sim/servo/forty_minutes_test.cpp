@@ -13,6 +13,7 @@
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -56,10 +57,7 @@ class CountingSink final : public TrialSink {
 };
 
 TEST(ServoLoop, LosesNoSampleInFortyMinutesOnAManualClock) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "forearm";
-  const Scene scene = loadScene(request);
+  const Scene scene = testing::shippedScene("forearm");
   ScriptedHand hand({.seed = 5,
                      .task = handTask(scene),
                      .profile = handProfile(5),

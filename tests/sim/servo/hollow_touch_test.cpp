@@ -20,7 +20,7 @@ using testing::twistedOrgan;
 
 class HollowTouch : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(HollowTouch, MeetsTheVeryTriangleThatATipLiesOn) {
+TEST_P(HollowTouch, FindsTheTriangleThatATipLiesOn) {
   const Scene& scene = twistedOrgan(GetParam());
   const InitialTwist& start = scene.hollow->detorsion().start;
 

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/sim/servo/recorded_bar.h"
 
-#include <string>
-#include <vector>
-
 #include "assessment/domain/ids.h"
 #include "sim/core/portable_math.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/content_hash.h"
-#include "sim/record/sample_codec.h"
 #include "sim/servo/hand_task.h"
-#include "sim/servo/servo_loop.h"
+#include "tests/sim/servo/recorded_trial.h"
 
 namespace torsio {
 
 namespace {
 
 constexpr std::int64_t kSeconds = 8;
-constexpr std::int64_t kTicksPerSecond = 1000;
-constexpr std::int64_t kBarTick_us = 1000;
 constexpr std::uint64_t kSeed = 11;
 constexpr std::int64_t kStarted_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
 
@@ -44,34 +37,16 @@ Trial recordOnBar(const TrialId& trialId, const std::string& traineeCode, TwistD
                      .duration_s = static_cast<double>(kSeconds)});
   ServoLoop loop({.device = &hand, .scene = &scene},
                  {.drive = drive, .targetAngle_rad = scene.pattern.targetAngle_rad});
-  Trial trial;
-  TrialHeader& header = trial.header;
+  TrialHeader header = headerOf(scene, hand);
   header.trialId = trialId;
   header.traineeCode = traineeCode;
-  header.sceneId = scene.id;
   header.patternId = scene.pattern.id;
-  header.organHash = scene.organHash;
-  header.parameterHash = scene.parameterHash;
-  header.parametersJson = scene.parametersJson;
   header.deviceModel = hand.capabilities().model;
-  header.deviceLimits = deviceLimits(hand.capabilities());
   header.softwareVersion = "0.1.0";
   header.drive = drive;
   header.targetAngle_rad = scene.pattern.targetAngle_rad;
-  header.tickPeriod_us = kBarTick_us;
   header.startedUtc_us = kStarted_us;
-  std::int64_t tick = 0;
-  for (std::int64_t second = 0; second < kSeconds; ++second) {
-    std::vector<Sample> samples;
-    for (std::int64_t i = 0; i < kTicksPerSecond; ++i) {
-      loop.tick(tick++ * kBarTick_us);
-      samples.push_back(loop.lastSample());
-    }
-    trial.chunks.push_back(encodeChunk(second, samples));
-  }
-  trial.summary = {tick, 0, loop.lateTicks(), TrialOutcome::kCompleted, {}};
-  trial.summary.contentHash = contentHash(trial);
-  return trial;
+  return recordedTrial(loop, header, kSeconds);
 }
 
 }  // namespace torsio

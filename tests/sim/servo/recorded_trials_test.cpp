@@ -34,7 +34,7 @@ TEST(RecordedTrials, ReplayBitForBitByTheRulesOfTheirTime) {
   }
 }
 
-TEST(RecordedTrials, HoldATwistThatIsWorthReplaying) {
+TEST(RecordedTrials, ContainATwist) {
   for (const char* name : {"first-release-tangential", "first-release-roll"}) {
     SCOPED_TRACE(name);
 
@@ -61,7 +61,7 @@ TEST(RecordedTrials, KeepTheirRulesWhenTheyAreWrittenAgain) {
   EXPECT_EQ(samples.back().rules, 1U);
 }
 
-TEST(RecordedTrials, OfANewerVersionAreRefusedInPlainWords) {
+TEST(RecordedTrials, FromANewerVersionAreRefusedInPlainWords) {
   Trial trial = stored("first-release-tangential");
   std::vector<Sample> samples = decodeChunk(trial.chunks[3]);
   samples[10].rules = kServoRules + 1;

@@ -13,23 +13,20 @@
 #include "sim/core/angle.h"
 #include "sim/core/spsc_ring.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/memory_trial_sink.h"
-#include "sim/record/recorder.h"
+#include "sim/record/trial.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/pose_track.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/sim/servo/recorded_trial.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
 
 std::shared_ptr<const Scene> stomach(const std::string& pattern) {
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  request.id = "stomach";
-  request.pattern = pattern;
-  return std::make_shared<const Scene>(loadScene(request));
+  return std::make_shared<const Scene>(testing::shippedScene("stomach", pattern));
 }
 
 /// A hand that grips where the scripted one does and then turns about the task's axis at will.
@@ -166,7 +163,7 @@ TEST(RodExercise, LetsGoBeforeTheTissueFolds) {
   EXPECT_TRUE(hand.events() & (kEventFolded | kEventSlipped));
 }
 
-TEST(RodExercise, AHandThatIsNowhereMovesNothing) {
+TEST(RodExercise, IgnoresAPoseThatIsNotFinite) {
   TurningHand hand(stomach("organo-axial"));
   hand.turnTo(radians(-30.0), 500);
   const RodPose before = hand.exercise().organ().pose;
@@ -220,27 +217,14 @@ TEST(RodExercise, ATrialReplaysBitForBitAndItsShapesAreFoundAgain) {
                               .profile = {.initialSkill = 0.6, .finalSkill = 0.6},
                               .duration_s = 9.0};
   ScriptedHand hand(options);
-  SpscRing<Sample> ring(kRecordingRing);
-  MemoryTrialSink sink;
-  ServoLoop loop({.device = &hand, .scene = scene.get(), .recording = &ring}, {});
-  TrialHeader header;
-  header.organHash = scene->organHash;
-  header.parameterHash = scene->parameterHash;
-  header.deviceLimits = deviceLimits(hand.capabilities());
-  Recorder recorder(ring, sink, header);
+  ServoLoop loop({.device = &hand, .scene = scene.get()}, {});
   std::vector<RodPose> shapes;
-  for (int i = 0; i < 9000; ++i) {
-    loop.tick(1000LL * i);
-    shapes.push_back(loop.organ().pose);
-    if (i % 1000 == 999) {
-      recorder.pump();
-    }
-  }
-  (void)recorder.finish(TrialOutcome::kCompleted, 0);
+  const Trial trial =
+      recordedTrial(loop, headerOf(*scene, hand), 9, [&] { shapes.push_back(loop.organ().pose); });
   const std::shared_ptr<const Scene> again = stomach("organo-axial");
 
-  const ReplayReport report = replayTrial(*again, sink.trial());
-  const PoseTrack track(*again, sink.trial().header, sink.trial().chunks);
+  const ReplayReport report = replayTrial(*again, trial);
+  const PoseTrack track(*again, trial.header, trial.chunks);
 
   EXPECT_TRUE(report.identical());
   double farthest_m = 0.0;

@@ -12,12 +12,12 @@
 #include "sim/core/file_io.h"
 #include "sim/core/spsc_ring.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/memory_trial_sink.h"
-#include "sim/record/recorder.h"
+#include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/sim/servo/recorded_trial.h"
 
 namespace torsio {
 namespace {
@@ -67,24 +67,8 @@ Trial recorded(const Scene& scene) {
                               .profile = {.initialSkill = 0.6, .finalSkill = 0.6},
                               .duration_s = 6.0};
   ScriptedHand hand(options);
-  SpscRing<Sample> ring(kRecordingRing);
-  MemoryTrialSink sink;
-  ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring}, {});
-  TrialHeader header;
-  header.sceneId = scene.id;
-  header.organHash = scene.organHash;
-  header.parameterHash = scene.parameterHash;
-  header.parametersJson = scene.parametersJson;
-  header.deviceLimits = deviceLimits(hand.capabilities());
-  Recorder recorder(ring, sink, header);
-  for (int i = 0; i < 6000; ++i) {
-    loop.tick(1000LL * i);
-    if (i % 1000 == 999) {
-      recorder.pump();
-    }
-  }
-  (void)recorder.finish(TrialOutcome::kCompleted, 0);
-  return sink.trial();
+  ServoLoop loop({.device = &hand, .scene = &scene}, {});
+  return recordedTrial(loop, headerOf(scene, hand), 6);
 }
 
 TEST_F(SceneModel, AnswersAsTheSameModelOfAnEngineerDoes) {

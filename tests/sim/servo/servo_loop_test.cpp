@@ -13,8 +13,8 @@
 #include "sim/core/error.h"
 #include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
+#include "sim/record/trial.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "tests/sim/servo/bar_scene.h"
@@ -366,7 +366,7 @@ TEST(HandTask, GraspsTheSectionOfThePatternFromOutside) {
   EXPECT_EQ(task.targetAngle_rad, radians(90.0));
 }
 
-TEST(ServoLoop, AnswersAlikeWhateverRoundingItsThreadHasSet) {
+TEST(ServoLoop, DoesNotDependOnTheThreadsRoundingMode) {
   ScriptedHand first = trainee(3, 4.0);
   ScriptedHand second = trainee(3, 4.0);
   const Recording usual = record(first, {}, 3'000);

@@ -11,8 +11,8 @@
 
 #include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
+#include "sim/record/trial.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "tests/sim/servo/bar_scene.h"

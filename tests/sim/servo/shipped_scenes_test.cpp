@@ -10,13 +10,14 @@
 
 #include "sim/core/angle.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/memory_trial_sink.h"
-#include "sim/record/recorder.h"
+#include "sim/record/trial.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/detorsion.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/sim/servo/recorded_trial.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -24,11 +25,7 @@ namespace {
 const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 
 Scene shipped(const std::string& id, const std::string& pattern = "") {
-  SceneRequest request;
-  request.assets = kAssets;
-  request.id = id;
-  request.pattern = pattern;
-  return loadScene(request);
+  return testing::shippedScene(id, pattern);
 }
 
 ScriptedHandOptions skilledHand(const Scene& scene) {
@@ -122,22 +119,8 @@ TEST(ShippedScenes, ReplayBitForBitWithAModelThatWasBuiltAnew) {
     ScriptedHandOptions options = skilledHand(scene);
     options.duration_s = 12.0;
     ScriptedHand hand(options);
-    SpscRing<Sample> ring(kRecordingRing);
-    MemoryTrialSink sink;
-    ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring}, {});
-    TrialHeader header;
-    header.organHash = scene.organHash;
-    header.parameterHash = scene.parameterHash;
-    header.deviceLimits = deviceLimits(hand.capabilities());
-    Recorder recorder(ring, sink, header);
-    for (int i = 0; i < 12'000; ++i) {
-      loop.tick(1000LL * i);
-      if (i % 1000 == 999) {
-        recorder.pump();
-      }
-    }
-    (void)recorder.finish(TrialOutcome::kCompleted, 0);
-    trial = sink.trial();
+    ServoLoop loop({.device = &hand, .scene = &scene}, {});
+    trial = recordedTrial(loop, headerOf(scene, hand), 12);
   }
 
   const Scene again = shipped("forearm");

@@ -82,7 +82,7 @@ Quat fromRight() {
   return axisAngle({0.0, 1.0, 0.0}, radians(90.0));
 }
 
-TEST(SurfaceProxy, StaysOnItsSideHoweverFarTheHandGoes) {
+TEST(SurfaceProxy, StaysOnItsSideAtAnyDepth) {
   for (const Scene* scene : {&thick(), &thin()}) {
     // 15 cm through the middle in 0.3 s, a rest behind, a grip from there.
     ProxyHand hand([](double t) {
@@ -122,7 +122,7 @@ TEST(SurfaceProxy, PressingAsDeepAsItGoesPassesAnyLimitOfAnExercise) {
   EXPECT_LT(kTooDeep_m, 0.6 * kDeepestPress_m);  // people are told long before
 }
 
-TEST(SurfaceProxy, ChangesNothingOfAHandThatTakesCare) {
+TEST(SurfaceProxy, ChangesNothingForACarefulHand) {
   const auto trainee = [] {
     return ScriptedHand({.seed = 7, .task = handTask(thick()), .profile = handProfile(7), .duration_s = 8.0});
   };
@@ -132,7 +132,7 @@ TEST(SurfaceProxy, ChangesNothingOfAHandThatTakesCare) {
   EXPECT_EQ(run(held, thick(), 8000), run(free, thick(), 8000, false));
 }
 
-TEST(SurfaceProxy, LetsTheHandOutAgainAtOnce) {
+TEST(SurfaceProxy, ReleasesTheHandOutwardsAtOnce) {
   ProxyHand hand([](double t) {
     const double deep = t < 0.5 ? t / 0.5 : std::max(0.0, 1.0 - (t - 0.5) / 0.3);
     DeviceReading reading;
@@ -182,7 +182,7 @@ TEST(SurfaceProxy, SwingingTheShaftThroughPushesTheTipAway) {
 
 // Ways by chance, straight and bent, slow and in jumps. Who comes near the flank slips off there, as from the
 // organ itself; nobody gets past the middle, seen from where he arrived.
-TEST(SurfaceProxy, NoWayByChanceLeadsThrough) {
+TEST(SurfaceProxy, NoRandomPathLeadsThrough) {
   for (std::uint64_t stream = 0; stream < 60; ++stream) {
     Random random = Random::forStream(20261125, stream);
     const auto between = [&random](double low, double high) { return low + (high - low) * random.uniform(); };

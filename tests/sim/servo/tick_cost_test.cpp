@@ -76,7 +76,7 @@ TEST(TickCost, TakesNoMemoryAndNoLockWhileAnOrganIsUndone) {
   EXPECT_EQ(phases.size(), 4U);
 }
 
-TEST(TickCost, WouldSeeALock) {
+TEST(TickCost, DetectsALock) {
   if (!testing::lockCountWorks()) {
     GTEST_SKIP() << "locks are not counted here";
   }
@@ -86,7 +86,7 @@ TEST(TickCost, WouldSeeALock) {
   EXPECT_EQ(testing::lockCount() - before, 1);
 }
 
-TEST(TickCost, TellsEveryMomentWithItsTime) {
+TEST(TickCost, ReportsEveryEventWithItsTime) {
   const Scene scene = barScene();
   ScriptedHand hand({.seed = 3, .task = handTask(scene), .profile = handProfile(3), .duration_s = 10.0});
   SpscRing<ExerciseMoment> events(64);

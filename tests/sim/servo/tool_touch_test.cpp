@@ -22,6 +22,7 @@
 #include "sim/scene/hollow_map.h"
 #include "tests/sim/servo/bar_scene.h"
 #include "tests/support/fcl_model.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
@@ -139,9 +140,7 @@ TEST(ToolTouch, AgreesWithEveryTriangleOfATwistedBar) {
 TEST(ToolTouch, AgreesWithEveryTriangleOfTheShippedOrgansTwistedToTheirTargets) {
   const std::filesystem::path assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   for (const std::string& id : sceneIds(assets)) {
-    SceneRequest request;
-    request.assets = assets;
-    request.id = id;
+    SceneRequest request = testing::shippedRequest(id);
     for (const std::string& pattern : patternIds(assets, id)) {
       SCOPED_TRACE(id + ", " + pattern);
       request.pattern = pattern;
@@ -236,15 +235,13 @@ void remembersNothingWrong(const Scene& scene, std::uint64_t seed) {
   EXPECT_GT(touching, kTicks / 20);
 }
 
-TEST(ToolTouch, WhatIsRememberedOfTheTicksBeforeChangesNoAnswer) {
+TEST(ToolTouch, RememberingEarlierTicksChangesNoAnswer) {
   const Scene bar = barScene();
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     SCOPED_TRACE(seed);
     remembersNothingWrong(bar, seed);
   }
-  SceneRequest request;
-  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  remembersNothingWrong(loadScene(request), 5);
+  remembersNothingWrong(testing::shippedScene(), 5);
 }
 
 TEST(ToolTouch, MeasuresTheDepthOfAShaftThatHasEntered) {
@@ -277,7 +274,7 @@ TEST(ToolTouch, OpensTheBladesByTheGrip) {
 }
 
 /// The jaw is a constant of the tick, because it is no part of a trial's parameter hash (docs/contact.md).
-TEST(ToolTouch, TheJawOfTheTickIsThatOfTheShippedGrasper) {
+TEST(ToolTouch, UsesTheJawOfTheShippedGrasper) {
   const std::filesystem::path folder = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets" / "instruments";
   const nlohmann::json file = nlohmann::json::parse(readFile(folder / "grasper.json"));
   const TriangleMesh blade = importMesh(folder / file.at("meshes").at("upper_jaw").get<std::string>(),

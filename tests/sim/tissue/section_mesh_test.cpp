@@ -10,9 +10,7 @@
 
 #include "sim/core/angle.h"
 #include "sim/tissue/section/plane_mesh.h"
-#include "sim/tissue/section/polar_mesh.h"
 #include "sim/tissue/section/polygon.h"
-#include "sim/tissue/section/polygon_mesh.h"
 #include "sim/tissue/section/section_outline.h"
 #include "tests/sim/tissue/section_shapes.h"
 

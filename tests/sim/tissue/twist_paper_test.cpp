@@ -8,7 +8,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
-#include "sim/tissue/reference/paper_formulation.h"
+#include "sim/tissue/twist/paper_formulation.h"
 
 namespace torsio {
 namespace {

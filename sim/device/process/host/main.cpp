@@ -25,7 +25,7 @@ namespace torsio {
 namespace {
 
 constexpr int kLook_ms = 1;
-// Time that a teardown may take when nobody waits for it any more.
+// Longest teardown after the program has gone.
 constexpr auto kOrphanEnds = std::chrono::seconds(1);
 // Looks in a row without a frame before the driver counts as silent: a machine that stalls both does not
 // count.

@@ -15,8 +15,8 @@
 #include "assessment/attempt/foreign_measures.h"
 #include "sim/core/clock.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"
+#include "sim/record/trial.h"
 #include "tests/support/fake_tracker.h"
 
 namespace torsio {

@@ -13,7 +13,7 @@
 #include "app/gui/physician/trace_view.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
-#include "sim/record/trial_seed.h"
+#include "sim/record/trial.h"
 #include "sim/scene/scene_file.h"
 #include "tests/app/gui/physician/desk_of.h"
 #include "tests/app/gui/support/visible_texts.h"

@@ -8,7 +8,7 @@
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/services/devices/haptic_station.h"
 #include "sim/core/error.h"
-#include "sim/record/memory_trial_sink.h"
+#include "sim/record/trial.h"
 #include "tests/app/gui/support/bar_view.h"
 #include "tests/support/fakehd/fakehd_control.h"
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/simulator/simulation_controller.h"
-#include "sim/record/memory_trial_sink.h"
+#include "sim/record/trial.h"
 #include "tests/app/gui/support/bar_view.h"
 
 namespace torsio::gui {

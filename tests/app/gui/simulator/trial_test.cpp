@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One exercise with the pointer: run, recorded, kept as a file, played again. The servo is driven by hand.
+#include "sim/record/trial.h"
+
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -13,7 +15,6 @@
 #include "app/services/recording/trial_playback.h"
 #include "sim/core/error.h"
 #include "sim/device/virtual/pointer_device.h"
-#include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/replay_trial.h"
 #include "tests/sim/servo/bar_scene.h"

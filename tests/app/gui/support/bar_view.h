@@ -32,7 +32,7 @@ inline LoadedScene loadBar(const SceneRequest& request) {
   scene.tissue = request.tissue;
   loaded.scene = std::make_shared<const Scene>(std::move(scene));
   loaded.view = makeViewScene(loaded.scene);
-  loaded.shape = showBesideShape(*loaded.scene, loaded.view);
+  loaded.shape = showAsyncShape(*loaded.scene, loaded.view);
   return loaded;
 }
 
