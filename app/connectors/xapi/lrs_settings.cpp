@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kServerSetting = "learning_record_store";
 
-/// Beside the other settings of this account.
+/// Next to the other settings of this account.
 fs::path keyFile() {
   const QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("torsio"),
                            QStringLiteral("lrs"));
