@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by the checks of .ci: the compile commands of the release build as another compiler can follow them.
+# Sourced by the checks of .ci: the compile commands of the release build for another compiler, and the share of a check
+# that a commit takes.
 source app/setup.sh
 
 lint="$root/build/lint"
 
-# plain_commands: writes $lint/compile_commands.json, the commands of build/release without precompiled headers, which
-# only GCC reads, and $lint/units, a line for what is compiled at once: the file that the compiler is given, and the
-# sources of ours in it that no line before has.
+# share_of N: a number from 0 to N-1 that the commit chooses, so that N commits look at everything.
+share_of() { echo $((16#$(git rev-parse HEAD 2>/dev/null | tail -c 5 || echo 0) % $1)); }
+
+# plain_commands: writes $lint/compile_commands.json, the commands of build/release without precompiled headers (only GCC
+# reads those), and $lint/units: one line per compiled unit with the file given to the compiler and those of our sources in
+# it that no earlier line has.
 plain_commands() {
   [ -f "$build/compile_commands.json" ] || fail "nothing is configured yet: run tests/run first"
   mkdir -p "$lint/passed"

@@ -15,6 +15,8 @@ torsio_packages=(
   libsdl2-dev libspnav-dev
   libopenigtlink-dev # trackers on the real arm, and Slicer
   libxlsxwriter-dev libreadstat-dev libmicrohttpd-dev
+  libcurl4-gnutls-dev ca-certificates # mail
+  libqpdf-dev # tags and outline of the report
   libqrencode-dev # the link on an invitation card, for a phone
   libgnutls28-dev # the certificate that a review desk signs for itself; libmicrohttpd encrypts by it
   libsodium-dev libzstd-dev nlohmann-json3-dev libcli11-dev
@@ -56,7 +58,7 @@ show_progress() {
   if [ -t 2 ]; then overwrite=1; fi
   while IFS= read -r line; do
     printf '%s\n' "$line"
-    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] && $line != *'Re-checking globbed'* ]] || continue
     done_steps=${BASH_REMATCH[1]} all_steps=${BASH_REMATCH[2]}
     if ((overwrite)); then
       printf '\rtorsio: building %d of %d\033[K' "$done_steps" "$all_steps" >&2

@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 
 #include "app/cli/commands.h"
+#include "app/connectors/built_in.h"
 #include "app/outputs/charts/graphics_application.h"
 #include "app/services/base/build_info.h"
 #include "sim/core/error.h"
@@ -52,7 +53,6 @@ void refuseNoNumbers(CLI::App& command) {
 void buildProgram(CLI::App& program) {
   program.name("torsio");
   program.set_version_flag("--version", "torsio " + softwareVersion());
-  program.require_subcommand(1);
   program.footer("Without a command Torsio opens its window. Exit codes: docs/cli.md.");
   addAgreement(program);
   addAllocate(program);
@@ -83,37 +83,35 @@ void buildProgram(CLI::App& program) {
   addServe(program);
 #endif
   addStandardSetting(program);
-  addTracker(program);
+  if constexpr (kTrackerBuiltIn) {
+    addTracker(program);
+  }
   addTwist(program);
-  addXapi(program);
-  refuseNoNumbers(program);
+  if constexpr (kXapiBuiltIn) {
+    addXapi(program);
+  }
 }
 
-/// Otherwise the parser would only report a missing command.
+bool isCommand(const CLI::App& program, const std::string& word) {
+  return !program
+              .get_subcommands(
+                  [&word](const CLI::App* command) { return !word.empty() && command->get_name() == word; })
+              .empty();
+}
+
+/// Otherwise the parser would only report an unexpected word.
 void requireKnownCommand(const CLI::App& program, const std::string& first) {
-  if (first.empty() || first[0] == '-') {
+  if (first.empty() || first[0] == '-' || isCommand(program, first)) {
     return;
   }
   std::string names;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == first) {
-      return;
-    }
-    names.append(names.empty() ? "" : ", ").append(command->get_name());
+    names.append(names.empty() || command->get_name().empty() ? "" : ", ").append(command->get_name());
   }
   throw Error(ErrorCode::kUsage, Text::verbatim("no such command"), first, "Commands: " + names);
 }
 
-}  // namespace
-
-bool wantsCommandLine(int argc, char** argv) {
-  if (argc < 2) {
-    return false;
-  }
-  const std::string first = argv[1];
-  return first.empty() || first[0] != '-' || first == "--help" || first == "-h" || first == "--version";
-}
-
+/// One line on standard error for whatever is being thrown, and its exit code. Call inside a catch block.
 int reportFailure() noexcept {
   try {
     throw;
@@ -126,9 +124,8 @@ int reportFailure() noexcept {
   }
 }
 
-int runCommand(int argc, char** argv) {
-  CLI::App program("Training and assessment of surgical twist skills");
-  buildProgram(program);
+int parse(CLI::App& program, int argc, char** argv) {
+  refuseNoNumbers(program);
   try {
     requireKnownCommand(program, argc > 1 ? argv[1] : "");
     program.parse(argc, argv);
@@ -144,11 +141,28 @@ int runCommand(int argc, char** argv) {
   }
 }
 
-int runCommandLine(int argc, char** argv) {
+constexpr const char* kPurpose = "Training and assessment of surgical twist skills";
+
+}  // namespace
+
+int runCommand(int argc, char** argv) {
+  CLI::App program(kPurpose);
+  buildProgram(program);
+  program.require_subcommand(1);
+  return parse(program, argc, argv);
+}
+
+int runCommandLine(int argc, char** argv, std::initializer_list<ProgramAddition> windows) {
   try {
+    CLI::App program(kPurpose);
+    buildProgram(program);
     // Qt draws reports without a display; the database drivers are Qt plug-ins.
-    const auto application = makeHeadlessGraphicsApplication(argc, argv);
-    return runCommand(argc, argv);
+    const auto application =
+        argc > 1 && isCommand(program, argv[1]) ? makeHeadlessGraphicsApplication(argc, argv) : nullptr;
+    for (const ProgramAddition add : windows) {
+      add(program);
+    }
+    return parse(program, argc, argv);
   } catch (...) {
     return reportFailure();
   }

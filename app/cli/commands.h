@@ -23,6 +23,7 @@ void addDevice(CLI::App& program);
 void addEvaluate(CLI::App& program);
 void addExport(CLI::App& program);
 void addDataset(CLI::App& program);
+void addDatasetImport(CLI::App& dataset);
 void addInstrument(CLI::App& program);
 void addInvite(CLI::App& program);
 void addRoster(CLI::App& program);

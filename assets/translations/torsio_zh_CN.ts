@@ -1829,10 +1829,6 @@
         <translation>%1；低于 %2 Hz 时不输出力</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not known</source>
-        <translation>“%1”无法识别</translation>
-    </message>
-    <message>
         <source>20 min virtual, 20 min real arm</source>
         <translation>虚拟 20 分钟，实物手臂 20 分钟</translation>
     </message>
@@ -2595,10 +2591,6 @@
     <message>
         <source>Give one value a column; put a value that holds the separator in quotes</source>
         <translation>请每列填写一个值；含分隔符的值请加引号</translation>
-    </message>
-    <message>
-        <source>Give one, like --out pictures</source>
-        <translation>请指定一个，例如 --out pictures</translation>
     </message>
     <message>
         <source>Give other end points, or check the mesh for handles.</source>
@@ -3501,16 +3493,8 @@
         <translation>请使用更早的备份</translation>
     </message>
     <message>
-        <source>Use en or zh_CN</source>
-        <translation>请使用 en 或 zh_CN</translation>
-    </message>
-    <message>
         <source>Use letters and digits</source>
         <translation>请使用字母和数字</translation>
-    </message>
-    <message>
-        <source>Use light or dark</source>
-        <translation>请使用 light 或 dark</translation>
     </message>
     <message>
         <source>Use lower-case letters, digits and underscores only</source>
@@ -3591,10 +3575,6 @@
     <message>
         <source>Write it into the comment of the sheet</source>
         <translation>请写入评分表的评语</translation>
-    </message>
-    <message>
-        <source>Write sizes like 1366x768,1920x1080</source>
-        <translation>请写成 1366x768,1920x1080 的形式</translation>
     </message>
     <message>
         <source>Write what you want to say</source>
@@ -5275,10 +5255,6 @@
     <message>
         <source>there is no display</source>
         <translation>没有显示器</translation>
-    </message>
-    <message>
-        <source>there is no folder for the pictures</source>
-        <translation>没有存放图片的文件夹</translation>
     </message>
     <message>
         <source>there is no record in this database</source>
@@ -7987,30 +7963,6 @@
     <message>
         <source>&apos;%1&apos; is not a number</source>
         <translation>“%1”不是数字</translation>
-    </message>
-    <message>
-        <source>Write it like 90 or 22.5</source>
-        <translation>请写成 90 或 22.5 的形式</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a size</source>
-        <translation>“%1”不是尺寸</translation>
-    </message>
-    <message>
-        <source>Write it like 1280x800; 320x240 to 7680x4320</source>
-        <translation>请写成 1280x800 的形式；320x240 至 7680x4320</translation>
-    </message>
-    <message>
-        <source>Use one of: %1</source>
-        <translation>请使用下列之一：%1</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no option</source>
-        <translation>“%1”不是选项</translation>
-    </message>
-    <message>
-        <source>See torsio --help</source>
-        <translation>参见 torsio --help</translation>
     </message>
     <message>
         <source>the estimates lie too far apart to be computed</source>
@@ -11985,10 +11937,6 @@
         <translation>请输入纸上所写的日期</translation>
     </message>
     <message>
-        <source>the pages cannot be given bookmarks: %1 is missing</source>
-        <translation>无法为页面添加书签：缺少 %1</translation>
-    </message>
-    <message>
         <source>report</source>
         <translation>报告</translation>
     </message>
@@ -14783,10 +14731,6 @@ audit trail %3</source>
         <translation>邮件服务器拒绝登录：%1</translation>
     </message>
     <message>
-        <source>Check the sign-in name and the password</source>
-        <translation>请检查登录名和密码</translation>
-    </message>
-    <message>
         <source>the mail server refuses: %1</source>
         <translation>邮件服务器拒绝：%1</translation>
     </message>
@@ -14821,10 +14765,6 @@ audit trail %3</source>
     <message>
         <source>Choose at least one person</source>
         <translation>请至少选择一人</translation>
-    </message>
-    <message>
-        <source>the description of the pages has no title</source>
-        <translation>页面说明缺少标题</translation>
     </message>
     <message>
         <source>a correction needs a reason</source>
@@ -15343,28 +15283,8 @@ audit trail %3</source>
         <translation>请先设置</translation>
     </message>
     <message>
-        <source>the mail server offers no encryption: nothing was sent</source>
-        <translation>邮件服务器不提供加密：未发送任何内容</translation>
-    </message>
-    <message>
         <source>Choose TLS from the beginning, or ask who runs it</source>
         <translation>请选择从一开始就使用 TLS，或询问其管理者</translation>
-    </message>
-    <message>
-        <source>somebody else speaks before the encryption of the mail server begins</source>
-        <translation>在邮件服务器开始加密之前，有他人插入了内容</translation>
-    </message>
-    <message>
-        <source>Choose TLS from the beginning, or ask who runs the network</source>
-        <translation>请选择从一开始就使用 TLS，或询问网络管理者</translation>
-    </message>
-    <message>
-        <source>the mail server takes no sign-in with a password</source>
-        <translation>邮件服务器不接受密码登录</translation>
-    </message>
-    <message>
-        <source>Take the sign-in name out of its settings, or ask who runs it</source>
-        <translation>请在设置中去掉登录名，或询问其管理者</translation>
     </message>
     <message>
         <source>the mail server cannot be trusted: %1</source>
@@ -18653,6 +18573,30 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>raters who were asked to evaluate the models</source>
         <translation>受邀评价模型的评分者</translation>
+    </message>
+    <message>
+        <source>the mail server offers no safe encryption: %1</source>
+        <translation>邮件服务器不提供安全加密：%1</translation>
+    </message>
+    <message>
+        <source>Check the sign-in name and the password, or leave both out</source>
+        <translation>请检查登录名和密码，或两者都留空</translation>
+    </message>
+    <message>
+        <source>this program was built without mail</source>
+        <translation>本程序在构建时未包含邮件功能</translation>
+    </message>
+    <message>
+        <source>Copy the message into your own mail</source>
+        <translation>请将消息复制到您自己的邮件中</translation>
+    </message>
+    <message>
+        <source>this program was built without trackers</source>
+        <translation>本程序在构建时未包含跟踪器功能</translation>
+    </message>
+    <message>
+        <source>the pages cannot be given bookmarks: %1</source>
+        <translation>无法为页面添加书签：%1</translation>
     </message>
 </context>
 <context>

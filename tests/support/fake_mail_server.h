@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <future>
 #include <map>
 #include <string>
@@ -33,8 +34,8 @@ struct MailManner {
   std::string behindStartTls{};  ///< what somebody puts behind its answer to STARTTLS
 };
 
-/// A mail server on this computer that takes one conversation, refuses one recipient, and keeps what it
-/// heard. With encryption it is a TLS peer of its own, by OpenSSL.
+/// A mail server on this computer that refuses one recipient and keeps what it heard, in one conversation
+/// after the other. With encryption it is a TLS peer of its own, by OpenSSL.
 class FakeMailServer {
  public:
   struct Taken {
@@ -49,8 +50,10 @@ class FakeMailServer {
       Door door;
       door.listen(QHostAddress::LocalHost);
       listening.set_value(door.serverPort());
-      if (door.waitForNewConnection(kPatience_ms)) {
-        receive(*qobject_cast<QSslSocket*>(door.nextPendingConnection()));
+      while (!closing_ || door.hasPendingConnections()) {
+        if (door.waitForNewConnection(kLook_ms)) {
+          receive(*qobject_cast<QSslSocket*>(door.nextPendingConnection()));
+        }
       }
     });
     port_ = port.get();
@@ -60,12 +63,12 @@ class FakeMailServer {
   FakeMailServer& operator=(const FakeMailServer&) = delete;
 
   [[nodiscard]] quint16 port() const { return port_; }
-  /// What was taken, once the conversation is over.
+  /// What was taken, once the last conversation is over.
   const std::vector<Taken>& taken() {
     finish();
     return taken_;
   }
-  /// Lines that came without encryption, and with it, once the conversation is over.
+  /// Lines that came without encryption, and with it, once the last conversation is over.
   const std::vector<std::string>& inTheClear() {
     finish();
     return inTheClear_;
@@ -77,6 +80,7 @@ class FakeMailServer {
 
  private:
   static constexpr int kPatience_ms = 20'000;
+  static constexpr int kLook_ms = 20;
 
   class Door : public QTcpServer {
    protected:
@@ -93,6 +97,7 @@ class FakeMailServer {
     return file.readAll();
   }
   void finish() {
+    closing_ = true;
     if (thread_.joinable()) {
       thread_.join();
     }
@@ -162,9 +167,7 @@ class FakeMailServer {
     if (heard.starts_with("AUTH PLAIN ")) {
       return verdict(unpacked(heard.substr(11)));
     }
-    if (heard == "AUTH LOGIN") {
-      say(socket, "334 VXNlcm5hbWU6");
-      (void)line(socket);
+    if (heard.starts_with("AUTH LOGIN ")) {  // the name follows at once
       say(socket, "334 UGFzc3dvcmQ6");
       return verdict(unpacked(line(socket)));
     }
@@ -205,6 +208,7 @@ class FakeMailServer {
   std::vector<Taken> taken_;
   std::vector<std::string> inTheClear_;
   std::vector<std::string> encrypted_;
+  std::atomic<bool> closing_{false};
   std::thread thread_;
 };
 

@@ -11,7 +11,7 @@
 
 namespace torsio {
 
-/// What came back.
+/// What was imported.
 struct DatasetOutcome {
   LandedOutcome landed{};
   std::size_t trials = 0;
@@ -19,13 +19,13 @@ struct DatasetOutcome {
   std::string contentHash{};  ///< BLAKE2b-256 over study.json and the recordings' content hashes
 };
 
-/// Brings a data set that exportDataset() wrote whole (DatasetRequest::whole) into this record: curriculum,
-/// cohort, people and raters under their codes, occasions, marks, times of training, deviations, recordings
-/// bit for bit. All of it or nothing. An export of the cohort gives the same tables, trajectories and
-/// recordings again; docs/exchange.md says what it does not give. `assets`: where exercises are looked up.
-/// Audited with `reason`. requireLanding(). Throws Error: kFileMissing, kFileUnreadable; kBadData for a
-/// folder that is no such data set, was changed, or meets codes, recordings or exercises that do not fit this
-/// record; {kBadParameter} for the name of another cohort; what `progress` throws stops it.
+/// Imports a data set that exportDataset() wrote whole (DatasetRequest::whole): curriculum, cohort, people
+/// and raters under their codes, occasions, marks, training times, deviations, and recordings bit for bit.
+/// All or nothing. Exporting the cohort again gives the same tables, trajectories and recordings;
+/// docs/exchange.md lists the exceptions. `assets`: where exercises are looked up. Audited with `reason`.
+/// requireLanding(). Throws Error: kFileMissing, kFileUnreadable; kBadData if the folder is not such a data
+/// set, was changed, or has codes, recordings or exercises that conflict with this record; {kBadParameter} if
+/// a cohort of that name exists. Whatever `progress` throws cancels the import.
 DatasetOutcome importDataset(SessionContext& session, const std::filesystem::path& folder,
                              const std::filesystem::path& assets, const std::string& reason,
                              const ProgressCallback& progress = {});

@@ -13,7 +13,7 @@
 
 namespace torsio {
 
-/// What came in.
+/// What was imported.
 struct ForeignOutcome {
   LandedOutcome landed{};
   std::size_t trials = 0;
@@ -22,13 +22,13 @@ struct ForeignOutcome {
   std::string contentHash{};  ///< BLAKE2b-256 over the map and the files in their order
 };
 
-/// Reads what other equipment recorded, as the map says, into a cohort of its own: people under new codes,
-/// recordings of the scene kForeignScene, marks of their raters. All of it or nothing. What of each file is
-/// kept: place in steps of 0.1 um, rotation in steps of 2^-30, jaw, time in microseconds, and in the
-/// parameters source, frame, unit and hash. A recording whose start the map does not know begins with the
-/// import, each a microsecond after the one before. Audited with `reason`. requireLanding(). Throws Error as
-/// readForeignMap() and readForeignMotion() do, {kBadData} for a place beyond 200 m; what `progress` throws
-/// stops it.
+/// Imports recordings of other equipment, described by a map, into a new cohort: people under new codes,
+/// recordings of the scene kForeignScene, and their raters' marks. All or nothing. Positions are kept in
+/// steps of 0.1 um, rotations in steps of 2^-30, plus jaw and time in microseconds; the parameters hold
+/// source, frame, unit and hash. Recordings without a start time start at the time of the import, one
+/// microsecond apart. Audited with `reason`. requireLanding(). Throws Error as readForeignMap() and
+/// readForeignMotion() do, and {kBadData} for a position beyond 200 m. Whatever `progress` throws cancels the
+/// import.
 ForeignOutcome importForeign(SessionContext& session, ForeignLayout layout, const std::filesystem::path& map,
                              const std::string& reason, const ProgressCallback& progress = {});
 

@@ -46,7 +46,7 @@ constexpr std::array<std::pair<std::string_view, double>, 3> kTimes = {
     {{"s", 1e6}, {"ms", 1e3}, {"us", 1.0}}};
 constexpr double kFastest_Hz = 10'000.0;
 
-/// One object of the map, which knows where it stands.
+/// An object of the map that knows its path.
 class MapPart {
  public:
   MapPart(const nlohmann::json& json, std::string where) : json_(json), where_(std::move(where)) {
@@ -58,7 +58,7 @@ class MapPart {
   [[noreturn]] void refuseAt(const std::string& key, const Text& what, const Text& remedy) const {
     refuse(what, where_ + ", \"" + key + "\"", remedy);
   }
-  /// What is misspelt would silently not count.
+  /// Refuses unknown keys: a misspelt one would be silently ignored.
   void allow(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : json_.items()) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
@@ -229,7 +229,7 @@ void readColumns(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   }
 }
 
-/// Whether a line without a pose is a gap is not guessed.
+/// The map has to say whether a line without a pose is a gap.
 void readGaps(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   if (!map.has("gaps")) {
     return;
@@ -338,7 +338,7 @@ void readMarks(const MapPart& map, const fs::path& folder, ForeignLayout layout,
   out.marks = tabledMarks(folder / marks.text("table"), out);
 }
 
-/// What the record takes once: one mark a person, rater and occasion.
+/// The record takes one mark per person, rater and occasion.
 void requireSingleMarks(const ForeignMap& map) {
   std::set<std::string> given;
   for (const ForeignMark& mark : map.marks) {

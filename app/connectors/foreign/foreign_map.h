@@ -12,10 +12,10 @@
 
 namespace torsio {
 
-/// Whose files are read.
+/// Supported sources.
 enum class ForeignLayout {
   kJigsaws,    ///< 76 numbers a line, no header, no time; GRS in a meta file
-  kRosma,      ///< a header with blanks behind its commas, no time; columns are found by name
+  kRosma,      ///< a header with spaces after its commas, no time; columns are found by name
   kPerkTutor,  ///< XML lines of transforms with time stamps
   kCsv,        ///< a table under a header; the map names its columns
 };
@@ -23,15 +23,15 @@ enum class ForeignLayout {
 /// "jigsaws", "rosma", "perktutor", "csv". Throws Error{kUsage} for another word.
 [[nodiscard]] ForeignLayout foreignLayout(const std::string& word);
 
-/// How a rotation is written down. Named by the map, never guessed: each turns a vector from the frame of the
-/// instrument to the frame of the recording.
+/// Notation of a rotation, which takes a vector from the instrument's frame to that of the recording. The map
+/// states it; it is never guessed.
 enum class RotationForm { kNone, kQuaternionWxyz, kQuaternionXyzw, kMatrixRows, kMatrixColumns };
-/// How many numbers it takes: 0, 4 or 9.
+/// Count of numbers: 0, 4 or 9.
 [[nodiscard]] std::size_t numbersOf(RotationForm form) noexcept;
 /// As the map names it: "quaternion wxyz".
 [[nodiscard]] std::string rotationName(RotationForm form);
 
-/// What the closed and the open jaw read, in the numbers of the file.
+/// Readings of the closed and of the open jaw, in the file's own numbers.
 struct ForeignGrip {
   std::string column{};  ///< csv: name of the column
   double open = 0.0;
@@ -42,7 +42,7 @@ struct ForeignGroup {
   std::string code{};
   std::string label{};
 };
-/// Somebody as the source calls them.
+/// A person under the name that the source uses.
 struct ForeignPerson {
   std::string name{};
   std::string group{};  ///< code of a ForeignGroup
@@ -53,12 +53,12 @@ struct ForeignRater {
   std::string classCode{};  ///< of the record: "intern", "deputy_chief", "chief"
 };
 struct ForeignRecording {
-  std::filesystem::path file{};  ///< absolute, or as the folder of the map says
-  std::string name{};            ///< of the file, as marks call it
+  std::filesystem::path file{};  ///< absolute, or relative to the map's folder
+  std::string name{};            ///< by which marks refer to it
   std::string person{};
   std::string task{};
   std::string phase{};
-  std::string occasion{};  ///< label; empty: nobody gave it a mark
+  std::string occasion{};  ///< label; empty: it has no marks
   std::optional<std::int64_t> startedUtc_us{};
 };
 struct ForeignMark {
@@ -67,13 +67,13 @@ struct ForeignMark {
   std::int64_t steps = 0;
 };
 
-/// What the files do not say of themselves.
+/// What the files do not contain.
 struct ForeignMap {
   std::string name{};         ///< of the map's file, for messages
   std::string contentHash{};  ///< BLAKE2b-256 of the map's file
   std::string cohort{};
   std::string description{};
-  std::string source{};  ///< where the data are from and under which licence
+  std::string source{};  ///< origin and licence of the data
   std::string frame{};   ///< axes and origin, in words
   std::string unit{};    ///< "m", "cm" or "mm"
   double metresPerUnit = 1.0;
@@ -81,11 +81,11 @@ struct ForeignMap {
   std::optional<double> rate_Hz{};  ///< empty: the file has times
   std::string timeColumn{};         ///< csv
   double usPerTime = 0.0;
-  std::string instrument{};  ///< arm or device that is read; empty for csv
+  std::string instrument{};  ///< arm or device to read; empty for csv
   std::array<std::string, 3> position{};
   std::vector<std::string> rotationColumns{};
   std::optional<ForeignGrip> grip{};
-  bool leavesGaps = false;  ///< lines without a pose are left out; else they are refused
+  bool leavesGaps = false;  ///< skip lines without a pose instead of refusing them
   std::vector<ForeignGroup> groups{};
   std::vector<ForeignPerson> people{};
   std::vector<ForeignRater> raters{};
@@ -94,9 +94,9 @@ struct ForeignMap {
   std::vector<ForeignMark> marks{};
 };
 
-/// Reads a map (docs/exchange.md) and the marks that it points to. Throws Error: kFileMissing,
-/// kFileUnreadable; kBadData that names file, place and rule for what is missing, unknown, out of range or
-/// does not fit together.
+/// Reads a map (docs/exchange.md) and the marks that it refers to. Throws Error: kFileMissing,
+/// kFileUnreadable; kBadData, with file, place and rule, if something is missing, unknown, out of range or
+/// inconsistent.
 [[nodiscard]] ForeignMap readForeignMap(const std::filesystem::path& file, ForeignLayout layout);
 
 }  // namespace torsio

@@ -12,7 +12,7 @@ namespace torsio {
 
 namespace {
 
-/// The recording that a meta file calls by the stem of its file.
+/// The recording whose file has this stem.
 const ForeignRecording* recordingOfStem(const ForeignMap& map, const std::string& stem) {
   const auto found = std::find_if(
       map.recordings.begin(), map.recordings.end(),

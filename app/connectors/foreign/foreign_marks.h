@@ -9,14 +9,14 @@
 
 namespace torsio {
 
-/// Reads the global rating score (GRS) of a meta file of JIGSAWS: name of the recording, self-proclaimed
-/// skill, total, then its parts, separated by blanks or tabs. Lines about recordings that the map does not
-/// list are left out. Throws Error: kFileMissing, kFileUnreadable; kBadData by line.
+/// Reads global rating scores (GRS) from a JIGSAWS meta file: recording, self-proclaimed skill, total and its
+/// parts, separated by spaces or tabs. Skips recordings that the map does not list. Throws Error:
+/// kFileMissing, kFileUnreadable; kBadData with the line.
 [[nodiscard]] std::vector<ForeignMark> jigsawsMarks(const std::filesystem::path& file,
                                                     const std::string& rater, const ForeignMap& map);
 
-/// Reads marks from a table: columns recording, rater, score (points). Throws as above; also for a recording
-/// or rater that the map does not list.
+/// Reads marks from a table with the columns recording, rater, score (points). Throws as above, and for a
+/// recording or rater that the map does not list.
 [[nodiscard]] std::vector<ForeignMark> tabledMarks(const std::filesystem::path& file, const ForeignMap& map);
 
 }  // namespace torsio

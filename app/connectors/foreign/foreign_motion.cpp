@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The lines of a file without their ends, and the hash of all its bytes.
+/// Lines of a file without line ends, and the hash of its bytes.
 class HashedLines {
  public:
   explicit HashedLines(const fs::path& file) : in_(file, std::ios::binary) {
@@ -117,7 +117,7 @@ Quat rotationIn(RotationForm form, const std::vector<double>& numbers, const Whe
   return normalized(q);
 }
 
-/// Gives each pose its time and looks whether times rise.
+/// Assigns times to poses and checks that they increase.
 class PoseClock {
  public:
   explicit PoseClock(std::optional<double> rate_Hz) : rate_Hz_(rate_Hz) {}
@@ -137,7 +137,7 @@ class PoseClock {
     ++count_;
     return now_us;
   }
-  /// A line that stands for a pose that is missing.
+  /// Counts a missing pose.
   void pass() { count_ += rate_Hz_ ? 1 : 0; }
   [[nodiscard]] std::int64_t period_us() const {
     if (rate_Hz_) {

@@ -10,25 +10,25 @@
 
 namespace torsio {
 
-/// One line of a foreign recording, understood.
+/// A parsed line of a recording.
 struct ForeignPose {
-  std::int64_t time_us = 0;  ///< since the first line, rising
-  std::int64_t place = 0;    ///< 0, 1, 2 ...; lines of gaps leave their numbers out
+  std::int64_t time_us = 0;  ///< since the first line, increasing
+  std::int64_t place = 0;    ///< 0, 1, 2 ...; gaps skip numbers
   Pose pose;                 ///< metres and unit quaternion, in the frame of the file
-  double grip = 0.0;         ///< 0 open .. 1 closed; 0 where the map says nothing of the jaw
+  double grip = 0.0;         ///< 0 open .. 1 closed; 0 if the map does not describe the jaw
 };
 
-/// What was read of a file.
+/// Summary of a file.
 struct ForeignFile {
   std::int64_t lines = 0;      ///< poses
-  std::int64_t period_us = 0;  ///< by the stated rate, else the mean distance of two lines
+  std::int64_t period_us = 0;  ///< of the stated rate, otherwise the mean between two lines
   std::string contentHash{};   ///< BLAKE2b-256 of the file
 };
 
-/// Reads one recording as the map says, line by line, and hands on each pose with its line (from 1). Throws
-/// Error: kFileMissing, kFileUnreadable; kBadData that names file, line and rule for missing columns or
-/// numbers, text, NaN, rotations that are none, times that do not rise, fewer than two lines. What `take`
-/// throws is passed on.
+/// Reads a recording line by line and passes each pose with its line number (from 1) to `take`. Throws Error:
+/// kFileMissing, kFileUnreadable; kBadData, with file, line and rule, for missing columns or numbers, text,
+/// NaN, invalid rotations, times that do not increase, fewer than two lines. Exceptions of `take` pass
+/// through.
 ForeignFile readForeignMotion(const ForeignMap& map, ForeignLayout layout, const ForeignRecording& recording,
                               const std::function<void(const ForeignPose&, std::size_t line)>& take);
 

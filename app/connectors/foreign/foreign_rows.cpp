@@ -34,7 +34,7 @@ std::string lowerCase(std::string_view text) {
   return lower;
 }
 
-/// Names file and line of what is refused.
+/// File and line for error messages.
 class RowReaderBase : public ForeignRows {
  public:
   RowReaderBase(const ForeignMap& map, std::string name) : map_(map), name_(std::move(name)) {}
@@ -114,7 +114,7 @@ class JigsawsRows final : public RowReaderBase {
   std::size_t first_ = 0;
 };
 
-/// A table under a header; RFC 4180 without quotes, blanks round names and numbers do not count.
+/// A table with a header; RFC 4180 without quotes, spaces around names and numbers are ignored.
 class TableRows : public RowReaderBase {
  public:
   using RowReaderBase::RowReaderBase;

@@ -13,26 +13,26 @@
 
 namespace torsio {
 
-/// The numbers of one line, as the file has them.
+/// The numbers of a line, unconverted.
 struct ForeignRow {
-  std::int64_t time_us = 0;  ///< where the file has times
+  std::int64_t time_us = 0;  ///< if the file has times
   Vec3 position;
-  std::vector<double> rotation{};  ///< numbersOf() the form, in the order of the file
+  std::vector<double> rotation{};  ///< numbersOf() of them, in the file's order
   double grip = 0.0;
-  bool gap = false;  ///< the line stands for a pose that is missing; nothing else is filled in
+  bool gap = false;  ///< a missing pose; no other field is set
 };
 
-/// Reads the lines of one file in their order. One a file and layout.
+/// Reads the lines of one file in order.
 class ForeignRows {
  public:
   virtual ~ForeignRows() = default;
-  /// Fills `row` from a line, which is `number` (from 1) of the file; false: the line holds no pose (a
-  /// header, an empty line, another device). Throws Error{kBadData} that names file, line and column.
+  /// Fills `row` from line `number` (from 1). Returns false if the line holds no pose (a header, an empty
+  /// line, another device). Throws Error{kBadData} with file, line and column.
   virtual bool read(std::string_view line, std::size_t number, ForeignRow& row) = 0;
 };
 
-/// The reader of a layout. `name`: of the file, for messages. Throws Error{kBadData} for an instrument that
-/// the layout does not have.
+/// The reader for the map's layout. `name`: of the file, for messages. Throws Error{kBadData} if the layout
+/// has no such instrument.
 [[nodiscard]] std::unique_ptr<ForeignRows> foreignRows(const ForeignMap& map, ForeignLayout layout,
                                                        const std::string& name);
 

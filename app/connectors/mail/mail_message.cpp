@@ -12,11 +12,11 @@ namespace torsio {
 
 namespace {
 
-constexpr qsizetype kBodyLine = 76;           // letters of base64
-constexpr std::size_t kLongestAddress = 254;  // RFC 5321
-constexpr qsizetype kSubjectPart = 42;        // bytes in an encoded word, so that a line stays below 78
+constexpr qsizetype kBodyLine = 76;             // letters of base64
+constexpr std::size_t kMaxAddress_bytes = 254;  // RFC 5321
+constexpr qsizetype kSubjectPart = 42;          // bytes in an encoded word, so that a line stays below 78
 
-/// Text of a header, whatever letters it has: encoded words of whole characters, and no line of its own.
+/// Encodes a header's text as encoded words of whole characters; control characters become spaces.
 QByteArray headerText(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char letter) { return letter < ' ' || letter == '\x7f'; }, ' ');
@@ -51,7 +51,7 @@ void checkAddress(const std::string& address) {
   const bool plain = std::all_of(address.begin(), address.end(), [](char letter) {
     return letter > ' ' && letter < '\x7f' && std::string("<>()[],;:\\\"").find(letter) == std::string::npos;
   });
-  if (!plain || address.size() > kLongestAddress || at == 0 || at == std::string::npos ||
+  if (!plain || address.size() > kMaxAddress_bytes || at == 0 || at == std::string::npos ||
       at + 1 == address.size() || address.rfind('@') != at) {
     refuseParameter(Text::tr("this is no mail address"), address, Text::tr("Write it like li@example.org"));
   }

@@ -6,7 +6,7 @@
 
 namespace torsio {
 
-/// A message in plain text. Texts are UTF-8.
+/// A plain-text message in UTF-8.
 struct MailMessage {
   std::string from{};  ///< an address
   std::string to{};    ///< one address
@@ -14,12 +14,12 @@ struct MailMessage {
   std::string body{};
 };
 
-/// Refuses what is no plain address ("li@example.org"): throws Error{kBadParameter}. Letters beyond ASCII,
-/// blanks and line breaks are none.
+/// Throws Error{kBadParameter} for anything but a plain ASCII address ("li@example.org") without spaces and
+/// line breaks.
 void checkAddress(const std::string& address);
 
-/// The message as it goes over the wire (RFC 5322, MIME, body in base64), with CRLF. `id`: any unique word.
-/// Throws Error{kBadParameter} for an address that is none.
+/// The message on the wire (RFC 5322, MIME, body in base64), with CRLF. `id`: any unique word. Throws
+/// Error{kBadParameter} for an invalid address.
 [[nodiscard]] std::string written(const MailMessage& message, const std::string& id, std::int64_t utc_us);
 
 }  // namespace torsio

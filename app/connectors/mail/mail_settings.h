@@ -9,16 +9,16 @@
 
 namespace torsio {
 
-/// The mail server of the centre. Its password is kept nowhere: whoever sends enters it.
+/// The centre's mail server. Its password is never stored; the sender enters it.
 struct MailSettings {
   MailServer server{};
-  std::string from{};  ///< the address that messages come from
+  std::string from{};  ///< address of the sender
 };
 
-/// Empty: the centre has set none. kStudySetup.
+/// Empty: not set. kStudySetup.
 [[nodiscard]] std::optional<MailSettings> mailSettings(SessionContext& session);
-/// Without a host: takes it away. Audited. kSettingsEdit. Throws Error{kBadParameter}: an address that is
-/// none, a host with blanks, a server elsewhere without encryption.
+/// An empty host removes it. Audited. kSettingsEdit. Throws Error{kBadParameter} for an invalid address, a
+/// host with spaces, or a server on another computer without encryption.
 void setMailSettings(SessionContext& session, const MailSettings& settings);
 
 }  // namespace torsio

@@ -17,7 +17,7 @@ namespace torsio {
 
 namespace {
 
-/// Mail addresses by user; whoever has none is missing.
+/// Mail addresses by user; users without one are left out.
 std::map<UserId, std::string> addressesOf(SessionContext& session) {
   std::map<PersonId, std::string> ofPeople;
   for (const Identity& identity : PeopleRepository(session.connection()).identities()) {

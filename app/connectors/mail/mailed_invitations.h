@@ -11,19 +11,19 @@
 
 namespace torsio {
 
-/// A link to somebody who was invited, and the words around it, in the language of whoever sends.
+/// The message with a person's invitation link, in the sender's language.
 struct MailedInvitation {
   UserId userId{};
   std::string subject{};
   std::string body{};
 };
 
-/// Whether links can be sent by mail: the centre has set a server, and the actor may see addresses.
+/// Whether links can be sent by mail: a server is set, and the actor may see addresses. kUserManage.
 [[nodiscard]] bool canMailInvitations(SessionContext& session);
-/// Sends each to the address of its person by the mail server of the centre; `password`: of that server.
-/// Returns for each what speaks against it, empty: taken. Audited: an entry for each that the server took,
-/// without words and address. kUserManage and kPersonViewIdentity. Throws Error{kBadParameter} when the
-/// centre has set no server, and what sendMail() throws. A worker thread.
+/// Sends each message to its person's address through the centre's mail server, signing in with `password`.
+/// Returns one entry per message: empty if accepted, otherwise the refusal. Each accepted message is audited,
+/// without text and address. kUserManage and kPersonViewIdentity. Throws Error{kBadParameter} if no server is
+/// set, and what sendMail() throws. A worker thread.
 [[nodiscard]] std::vector<Text> sendInvitations(SessionContext& session, const std::string& password,
                                                 std::span<const MailedInvitation> mailed);
 

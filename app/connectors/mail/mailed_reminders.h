@@ -12,17 +12,16 @@
 
 namespace torsio {
 
-/// A reminder and the words of its message, in the language of whoever sends.
+/// A reminder and its message, in the sender's language.
 struct MailedReminder {
   Reminder reminder{};  ///< with a mail address
   std::string subject{};
   std::string body{};
 };
 
-/// Sends each by the mail server of the centre; `password`: of that server. Returns for each what speaks
-/// against it, as sendMail(). Audited: an entry for each that the server took, as soon as it did.
-/// kStudySetup. Throws Error{kBadParameter} when the centre has set no server, and what sendMail() throws. A
-/// worker thread.
+/// Sends the reminders through the centre's mail server, signing in with `password`. Returns refusals like
+/// sendMail(). Each accepted message is audited at once. kStudySetup. Throws Error{kBadParameter} if no
+/// server is set, and what sendMail() throws. A worker thread.
 [[nodiscard]] std::vector<Text> sendReminders(SessionContext& session, const std::string& password,
                                               std::span<const MailedReminder> mailed,
                                               const ProgressCallback& progress = {});

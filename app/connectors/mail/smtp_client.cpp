@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/connectors/mail/smtp_client.h"
 
-#include <utility>
+#include <algorithm>
+#include <cstdlib>
+#include <curl/curl.h>
+#include <memory>
 
-#include <QByteArrayList>
-#include <QDeadlineTimer>
-#include <QHostAddress>
-#include <QSslSocket>
+#include <QUrl>
 #include <QUuid>
 
 #include "app/services/base/this_computer.h"
@@ -16,195 +16,153 @@ namespace torsio {
 
 namespace {
 
-constexpr qsizetype kLongestAnswer_bytes = 64 * 1024;
-constexpr int kReady = 220;
-constexpr int kDone = 250;
-constexpr int kSignedIn = 235;
-constexpr int kSignInGoesOn = 334;
-constexpr int kBodyFollows = 354;
+constexpr std::size_t kMaxAnswer_bytes = 64 * 1024;
+constexpr int kFirstRefusal = 300;  // reply codes from here on
 
-/// What a server says: a number of three digits, and lines.
-struct MailAnswer {
-  int code = 0;
-  QByteArrayList lines{};
-
-  [[nodiscard]] bool done() const noexcept { return code >= 200 && code < 300; }
-  /// "550 nobody of this name"
-  [[nodiscard]] std::string text() const {
-    return QByteArray::number(code).append(' ').append(lines.join(' ')).toStdString();
-  }
-};
-
-/// One conversation with a mail server.
+/// A conversation with a mail server: libcurl keeps the connection between messages.
 class MailTalk {
  public:
-  explicit MailTalk(const MailServer& server) : server_(server) {}
+  explicit MailTalk(const MailServer& server) : server_(server), curl_(curl_easy_init(), &curl_easy_cleanup) {
+    QUrl url;
+    url.setScheme(server.encryption == MailEncryption::kTls ? "smtps" : "smtp");
+    url.setHost(QString::fromStdString(server.host));
+    url.setPort(server.port);
+    url.setPath("/[127.0.0.1]");  // EHLO argument: keeps the name of this computer private
+    set(CURLOPT_URL, url.toEncoded().constData());
+    set(CURLOPT_PROTOCOLS_STR, "smtp,smtps");
+    set(CURLOPT_USE_SSL, server.encryption == MailEncryption::kNone ? CURLUSESSL_NONE : CURLUSESSL_ALL);
+    set(CURLOPT_NOPROXY, "*");
+    set(CURLOPT_NOSIGNAL, 1L);
+    set(CURLOPT_CONNECTTIMEOUT, long{server.patience_s});
+    set(CURLOPT_SERVER_RESPONSE_TIMEOUT, long{server.patience_s});
+    set(CURLOPT_LOW_SPEED_LIMIT, 1L);
+    set(CURLOPT_LOW_SPEED_TIME, long{server.patience_s});
+    if (!server.authorities.empty()) {
+      set(CURLOPT_CAINFO, server.authorities.string().c_str());
+    }
+    if (!server.user.empty()) {
+      set(CURLOPT_USERNAME, server.user.c_str());
+      set(CURLOPT_PASSWORD, server.password.c_str());
+      set(CURLOPT_LOGIN_OPTIONS, "AUTH=PLAIN;AUTH=LOGIN");
+      set(CURLOPT_SASL_IR, 1L);
+    }
+    set(CURLOPT_ERRORBUFFER, failure_);
+    set(CURLOPT_HEADERFUNCTION, &MailTalk::hear);
+    set(CURLOPT_HEADERDATA, this);
+    set(CURLOPT_READFUNCTION, &MailTalk::give);
+    set(CURLOPT_READDATA, this);
+  }
 
+  /// Connects, encrypts and signs in.
   void open() {
-    const QString host = QString::fromStdString(server_.host);
-    if (server_.encryption == MailEncryption::kTls) {
-      socket_.connectToHostEncrypted(host, server_.port);
-      requireTrust();
-    } else {
-      socket_.connectToHost(host, server_.port);
-      require(socket_.waitForConnected(server_.patience_ms));
-    }
-    require(hear(), kReady);
-    greet();
-    if (server_.encryption == MailEncryption::kStartTls) {
-      encrypt();
-    }
-    if (!server_.user.empty()) {
-      signIn();
+    set(CURLOPT_CUSTOMREQUEST, "NOOP");
+    set(CURLOPT_NOBODY, 1L);
+    perform();
+    if (!server_.user.empty() && !signedIn_) {  // libcurl sends anyway if the server offers no sign-in
+      refuseSignIn();
     }
   }
 
-  /// Empty: taken.
+  /// Empty: taken. Throws Error when the connection is lost.
   Text send(const MailMessage& message, const std::string& text) {
-    for (const std::string& line : {"MAIL FROM:<" + message.from + ">", "RCPT TO:<" + message.to + ">"}) {
-      if (const MailAnswer answer = ask(line); !answer.done()) {
-        (void)ask("RSET");
-        return answer.text();
-      }
-    }
-    if (const MailAnswer answer = ask("DATA"); answer.code != kBodyFollows) {
-      (void)ask("RSET");
-      return answer.text();
-    }
-    handedOver_ = true;
-    const MailAnswer answer = ask(text + ".");  // no line of it begins with a dot
-    handedOver_ = false;
-    return answer.done() ? Text() : Text(answer.text());
+    const std::unique_ptr<curl_slist, decltype(&curl_slist_free_all)> recipients(
+        curl_slist_append(nullptr, message.to.c_str()), &curl_slist_free_all);
+    unsent_ = text;
+    set(CURLOPT_UPLOAD, 1L);
+    set(CURLOPT_MAIL_FROM, message.from.c_str());
+    set(CURLOPT_MAIL_RCPT, recipients.get());
+    return perform(true) ? Text() : Text(answer_);
   }
 
-  /// Whether a whole message went out that nothing was said about.
+  /// Whether a whole message was sent and has not been answered.
   [[nodiscard]] bool handedOver() const noexcept { return handedOver_; }
 
-  void close() {
-    say("QUIT");
-    if (socket_.bytesToWrite() > 0) {
-      socket_.waitForBytesWritten(server_.patience_ms);
-    }
-  }
-
  private:
-  void greet() {
-    const QHostAddress here = socket_.localAddress();
-    const QString literal = here.protocol() == QAbstractSocket::IPv6Protocol
-                                ? QStringLiteral("IPv6:") + QHostAddress(here.toIPv6Address()).toString()
-                                : here.toString();
-    MailAnswer answer = ask("EHLO [" + literal.toStdString() + "]");
-    require(answer, kDone);
-    offers_ = std::move(answer.lines);
+  template <typename Value>
+  void set(CURLoption option, Value value) {
+    curl_easy_setopt(curl_.get(), option, value);
   }
 
-  /// Whatever stands between here and the server can leave the offer out, or put words behind the answer.
-  void encrypt() {
-    if (!offered("STARTTLS")) {
-      refuseServer(Text::tr("the mail server offers no encryption: nothing was sent"),
-                   Text::tr("Choose TLS from the beginning, or ask who runs it"));
+  /// A line of the server ("250-STARTTLS"). Lines of one answer are joined under one number.
+  static std::size_t hear(char* bytes, std::size_t size, std::size_t count, void* self) {
+    auto& talk = *static_cast<MailTalk*>(self);
+    const std::string line = QByteArray(bytes, static_cast<qsizetype>(size * count)).trimmed().toStdString();
+    if (line.starts_with("221")) {  // answer to QUIT, which libcurl sends after a refusal
+      return size * count;
     }
-    require(ask("STARTTLS"), kReady);
-    if (socket_.bytesAvailable() > 0) {
-      refuseServer(Text::tr("somebody else speaks before the encryption of the mail server begins"),
-                   Text::tr("Choose TLS from the beginning, or ask who runs the network"));
+    const std::string words = line.substr(std::min<std::size_t>(line.size(), 4));
+    if (!talk.moreToHear_ || talk.answer_.size() > kMaxAnswer_bytes) {
+      talk.answer_ = line.substr(0, 3);
     }
-    socket_.startClientEncryption();
-    requireTrust();
-    greet();
+    talk.answer_ += " " + words;
+    talk.moreToHear_ = line.size() > 3 && line[3] == '-';
+    talk.signedIn_ = talk.signedIn_ || line.starts_with("235");
+    talk.handedOver_ = false;
+    return size * count;
+  }
+  static std::size_t give(char* bytes, std::size_t size, std::size_t count, void* self) {
+    auto& talk = *static_cast<MailTalk*>(self);
+    const std::size_t given = talk.unsent_.copy(bytes, size * count);
+    talk.unsent_.erase(0, given);
+    talk.handedOver_ = talk.unsent_.empty();
+    return given;
   }
 
-  void signIn() {
-    const auto packed = [](const std::string& text) {
-      return QByteArray::fromStdString(text).toBase64().toStdString();
-    };
-    MailAnswer answer;
-    if (offered("AUTH", "PLAIN")) {
-      answer = ask("AUTH PLAIN " + packed(std::string(1, '\0') + server_.user + '\0' + server_.password));
-    } else if (offered("AUTH", "LOGIN")) {
-      require(ask("AUTH LOGIN"), kSignInGoesOn);
-      require(ask(packed(server_.user)), kSignInGoesOn);
-      answer = ask(packed(server_.password));
-    } else {
-      refuseServer(Text::tr("the mail server takes no sign-in with a password"),
-                   Text::tr("Take the sign-in name out of its settings, or ask who runs it"));
-    }
-    if (answer.code != kSignedIn) {
-      refuseServer(Text::tr("the mail server refuses the sign-in: %1", answer.text()),
-                   Text::tr("Check the sign-in name and the password"));
-    }
-  }
-
-  /// Whether a line of the greeting begins with `word`, and names `way` behind it.
-  [[nodiscard]] bool offered(const char* word, const char* way = nullptr) const {
-    for (const QByteArray& line : offers_) {
-      const QByteArrayList words = line.toUpper().replace('=', ' ').split(' ');
-      if (words.first() == word && (way == nullptr || words.contains(way))) {
+  /// False: the server refuses the message. Throws Error for whatever else goes wrong.
+  bool perform(bool ofMessage = false) {
+    failure_[0] = '\0';
+    const CURLcode code = curl_easy_perform(curl_.get());
+    const std::string why = failure_;
+    const bool refused = std::atoi(answer_.c_str()) >= kFirstRefusal && !handedOver_;
+    switch (code) {
+      case CURLE_OK:
         return true;
-      }
+      case CURLE_PEER_FAILED_VERIFICATION:
+      case CURLE_SSL_CACERT_BADFILE:
+        refuseServer(
+            Text::tr("the mail server cannot be trusted: %1", why),
+            Text::tr("Check its name; the authority of its certificate must be known to this computer"));
+      case CURLE_LOGIN_DENIED:
+        refuseSignIn();
+      case CURLE_USE_SSL_FAILED:
+      case CURLE_WEIRD_SERVER_REPLY:
+        if (!refused) {  // not offered, or text was injected after the answer
+          refuseServer(Text::tr("the mail server offers no safe encryption: %1", why),
+                       Text::tr("Choose TLS from the beginning, or ask who runs it"));
+        }
+        [[fallthrough]];
+      case CURLE_REMOTE_ACCESS_DENIED:
+      case CURLE_SEND_ERROR:
+      case CURLE_RECV_ERROR:
+        if (refused && ofMessage) {
+          return false;
+        }
+        if (refused) {
+          refuseServer(Text::tr("the mail server refuses: %1", answer_), Text::tr("Check its settings"));
+        }
+        [[fallthrough]];
+      default:
+        refuseServer(Text::tr("the mail server does not answer: %1", why),
+                     Text::tr("Check its name, port and encryption, and the network"));
     }
-    return false;
   }
 
-  void say(const std::string& line) { socket_.write(QByteArray::fromStdString(line) + "\r\n"); }
-
-  MailAnswer ask(const std::string& line) {
-    say(line);
-    return hear();
-  }
-
-  MailAnswer hear() {
-    MailAnswer answer;
-    QDeadlineTimer deadline(server_.patience_ms);
-    for (qsizetype heard = 0; heard < kLongestAnswer_bytes;) {
-      while (!socket_.canReadLine()) {
-        require(!deadline.hasExpired() &&
-                socket_.waitForReadyRead(static_cast<int>(deadline.remainingTime())) &&
-                socket_.bytesAvailable() < kLongestAnswer_bytes);
-      }
-      const QByteArray line = socket_.readLine().trimmed();
-      heard += line.size() + 1;
-      answer.code = line.left(3).toInt();
-      answer.lines << line.mid(4);
-      if (line.size() < 4 || line[3] != '-') {
-        return answer;
-      }
-    }
-    require(false);
-    return answer;
-  }
-
-  void require(const MailAnswer& answer, int code) const {
-    if (answer.code != code) {
-      refuseServer(Text::tr("the mail server refuses: %1", answer.text()), Text::tr("Check its settings"));
-    }
-  }
-  void require(bool answers) const {
-    if (!answers) {
-      refuseServer(Text::tr("the mail server does not answer: %1", socket_.errorString().toStdString()),
-                   Text::tr("Check its name, port and encryption, and the network"));
-    }
-  }
-  void requireTrust() {
-    if (socket_.waitForEncrypted(server_.patience_ms)) {
-      return;
-    }
-    if (!socket_.sslHandshakeErrors().isEmpty()) {
-      refuseServer(
-          Text::tr("the mail server cannot be trusted: %1",
-                   socket_.sslHandshakeErrors().first().errorString().toStdString()),
-          Text::tr("Check its name; the authority of its certificate must be known to this computer"));
-    }
-    require(false);
+  [[noreturn]] void refuseSignIn() const {
+    refuseServer(Text::tr("the mail server refuses the sign-in: %1", answer_),
+                 Text::tr("Check the sign-in name and the password, or leave both out"));
   }
   [[noreturn]] void refuseServer(const Text& what, const Text& remedy) const {
     throw Error(ErrorCode::kFileUnreadable, what, server_.host, remedy);
   }
 
   const MailServer& server_;
-  QSslSocket socket_;
-  QByteArrayList offers_;
+  std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl_;
+  char failure_[CURL_ERROR_SIZE] = {};
+  std::string answer_;  // the last one of the server
+  std::string unsent_;
+  bool moreToHear_ = false;
   bool handedOver_ = false;
+  bool signedIn_ = false;
 };
 
 }  // namespace
@@ -243,7 +201,6 @@ std::vector<Text> sendMail(const MailServer& server, std::span<const MailMessage
     tellProgress(progress, Text::tr("Message to %1", messages[i].to),
                  static_cast<double>(i + 1) / static_cast<double>(messages.size()));
   }
-  talk.close();
   return refusals;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -13,11 +14,11 @@
 
 namespace torsio {
 
-/// How the way to a mail server is protected.
+/// How the connection to a mail server is encrypted.
 enum class MailEncryption {
-  kStartTls,  ///< begins in the clear and changes over before anything is said (port 587)
-  kTls,       ///< from the first byte on (port 465)
-  kNone,      ///< a server on this computer only
+  kStartTls,  ///< starts in clear text, encrypted before anything is sent (port 587)
+  kTls,       ///< from the first byte (port 465)
+  kNone,      ///< only for a server on this computer
 };
 
 /// Where messages are handed over.
@@ -27,22 +28,23 @@ struct MailServer {
   MailEncryption encryption = MailEncryption::kStartTls;
   std::string user{};  ///< empty: the server asks for none
   std::string password{};
-  int patience_ms = 30'000;  ///< the longest wait for one answer
+  int patience_s = 30;                  ///< the longest wait for one answer
+  std::filesystem::path authorities{};  ///< certificates (PEM) to trust; empty: those of this computer
 };
 
 /// Refuses a server elsewhere without encryption: throws Error{kBadParameter}.
 void requireProtectedWay(const MailServer& server);
 
-/// Told of a message that the server took: its index.
+/// Called with the index of a message that the server took.
 using MailTaken = std::function<void(std::size_t index)>;
 
-/// Hands messages over, one connection for all (SMTP, RFC 5321; PLAIN or LOGIN). Certificates are checked,
-/// and nothing but the greeting is said before the encryption stands. Returns for each what speaks against
-/// it, empty: taken; `taken` is told at once. A message that another one follows is not held up by it; when
-/// the connection is lost on the way, the rest says so. Throws Error: {kBadParameter} for an address that is
-/// none, or a server elsewhere without encryption; {kFileUnreadable} when the server does not answer, cannot
-/// be trusted, offers no encryption, or refuses the sign-in: then nothing was sent. What `taken` and
-/// `progress` throw goes through. A worker thread.
+/// Sends messages by SMTP (RFC 5321; PLAIN or LOGIN), reusing the connection until a message is refused. The
+/// certificate and its name are checked, and only the greeting precedes encryption. Returns one entry per
+/// message: empty when the server took it, otherwise its refusal; a refusal does not hold up the next
+/// message. When the connection is lost, the remaining entries say so. `taken` is called as soon as a message
+/// is accepted. Throws Error before anything is sent: {kBadParameter} for an invalid address, or a server
+/// elsewhere without encryption; {kFileUnreadable} when the server does not answer, cannot be trusted, offers
+/// no encryption, or refuses the sign-in. Exceptions of `taken` and `progress` pass through. A worker thread.
 [[nodiscard]] std::vector<Text> sendMail(const MailServer& server, std::span<const MailMessage> messages,
                                          std::int64_t utc_us, const ProgressCallback& progress = {},
                                          const MailTaken& taken = {});

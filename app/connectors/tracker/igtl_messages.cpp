@@ -19,8 +19,8 @@ namespace torsio {
 
 namespace {
 
-constexpr std::uint64_t kLargestMessage = 64ULL << 20U;  // a picture of a camera, passed over
-constexpr std::uint64_t kLargestRead = 64ULL << 10U;     // 900 instruments
+constexpr std::uint64_t kMaxMessage_bytes = 64ULL << 20U;  // a camera image, skipped
+constexpr std::uint64_t kMaxRead_bytes = 64ULL << 10U;     // 900 instruments
 constexpr int kNewestHeader = 3;
 constexpr double kMillimetre_m = 1e-3;
 constexpr double kFarthest_m = 200.0;
@@ -48,7 +48,7 @@ bool isRead(const std::string& kind) {
   return kind == "TRANSFORM" || kind == "TDATA" || kind == "STATUS";
 }
 
-/// A kind is a word of capitals, digits and underscores.
+/// A type name has capitals, digits and underscores.
 bool isKind(const std::string& kind) {
   return !kind.empty() && std::all_of(kind.begin(), kind.end(), [](char c) {
     return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -64,7 +64,7 @@ std::optional<std::int64_t> timeOf(const igtl_header& head) {
   return seconds * 1'000'000 + std::llround(fraction * 1e6);
 }
 
-/// Of twelve numbers: the columns of the matrix, then the place in millimetres.
+/// From twelve numbers: the columns of the matrix, then the position in millimetres.
 std::optional<Pose> poseOf(const std::array<float, 12>& t) {
   const std::optional<Quat> rotation =
       rotationFromRows({t[0], t[3], t[6], t[1], t[4], t[7], t[2], t[5], t[8]});
@@ -92,8 +92,8 @@ std::uint64_t bigEndian(std::span<const std::byte> bytes) {
   return value;
 }
 
-/// What a body says: the whole of it, or what lies between the extended header and the metadata of version 2
-/// on. Empty: its sizes are impossible.
+/// Content of a body: all of it, or from version 2 on the part between extended header and metadata. Empty:
+/// impossible sizes.
 std::span<const std::byte> contentOf(const igtl_header& head, std::span<const std::byte> body) {
   if (head.version < 2) {
     return body;
@@ -137,7 +137,7 @@ void readTracking(const igtl_header& head, std::span<const std::byte> content, I
   }
 }
 
-/// Control characters have no place on a page.
+/// Replaces control characters, which must not reach the screen.
 std::string plainText(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7f; },
@@ -145,7 +145,7 @@ std::string plainText(std::string text) {
   return text;
 }
 
-/// A code (2 bytes), a code of the device (8), a name (20) and words.
+/// Code (2 bytes), sub-code (8), name (20) and message.
 void readStatus(std::span<const std::byte> content, IgtlNews& news) {
   constexpr std::size_t kNameAt = 10;
   constexpr std::size_t kWordsAt = 30;
@@ -193,13 +193,13 @@ void IgtlReader::beginBody() {
     refuse(Text::tr("what came is no OpenIGTLink"), Text::tr("tracker"),
            Text::tr("Check the address and port, and what is running there"));
   }
-  if (head.body_size > kLargestMessage) {
+  if (head.body_size > kMaxMessage_bytes) {
     refuse(Text::tr("a message of %1 bytes was announced", std::to_string(head.body_size)),
            Text::tr("tracker"), Text::tr("Check the address and port, and what is running there"));
   }
   inBody_ = true;
   left_ = head.body_size;
-  kept_ = isRead(kind) && head.body_size <= kLargestRead;
+  kept_ = isRead(kind) && head.body_size <= kMaxRead_bytes;
   body_.clear();
 }
 
@@ -210,7 +210,7 @@ void IgtlReader::readBody(IgtlNews& news) const {
     ++(isRead(kind) ? news.refused : news.others);
     return;
   }
-  std::vector<std::byte> summed = body_;  // the library wants to write
+  std::vector<std::byte> summed = body_;  // the library takes no const data
   if (crc64(reinterpret_cast<unsigned char*>(summed.data()), summed.size(), 0) != head.crc) {
     ++news.refused;
     return;

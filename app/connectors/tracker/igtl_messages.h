@@ -16,27 +16,27 @@ namespace torsio {
 /// Port of OpenIGTLink (IANA).
 inline constexpr std::uint16_t kIgtlPort = 18944;
 
-/// Where an instrument is, as a tracker says it.
+/// Pose of an instrument as sent by a tracker.
 struct TrackedPose {
-  std::string instrument{};               ///< of a TRANSFORM its device, of TDATA the name in its list
+  std::string instrument{};               ///< device of a TRANSFORM, or name in a TDATA list
   Pose pose{};                            ///< instrument to the tracker's reference
-  std::optional<std::int64_t> sent_us{};  ///< UTC by the sender's clock; empty: it gives no time
+  std::optional<std::int64_t> sent_us{};  ///< UTC by the sender's clock; empty: not sent
 };
 
-/// What came in of a stream of messages.
+/// Messages read so far.
 struct IgtlNews {
-  std::vector<TrackedPose> poses{};     ///< in their order
+  std::vector<TrackedPose> poses{};     ///< in order
   std::optional<std::string> status{};  ///< of the last STATUS message; empty text: all is well
-  std::int64_t refused = 0;  ///< poses that cannot be used: check sum, size, no number, no rotation
-  std::int64_t others = 0;   ///< messages of other kinds, passed over
+  std::int64_t refused = 0;             ///< unusable poses: checksum, size, NaN, not a rotation
+  std::int64_t others = 0;              ///< ignored messages of other types
 };
 
-/// Reads OpenIGTLink from a connection: TRANSFORM, TDATA and STATUS with header version 1 to 3; everything
-/// else is passed over without being kept. Lengths are millimetres on the wire. One thread.
+/// Parses an OpenIGTLink stream: TRANSFORM, TDATA and STATUS with header versions 1 to 3; other messages are
+/// skipped without buffering. Lengths on the wire are in millimetres. One thread.
 class IgtlReader {
  public:
-  /// Takes the next bytes, however they are cut. Throws Error{kBadData} for what is no OpenIGTLink, and for a
-  /// message of more than 64 MiB: where the next one begins is not known then, the connection must end.
+  /// Parses the next bytes; messages may be split anywhere. Throws Error{kBadData} if this is not OpenIGTLink
+  /// or a message exceeds 64 MiB: the stream is then out of step and the connection must be closed.
   void take(std::span<const std::byte> bytes, IgtlNews& news);
 
  private:
@@ -44,20 +44,19 @@ class IgtlReader {
   void readBody(IgtlNews& news) const;
 
   std::vector<std::byte> head_;
-  std::vector<std::byte> body_;  // of a message that is read
-  std::uint64_t left_ = 0;       // bytes of the present body that are still to come
+  std::vector<std::byte> body_;  // of the current message, if kept_
+  std::uint64_t left_ = 0;       // bytes of the current body still to come
   bool inBody_ = false;
-  bool kept_ = false;  // the present body is of a kind that is read
+  bool kept_ = false;  // the current body is of a type that we read
 };
 
-/// Packs a pose as a TRANSFORM of `device`: matrix in millimetres. `utc_us`: when the instrument was there.
+/// A TRANSFORM message of `device`, in millimetres. `utc_us`: time of the pose.
 [[nodiscard]] std::vector<std::byte> igtlTransform(std::string_view device, const Pose& pose,
                                                    std::int64_t utc_us);
-/// Packs a text (UTF-8, at most 65535 bytes, the rest is cut off) as a STRING of `device`.
+/// A STRING message of `device` (UTF-8, truncated to 65535 bytes).
 [[nodiscard]] std::vector<std::byte> igtlString(std::string_view device, std::string_view text,
                                                 std::int64_t utc_us);
-/// Packs the request STT_TDATA: trackers that send TDATA begin when they are asked. A hundred
-/// poses a second.
+/// An STT_TDATA message, which asks a tracker to start sending TDATA, a hundred poses per second.
 [[nodiscard]] std::vector<std::byte> igtlStartTracking();
 
 }  // namespace torsio

@@ -29,12 +29,12 @@ using Message = std::vector<std::byte>;
 
 constexpr std::chrono::milliseconds kOutletLook{20};
 constexpr std::chrono::milliseconds kOutletFarewell{500};
-constexpr qint64 kSlow_bytes = 64 * 1024;    // waiting to go out: poses are left out
-constexpr qint64 kDead_bytes = 1024 * 1024;  // let go
+constexpr qint64 kSlow_bytes = 64 * 1024;    // backlog above which poses are dropped
+constexpr qint64 kDead_bytes = 1024 * 1024;  // backlog above which a watcher is disconnected
 constexpr std::size_t kMaxWatchers = 8;
 constexpr std::size_t kMaxWaiting = 256;
 
-/// World (left, back, head) to what viewers expect (right, front, head): half a turn about the last axis.
+/// From world (left, back, head) to the viewers' RAS (right, front, head): half a turn about the last axis.
 Pose inRas(const Pose& pose) {
   return {{-pose.position_m.x, -pose.position_m.y, pose.position_m.z},
           Quat{0.0, 0.0, 0.0, 1.0} * pose.orientation};
@@ -60,15 +60,15 @@ struct InstrumentOutlet::State {
   const std::string address;
   const std::uint16_t port;
 
-  mutable std::mutex mutex;  // guards what follows
+  mutable std::mutex mutex;  // guards the members below
   std::condition_variable changed;
   bool stop = false;
   bool ended = false;
   OutletView view;
-  std::optional<Message> pose;  // the newest that has not gone out
+  std::optional<Message> pose;  // newest, not yet sent
   std::deque<Message> events;
 
-  std::vector<std::unique_ptr<QTcpSocket>> watchers;  // of the thread alone
+  std::vector<std::unique_ptr<QTcpSocket>> watchers;  // used by the thread only
 
   State(std::string where, std::uint16_t at) : address(std::move(where)), port(at) {}
 
@@ -95,7 +95,7 @@ void InstrumentOutlet::State::welcome(QTcpServer& server) {
   }
   std::erase_if(watchers, [](const std::unique_ptr<QTcpSocket>& socket) {
     if (socket->waitForReadyRead(0)) {
-      socket->readAll();  // nothing is asked of us
+      socket->readAll();  // watchers have nothing to ask
     }
     return socket->state() != QAbstractSocket::ConnectedState || socket->bytesToWrite() > kDead_bytes;
   });
@@ -185,7 +185,7 @@ InstrumentOutlet::~InstrumentOutlet() {
   if (ended) {
     thread_.join();
   } else {
-    thread_.detach();  // it owns all that it touches
+    thread_.detach();  // it owns everything that it uses
   }
 }
 

@@ -11,35 +11,35 @@
 
 namespace torsio {
 
-/// Names under which the instrument goes out.
+/// Device names of the messages.
 inline constexpr const char* kOutletInstrument = "TorsioInstrument";
 inline constexpr const char* kOutletEvents = "TorsioEvent";
 
-/// How it stands with those who watch.
+/// State of the outlet.
 struct OutletView {
-  Text trouble{};             ///< why nobody can connect; empty: they can
-  std::int64_t watchers = 0;  ///< connected now
-  std::int64_t sent = 0;      ///< poses, over all watchers
-  std::int64_t left = 0;      ///< poses that a watcher was too slow for
+  Text trouble{};             ///< why nobody can connect; empty: connections are accepted
+  std::int64_t watchers = 0;  ///< currently connected
+  std::int64_t sent = 0;      ///< poses, summed over watchers
+  std::int64_t left = 0;      ///< poses dropped because a watcher was too slow
 };
 
-/// Offers the simulator's instrument to other programs (Slicer) by OpenIGTLink: a TRANSFORM for each pose
-/// that is shown, in millimetres and RAS (right, front, head), and a STRING for each step of the exercise:
-/// "touches", "grips", "lets go at 91.8 deg", "free". Nothing says who trains. A thread of its own: who
-/// watches too slowly misses poses, and who does not read at all is let go. GUI thread, or that of a command.
+/// Streams the simulator's instrument to other programs (Slicer) by OpenIGTLink: a TRANSFORM for each pose
+/// shown, in millimetres and RAS (right, front, head), and a STRING for each step of the exercise: "touches",
+/// "grips", "lets go at 91.8 deg", "free". It never says who is training. Served by a thread: slow watchers
+/// miss poses, and those that do not read are disconnected. Call from the GUI thread or a command's.
 class InstrumentOutlet {
  public:
-  /// Listens at `address` of this computer.
+  /// Listens at an address of this computer.
   InstrumentOutlet(const std::string& address, std::uint16_t port);
-  /// Waits half a second at most.
+  /// Waits at most half a second.
   ~InstrumentOutlet();
   InstrumentOutlet(const InstrumentOutlet&) = delete;
   InstrumentOutlet& operator=(const InstrumentOutlet&) = delete;
 
-  /// Sends the instrument, and what has happened since the last call.
+  /// Sends the pose, and the steps of the exercise since the last call.
   void show(const LiveState& state);
   [[nodiscard]] OutletView view() const;
-  /// Whether it was made to listen there.
+  /// Whether it listens there.
   [[nodiscard]] bool isAt(const std::string& address, std::uint16_t port) const;
 
  private:
@@ -52,9 +52,8 @@ class InstrumentOutlet {
   std::thread thread_;
 };
 
-/// Returns what this station offers, as it remembers (rememberedTracker): one for the whole program, made
-/// when first asked for, anew when something else is remembered, and gone with the last who holds it; null:
-/// nothing is offered. GUI thread.
+/// The outlet that this station is set to offer (rememberedTracker), shared by the whole program as long as
+/// somebody holds it; created on demand, and again if the settings change. Null: none is offered. GUI thread.
 [[nodiscard]] std::shared_ptr<InstrumentOutlet> outletOfThisStation();
 
 }  // namespace torsio

@@ -7,7 +7,7 @@
 
 namespace torsio {
 
-/// Returns the address at which this computer listens; null for what is none.
+/// The address of this computer to listen at; null if it is not one.
 [[nodiscard]] inline QHostAddress ownAddress(const std::string& text) {
   return text == "localhost" ? QHostAddress(QHostAddress::LocalHost)
                              : QHostAddress(QString::fromStdString(text));

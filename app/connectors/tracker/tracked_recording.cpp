@@ -50,7 +50,7 @@ TrialHeader headerOf(const TrackerView& view, const RecordingSpec& spec) {
   return header;
 }
 
-/// A chunk is a second.
+/// One chunk per second.
 RecorderOptions optionsFor(const TrackerView& view) {
   TORSIO_EXPECTS(view.period_us.has_value());
   RecorderOptions options;

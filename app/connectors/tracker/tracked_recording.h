@@ -10,24 +10,23 @@
 
 namespace torsio {
 
-/// What stands in the recordings of a tracker as the pattern of the exercise.
+/// Pattern of the exercise in a tracker's recordings.
 inline constexpr const char* kRealArmPattern = "real arm";
 
-/// A stretch on the real arm as a tracker follows the instrument: a recording of kForeignScene on the clock
-/// of the station, kept like those of the simulator. Late poses are the late ticks of its summary. Belongs to
-/// the thread that made it; the link outlives it.
+/// Records training on the real arm from a tracker: a recording of kForeignScene by the station's clock,
+/// stored like those of the simulator. Late poses count as late ticks. Used by one thread; the link outlives
+/// it.
 class TrackedRecording {
  public:
-  /// Begins. `view`: how it stands with the tracker, whose period must be known (contract); `sink` gets the
-  /// recording.
+  /// Starts. `view`: state of the tracker, whose period must be known (contract); `sink` gets the recording.
   TrackedRecording(TrackerLink& link, const TrackerView& view, const RecordingSpec& spec,
                    std::unique_ptr<TrialSink> sink);
-  /// Ends. Without finish() the recording stays with its sink as interrupted.
+  /// Without finish(), the recording stays in the sink as interrupted.
   ~TrackedRecording();
   TrackedRecording(const TrackedRecording&) = delete;
   TrackedRecording& operator=(const TrackedRecording&) = delete;
 
-  /// Hands the rest to the sink. Once. Throws what Recorder::finish throws.
+  /// Passes the rest to the sink. Call once. Throws what Recorder::finish throws.
   [[nodiscard]] RecordingResult finish(TrialOutcome outcome);
 
  private:

@@ -9,17 +9,17 @@
 
 namespace torsio {
 
-/// What this station does with OpenIGTLink.
+/// Settings of this station for OpenIGTLink.
 struct TrackerChoice {
   std::optional<TrackerPlace> tracker{};    ///< of the real arm; empty: none
-  std::uint16_t outletPort = 0;             ///< where others may watch the instrument; 0: nowhere
-  std::string outletAddress = "127.0.0.1";  ///< on which it is offered: of this computer alone
+  std::uint16_t outletPort = 0;             ///< at which others may watch the instrument; 0: none
+  std::string outletAddress = "127.0.0.1";  ///< to listen at; the default is this computer only
   friend bool operator==(const TrackerChoice&, const TrackerChoice&) = default;
 };
 
-/// Reads what this station remembers (settings of the user who runs Torsio).
+/// Reads them from the settings of the user who runs Torsio.
 [[nodiscard]] TrackerChoice rememberedTracker();
-/// Remembers it. Throws Error{kBadParameter} for a place without address or port.
+/// Stores them. Throws Error{kBadParameter} if an address or port is missing.
 void rememberTracker(const TrackerChoice& choice);
 
 }  // namespace torsio

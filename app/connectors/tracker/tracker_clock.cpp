@@ -46,7 +46,7 @@ std::optional<TrackerClock::Moment> TrackerClock::take(std::optional<std::int64_
         lastSent_us_ && (*sent_us < *lastSent_us_ - kClockWasSet_us ||
                          static_cast<double>(arrived_us - *sent_us) < offset_us_ - kClockWasSet_us);
     if (wasSet) {
-      lastSent_us_.reset();  // nothing is known of what lies between
+      lastSent_us_.reset();  // cannot tell what was lost in between
     }
     if (lastSent_us_ && *sent_us <= *lastSent_us_) {
       return std::nullopt;

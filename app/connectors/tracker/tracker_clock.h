@@ -7,24 +7,24 @@
 
 namespace torsio {
 
-/// A pose that arrives so much later than the quickest one did is late.
+/// A pose that took this much longer to arrive than the fastest one is late.
 inline constexpr std::int64_t kLatePose_us = 50'000;
 
-/// Puts what a tracker sends on the clock of the station, and counts what is late or missing. The sender's
-/// time, where it gives one, says when the instrument was there; how far its clock is off is learnt from the
-/// quickest arrivals, and followed when it drifts (up to 100 us a second) or is set. Without it the arrival
-/// counts, and what is missing is not known. A value, one thread.
+/// Converts a tracker's times to the station's clock, and counts late and missing poses. The offset between
+/// the clocks is estimated from the fastest arrivals and follows drift (up to 100 us per second) and clock
+/// changes. If the sender gives no times, the time of arrival is used and missing poses cannot be counted.
+/// A value, one thread.
 class TrackerClock {
  public:
   struct Moment {
-    std::int64_t time_us = 0;  ///< on the clock of the station; rises
-    std::int64_t place = 0;  ///< 0, 1, 2 ... where nothing is missing; what is missing leaves its numbers out
+    std::int64_t time_us = 0;  ///< by the station's clock, increasing
+    std::int64_t place = 0;    ///< 0, 1, 2 ...; missing poses skip numbers
     bool late = false;
   };
-  /// Takes the next pose: `sent_us` by the sender's clock, `arrived_us` by the station's. Empty: it tells
-  /// nothing new, its time has been there already.
+  /// Adds a pose: `sent_us` by the sender's clock, `arrived_us` by the station's. Returns nothing for a
+  /// duplicate time.
   [[nodiscard]] std::optional<Moment> take(std::optional<std::int64_t> sent_us, std::int64_t arrived_us);
-  /// Time between two poses, the middle one of the first twenty; empty before those.
+  /// Median time between two poses of the first twenty; empty before those.
   [[nodiscard]] std::optional<std::int64_t> period_us() const noexcept { return period_us_; }
   /// Whether the sender gives times.
   [[nodiscard]] bool stamped() const noexcept { return lastSent_us_.has_value(); }

@@ -24,7 +24,7 @@ namespace torsio {
 
 namespace {
 
-constexpr int kLook_ms = 50;  // how often the thread looks whether it is to end
+constexpr int kLook_ms = 50;  // interval at which the thread checks whether to stop
 constexpr int kConnect_ms = 3'000;
 constexpr std::chrono::milliseconds kAgain{1'000};
 constexpr std::chrono::milliseconds kTrackerFarewell{500};
@@ -53,7 +53,7 @@ Text socketTrouble(QAbstractSocket::SocketError error, const QString& said) {
 }  // namespace
 
 struct TrackerLink::State {
-  /// Counts poses of the last second or so.
+  /// Rate of poses over about the last second.
   class PoseRate {
    public:
     void see(std::int64_t now_us) {
@@ -78,22 +78,22 @@ struct TrackerLink::State {
 
   const TrackerPlace place;
 
-  mutable std::mutex mutex;  // guards what follows; held for moments only
+  mutable std::mutex mutex;  // guards the members below; held briefly
   std::condition_variable changed;
   bool stop = false;
   bool ended = false;
   TrackerView view;
-  Text complaint;  // of the tracker itself, by STATUS
+  Text complaint;  // from the tracker's STATUS
   std::shared_ptr<SpscRing<Sample>> ring;
   std::int64_t recordedFrom_us = 0;
   std::optional<std::int64_t> firstPlace;
   std::int64_t lateRecorded = 0;
 
-  // Of the thread alone.
+  // Used by the thread only.
   MonotonicClock clock{};
   TrackerClock times{};
   PoseRate rate{};
-  std::int64_t places = 0;  // of the next pose where nothing is missing
+  std::int64_t places = 0;  // place of the next pose if none is missing
   std::int64_t connected_us = 0;
   std::int64_t heard_us = 0;
   std::int64_t posed_us = 0;
@@ -139,7 +139,7 @@ void TrackerLink::State::keep(const Pose& pose, const TrackerClock::Moment& mome
     sample.device.status |= kDeviceStale;
     ++lateRecorded;
   }
-  static_cast<void>(ring->push(sample));  // one that is full counts by itself
+  static_cast<void>(ring->push(sample));  // a full ring counts its losses
 }
 
 void TrackerLink::State::takePose(const TrackedPose& pose, std::int64_t arrived_us) {
@@ -178,7 +178,7 @@ void TrackerLink::State::take(const IgtlNews& news, std::int64_t arrived_us) {
     complaint = news.status->empty() ? Text() : Text::tr("the tracker says: %1", *news.status);
   }
   if (news.status || !news.poses.empty()) {
-    view.trouble = complaint;  // of earlier connections nothing is left once one works
+    view.trouble = complaint;  // earlier trouble is cleared once a connection works
   }
   for (const TrackedPose& pose : news.poses) {
     takePose(pose, arrived_us);
@@ -259,7 +259,7 @@ void TrackerLink::State::call() {
 void TrackerLink::State::answer() {
   QTcpServer server;
   const QHostAddress here = ownAddress(place.address);
-  if (here.isNull()) {  // Qt would take it for every address
+  if (here.isNull()) {  // Qt would listen at all addresses
     seek(Text::tr("this is no address of this computer: 127.0.0.1 is, and 0.0.0.0 are all of them"));
     return;
   }
@@ -307,8 +307,8 @@ TrackerLink::~TrackerLink() {
     state_->changed.notify_all();
     ended = state_->changed.wait_for(lock, kTrackerFarewell, [this] { return state_->ended; });
   }
-  // A thread that looks for a name or a computer that is not there is left to itself: it owns all that it
-  // touches.
+  // A thread that hangs in a name lookup or a connection attempt is detached: it owns everything that it
+  // uses.
   if (ended) {
     thread_.join();
   } else {

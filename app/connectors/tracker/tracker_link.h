@@ -16,12 +16,12 @@
 
 namespace torsio {
 
-/// Where a tracker is found.
+/// Address of a tracker.
 struct TrackerPlace {
-  std::string address = "127.0.0.1";  ///< of the tracker; of this computer where it is waited for
+  std::string address = "127.0.0.1";  ///< of the tracker, or of this computer if it `listens`
   std::uint16_t port = kIgtlPort;
-  bool listens = false;      ///< the tracker calls; else it is called
-  std::string instrument{};  ///< its name as the tracker says it; empty: the first that comes
+  bool listens = false;      ///< wait for the tracker to connect, instead of connecting to it
+  std::string instrument{};  ///< its name at the tracker; empty: the first one seen
   friend bool operator==(const TrackerPlace&, const TrackerPlace&) = default;
 };
 
@@ -29,48 +29,47 @@ enum class TrackerStage : std::uint8_t {
   kSeeking,   ///< no connection
   kWaiting,   ///< connected; no pose of the instrument yet
   kTracking,  ///< poses come
-  kSilent,    ///< none has come for a while
+  kSilent,    ///< poses have stopped
 };
 
-/// What poses of the instrument came to.
+/// Counts of the instrument's poses.
 struct TrackerCounts {
   std::int64_t received = 0;
-  std::int64_t missing = 0;  ///< by the sender's times; 0 where it gives none
+  std::int64_t missing = 0;  ///< by the sender's times; 0 if it gives none
   std::int64_t late = 0;     ///< by more than kLatePose_us
-  std::int64_t refused = 0;  ///< of no use: damaged, no number, no rotation, a time that was there already
+  std::int64_t refused = 0;  ///< damaged, NaN, not a rotation, or a duplicate time
 };
 
-/// How it stands with a tracker.
+/// State of a tracker.
 struct TrackerView {
   TrackerStage stage = TrackerStage::kSeeking;
-  Text trouble{};                          ///< why there is no connection, or what the tracker complains of
-  std::string instrument{};                ///< that is followed
+  Text trouble{};                          ///< why there is no connection, or the tracker's own complaint
+  std::string instrument{};                ///< being followed
   std::vector<std::string> instruments{};  ///< seen so far, twenty at most
   Pose pose{};                             ///< the newest, in the frame of the tracker
   double rate_per_s = 0.0;
-  bool stamped = false;  ///< the tracker says when each pose was
+  bool stamped = false;  ///< the tracker sends times
   std::optional<std::int64_t> period_us{};
   TrackerCounts counts{};
 };
 
-/// A tracker by OpenIGTLink, in a thread of its own: calls it or waits for its call, and does so again when
-/// the connection ends. Whatever the other side does - hangs, goes away, sends rubbish or without end - no
-/// function of this class waits for it. Of a connection in which nothing comes for half a minute it lets go.
+/// An OpenIGTLink tracker, served by a thread: connects to it or waits for it, and reconnects. No function
+/// blocks, even if the other side hangs, disappears, or floods us with garbage. A connection that is silent
+/// for half a minute is closed.
 class TrackerLink {
  public:
   explicit TrackerLink(const TrackerPlace& place);
-  /// Waits half a second at most.
+  /// Waits at most half a second.
   ~TrackerLink();
   TrackerLink(const TrackerLink&) = delete;
   TrackerLink& operator=(const TrackerLink&) = delete;
 
   [[nodiscard]] const TrackerPlace& place() const noexcept { return place_; }
   [[nodiscard]] TrackerView view() const;
-  /// From now on poses go into `ring`, the time counted from now; null: nowhere. Of a pose the sample holds
-  /// time, place and rotation; one that was late is marked kDeviceStale, and what is missing has its numbers
-  /// left out of the ticks.
+  /// From now on, writes poses into `ring` (null: nowhere), with time counted from now. A sample has time,
+  /// position and rotation; a late pose is flagged kDeviceStale, and missing ones skip tick numbers.
   void record(std::shared_ptr<SpscRing<Sample>> ring);
-  /// Returns how many poses that went into the present ring were late.
+  /// Number of late poses in the current ring.
   [[nodiscard]] std::int64_t lateRecorded() const;
 
  private:

@@ -12,32 +12,30 @@
 
 namespace torsio {
 
-/// An entry that the store refused for good.
+/// An entry that the store refused permanently.
 struct DeadLetter {
   LearningEvent event{};
   Text answer{};
 };
 
-/// How it stands with the learning records of the centre.
+/// State of the centre's learning records.
 struct LearningRecordsView {
   LrsSettings settings{};
-  bool hasKey = false;  ///< of this station
+  bool hasKey = false;  ///< on this station
   LearningEventCounts counts{};
-  Text trouble{};                  ///< what the store answered last to something that waits; empty: nothing
-  std::vector<DeadLetter> dead{};  ///< newest answer first, a thousand at most
+  Text trouble{};                  ///< the store's last answer to a waiting entry; empty: none
+  std::vector<DeadLetter> dead{};  ///< newest answer first, at most a thousand
 };
 
 /// kSettingsEdit.
 [[nodiscard]] LearningRecordsView learningRecords(SessionContext& session);
-/// Lets everything that waits or was refused for good be tried at once. Audited. Returns how many had been
-/// refused. kSettingsEdit.
+/// Makes all waiting and refused entries due now. Audited. Returns how many had been refused. kSettingsEdit.
 std::int64_t retryLearningRecords(SessionContext& session);
-/// Gives up what was refused for good. Audited. Returns how many. kSettingsEdit.
+/// Discards permanently refused entries. Audited. Returns how many. kSettingsEdit.
 std::int64_t dropLearningRecords(SessionContext& session);
 
-/// Sends what is due from this station, now. kReportExportCoded. Throws Error{kBadData} while the centre
-/// sends nothing or this station has no key; DbError. A worker thread or the command line; takes as long as
-/// it takes.
+/// Sends due entries from this station now; may take long. kReportExportCoded. Throws Error{kBadData} if the
+/// centre sends nothing or this station has no key; DbError. A worker thread or the command line.
 LrsDelivery sendLearningRecords(SessionContext& session);
 
 }  // namespace torsio

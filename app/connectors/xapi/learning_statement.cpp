@@ -26,7 +26,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The same name, the same id.
+/// Equal names give equal ids.
 std::string uuidOf(const std::string& name) {
   const QUuid ours(QStringLiteral("{7c1f7e52-6f0a-5d0e-9a55-3f6f2f0d8e01}"));
   return QUuid::createUuidV5(ours, QByteArray::fromStdString(name))
@@ -58,7 +58,7 @@ constexpr const char* kSimulation = "http://adlnet.gov/expapi/activities/simulat
 constexpr const char* kComment = "http://activitystrea.ms/schema/1.0/comment";
 constexpr const char* kRest = "urn:x-torsio:xapi:activity:rest";
 
-/// What all parts of one statement need.
+/// Shared by all parts of a statement.
 struct Telling {
   Connection& connection;
   const LearningEvent& event;
@@ -87,7 +87,7 @@ Json exerciseOf(const Telling& telling) {
                   kSimulation, telling.trial->sceneId.text());
 }
 
-/// What is known of somebody's competence after this run, with the error rates of saying so.
+/// Competence after this run, with the error rates of the decision.
 Json competenceExtensions(const CompetenceVerdict& verdict) {
   const std::string base(kXapiExtensions);
   return {{base + "able", isAble(verdict.level)},
@@ -98,7 +98,7 @@ Json competenceExtensions(const CompetenceVerdict& verdict) {
           {base + "competence-design-version", verdict.design.version}};
 }
 
-/// Verb and result of a run that counts; empty: it does not.
+/// Verb and result of a run; empty if it does not count.
 std::optional<std::pair<Json, Json>> judged(const Telling& telling, ExerciseRules& rules,
                                             std::int64_t now_us) {
   const TrialListing& trial = *telling.trial;
@@ -132,7 +132,7 @@ std::optional<std::pair<Json, Json>> judged(const Telling& telling, ExerciseRule
                    std::move(result));
 }
 
-/// Adds verb, object and result. False: there is nothing to tell.
+/// Adds verb, object and result. False: nothing to report.
 bool tell(const Telling& telling, ExerciseRules& rules, std::int64_t now_us, Json& statement) {
   switch (telling.event.kind) {
     case LearningEventKind::kRegistered:
@@ -174,7 +174,7 @@ bool tell(const Telling& telling, ExerciseRules& rules, std::int64_t now_us, Jso
   return false;
 }
 
-/// What must be the same for two statements to be the same.
+/// The parts that make two statements equivalent.
 nlohmann::json essence(const nlohmann::json& statement) {
   nlohmann::json kept;
   kept["id"] = statement.value("id", "");
@@ -245,7 +245,7 @@ bool sameStatement(const std::string& sent, const std::string& stored) {
   try {
     return a.is_object() && b.is_object() && essence(a) == essence(b);
   } catch (const nlohmann::json::exception&) {
-    return false;  // parts of other kinds than a statement has
+    return false;  // members have the wrong types
   }
 }
 

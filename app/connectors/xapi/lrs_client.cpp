@@ -16,7 +16,7 @@ namespace torsio {
 namespace {
 
 constexpr int kLook_ms = 100;
-constexpr qint64 kLongestAnswer_bytes = 1 << 20;
+constexpr qint64 kMaxAnswer_bytes = 1 << 20;
 
 }  // namespace
 
@@ -39,14 +39,14 @@ struct LrsClient::Talk {
     return request;
   }
 
-  /// Waits for the reply, in the thread's own small loop.
+  /// Waits for the reply in a local event loop.
   [[nodiscard]] LrsAnswer heard(std::unique_ptr<QNetworkReply> reply) const {
     QEventLoop loop;
     QTimer look;
     const auto giveUp = [&] { reply->abort(); };
     QObject::connect(reply.get(), &QNetworkReply::finished, &loop, &QEventLoop::quit);
     QObject::connect(reply.get(), &QNetworkReply::readyRead, &loop, [&] {
-      if (reply->bytesAvailable() > kLongestAnswer_bytes) {
+      if (reply->bytesAvailable() > kMaxAnswer_bytes) {
         giveUp();
       }
     });
@@ -55,14 +55,15 @@ struct LrsClient::Talk {
         giveUp();
       }
     });
-    QTimer::singleShot(patience, &loop, giveUp);  // a server that sends a byte now and then
+    QTimer::singleShot(patience, &loop,
+                       giveUp);  // deadline for slow responses: the idle timeout resets on every byte
     look.start(kLook_ms);
     if (!reply->isFinished()) {
       loop.exec();
     }
     LrsAnswer answer;
     const bool whole = reply->error() == QNetworkReply::NoError ||
-                       reply->error() >= QNetworkReply::ContentAccessDenied;  // an answer of HTTP
+                       reply->error() >= QNetworkReply::ContentAccessDenied;  // an HTTP error response
     if (whole) {
       answer.status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     }

@@ -12,19 +12,19 @@
 
 namespace torsio {
 
-/// What a learning record store answered.
+/// Answer of a learning record store.
 struct LrsAnswer {
-  int status = 0;       ///< of HTTP; 0: no answer came, for the reason in `body`
-  std::string body{};   ///< at most a megabyte of it
+  int status = 0;       ///< HTTP status; 0: no answer, for the reason in `body`
+  std::string body{};   ///< at most a megabyte
   std::string after{};  ///< header Retry-After; empty: none
 };
 
-/// Speaks xAPI 1.0.3 to one store. Certificates are checked; what a server says about going elsewhere is not
-/// followed. Belongs to the thread that made it, which may have no event loop of its own.
+/// Client of an xAPI 1.0.3 store. Checks certificates and follows no redirects. Used by the thread that
+/// created it, which needs no event loop.
 class LrsClient {
  public:
-  /// `stop`: may become true in another thread, and then a question is given up within a tenth of a second;
-  /// null: never. Outlives the client.
+  /// `stop` (may be null; outlives the client): once another thread sets it, a request is aborted within a
+  /// tenth of a second.
   LrsClient(const std::string& endpoint, LrsKey key,
             std::chrono::milliseconds patience = std::chrono::seconds(30),
             const std::atomic<bool>* stop = nullptr);
@@ -32,9 +32,9 @@ class LrsClient {
   LrsClient(const LrsClient&) = delete;
   LrsClient& operator=(const LrsClient&) = delete;
 
-  /// Hands one statement over.
+  /// Sends a statement.
   [[nodiscard]] LrsAnswer post(const std::string& statement);
-  /// Asks for the statement with this id.
+  /// Requests the statement with this id.
   [[nodiscard]] LrsAnswer get(const std::string& id);
 
  private:

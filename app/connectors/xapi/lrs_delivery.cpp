@@ -23,10 +23,10 @@ namespace torsio {
 namespace {
 
 constexpr std::int64_t kBatch = 100;
-constexpr std::int64_t kClaim_us = 2 * kMinute_us;  // longer than the store is waited for
+constexpr std::int64_t kClaim_us = 2 * kMinute_us;  // longer than the timeout of a request
 constexpr std::int64_t kFirstWait_us = kMinute_us / 2;
-constexpr std::int64_t kLongestWait_us = 6 * 60 * kMinute_us;
-constexpr std::int64_t kLongestRetryAfter_us = 24 * 60 * kMinute_us;
+constexpr std::int64_t kMaxWait_us = 6 * 60 * kMinute_us;
+constexpr std::int64_t kMaxRetryAfter_us = 24 * 60 * kMinute_us;
 constexpr std::size_t kAnswerShown = 300;
 
 constexpr int kConflict = 409;
@@ -39,7 +39,7 @@ struct Outcome {
   std::string after{};
 };
 
-/// The answer in a line that somebody can act on.
+/// The answer as one line that tells the user what to do.
 std::string wordsOf(const LrsAnswer& answer) {
   std::string words = answer.status == 0 ? "" : "HTTP " + std::to_string(answer.status) + " ";
   words += answer.body.substr(0, kAnswerShown);
@@ -48,7 +48,7 @@ std::string wordsOf(const LrsAnswer& answer) {
   return words;
 }
 
-/// A store answers with the ids that it took; a page of a proxy does not.
+/// A store answers with the ids that it took; a proxy's error page does not.
 bool took(const LrsAnswer& answer, const std::string& id) {
   const nlohmann::json ids = nlohmann::json::parse(answer.body, nullptr, false);
   return ids.is_array() && ids.size() == 1 && ids[0].is_string() &&
@@ -56,7 +56,7 @@ bool took(const LrsAnswer& answer, const std::string& id) {
                  .compare(QString::fromStdString(id), Qt::CaseInsensitive) == 0;
 }
 
-/// What an answer other than "taken" and "known" means.
+/// Meaning of an answer other than "accepted" and "known".
 Outcome refused(const LrsAnswer& answer) {
   switch (answer.status) {
     case 401:
@@ -77,7 +77,7 @@ Outcome refused(const LrsAnswer& answer) {
   return {forGood ? Fate::kDead : Fate::kLaterAndStop, wordsOf(answer), answer.after};
 }
 
-/// The store knows the id: is it this statement?
+/// The store already has this id: checks that it is the same statement.
 Outcome afterConflict(LrsClient& store, const std::string& id, const std::string& statement) {
   const LrsAnswer known = store.get(id);
   if (known.status == 200) {
@@ -192,7 +192,7 @@ class Round {
 std::int64_t waitBeforeNextTry_us(std::int64_t tries, const std::string& id) {
   constexpr std::int64_t kDoublings = 20;
   const std::int64_t doubled = kFirstWait_us << std::clamp<std::int64_t>(tries - 1, 0, kDoublings);
-  const std::int64_t wait_us = std::min(doubled, kLongestWait_us);
+  const std::int64_t wait_us = std::min(doubled, kMaxWait_us);
   std::uint32_t spread = 2'166'136'261U;  // FNV-1a
   for (const char c : id) {
     spread = (spread ^ static_cast<unsigned char>(c)) * 16'777'619U;
@@ -206,13 +206,13 @@ std::int64_t retryAfter_us(const std::string& header, std::int64_t now_us) {
   const qlonglong seconds = text.toLongLong(&isNumber);
   std::int64_t wait_us = 0;
   if (isNumber) {
-    wait_us = std::clamp<qlonglong>(seconds, 0, kLongestRetryAfter_us / kSecond_us) * kSecond_us;
+    wait_us = std::clamp<qlonglong>(seconds, 0, kMaxRetryAfter_us / kSecond_us) * kSecond_us;
   } else if (const QDateTime date = QDateTime::fromString(
                  text.replace(QLatin1String("GMT"), QLatin1String("+0000")), Qt::RFC2822Date);
              date.isValid()) {
     wait_us = date.toMSecsSinceEpoch() * 1000 - now_us;
   }
-  return std::clamp<std::int64_t>(wait_us, 0, kLongestRetryAfter_us);
+  return std::clamp<std::int64_t>(wait_us, 0, kMaxRetryAfter_us);
 }
 
 LrsDelivery deliverLearningRecords(Connection& connection, const LrsIdentity& identity, LrsClient& store,

@@ -12,25 +12,25 @@ namespace torsio {
 
 class Connection;
 
-/// What one round of sending came to.
+/// Result of one round of sending.
 struct LrsDelivery {
   std::int64_t delivered = 0;
-  std::int64_t dead = 0;       ///< refused for good
-  std::int64_t later = 0;      ///< tried again after a while
-  std::int64_t forgotten = 0;  ///< nothing to tell, or the person no longer agrees
-  bool stopped = false;        ///< the store does not take anything now: what is left waits
+  std::int64_t dead = 0;       ///< permanently refused
+  std::int64_t later = 0;      ///< to be tried again
+  std::int64_t forgotten = 0;  ///< nothing to report, or consent was withdrawn
+  bool stopped = false;        ///< the store accepts nothing now; the rest waits
 };
 
-/// How long to wait before try number `tries` + 1: twice as long each time, from half a minute to six hours,
-/// a quarter earlier or later by `id`, so that what failed together is not tried together.
+/// Wait before try number `tries` + 1: from half a minute, doubled each time up to six hours, varied by a
+/// quarter depending on `id`, so that entries that failed together are not retried together.
 [[nodiscard]] std::int64_t waitBeforeNextTry_us(std::int64_t tries, const std::string& id);
-/// Reads Retry-After, seconds or a date; at most a day. Empty or unreadable: 0.
+/// Parses Retry-After (seconds or a date), capped at a day. Empty or invalid: 0.
 [[nodiscard]] std::int64_t retryAfter_us(const std::string& header, std::int64_t now_us);
 
-/// Sends what waits and is due, each statement once, in the order in which things happened. A statement is
-/// made and kept before it is sent, and sent again in the same bytes, so that the store has it once whatever
-/// happens to the answers. Ends early when the store is away, refuses the key or has no such address; nothing
-/// is lost by that. Throws Error, DbError.
+/// Sends due entries in the order of their events. Each statement is stored before it is sent, and resent
+/// with the same bytes, so the store has it once even if answers get lost. Stops early, without losing
+/// anything, if the store is unreachable, rejects the key or does not know the address. Throws Error,
+/// DbError.
 LrsDelivery deliverLearningRecords(Connection& connection, const LrsIdentity& identity, LrsClient& store,
                                    const UtcClock& now);
 

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the other settings of this account.
+/// Next to the other settings of this account.
 fs::path keyFile() {
   const QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("torsio"),
                            QStringLiteral("lrs"));

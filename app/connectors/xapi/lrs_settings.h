@@ -10,37 +10,37 @@ namespace torsio {
 
 class Connection;
 
-/// Where the centre sends learning records, for every station; off unless somebody turned it on.
+/// Where all stations of the centre send learning records; off by default.
 struct LrsSettings {
   bool on = false;
-  std::string endpoint{};  ///< "https://lrs.example.org/xapi": what "/statements" is added to
-  std::string homePage{};  ///< "https://example.org": the system to which the accounts of trainees belong
+  std::string endpoint{};  ///< "https://lrs.example.org/xapi", without "/statements"
+  std::string homePage{};  ///< "https://example.org": home page of the trainees' accounts
   friend bool operator==(const LrsSettings&, const LrsSettings&) = default;
 };
 
 /// kSettingsEdit.
 [[nodiscard]] LrsSettings lrsSettings(SessionContext& session);
-/// From then on what happens is kept for the learning record store; what happened before is not. Turned off:
-/// what waits stays. Audited. kSettingsEdit. Throws Error{kBadParameter}: an address that is none, or one
-/// elsewhere without encryption.
+/// Once on, events are queued for the store; earlier ones are not. Turning it off keeps the queue. Audited.
+/// kSettingsEdit. Throws Error{kBadParameter} for an invalid address, or one on another computer without
+/// encryption.
 void setLrsSettings(SessionContext& session, const LrsSettings& settings);
 
-/// The settings with the key of the accounts' opaque names, for the sender; empty: none were made.
+/// The settings and the key for opaque account names, for the sender; empty: not set.
 struct LrsIdentity {
   LrsSettings settings{};
   std::string accountKey{};
 };
 [[nodiscard]] std::optional<LrsIdentity> lrsIdentity(Connection& connection);
 
-/// Name and secret by which a station signs in to the store. They lie in a file of the account that runs the
-/// station, for it alone, and never in the record or its backups. A station without one sends nothing.
+/// Credentials of a station at the store. They are in a file that only the account running the station can
+/// read, never in the record or its backups. A station without them sends nothing.
 struct LrsKey {
   std::string user{};
   std::string secret{};
 };
-/// Empty: this station has none. Throws Error{kPermission} when other accounts could read it until now.
+/// Empty: this station has none. Throws Error{kPermission} if other accounts can read the file.
 [[nodiscard]] std::optional<LrsKey> stationLrsKey();
-/// An empty user takes it away. Throws Error{kBadParameter} for a user with a colon or line breaks in either,
+/// An empty user removes it. Throws Error: {kBadParameter} for a colon in the user or a line break in either;
 /// {kFileUnwritable}.
 void setStationLrsKey(const LrsKey& key);
 

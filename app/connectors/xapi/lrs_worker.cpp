@@ -52,7 +52,7 @@ void LrsWorker::run(State& state) {
         }
       }
     } catch (const std::exception&) {
-      // The database or the key's file is away: what waits is in the outbox, and is looked for again.
+      // The database or the key file is unavailable: entries stay in the outbox for the next try.
     }
     lock.lock();
   }

@@ -9,14 +9,13 @@
 
 namespace torsio {
 
-/// Sends the learning records of the centre while the program runs, on a thread and a connection of its own,
-/// as soon as this station has a key of the store; what fails is tried again later. Nobody waits for it, and
-/// it is never heard of where the centre sends nothing.
+/// Sends the centre's learning records in the background, on its own thread and connection, if this station
+/// has a key; retries what fails. Does nothing if the centre sends nothing.
 class LrsWorker {
  public:
-  /// `again`: between two looks into the outbox.
+  /// `again`: interval between checks of the outbox.
   explicit LrsWorker(SessionKey key, std::chrono::milliseconds again);
-  /// Gives a question to the store up at once.
+  /// Aborts a running request.
   ~LrsWorker();
   LrsWorker(const LrsWorker&) = delete;
   LrsWorker& operator=(const LrsWorker&) = delete;

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
+#include "app/connectors/built_in.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
 #include "app/gui/administrator/people/review_desk_dialog.h"
@@ -131,14 +132,17 @@ std::vector<ScreenEntry> administratorDialogs() {
   const auto browsers = [](Page& page) {
     dynamic_cast<UsersPage&>(page).placeReviewDesk(ReviewDeskDialog::ownPlace());
   };
-  return {
-      screen("administrator-devices-others", PageId::kDevices, otherPrograms),
+  std::vector<ScreenEntry> dialogs{
       screen("administrator-browsers", PageId::kUsers, browsers),
       screen("administrator-export", PageId::kReports, exported(ExportDialog::Form::kWorkbook, false)),
       screen("administrator-export-dataset", PageId::kReports,
              exported(ExportDialog::Form::kFrictionless, false)),
       screen("administrator-export-written", PageId::kReports, exported(ExportDialog::Form::kR, true)),
   };
+  if constexpr (kTrackerBuiltIn) {
+    dialogs.push_back(screen("administrator-devices-others", PageId::kDevices, otherPrograms));
+  }
+  return dialogs;
 }
 
 }  // namespace torsio::gui

@@ -10,14 +10,13 @@
 #include <set>
 
 #include <QApplication>
-#include <QCommandLineParser>
 #include <QElapsedTimer>
 #include <QPixmap>
 #include <QTemporaryDir>
 
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/all_pages.h"
-#include "app/gui/program/option_refusal.h"
+#include "app/gui/program/window_main.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/lock_panel.h"
@@ -319,83 +318,17 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
   return static_cast<int>(photographer.shots().size());
 }
 
-namespace {
-
-Text unknown(const QString& value) {
-  return Text::tr("'%1' is not known", value.toStdString());
-}
-
-std::vector<QSize> sizesOf(const QString& text) {
-  std::vector<QSize> sizes;
-  for (const QString& part : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
-    const QStringList numbers = part.split(QLatin1Char('x'));
-    const QSize size = numbers.size() == 2 ? QSize(numbers[0].toInt(), numbers[1].toInt()) : QSize();
-    if (size.width() < 640 || size.height() < 480 || size.width() > 7680 || size.height() > 4320) {
-      refuseOption(unknown(part), QStringLiteral("--size"), Text::tr("Write sizes like 1366x768,1920x1080"));
-    }
-    sizes.push_back(size);
-  }
-  return sizes;
-}
-
-ScreenshotsRequest parseScreenshots(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral("Pictures of every screen on the demonstration cohort"));
-  parser.addHelpOption();
-  parser.addPositionalArgument(QStringLiteral("screenshots"), QStringLiteral("this command"));
-  parser.addOptions(
-      {{QStringLiteral("out"), QStringLiteral("Folder for the pictures"), QStringLiteral("DIR")},
-       {QStringLiteral("size"), QStringLiteral("Sizes of the window"), QStringLiteral("WxH,..."),
-        QStringLiteral("1366x768,1920x1080")},
-       {QStringLiteral("language"), QStringLiteral("Languages"), QStringLiteral("en,zh_CN"),
-        QStringLiteral("en,zh_CN")},
-       {QStringLiteral("theme"), QStringLiteral("Themes"), QStringLiteral("light,dark"),
-        QStringLiteral("light,dark")},
-       {QStringLiteral("only"), QStringLiteral("A part of the name"), QStringLiteral("NAME")}});
-  parser.process(arguments);
-  ScreenshotsRequest request;
-  if (!parser.isSet(QStringLiteral("out"))) {
-    throw Error(ErrorCode::kUsage, Text::tr("there is no folder for the pictures"), Text::verbatim("--out"),
-                Text::tr("Give one, like --out pictures"));
-  }
-  request.out = parser.value(QStringLiteral("out")).toStdString();
-  request.assets = assetsFolder();
-  request.sizes = sizesOf(parser.value(QStringLiteral("size")));
-  for (const QString& code : parser.value(QStringLiteral("language")).split(QLatin1Char(','))) {
-    const auto language = languageOf(code);
-    if (!language) {
-      refuseOption(unknown(code), QStringLiteral("--language"), Text::tr("Use en or zh_CN"));
-    }
-    request.languages.push_back(*language);
-  }
-  for (const QString& name : parser.value(QStringLiteral("theme")).split(QLatin1Char(','))) {
-    if (name != QLatin1String("light") && name != QLatin1String("dark")) {
-      refuseOption(unknown(name), QStringLiteral("--theme"), Text::tr("Use light or dark"));
-    }
-    request.themes.push_back(name == QLatin1String("dark") ? ThemeKind::kDark : ThemeKind::kLight);
-  }
-  request.only = parser.value(QStringLiteral("only"));
-  return request;
-}
-
-}  // namespace
-
-int runScreenshots(int argc, char** argv) {
+void runScreenshots(ScreenshotsRequest request) {
   if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
       qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
   }
-  SceneView::prepareGraphics();
-  QApplication application(argc, argv);
-  useTypeface(application);
-  QApplication::setWindowIcon(applicationIcon());
-  ScreenshotsRequest request = parseScreenshots(QApplication::arguments());
+  const std::unique_ptr<QApplication> application = makeWindowApplication();
   request.progress = [](const Progress& progress) {
     std::fprintf(stderr, "torsio: %s\n", progress.step.str().c_str());
   };
   const int written = takeAllScreenshots(request);
   std::printf("%d pictures in %s\n", written, request.out.string().c_str());
-  return 0;
 }
 
 }  // namespace torsio::gui

@@ -34,8 +34,7 @@ struct ScreenshotsRequest {
 /// replaced by a sentence. Returns how many pictures were written. Throws Error.
 int takeAllScreenshots(const ScreenshotsRequest& request);
 
-/// `torsio screenshots --out DIR [--size WxH,...] [--language en,zh_CN] [--theme light,dark] [--only NAME]`.
-/// Returns the exit code.
-[[nodiscard]] int runScreenshots(int argc, char** argv);
+/// Takes them in an application of its own and says on standard output how many there are.
+void runScreenshots(ScreenshotsRequest request);
 
 }  // namespace torsio::gui

@@ -14,7 +14,6 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/connectors/xapi/lrs_worker.h"
 #include "app/gui/base/background.h"
 #include "app/gui/base/language.h"
 #include "app/gui/shell/desk.h"
@@ -166,7 +165,7 @@ class MainWindow : public QWidget {
   std::optional<Language> firstRunLanguage_;  ///< that was chosen before a centre was set up
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
-  std::unique_ptr<LrsWorker> lessons_;  ///< learning records leave while the record is open
+  std::shared_ptr<void> lessons_;  ///< an LrsWorker: learning records leave while the record is open
   std::size_t refusedTold_ = 0;
   bool simulated_ = false;    // an administrator looks at a simulated person's desk
   bool answered_ = true;      // the database, at the last heartbeat

@@ -4,6 +4,8 @@
 
 #include <QUrl>
 
+#include "app/connectors/built_in.h"
+#include "app/connectors/xapi/lrs_worker.h"
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/problem_labels.h"
@@ -117,7 +119,9 @@ void MainWindow::settle() {
 
 void MainWindow::startLine() {
   line_ = std::make_unique<StationWriter>(key(), setup_.linePatience);
-  lessons_ = std::make_unique<LrsWorker>(key(), setup_.lessonsAgain);
+  if constexpr (kXapiBuiltIn) {
+    lessons_ = std::make_shared<LrsWorker>(key(), setup_.lessonsAgain);
+  }
   answered_ = true;
   settleDue_ = false;
   if (desk_ != nullptr) {

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/connectors/built_in.h"
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
@@ -72,7 +73,7 @@ void RunNotice::showNoRun(bool inFile) {
 
 bool RunNotice::showRun(const TrainingRun& run, Device device, bool tracked) {
   const bool real = run.phase().arm == PhaseKind::kReal;
-  tracker_->setVisible(real && device != Device::kFetchedBeforeStart);
+  tracker_->setVisible(kTrackerBuiltIn && real && device != Device::kFetchedBeforeStart);
   tracker_->follow(tracked);
   setLook(goOn_, "primary", device == Device::kReady);
   if (device != Device::kReady) {

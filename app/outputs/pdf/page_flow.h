@@ -10,8 +10,7 @@
 #include <QRectF>
 #include <QString>
 
-#include "app/outputs/pdf/pdf_outline.h"
-#include "app/outputs/pdf/pdf_tags.h"
+#include "app/outputs/pdf/pdf_structure.h"
 #include "app/outputs/pdf/table_layout.h"
 
 class QPdfWriter;

@@ -12,9 +12,7 @@
 
 #include "app/outputs/charts/chart_builder.h"
 #include "app/outputs/pdf/page_flow.h"
-#include "app/outputs/pdf/pdf_file.h"
-#include "app/outputs/pdf/pdf_outline.h"
-#include "app/outputs/pdf/pdf_tags.h"
+#include "app/outputs/pdf/pdf_structure.h"
 #include "app/outputs/wording/joined_sentences.h"
 #include "assessment/results/figure_table.h"
 #include "assessment/results/number_format.h"
@@ -237,16 +235,6 @@ void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
   }
 }
 
-/// What Qt does not write: language and author, bookmarks, and what each part of a page is.
-void complete(const std::filesystem::path& file, const PageFlow& flow, const QString& author,
-              const std::string& language) {
-  PdfFile pdf(readFile(file));
-  addDescription(pdf, author, QString::fromStdString(language).replace(QLatin1Char('_'), QLatin1Char('-')));
-  addBookmarks(pdf, flow.bookmarks());
-  addTags(pdf, flow.parts());
-  writeFileAtomically(file, pdf.written());
-}
-
 }  // namespace
 
 void writePdfReport(const ReportModel& model, const std::filesystem::path& file, const Wording& wording,
@@ -298,7 +286,10 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
                 Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
   }
   const QString centre = wording(model.centre);
-  complete(part.path(), *flow, centre.isEmpty() ? QStringLiteral("Torsio") : centre, language);
+  const PdfStructure structure{centre.isEmpty() ? QStringLiteral("Torsio") : centre,
+                               QString::fromStdString(language).replace(QLatin1Char('_'), QLatin1Char('-')),
+                               flow->bookmarks(), flow->parts()};
+  writeFileAtomically(part.path(), withStructure(readFile(part.path()), structure));
   part.finish();
 }
 

@@ -12,6 +12,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "app/connectors/built_in.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/reminder_text.h"
@@ -129,6 +130,9 @@ RemindDialog::RemindDialog(ShellContext& shell, const CohortId& cohortId, QWidge
           [this] { attempt(shell_, [this] { copyReminders(shell_, cohortId_, locale()); }); });
   connect(send_, &QPushButton::clicked, this, &RemindDialog::send);
   connect(table_, &DataTable::currentChanged, this, &RemindDialog::showButtons);
+  for (QWidget* mailing : std::initializer_list<QWidget*>{server_, set_, send_}) {
+    mailing->setVisible(kMailBuiltIn);
+  }
   read();
   table_->view().selectAll();
 }

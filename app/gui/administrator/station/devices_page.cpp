@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/connectors/built_in.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/station/instrument_outlet_dialog.h"
 #include "app/gui/administrator/station/station_settings_card.h"
@@ -68,11 +69,14 @@ DevicesPage::DevicesPage(ShellContext& shell)
   connect(driver_, &QComboBox::activated, this, &DevicesPage::remember);
   connect(name_, &QLineEdit::editingFinished, this, &DevicesPage::remember);
   connect(check_, &QPushButton::clicked, this, &DevicesPage::check);
-  connect(others_, &QPushButton::clicked, this, [this] {
-    auto* dialog = new InstrumentOutletDialog(this->shell(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
-  });
+  others_->setVisible(kTrackerBuiltIn);
+  if constexpr (kTrackerBuiltIn) {
+    connect(others_, &QPushButton::clicked, this, [this] {
+      auto* dialog = new InstrumentOutletDialog(this->shell(), this);
+      dialog->setAttribute(Qt::WA_DeleteOnClose);
+      dialog->open();
+    });
+  }
   retranslate();
 }
 

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
+#include "app/connectors/built_in.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/station/learning_records_dialog.h"
@@ -125,7 +126,10 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
           [this] { warn_->setValue(std::min(warn_->value(), lock_->value() - 1)); });
   connect(warn_, &QSpinBox::editingFinished, this,
           [this] { lock_->setValue(std::max(lock_->value(), warn_->value() + 1)); });
-  connect(learning_, &QPushButton::clicked, this, [this] { LearningRecordsDialog(shell_, this).exec(); });
+  learning_->setVisible(kXapiBuiltIn);
+  if constexpr (kXapiBuiltIn) {
+    connect(learning_, &QPushButton::clicked, this, [this] { LearningRecordsDialog(shell_, this).exec(); });
+  }
   connect(keep_, &QPushButton::clicked, this, &StationSettingsCard::keep);
   retranslate();
 }

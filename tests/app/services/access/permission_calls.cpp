@@ -3,12 +3,6 @@
 
 #include <string>
 
-#include "app/connectors/foreign/dataset_import.h"
-#include "app/connectors/foreign/foreign_import.h"
-#include "app/connectors/mail/mail_settings.h"
-#include "app/connectors/mail/mailed_invitations.h"
-#include "app/connectors/mail/mailed_reminders.h"
-#include "app/connectors/xapi/learning_records.h"
 #include "app/outputs/dataset/cohort_exchange.h"
 #include "app/outputs/report/cell_trace.h"
 #include "app/outputs/report/coded_tables.h"
@@ -276,20 +270,8 @@ std::vector<ServiceCall> studyCalls() {
        [](SessionContext& w, Path) { assignCurriculum(w, kNoSuch, kNoSuch); }},
       {O::kStudySetup, "createAssignments", [](SessionContext& w, Path) { (void)createAssignments(w, {}); }},
       {O::kStudySetup, "scoringMatrix", [](SessionContext& w, Path) { (void)scoringMatrix(w, kNoSuch); }},
-      {O::kStudySetup, "sendReminders", [](SessionContext& w, Path) { (void)sendReminders(w, {}, {}); }},
       {O::kStudySetup, "noteReminders",
        [](SessionContext& w, Path) { noteReminders(w, {}, ReminderWay::kCopied); }},
-      {O::kStudySetup, "mailSettings", [](SessionContext& w, Path) { (void)mailSettings(w); }},
-      {O::kSettingsEdit, "setMailSettings", [](SessionContext& w, Path) { setMailSettings(w, {}); }},
-      {O::kSettingsEdit, "lrsSettings", [](SessionContext& w, Path) { (void)lrsSettings(w); }},
-      {O::kSettingsEdit, "setLrsSettings", [](SessionContext& w, Path) { setLrsSettings(w, {}); }},
-      {O::kSettingsEdit, "learningRecords", [](SessionContext& w, Path) { (void)learningRecords(w); }},
-      {O::kSettingsEdit, "retryLearningRecords",
-       [](SessionContext& w, Path) { (void)retryLearningRecords(w); }},
-      {O::kSettingsEdit, "dropLearningRecords",
-       [](SessionContext& w, Path) { (void)dropLearningRecords(w); }},
-      {O::kReportExportCoded, "sendLearningRecords",
-       [](SessionContext& w, Path) { (void)sendLearningRecords(w); }},
       {O::kStudySetup, "reassignAll", [](SessionContext& w, Path) { (void)reassignAll(w, {}, {}, "why"); }},
       {O::kStudySetup, "reportDeviation", [](SessionContext& w, Path) { (void)reportDeviation(w, {}); }},
       {O::kStudySetup, "reportDeviations", [](SessionContext& w, Path) { reportDeviations(w, {}); }},
@@ -370,8 +352,6 @@ std::vector<ServiceCall> reportingCalls() {
       {O::kUserManage, "inviteOrAsk", [](SessionContext& w, Path) { (void)inviteOrAsk(w, {}, ""); }},
       {O::kUserManage, "confirmInvitation",
        [](SessionContext& w, Path) { (void)confirmInvitation(w, kNoSuch); }},
-      {O::kUserManage, "canMailInvitations", [](SessionContext& w, Path) { (void)canMailInvitations(w); }},
-      {O::kUserManage, "sendInvitations", [](SessionContext& w, Path) { (void)sendInvitations(w, {}, {}); }},
       {O::kUserManage, "askSecondPerson, to invite",
        [](SessionContext& w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kInvite}); }},
       {O::kUserManage, "browserAddress", [](SessionContext& w, Path) { (void)browserAddress(w); }},
@@ -433,12 +413,6 @@ std::vector<ServiceCall> reportingCalls() {
        [](SessionContext& w, Path folder) { exportTables(w, {}, TableFormat::kCsv, folder / "tables"); }},
       {O::kReportExportCoded, "exportDataset",
        [](SessionContext& w, Path folder) { exportDataset(w, {}, {}, folder / "dataset"); }},
-      {O::kStudySetup, "importDataset",
-       [](SessionContext& w, Path folder) { importDataset(w, folder / "no such set", {}, ""); }},
-      {O::kStudySetup, "importForeign",
-       [](SessionContext& w, Path folder) {
-         importForeign(w, ForeignLayout::kCsv, folder / "no such map.json", "");
-       }},
       {O::kReportExportNamed, "exportGradebook",
        [](SessionContext& w, Path folder) {
          TrialDigests digests(folder);

@@ -28,6 +28,7 @@ inline constexpr const char* kNoSuch = "none";
 [[nodiscard]] std::vector<ServiceCall> administratorCalls();  ///< access, people, maintenance
 [[nodiscard]] std::vector<ServiceCall> studyCalls();          ///< study
 [[nodiscard]] std::vector<ServiceCall> reportingCalls();      ///< reporting
+[[nodiscard]] std::vector<ServiceCall> connectorCalls();      ///< mail, learning records, imports
 [[nodiscard]] std::vector<ServiceCall> reviewCalls();         ///< review
 [[nodiscard]] std::vector<ServiceCall> trainingCalls();       ///< training
 

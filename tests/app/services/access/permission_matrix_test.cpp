@@ -38,8 +38,8 @@ using namespace testing;
 const std::vector<ServiceCall>& calls() {
   static const std::vector<ServiceCall> kCalls = [] {
     std::vector<ServiceCall> all;
-    for (const auto& some :
-         {administratorCalls(), studyCalls(), reportingCalls(), reviewCalls(), trainingCalls()}) {
+    for (const auto& some : {administratorCalls(), studyCalls(), reportingCalls(), connectorCalls(),
+                             reviewCalls(), trainingCalls()}) {
       all.insert(all.end(), some.begin(), some.end());
     }
     return all;

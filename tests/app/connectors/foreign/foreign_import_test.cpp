@@ -27,8 +27,8 @@
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/scene.h"
+#include "tests/app/connectors/foreign/foreign_samples.h"
 #include "tests/app/outputs/dataset/foreign_readers.h"
-#include "tests/app/outputs/dataset/foreign_samples.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/app/outputs/dataset/foreign_samples.h"
+#include "tests/app/connectors/foreign/foreign_samples.h"
 
 #include <array>
 #include <iomanip>
