@@ -117,11 +117,11 @@ void MasteryTable::fill() {
 
 void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
   auto* metric = new QComboBox;
-  for (const QuantityRow& row : quantityRows()) {
-    if (row.traits.asked) {
-      const QString name = toQString(Text(row.name));
-      metric->addItem(row.traits.kind == QuantityKind::kAnswer ? tr("%1 (1 yes, 0 no)").arg(name) : name,
-                      toQString(row.id));
+  for (const QuantityRow& known : quantityRows()) {
+    if (known.traits.asked) {
+      const QString name = toQString(Text(known.name));
+      metric->addItem(known.traits.kind == QuantityKind::kAnswer ? tr("%1 (1 yes, 0 no)").arg(name) : name,
+                      toQString(known.id));
     }
   }
   chooseOrAdd(metric, rule.metric);
@@ -130,9 +130,9 @@ void MasteryTable::addFields(int row, const MasteryCriterion& rule) {
   direction->addItem(tr("at most"), QStringLiteral("at_most"));
   chooseOrAdd(direction, rule.comparison);
   const std::optional<Quantity> quantity = quantityOf(rule.metric);
-  const QuantityRow* known = quantity ? &rowOf(*quantity) : nullptr;
-  const double scale = known != nullptr ? known->shown.scale : 1.0;
-  auto* threshold = new ThresholdBox(known);
+  const QuantityRow* asked = quantity ? &rowOf(*quantity) : nullptr;
+  const double scale = asked != nullptr ? asked->shown.scale : 1.0;
+  auto* threshold = new ThresholdBox(asked);
   threshold->setValue(scale * rule.threshold);
   auto* inARow = new QSpinBox;
   inARow->setRange(1, kMaxInARow);

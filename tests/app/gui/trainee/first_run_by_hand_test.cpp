@@ -158,7 +158,7 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   ASSERT_EQ(station.pageId, PageId::kDebrief);
   const Debrief& told = static_cast<DebriefPage&>(*station.page).debrief();
   EXPECT_EQ(told.twists.size(), 1U);
-  EXPECT_TRUE(told.passed);
+  EXPECT_TRUE(told.verdict.passed());
   EXPECT_LE(newcomer.actions(), kMaxActions);
   EXPECT_LE(newcomer.needed_s(), kFourMinutes_s);
   RecordProperty("actions", newcomer.actions());
