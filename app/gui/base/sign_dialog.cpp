@@ -91,16 +91,12 @@ class SignDialog : public QDialog {
 
 }  // namespace
 
-QString labelOf(SignatureMeaning meaning) {
-  return toQString(labelOf(meaning));
-}
-
-bool readyToSign(QWidget* parent, ShellContext& shell, const QString& meaning) {
+bool readyToSign(QWidget* parent, ShellContext& shell, SignatureMeaning meaning) {
   bool due = true;
   if (!attempt(shell, [&] { due = passwordIsDue(shell.session()); })) {
     return false;
   }
-  return !due || SignDialog(parent, shell, meaning).exec() == QDialog::Accepted;
+  return !due || SignDialog(parent, shell, toQString(labelOf(meaning))).exec() == QDialog::Accepted;
 }
 
 }  // namespace torsio::gui

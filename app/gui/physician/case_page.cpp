@@ -345,7 +345,7 @@ void CasePage::submit() {
     sheet_->takeFocus();
     return;
   }
-  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {
+  if (!readyToSign(this, shell(), SignatureMeaning::kScored)) {
     return;
   }
   attempt(shell(), [&] {
@@ -370,7 +370,7 @@ void CasePage::startAmending() {
 }
 
 void CasePage::finishAmending() {
-  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kAmended))) {
+  if (!readyToSign(this, shell(), SignatureMeaning::kAmended)) {
     return;
   }
   if (!attempt(shell(), [&] {

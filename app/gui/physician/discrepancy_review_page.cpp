@@ -198,7 +198,7 @@ void DiscrepancyReviewPage::startMoving() {
     return;
   }
   if (sheet_->editor() != nullptr) {
-    if (!hasReason() || !readyToSign(this, shell(), labelOf(SignatureMeaning::kAmended))) {
+    if (!hasReason() || !readyToSign(this, shell(), SignatureMeaning::kAmended)) {
       return;
     }
     const Sheet sheet = sheet_->editor()->sheet();

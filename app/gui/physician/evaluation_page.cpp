@@ -205,7 +205,7 @@ void EvaluationPage::submit() {
         [] { return tr("All nine are scored. Press again to seal them; sealed marks stay as they are."); });
     return;
   }
-  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {
+  if (!readyToSign(this, shell(), SignatureMeaning::kScored)) {
     return;
   }
   attempt(shell(), [&] {

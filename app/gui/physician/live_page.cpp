@@ -375,7 +375,7 @@ void LivePage::submit() {
     });
     return;
   }
-  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kScored))) {
+  if (!readyToSign(this, shell(), SignatureMeaning::kScored)) {
     return;
   }
   attempt(shell(), [&] {

@@ -239,7 +239,7 @@ void ReportsPage::askFreeze() {
 }
 
 bool ReportsPage::freeze(const std::string& name) {
-  if (!readyToSign(this, shell(), labelOf(SignatureMeaning::kFroze))) {
+  if (!readyToSign(this, shell(), SignatureMeaning::kFroze)) {
     return false;
   }
   return attempt(shell(), [&] {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/sign_dialog.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/sign_in_panel.h"
@@ -59,7 +60,7 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
 TEST_F(Shell, ASignatureAsksForThePasswordUntilItIsRightAndSaysWhatItMeans) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
-  const QString meaning = labelOf(SignatureMeaning::kFroze);
+  constexpr SignatureMeaning meaning = SignatureMeaning::kFroze;
   EXPECT_TRUE(readyToSign(window_.get(), window_->desk()->context(), meaning)) << "shown a moment ago";
   setCentreSetting<kSignMinutes>(window_->desk()->context().session(), 0);
   ASSERT_TRUE(window_->signOut());
@@ -68,7 +69,7 @@ TEST_F(Shell, ASignatureAsksForThePasswordUntilItIsRightAndSaysWhatItMeans) {
   QTimer::singleShot(0, window_.get(), [&] {
     auto& dialog = *QApplication::activeModalWidget();
     EXPECT_EQ(dialog.objectName(), QStringLiteral("signDialog"));
-    EXPECT_TRUE(says(dialog, meaning));
+    EXPECT_TRUE(says(dialog, toQString(labelOf(meaning))));
     EXPECT_TRUE(says(dialog, QStringLiteral("as admin")));
     auto* password = dialog.findChild<QLineEdit*>(QStringLiteral("password"));
     auto* sign = dialog.findChild<QPushButton*>(QStringLiteral("sign"));
