@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/database_option.h"
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
 #include "app/cli/progress_line.h"

@@ -13,7 +13,7 @@
 #include <qpdf/QPDFObjectHandle.hh>
 #include <qpdf/QPDFWriter.hh>
 
-#include "sim/core/refusal.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 
