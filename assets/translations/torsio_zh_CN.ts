@@ -23300,6 +23300,53 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::HintLine</name>
+    <message>
+        <source>Replay of a recorded run</source>
+        <translation>正在回放已录制的操作</translation>
+    </message>
+    <message>
+        <source>%1 mm to the surface. Wheel: closer</source>
+        <translation>距表面 %1 mm。滚轮：靠近</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band. Wheel: depth, right drag: turn the view</source>
+        <translation>将钳口移到标记带。滚轮：深度；右键拖动：转动视图</translation>
+    </message>
+    <message>
+        <source>Touching. Hold the left button or Space to grip</source>
+        <translation>已接触。按住左键或空格键夹持</translation>
+    </message>
+    <message>
+        <source>Holding. Drag, or press Q and E, to twist; release the button to open the jaw</source>
+        <translation>已夹持。拖动或按 Q、E 键扭转；松开按键即松开组织</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band</source>
+        <translation>将钳口移到标记的环带处</translation>
+    </message>
+    <message>
+        <source>Touching. Hold the first button of the stylus to grip</source>
+        <translation>已接触。按住操作笔的第一个按钮以夹持</translation>
+    </message>
+    <message>
+        <source>Touching. Close the jaw to grip</source>
+        <translation>已接触。闭合钳口以夹持</translation>
+    </message>
+    <message>
+        <source>Holding. Move the stylus round to twist; release the button to open the jaw</source>
+        <translation>已夹持。引导操作笔绕行以扭转；松开按钮即松开组织</translation>
+    </message>
+    <message>
+        <source>Holding. Turn the jaw to twist; open it to release</source>
+        <translation>已夹持。转动钳口以扭转；张开即释放</translation>
+    </message>
+    <message>
+        <source>The tissue returns to rest</source>
+        <translation>组织正在恢复</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::InstrumentOutletDialog</name>
     <message>
         <source>&amp;Offer the instrument of this station (OpenIGTLink)</source>
@@ -25636,6 +25683,144 @@ Leave it empty to remove it.</source>
     <message>
         <source>Trainees at &amp;hand</source>
         <translation>现有学员(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::PracticeCommands</name>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>画质</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>More commands</source>
+        <translation>更多命令</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Exercise</source>
+        <translation>练习(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::PracticeFiles</name>
+    <message>
+        <source>Torsio</source>
+        <translation>Torsio</translation>
+    </message>
+    <message>
+        <source>Open organ</source>
+        <translation>打开器官</translation>
+    </message>
+    <message>
+        <source>Organs and meshes (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
+        <translation>器官和网格 (*.organ *.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>The file&apos;s numbers are</source>
+        <translation>文件中的数值单位为</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>器械</translation>
+    </message>
+    <message>
+        <source>Instruments (*.json)</source>
+        <translation>器械 (*.json)</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet.</source>
+        <translation>尚无录制内容。</translation>
+    </message>
+    <message>
+        <source>%1   %2, %3   %4</source>
+        <translation>%1   %2，%3   %4</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Recorded run</source>
+        <translation>已录制的操作</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>torsio.png</source>
+        <translation>torsio.png</translation>
+    </message>
+    <message>
+        <source>There is no picture to capture here</source>
+        <translation>此处没有可截取的画面</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you save a film strip.</source>
+        <translation>请先停止录制，再保存连续画面。</translation>
+    </message>
+    <message>
+        <source>Save film strip</source>
+        <translation>保存连续画面</translation>
+    </message>
+    <message>
+        <source>film-strip.png</source>
+        <translation>film-strip.png</translation>
+    </message>
+    <message>
+        <source>%1 after %2</source>
+        <translation>%2 后：%1</translation>
     </message>
 </context>
 <context>
@@ -28942,12 +29127,100 @@ Leave it empty to remove it.</source>
         <translation>%1 – Torsio</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>停止</translation>
+        <source>● Recording  %1</source>
+        <translation>● 正在录制  %1</translation>
     </message>
     <message>
-        <source>Record</source>
-        <translation>录制</translation>
+        <source>Move the instrument</source>
+        <translation>移动器械</translation>
+    </message>
+    <message>
+        <source>Mouse, or arrow keys</source>
+        <translation>鼠标或方向键</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Wheel, or Page Up and Page Down</source>
+        <translation>滚轮，或 Page Up、Page Down 键</translation>
+    </message>
+    <message>
+        <source>Grip</source>
+        <translation>夹持</translation>
+    </message>
+    <message>
+        <source>Left button or Space (hold), G (keep)</source>
+        <translation>左键或空格键（按住），G 键（保持）</translation>
+    </message>
+    <message>
+        <source>Twist what is held</source>
+        <translation>扭转所夹组织</translation>
+    </message>
+    <message>
+        <source>Drag, Shift + wheel, or Q and E</source>
+        <translation>拖动、Shift + 滚轮，或 Q、E 键</translation>
+    </message>
+    <message>
+        <source>Tilt the instrument</source>
+        <translation>倾斜器械</translation>
+    </message>
+    <message>
+        <source>A, D, W, S</source>
+        <translation>A、D、W、S</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>Release the button, or Esc</source>
+        <translation>松开按键，或按 Esc</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>转动视图</translation>
+    </message>
+    <message>
+        <source>Right drag, or Ctrl + arrow keys</source>
+        <translation>右键拖动，或 Ctrl + 方向键</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>平移视图</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel, or + and −</source>
+        <translation>Ctrl + 滚轮，或 + 和 −</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>操作方法</translation>
+    </message>
+    <message>
+        <source>About Torsio</source>
+        <translation>关于 Torsio</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;Training and assessment of surgical twist skills.&lt;/p&gt;&lt;p&gt;A training tool; not a medical device.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;外科扭转技能的培训与评估。&lt;/p&gt;&lt;p&gt;培训工具，不是医疗器械。&lt;/p&gt;&lt;p&gt;自由软件，采用 GNU 通用公共许可证第 3 版或更高版本。&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
