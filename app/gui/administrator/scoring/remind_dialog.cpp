@@ -2,6 +2,7 @@
 #include "app/gui/administrator/scoring/remind_dialog.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
