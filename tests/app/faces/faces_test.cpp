@@ -5,13 +5,12 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QComboBox>
 #include <QLabel>
-#include <QTableWidget>
 #include <QTextBrowser>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +26,6 @@
 #include "app/web/web_desk.h"
 #include "assessment/attempt/run_verdict.h"
 #include "db/repository/people/access_repository.h"
-#include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/random.h"
 #include "sim/core/spsc_ring.h"
@@ -45,7 +43,7 @@ using nlohmann::json;
 using testing::TrainingCentre;
 
 constexpr int kRuns = 200;
-constexpr int kLookedAt = 5;  ///< runs of each outcome whose debrief is opened
+constexpr int kLookedAt = 2;  ///< runs of each outcome whose debrief is opened
 constexpr const char* kPassword = "correct horse battery";
 
 /// What happens to a run.
@@ -61,6 +59,9 @@ Made spoiled(std::vector<Sample> samples, Fate fate, Random& random) {
   Made made{std::move(samples)};
   const auto isHeld = [](const Sample& sample) { return sample.phase == ExercisePhase::kTwisting; };
   const auto grip = std::find_if(made.samples.begin(), made.samples.end(), isHeld);
+  if (made.samples.end() - grip < 300) {
+    return made;
+  }
   switch (fate) {
     case Fate::kTorn:
       made.samples.erase(grip + 100, grip + 150);
@@ -87,6 +88,15 @@ Made spoiled(std::vector<Sample> samples, Fate fate, Random& random) {
       break;
   }
   return made;
+}
+
+/// Short runs: the first twist and a fifth of a second.
+std::vector<Sample> untilTheFirstTwistIsOver(std::vector<Sample> samples) {
+  const auto isHeld = [](const Sample& sample) { return sample.phase == ExercisePhase::kTwisting; };
+  const auto grip = std::find_if(samples.begin(), samples.end(), isHeld);
+  const auto release = std::find_if_not(grip, samples.end(), isHeld);
+  samples.erase(release + std::min<std::ptrdiff_t>(200, samples.end() - release), samples.end());
+  return samples;
 }
 
 /// A centre with two hundred runs of T-01 at "first", some of them spoiled, and a desk for browsers.
@@ -120,10 +130,10 @@ class Faces : public ::testing::Test {
     }
 
     std::vector<Sample> decodedRun(double skill) {
-      const TrialId id = centre.attempt("third", "practice", skill, 6.0);
+      const TrialId id = centre.attempt("third", "practice", skill);
       const Trial trial = TrialRepository(centre.connection()).load(id);
       header = trial.header;
-      return decodeTrial(trial);
+      return untilTheFirstTwistIsOver(decodeTrial(trial));
     }
 
     void store(int number, const Made& made) {
@@ -151,7 +161,9 @@ class Faces : public ::testing::Test {
       order.push_back(header.trialId);
     }
 
-    TrainingCentre centre;
+    TrainingCentre centre{
+        {.mastery = {{.metric = "twist.on_target", .threshold = 0.5, .unit = "1"},
+                     {.metric = "force.violations", .comparison = "at_most", .unit = "count"}}}};
     TrialHeader header;
     std::map<std::string, RunVerdict> truth;  ///< by id of the run
     std::vector<std::string> order;           ///< oldest first
@@ -205,8 +217,9 @@ TEST_F(Faces, TheRunsCameToEveryOutcomeThatARecordedRunCanHave) {
     ++outcomes[verdict.outcome];
   }
 
-  EXPECT_GT(outcomes[RunOutcome::kPassed], 20);
+  EXPECT_GT(outcomes[RunOutcome::kPassed], 5);
   EXPECT_GT(outcomes[RunOutcome::kNotPassed], 20);
+  EXPECT_GT(outcomes[RunOutcome::kNotJudged], 5);
   EXPECT_GT(outcomes[RunOutcome::kInterrupted], 10);
   EXPECT_EQ(world_->truth.size(), static_cast<std::size_t>(kRuns));
 }
