@@ -40,12 +40,15 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
     const OccasionMarks& at = study.occasions[t];
     table.provenance.n += at.n;
     table.provenance.missing += at.missing;
+    const CellsAt cell({.section = ResultSection::kAgreement, .occasion = t});
     table.rows.push_back(
         {in.occasions[t], std::to_string(at.completeTrainees),
-         coefficientText(at.icc, &IccResult::agreementSingle),
-         coefficientText(at.icc, &IccResult::agreementMean), errorText(at.icc, &IccResult::semAgreement),
-         errorText(at.icc, &IccResult::semMean),
-         at.alpha ? Text(formatFixed(at.alpha->alpha, kAgreementDecimals)) : notDefined(at.alpha.reason())});
+         cell("icc_2_1", coefficientText(at.icc, &IccResult::agreementSingle)),
+         cell("icc_2_k", coefficientText(at.icc, &IccResult::agreementMean)),
+         cell("sem_agreement", errorText(at.icc, &IccResult::semAgreement)),
+         cell("sem_of_mean", errorText(at.icc, &IccResult::semMean)),
+         cell("krippendorff_alpha_interval", at.alpha ? Text(formatFixed(at.alpha->alpha, kAgreementDecimals))
+                                                      : notDefined(at.alpha.reason()))});
     if (at.missing == 0) {
       continue;
     }
@@ -55,9 +58,10 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
                             : notDefined(at.reliability.reason());
     };
     table.rows.push_back({Text::tr("%1, every mark", in.occasions[t]), std::to_string(at.marks.size()),
-                          shown(&IncompleteReliability::single), shown(&IncompleteReliability::mean),
-                          shown(&IncompleteReliability::semSingle), shown(&IncompleteReliability::semMean),
-                          ""});
+                          cell("reml_one_rater", shown(&IncompleteReliability::single)),
+                          cell("reml_mean", shown(&IncompleteReliability::mean)),
+                          cell("reml_sem_of_one_rater", shown(&IncompleteReliability::semSingle)),
+                          cell("reml_sem_of_mean", shown(&IncompleteReliability::semMean)), ""});
   }
   table.notes = {
       holes
@@ -88,10 +92,11 @@ ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& st
     table.provenance.n += study.occasions[t].n;
     table.provenance.missing += study.occasions[t].missing;
     for (const GroupAgreement& of : study.occasions[t].groups) {
+      const CellsAt cell({.section = ResultSection::kAgreement, .group = of.group, .occasion = t});
       table.rows.push_back({in.occasions[t], in.groups[of.group].name, std::to_string(of.trainees),
-                            coefficientText(of.icc, &IccResult::agreementSingle),
-                            coefficientText(of.icc, &IccResult::agreementMean),
-                            errorText(of.icc, &IccResult::semMean)});
+                            cell("icc_2_1", coefficientText(of.icc, &IccResult::agreementSingle)),
+                            cell("icc_2_k", coefficientText(of.icc, &IccResult::agreementMean)),
+                            cell("sem_of_mean", errorText(of.icc, &IccResult::semMean))});
     }
   }
   table.notes = {

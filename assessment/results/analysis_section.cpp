@@ -14,12 +14,20 @@ namespace {
 
 constexpr int kDecimals = 3;
 
-void addEffect(const Text& name, const AnovaEffect& effect, ReportTable& table) {
+void addEffect(const CohortInputs& in, const std::string& id, const Text& name, const AnovaEffect& effect,
+               ReportTable& table) {
+  const auto cell = [&](const char* statistic, const std::string& shown) {
+    return ReportCell(shown, {.section = ResultSection::kComparison,
+                              .statistic = id + statistic,
+                              .occasion = in.occasions.size() - 1});
+  };
   table.rows.push_back(
-      {name, formatFixed(effect.f, 2),
-       filledIn("%1, %2", {formatFixed(effect.df, 0), formatFixed(effect.dfError, 0)}), formatP(effect.p),
-       effect.pGreenhouseGeisser ? Text(formatP(*effect.pGreenhouseGeisser)) : Text::tr("does not apply"),
-       formatFixed(effect.generalizedEtaSquared, kDecimals)});
+      {name, cell("_f", formatFixed(effect.f, 2)),
+       filledIn("%1, %2", {formatFixed(effect.df, 0), formatFixed(effect.dfError, 0)}),
+       cell("_p", formatP(effect.p)),
+       effect.pGreenhouseGeisser ? cell("_p_greenhouse_geisser", formatP(*effect.pGreenhouseGeisser))
+                                 : ReportCell(Text::tr("does not apply")),
+       cell("_generalised_eta_squared", formatFixed(effect.generalizedEtaSquared, kDecimals))});
 }
 
 ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
@@ -39,12 +47,12 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
     return table;
   }
   if (got->interaction) {
-    addEffect(Text::tr("group x occasion"), *got->interaction, table);
+    addEffect(in, "mixed_interaction", Text::tr("group x occasion"), *got->interaction, table);
   }
   if (got->group) {
-    addEffect(Text::tr("group"), *got->group, table);
+    addEffect(in, "mixed_group", Text::tr("group"), *got->group, table);
   }
-  addEffect(Text::tr("occasion"), got->time, table);
+  addEffect(in, "mixed_time", Text::tr("occasion"), got->time, table);
   table.notes = {
       Text::tr("The interaction is the question: whether the groups take different courses. "
                "Greenhouse-Geisser epsilon %1.",
@@ -78,10 +86,15 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
   for (std::size_t i = 0; i < got->pairs.size(); ++i) {
     const DunnPair& pair = got->pairs[i];
     const Outcome<MannWhitney>& exact = study.gains->pairs[i];
-    table.rows.push_back({pairName(in, pair.first, pair.second), formatFixed(-pair.difference, 2),
-                          formatFixed(-pair.z, 2), formatP(pair.pHolm),
-                          exact ? Text(formatFixed(exact->superiority, 2)) : notDefined(exact.reason()),
-                          exact && exact->pExact ? Text(formatP(*exact->pExact)) : Text::tr("not counted")});
+    const CellsAt cell = cellsOfPair(in, pair.first, pair.second);
+    table.rows.push_back(
+        {pairName(in, pair.first, pair.second),
+         cell("gain_difference_of_mean_ranks", formatFixed(-pair.difference, 2)),
+         cell("gain_dunn_z", formatFixed(-pair.z, 2)), cell("gain_dunn_p_holm", formatP(pair.pHolm)),
+         cell("gain_superiority",
+              exact ? Text(formatFixed(exact->superiority, 2)) : notDefined(exact.reason())),
+         cell("gain_mann_whitney_p_exact",
+              exact && exact->pExact ? Text(formatP(*exact->pExact)) : Text(Text::tr("not counted")))});
   }
   table.notes = {
       Text::tr("Kruskal-Wallis H = %1, %2, epsilon squared %3.", formatFixed(got->h, 2), equalsP(got->p),
@@ -109,7 +122,8 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in) {
     return table;
   }
   for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
-    table.rows.push_back({in.evaluations[k].model, formatFixed(order->meanRanks[k], 2)});
+    const CellsAt cell({.section = ResultSection::kEvaluation, .model = in.evaluations[k].model});
+    table.rows.push_back({in.evaluations[k].model, cell("mean_rank", formatFixed(order->meanRanks[k], 2))});
   }
   table.notes = {Text::tr("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.",
                           formatFixed(got->df, 0), formatFixed(got->chiSquared, 2), equalsP(got->p),

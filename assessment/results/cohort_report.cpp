@@ -184,6 +184,21 @@ ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
   return report;
 }
 
+/// A cell of what is undefined, or not to be seen by itself, leads nowhere.
+void forgetMissingKeys(const Ledger& ledger, ReportModel& report) {
+  for (ReportSection& section : report.sections) {
+    for (ReportTable& table : section.tables) {
+      for (std::vector<ReportCell>& row : table.rows) {
+        for (ReportCell& cell : row) {
+          if (cell.key != nullptr && ledger.find(*cell.key) == nullptr) {
+            cell.key.reset();
+          }
+        }
+      }
+    }
+  }
+}
+
 std::string hashOf(const Ledger& ledger) {
   Digest digest;
   digest.update(cohortCsvText(ledger));
@@ -230,6 +245,7 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
   report.names = analysed.ledger.names();
+  forgetMissingKeys(analysed.ledger, report);
   addReference(inputs, numbersHash.get(), report);
   return report;
 }

@@ -6,6 +6,7 @@
 #include "assessment/results/aggregated_inputs.h"
 #include "assessment/results/analysed_cohort.h"
 #include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "sim/core/text.h"
 
@@ -90,13 +91,17 @@ ReportTable verdictsTable(const CohortInputs& in) {
                    Text::tr("Attempts"),        Text::tr("Failed"),     Text::tr("Level"),
                    Text::tr("False pass"),      Text::tr("False fail"), Text::tr("False alarm"),
                    Text::tr("Within attempts"), Text::tr("Design")};
-  for (const CohortCompetence& one : in.competence) {
-    table.rows.push_back({in.groups[one.group].name, one.trainee, one.exercise, std::to_string(one.attempts),
-                          std::to_string(one.failed), one.level, shareText(one.falsePass),
-                          shareText(one.falseFail), shareText(one.falseAlarm),
-                          std::to_string(one.withinAttempts),
-                          one.designVersion > 0 ? Text::tr("registered, version %1", one.designVersion)
-                                                : Text::tr("shipped with the exercise")});
+  for (std::size_t i = 0; i < in.competence.size(); ++i) {
+    const CohortCompetence& one = in.competence[i];
+    const CellsAt cell(competenceKey(in, i));
+    table.rows.push_back(
+        {in.groups[one.group].name, one.trainee, one.exercise, cell("level", std::to_string(one.attempts)),
+         cell("failed", std::to_string(one.failed)), cell("level", one.level),
+         cell("false_pass", shareText(one.falsePass)), cell("false_fail", shareText(one.falseFail)),
+         cell("false_alarm", shareText(one.falseAlarm)),
+         cell("within_attempts", std::to_string(one.withinAttempts)),
+         one.designVersion > 0 ? Text::tr("registered, version %1", one.designVersion)
+                               : Text::tr("shipped with the exercise")});
   }
   return table;
 }

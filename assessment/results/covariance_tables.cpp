@@ -126,18 +126,12 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) 
   }
   for (const AdjustedDifference& pair : got->pairs) {
     const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]);
-    const auto cell = [&](const char* statistic, const std::string& shown) {
-      return ReportCell(shown, {.section = ResultSection::kComparison,
-                                .statistic = statistic,
-                                .group = pair.first,
-                                .against = pair.second,
-                                .occasion = in.occasions.size() - 1});
-    };
+    const CellsAt cell = cellsOfPair(in, pair.first, pair.second);
     table.rows.push_back(
         {pairName(in, pair.first, pair.second),
          cell("adjusted_difference", withInterval(pair.difference, pair.interval)),
-         intervalText(pair.simultaneous), cell("t", formatFixed(pair.t, 2)), cell("p", formatP(pair.p)),
-         cell("p_holm", formatP(pair.pHolm)),
+         cell("adjusted_difference_simultaneous_lower_95", intervalText(pair.simultaneous)),
+         cell("t", formatFixed(pair.t, 2)), cell("p", formatP(pair.p)), cell("p_holm", formatP(pair.pHolm)),
          g ? cell("hedges_g", withInterval(g->g, g->interval)) : ReportCell(notDefined(g.reason()))});
   }
   std::vector<Text> means;

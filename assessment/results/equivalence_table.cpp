@@ -32,7 +32,7 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
     }
     const Equivalence test = equivalence(pair.value, pair.error, pair.df, *in.equivalenceMargin);
     table.rows.push_back({pairName(in, pair.first, pair.second), withInterval(pair.value, test.interval),
-                          formatP(test.p),
+                          cellsOfPair(in, pair.first, pair.second)("equivalence_p", formatP(test.p)),
                           test.p < 1.0 - kDefaultConfidence ? Text::tr("yes") : Text::tr("not shown")});
   }
   if (table.rows.empty()) {

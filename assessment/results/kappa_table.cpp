@@ -34,8 +34,11 @@ ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study) {
             : Text::tr("%1 (%2 to %3)", formatFixed(medianOf(found.kappas), 3),
                        formatFixed(*std::min_element(found.kappas.begin(), found.kappas.end()), 3),
                        formatFixed(*std::max_element(found.kappas.begin(), found.kappas.end()), 3));
-    table.rows.push_back({in.occasions[t], std::to_string(found.pairs), std::to_string(found.shared), kappa,
-                          share(found.same, found.shared), share(found.withinOne, found.shared)});
+    const CellsAt cell({.section = ResultSection::kAgreement, .occasion = t});
+    table.rows.push_back({in.occasions[t], cell("rater_pairs", std::to_string(found.pairs)),
+                          std::to_string(found.shared), cell("kappa_quadratic_median", kappa),
+                          cell("share_same_point", share(found.same, found.shared)),
+                          cell("share_within_one_point", share(found.withinOne, found.shared))});
   }
   table.notes = {
       Text::tr("Kappa is agreement beyond what the raters' own habits would give; a distance counts by its "

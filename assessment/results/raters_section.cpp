@@ -144,7 +144,15 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
                                            formatFixed(against->limits.upper, kRaterDecimals))
                                 : notDefined(against.reason());
     table.rows.push_back(
-        {rater.rater, std::to_string(rater.n), withInterval(rater.offset, rater.interval), limits});
+        {rater.rater,
+         std::to_string(rater.n),
+         {Text(withInterval(rater.offset, rater.interval)),
+          {.section = ResultSection::kAgreement, .statistic = "severity_offset", .of = rater.rater}},
+         {limits,
+          {.section = ResultSection::kAgreement,
+           .statistic = "limit_of_agreement_lower",
+           .of = rater.rater,
+           .occasion = in.occasions.size() - 1}}});
     table.provenance.n += rater.n;
   }
   table.notes = {Text::tr("Raters are shown by code, for the organisers of the study; this is no ranking.")};

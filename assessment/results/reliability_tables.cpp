@@ -39,9 +39,15 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
       table.rows.push_back({std::to_string(raters), notDefined(planned.reason()), "", ""});
       continue;
     }
-    table.rows.push_back({std::to_string(raters), formatFixed(planned->dependability, kReliabilityDecimals),
-                          formatFixed(planned->generalizability, kReliabilityDecimals),
-                          formatFixed(std::sqrt(planned->absoluteError), kReliabilityDecimals)});
+    const CellsAt cell({.section = ResultSection::kAgreement,
+                        .index = ratersIndex(raters),
+                        .occasion = in.occasions.size() - 1});
+    table.rows.push_back(
+        {std::to_string(raters),
+         cell("dependability", formatFixed(planned->dependability, kReliabilityDecimals)),
+         cell("generalizability", formatFixed(planned->generalizability, kReliabilityDecimals)),
+         cell("standard_error_of_mean_mark",
+              formatFixed(std::sqrt(planned->absoluteError), kReliabilityDecimals))});
   }
   const GStudy& components = *found.components;
   if (std::any_of(found.planned.begin(), found.planned.end(),
@@ -78,8 +84,11 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
              : rater.status == RaschStatus::kNoRatings ? Text::tr("no mark here")
                                                        : Text::tr("only extreme marks");
     };
-    table.rows.push_back({study.raters[r], shown(rater.severity), shown(rater.error), shown(rater.infit),
-                          shown(rater.outfit)});
+    const CellsAt cell(
+        {.section = ResultSection::kAgreement, .of = study.raters[r], .occasion = in.occasions.size() - 1});
+    table.rows.push_back({study.raters[r], cell("rasch_severity", shown(rater.severity)),
+                          cell("rasch_error", shown(rater.error)), cell("rasch_infit", shown(rater.infit)),
+                          cell("rasch_outfit", shown(rater.outfit))});
   }
   table.notes = {Text::tr(
       "Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater's marks follow "
@@ -116,13 +125,17 @@ std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const Study
       Text::tr("Signed ranks V"), Text::tr("p (exact)"), Text::tr("p (Friedman, all occasions)")};
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const GroupGain& gain = study.gains->within[g];
+    const CellsAt cell(
+        {.section = ResultSection::kComparison, .group = g, .occasion = in.occasions.size() - 1});
     table.rows.push_back(
         {in.groups[g].name, std::to_string(gain.n),
-         gain.median ? Text(withInterval(gain.median->estimate, gain.median->bca))
-                     : notDefined(gain.median.reason()),
-         gain.ranks ? Text(formatFixed(gain.ranks->v, 1)) : notDefined(gain.ranks.reason()),
-         gain.ranks ? signedRankP(*gain.ranks) : Text(""),
-         gain.occasions ? Text(formatP(gain.occasions->p)) : notDefined(gain.occasions.reason())});
+         cell("median_gain", gain.median ? Text(withInterval(gain.median->estimate, gain.median->bca))
+                                         : notDefined(gain.median.reason())),
+         cell("gain_signed_rank_v",
+              gain.ranks ? Text(formatFixed(gain.ranks->v, 1)) : notDefined(gain.ranks.reason())),
+         cell("gain_signed_rank_p", gain.ranks ? signedRankP(*gain.ranks) : Text("")),
+         cell("occasions_friedman_p",
+              gain.occasions ? Text(formatP(gain.occasions->p)) : notDefined(gain.occasions.reason()))});
     table.provenance.n += gain.n;
   }
   table.notes = {

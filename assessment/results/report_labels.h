@@ -3,12 +3,37 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "assessment/results/cohort_report.h"
+#include "assessment/results/ledger.h"
+#include "assessment/results/report_model.h"
 #include "assessment/statistics/values.h"
 #include "sim/core/text.h"
 
 // What several sections of the report say alike.
 namespace torsio {
+
+/// Makes the cells of a table that show results of one place.
+class CellsAt {
+ public:
+  explicit CellsAt(ResultKey place) : place_(std::move(place)) {}
+  [[nodiscard]] ReportCell operator()(const char* statistic, const Text& shown) const {
+    ResultKey key = place_;
+    key.statistic = statistic;
+    return {shown, std::move(key)};
+  }
+
+ private:
+  ResultKey place_;
+};
+/// Where the comparison of two groups stands.
+[[nodiscard]] inline CellsAt cellsOfPair(const CohortInputs& inputs, std::size_t first, std::size_t second) {
+  return CellsAt({.section = ResultSection::kComparison,
+                  .group = first,
+                  .against = second,
+                  .occasion = inputs.occasions.size() - 1});
+}
 
 /// Formats a value with its interval, "1.234 [1.000, 1.500]", three decimals; the value alone without an
 /// interval.
