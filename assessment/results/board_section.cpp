@@ -120,7 +120,7 @@ Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
                   : Text::tr("No p value stays below %1 after Holm.", formatFixed(kSignificant, 2)));
 }
 
-/// What the answer rests on where that is not what was planned.
+/// What the answer rests on where that is not the analysis of covariance of every mark.
 std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& study) {
   std::vector<Text> out;
   if (in.freeze && !in.freeze->unchanged) {
@@ -149,12 +149,12 @@ std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& st
   if (study.mixed && study.endMissing == 0) {
     out.push_back(Text::tr(
         "Not every trainee was marked by the same raters at the end, so the answer is that of the linear "
-        "mixed model, which allows for it; the planned analysis stands beside it."));
+        "mixed model, which allows for it; the analysis of covariance stands beside it."));
   } else if (study.mixed) {
     out.push_back(
         Text::tr("Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which "
                  "takes every mark "
-                 "that was given; the planned analysis stands beside it.",
+                 "that was given; the analysis of covariance stands beside it.",
                  study.endMissing, study.endMarks + study.endMissing));
   }
   const auto open = std::count_if(study.bounds.begin(), study.bounds.end(), [](const MissingBounds& pair) {

@@ -32,7 +32,8 @@ struct CohortTrainee {
   std::size_t group = 0;
   std::string sex;
   std::string level;
-  bool withdrew = false;  ///< takes part no more; what was recorded stays
+  bool withdrew = false;            ///< takes part no more; what was recorded stays
+  std::int64_t enrolledUtc_us = 0;  ///< 0: not known
 };
 
 /// A group and what it does.
@@ -42,6 +43,8 @@ struct CohortGroup {
   /// Of the curriculum's arm; empty: the group follows none.
   std::optional<double> plannedVirtual_min{};
   std::optional<double> plannedReal_min{};
+  std::string code{};
+  std::string arm{};  ///< label of the curriculum's arm
 };
 
 /// How trainees came into their groups.
@@ -228,6 +231,8 @@ struct CohortInputs {
   std::int64_t notAllocated = 0;       ///< enrolled, but in no group
   /// Planned: smaller differences, in points, do not matter; above 0. Empty: none was planned.
   std::optional<double> equivalenceMargin;
+  /// Whether the record says how the groups were to be compared: the margin is set with the cohort.
+  [[nodiscard]] bool hasAnalysisPlan() const noexcept { return equivalenceMargin.has_value(); }
 
   std::vector<CohortGroup> groups;
   std::vector<CohortTrainee> trainees;

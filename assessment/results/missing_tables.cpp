@@ -58,6 +58,15 @@ std::vector<Text> otherRaters(const CohortInputs& in, const StudyAnalysis& study
   return out;
 }
 
+/// What is in the record of how the groups were to be compared.
+Text planText(const CohortInputs& in) {
+  return in.hasAnalysisPlan()
+             ? Text::tr("Planned: the analysis of covariance of the score at the end on the score before.")
+             : Text::tr(
+                   "No plan of the analysis is in the record; the usual one is the analysis of covariance "
+                   "of the score at the end on the score before.");
+}
+
 }  // namespace
 
 std::vector<Text> groupsNotCompared(const CohortInputs& in, const StudyAnalysis& study) {
@@ -110,22 +119,24 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
     out.push_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
   }
   if (!study.ancova && !study.mixed) {
-    out.push_back(
-        Text::tr("Planned: the analysis of covariance of the score at the end on the score before. "
-                 "It is not defined (%1): the groups are not compared.",
-                 study.ancova.reason()));
+    out.push_back(Text::tr("%1 It is not defined (%2): the groups are not compared.", planText(in),
+                           study.ancova.reason()));
     return out;
   }
   if (study.asPlanned()) {
-    out.insert(
-        out.begin(),
+    const Text used =
+        in.hasAnalysisPlan()
+            ? Text::tr(
+                  "Planned and used: the analysis of covariance of the score at the end on the score "
+                  "before.")
+            : Text::tr(
+                  "Used: the analysis of covariance of the score at the end on the score before. No "
+                  "plan of the analysis is in the record.");
+    const Text marks =
         out.empty()
-            ? Text::tr("Planned and used: the analysis of covariance of the score at the end on the score "
-                       "before. No mark of "
-                       "the first and the last occasion is missing.")
-            : Text::tr("Planned and used: the analysis of covariance of the score at the end on the score "
-                       "before. Every trainee has the marks that most have at the first and the last "
-                       "occasion."));
+            ? Text::tr("No mark of the first and the last occasion is missing.")
+            : Text::tr("Every trainee has the marks that most have at the first and the last occasion.");
+    out.insert(out.begin(), Text::verbatim("%1 %2", used, marks));
     return out;
   }
   const Text missing =
@@ -138,16 +149,14 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
   out.push_back(
       study.mixed
           ? Text::tr(
-                "Planned: the analysis of covariance of the score at the end on the score before. %1, so "
-                "the linear mixed model is the primary comparison here: it takes every mark at the end "
-                "that was given. The planned analysis stands beside it, of the %2 trainees with a score "
-                "at both occasions.",
-                missing, comparedTrainees(study))
-          : Text::tr(
-                "Planned: the analysis of covariance of the score at the end on the score before. %1. The "
-                "linear mixed model that would take every mark is not defined (%2), so the planned "
-                "analysis is used, of the %3 trainees with a score at both occasions.",
-                missing, study.mixed.reason(), comparedTrainees(study)));
+                "%1 %2, so the linear mixed model is the primary comparison here: it takes every mark at "
+                "the end that was given. The analysis of covariance stands beside it, of the %3 "
+                "{trainee|trainees} with a score at both occasions.",
+                planText(in), missing, comparedTrainees(study))
+          : Text::tr("%1 %2. The linear mixed model that would take every mark is not defined (%3), so the "
+                     "analysis of covariance is used, of the %4 {trainee|trainees} with a score at both "
+                     "occasions.",
+                     planText(in), missing, study.mixed.reason(), comparedTrainees(study)));
   if (const std::vector<Text> codes = leftOutCodes(study); !codes.empty()) {
     out.push_back(Text::tr("Left out of both, without any mark at one of the two: %1.", whoText(in, codes)));
   }
@@ -202,9 +211,13 @@ std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAn
   const MixedComparison& model = *study.mixed;
   for (const MixedComparison::Pair& pair : model.pairs) {
     const ModelEstimate& of = pair.difference;
-    table.rows.push_back({pairName(in, pair.first, pair.second), withInterval(of.value, of.interval),
-                          intervalText(pair.simultaneous), formatFixed(of.t, 2), formatFixed(of.df, 1),
-                          formatP(of.p), formatP(pair.pHolm)});
+    const CellsAt cell = cellsOfPair(in, pair.first, pair.second);
+    table.rows.push_back(
+        {pairName(in, pair.first, pair.second),
+         cell("mixed_model_difference", withInterval(of.value, of.interval)),
+         cell("mixed_model_difference_simultaneous_lower_95", intervalText(pair.simultaneous)),
+         formatFixed(of.t, 2), cell("mixed_model_df", formatFixed(of.df, 1)),
+         cell("mixed_model_p", formatP(of.p)), cell("mixed_model_p_holm", formatP(pair.pHolm))});
   }
   std::vector<Text> means;
   for (std::size_t g = 0; g < model.adjusted.size(); ++g) {
@@ -251,8 +264,9 @@ std::optional<ReportTable> boundsTable(const CohortInputs& in, const StudyAnalys
                   : pair.best->interval.upper < 0.0 ? Text::tr("second is better whatever is missing")
                                                     : Text::tr("not decided");
     }
-    table.rows.push_back(
-        {pairName(in, pair.first, pair.second), shown(pair.worst), shown(pair.best), direction});
+    const CellsAt cell = cellsOfPair(in, pair.first, pair.second);
+    table.rows.push_back({pairName(in, pair.first, pair.second), cell("bound_worst", shown(pair.worst)),
+                          cell("bound_best", shown(pair.best)), direction});
   }
   table.notes = {
       Text::tr("Every missing mark at the end is taken as the lowest of the scale in one group and as the "

@@ -350,7 +350,8 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   if (!primaryDifferences(study).empty()) {
     ResultWriter rows = comparison(in, flagIf(!study.asPlanned(), "marks missing"), endMarks(in), ledger);
     const Text covariance = Text::verbatim("analysis of covariance");
-    rows.put("planned_analysis", covariance, n);
+    rows.put("planned_analysis",
+             in.hasAnalysisPlan() ? covariance : Text(Text::verbatim("none in the record")), n);
     rows.put("primary_analysis", study.mixed ? Text(Text::verbatim("linear mixed model")) : covariance, n);
     rows.addCount("marks_missing", study.endMissing, study.endMarks + study.endMissing);
     addEquivalence(in, study, n, rows);

@@ -15,6 +15,13 @@ namespace torsio {
 
 inline constexpr const char* kTrainingFormulaVersion = "training-1";
 
+/// How a mark was given.
+enum class MarkWay : std::uint8_t {
+  kEntered,  ///< without any sheet
+  kBlinded,  ///< on a recording under a case label, by a sheet of the desk
+  kLive,     ///< by a sheet at the real arm
+};
+
 /// One mark of the training study: a chief physician's score of one trainee at one occasion.
 struct TrainingMark {
   std::string trainee;
@@ -23,6 +30,10 @@ struct TrainingMark {
   std::string rater;
   std::int64_t steps = 0;
   MarkId id{};  ///< empty: it is not in the record
+  std::int64_t version = 1;
+  std::int64_t submittedUtc_us = 0;  ///< 0: not known
+  std::string raterClass{};          ///< of the rater, as a code; empty: not known
+  MarkWay way = MarkWay::kEntered;
 };
 
 /// A trainee's score at one occasion: the mean over the raters (paper section 6).

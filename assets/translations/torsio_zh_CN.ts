@@ -1573,6 +1573,118 @@
 <context>
     <name>Text</name>
     <message>
+        <source>Number of the group</source>
+        <translation>组号</translation>
+    </message>
+    <message>
+        <source>The groups of the cohort and what their arms of the curriculum plan</source>
+        <translation>本队列的各组及其课程分支的计划</translation>
+    </message>
+    <message>
+        <source>Arm of the curriculum</source>
+        <translation>课程分支</translation>
+    </message>
+    <message>
+        <source>Planned on the simulator</source>
+        <translation>计划的模拟器训练时间</translation>
+    </message>
+    <message>
+        <source>Planned at the real arm</source>
+        <translation>计划的实物手臂训练时间</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>参与者</translation>
+    </message>
+    <message>
+        <source>Trainees as they were enrolled, and the times that were noted for them</source>
+        <translation>入组的学员，以及为其记录的时间</translation>
+    </message>
+    <message>
+        <source>Enrolled (UTC)</source>
+        <translation>入组时间（UTC）</translation>
+    </message>
+    <message>
+        <source>Trained on the simulator</source>
+        <translation>模拟器训练时间</translation>
+    </message>
+    <message>
+        <source>Trained at the real arm</source>
+        <translation>实物手臂训练时间</translation>
+    </message>
+    <message>
+        <source>Rested</source>
+        <translation>休息时间</translation>
+    </message>
+    <message>
+        <source>Newest version of each mark that a rater submitted; a line without a mark where a rater of that occasion gave none</source>
+        <translation>评分者提交的每个评分的最新版本；该评分时点的评分者未给出评分时，该行没有评分</translation>
+    </message>
+    <message>
+        <source>Class of the rater</source>
+        <translation>评分者类别</translation>
+    </message>
+    <message>
+        <source>How it was given</source>
+        <translation>评分方式</translation>
+    </message>
+    <message>
+        <source>Version of the mark</source>
+        <translation>评分的版本</translation>
+    </message>
+    <message>
+        <source>Submitted (UTC)</source>
+        <translation>提交时间（UTC）</translation>
+    </message>
+    <message>
+        <source>Not every trainee was marked by the same raters at the end, so the answer is that of the linear mixed model, which allows for it; the analysis of covariance stands beside it.</source>
+        <translation>结束时并非每名学员都由相同的评分者评分，因此答案取自考虑了这一点的线性混合模型；协方差分析并列给出。</translation>
+    </message>
+    <message>
+        <source>Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which takes every mark that was given; the analysis of covariance stands beside it.</source>
+        <translation>%2 个评分中缺失 %1 个，因此答案取自线性混合模型，它使用给出的每一个评分；协方差分析并列给出。</translation>
+    </message>
+    <message>
+        <source>Groups are compared by a linear mixed model, as %1: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The analysis of covariance stands beside it.</source>
+        <translation>因%1，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性最大似然，自由度按 Satterthwaite 计算。协方差分析并列给出。</translation>
+    </message>
+    <message>
+        <source>Planned: the analysis of covariance of the score at the end on the score before.</source>
+        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。</translation>
+    </message>
+    <message>
+        <source>No plan of the analysis is in the record; the usual one is the analysis of covariance of the score at the end on the score before.</source>
+        <translation>记录中没有分析计划；通常的分析是以训练前得分为协变量的结束得分协方差分析。</translation>
+    </message>
+    <message>
+        <source>%1 It is not defined (%2): the groups are not compared.</source>
+        <translation>%1该分析无法定义（%2）：各组未作比较。</translation>
+    </message>
+    <message>
+        <source>Planned and used: the analysis of covariance of the score at the end on the score before.</source>
+        <translation>计划并采用：以训练前得分为协变量的结束得分协方差分析。</translation>
+    </message>
+    <message>
+        <source>Used: the analysis of covariance of the score at the end on the score before. No plan of the analysis is in the record.</source>
+        <translation>采用：以训练前得分为协变量的结束得分协方差分析。记录中没有分析计划。</translation>
+    </message>
+    <message>
+        <source>No mark of the first and the last occasion is missing.</source>
+        <translation>首末两个评分时点没有评分缺失。</translation>
+    </message>
+    <message>
+        <source>Every trainee has the marks that most have at the first and the last occasion.</source>
+        <translation>每名学员在首末两个评分时点都有多数学员所有的评分。</translation>
+    </message>
+    <message>
+        <source>%1 %2, so the linear mixed model is the primary comparison here: it takes every mark at the end that was given. The analysis of covariance stands beside it, of the %3 {trainee|trainees} with a score at both occasions.</source>
+        <translation>%1%2，因此此处以线性混合模型为主要比较，它使用结束时给出的每一个评分。协方差分析并列给出，含两个评分时点都有得分的 %3 名学员。</translation>
+    </message>
+    <message>
+        <source>%1 %2. The linear mixed model that would take every mark is not defined (%3), so the analysis of covariance is used, of the %4 {trainee|trainees} with a score at both occasions.</source>
+        <translation>%1%2。可使用每个评分的线性混合模型无法定义（%3），因此采用协方差分析，含两个评分时点都有得分的 %4 名学员。</translation>
+    </message>
+    <message>
         <source>Competence is judged as in “%1”.</source>
         <translation>胜任的判定方式同“%1”。</translation>
     </message>
@@ -10985,18 +11097,6 @@
         <translation>若呈扇形或弓形，说明离散度或斜率与模型假设不符。</translation>
     </message>
     <message>
-        <source>Planned and used: the analysis of covariance of the score at the end on the score before. No mark of the first and the last occasion is missing.</source>
-        <translation>计划与实际采用的分析：以训练前得分为协变量的结束得分协方差分析。首末两个评分时点没有评分缺失。</translation>
-    </message>
-    <message>
-        <source>Planned: the analysis of covariance of the score at the end on the score before. %1, so the linear mixed model is the primary comparison here: it takes every mark at the end that was given. The planned analysis stands beside it, of the %2 trainees with a score at both occasions.</source>
-        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。%1，因此此处以线性混合模型为主要比较，它使用结束时给出的每一个评分。计划的分析并列给出，含两个评分时点都有得分的 %2 名学员。</translation>
-    </message>
-    <message>
-        <source>Planned: the analysis of covariance of the score at the end on the score before. %1. The linear mixed model that would take every mark is not defined (%2), so the planned analysis is used, of the %3 trainees with a score at both occasions.</source>
-        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。%1。可使用每个评分的线性混合模型无法定义（%2），因此采用计划的分析，含两个评分时点都有得分的 %3 名学员。</translation>
-    </message>
-    <message>
         <source>Left out of both, without any mark at one of the two: %1.</source>
         <translation>两种分析均未纳入（其中一个评分时点没有任何评分）：%1。</translation>
     </message>
@@ -11631,10 +11731,6 @@
     <message>
         <source>Marks behind it</source>
         <translation>评分个数</translation>
-    </message>
-    <message>
-        <source>Newest version of each mark that a rater submitted</source>
-        <translation>每位评分者所提交评分的最新版本</translation>
     </message>
     <message>
         <source>Mark</source>
@@ -12771,10 +12867,6 @@ audit trail %3</source>
         <translation>答案：未显示任何两组之间有差异。最大的差异（已按训练前得分校正，区间为该配对自身的 95 % 区间）：%1，%2。%3</translation>
     </message>
     <message>
-        <source>Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which takes every mark that was given; the planned analysis stands beside it.</source>
-        <translation>%2 个评分中缺失 %1 个，因此答案取自线性混合模型，它使用给出的每一个评分；计划的分析并列给出。</translation>
-    </message>
-    <message>
         <source>The missing marks could, at worst, leave open which group is better in %1 of %2 {comparison|comparisons}.</source>
         <translation>在最坏情况下，缺失的评分会使 %2 项比较中的 %1 项无法判定哪一组更好。</translation>
     </message>
@@ -12877,10 +12969,6 @@ audit trail %3</source>
     <message>
         <source>Raters with marks at the other end of the study but none %1: %2. The scores before and at the end are then not means over the same raters, which shifts the gains of all groups alike and not the differences between them.</source>
         <translation>在研究的另一端给过评分、但在“%1”未给评分的评分者：%2。因此训练前与结束时的得分不是同一批评分者的平均，这会使各组的增益同样偏移，而不影响组间差异。</translation>
-    </message>
-    <message>
-        <source>Planned and used: the analysis of covariance of the score at the end on the score before. Every trainee has the marks that most have at the first and the last occasion.</source>
-        <translation>计划并采用：以训练前得分为协变量的结束得分协方差分析。每名学员在首末两个评分时点都有多数学员所有的评分。</translation>
     </message>
     <message>
         <source>the values do not level off within these attempts</source>
@@ -14519,10 +14607,6 @@ audit trail %3</source>
         <translation>以下组无人在两个评分时点都有得分，因此未参与比较：%1。</translation>
     </message>
     <message>
-        <source>Not every trainee was marked by the same raters at the end, so the answer is that of the linear mixed model, which allows for it; the planned analysis stands beside it.</source>
-        <translation>结束时并非每名学员都由相同的评分者评分，因此答案取自考虑了这一点的线性混合模型；计划的分析并列给出。</translation>
-    </message>
-    <message>
         <source>What this does not show: %1 Marks on a training arm say nothing about patients.</source>
         <translation>本报告不能说明的：%1训练手臂上的分数不能说明患者的情况。</translation>
     </message>
@@ -14555,10 +14639,6 @@ audit trail %3</source>
         <translation>各组未作比较：%1。</translation>
     </message>
     <message>
-        <source>Groups are compared by a linear mixed model, as %1: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The planned analysis of covariance stands beside it.</source>
-        <translation>因%1，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性最大似然，自由度按 Satterthwaite 计算。计划的协方差分析并列给出。</translation>
-    </message>
-    <message>
         <source>marks are missing</source>
         <translation>有评分缺失</translation>
     </message>
@@ -14577,10 +14657,6 @@ audit trail %3</source>
     <message>
         <source>Raters who scored trainees of some groups only %1: %2. What such a rater is stricter or more lenient by counts as a difference between the groups.</source>
         <translation>在“%1”只给部分组的学员评分的评分者：%2。这类评分者偏严或偏松的程度会被算作组间差异。</translation>
-    </message>
-    <message>
-        <source>Planned: the analysis of covariance of the score at the end on the score before. It is not defined (%1): the groups are not compared.</source>
-        <translation>计划的分析：以训练前得分为协变量的结束得分协方差分析。该分析无法定义（%1）：各组未作比较。</translation>
     </message>
     <message>
         <source>Not every trainee was marked by the same raters at the end</source>

@@ -45,7 +45,7 @@ TEST(CohortReport, ComparesGroupsAndRatersIfThereAreMarks) {
   EXPECT_EQ(section->tables[1].rows.size(), 9U);  // occasions x groups
   EXPECT_EQ(section->tables[3].rows.size(), 9U);
   EXPECT_EQ(section->tables[4].rows.size(), 3U);
-  EXPECT_THAT(section->paragraphs[1].str(), ::testing::HasSubstr("Planned and used"));
+  EXPECT_THAT(section->paragraphs[1].str(), ::testing::HasSubstr("No plan of the analysis is in the record"));
   for (const ReportTable& table : section->tables) {
     for (const std::vector<ReportCell>& row : table.rows) {
       for (const Text& cell : row) {
@@ -177,7 +177,7 @@ TEST(CohortReport, ACompletelyMissingRaterIsReportedAndCostsNoAgreement) {
       losing([&](const TrainingMark& mark) { return mark.rater == by && mark.occasion == 2; });
   const ReportModel report = cohortReport(in);
   const std::string said = paragraphsOf(report);
-  EXPECT_THAT(said, ::testing::HasSubstr("Planned and used"));
+  EXPECT_THAT(said, ::testing::HasSubstr("No plan of the analysis is in the record"));
   EXPECT_THAT(said, ::testing::Not(::testing::HasSubstr("No mark of the first and the last occasion")));
   EXPECT_THAT(said, ::testing::HasSubstr("but none after 40 min: " + by));
   const ReportTable& agreement = *tableNamed(report, "table-agreement");

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "assessment/catalogue/quantity.h"
@@ -36,6 +38,24 @@ ExportCell countOf(std::int64_t count) {
 ExportColumn participant() {
   return {"participant", Text::tr("Trainee")};
 }
+ExportCell timeOf(std::int64_t utc_us) {
+  return utc_us > 0 ? ExportCell(utc_us) : ExportCell();
+}
+ExportCell numberOfGroup(std::size_t group) {
+  return countOf(static_cast<std::int64_t>(group) + 1);
+}
+ExportCell wayOf(MarkWay way) {
+  switch (way) {
+    case MarkWay::kBlinded:
+      return "blinded";
+    case MarkWay::kLive:
+      return "live";
+    case MarkWay::kEntered:
+      return "entered";
+  }
+  return {};
+}
+
 ExportColumn groupColumn() {
   return {"group_name", Text::tr("Group")};
 }
@@ -94,6 +114,8 @@ class Tables {
 
   ExportSet made() const {
     ExportSet set;
+    set.groups = groups();
+    set.participants = participants();
     set.scores = scores();
     set.marks = marks();
     set.trials = trials();
@@ -118,8 +140,78 @@ class Tables {
     }
     return column;
   }
+  /// A number whose labels say what each group does.
+  [[nodiscard]] ExportColumn groupNumber() const {
+    ExportColumn column = number("group_number", Text::tr("Number of the group"));
+    for (std::size_t g = 0; g < in_.groups.size(); ++g) {
+      const CohortGroup& group = in_.groups[g];
+      column.labels.emplace_back(
+          static_cast<double>(g + 1),
+          group.protocol.empty() ? group.name : Text::verbatim("%1: %2", group.name, group.protocol));
+    }
+    return column;
+  }
   [[nodiscard]] ExportCell groupOf(std::size_t group) const {
     return textOf(in_.groups.at(group).name.str());
+  }
+
+  [[nodiscard]] ExportTable groups() const {
+    ExportTable table{"groups",
+                      Text::tr("Groups"),
+                      Text::tr("The groups of the cohort and what their arms of the curriculum plan"),
+                      {groupNumber(),
+                       groupColumn(),
+                       {"code", Text::tr("Code")},
+                       {"protocol", Text::tr("Protocol")},
+                       {"arm", Text::tr("Arm of the curriculum")},
+                       number("planned_virtual_min", Text::tr("Planned on the simulator"), "min"),
+                       number("planned_real_min", Text::tr("Planned at the real arm"), "min"),
+                       number("trainees", Text::tr("Trainees"))},
+                      {}};
+    const auto minutes = [](const std::optional<double>& planned) {
+      return planned ? ExportCell(*planned) : ExportCell();
+    };
+    for (std::size_t g = 0; g < in_.groups.size(); ++g) {
+      const CohortGroup& group = in_.groups[g];
+      table.rows.push_back({numberOfGroup(g), groupOf(g), textOf(group.code), textOf(group.protocol.str()),
+                            textOf(group.arm), minutes(group.plannedVirtual_min),
+                            minutes(group.plannedReal_min),
+                            countOf(std::count_if(in_.trainees.begin(), in_.trainees.end(),
+                                                  [g](const auto& one) { return one.group == g; }))});
+    }
+    return table;
+  }
+
+  [[nodiscard]] ExportTable participants() const {
+    ExportTable table{"participants",
+                      Text::tr("Participants"),
+                      Text::tr("Trainees as they were enrolled, and the times that were noted for them"),
+                      {participant(),
+                       groupNumber(),
+                       groupColumn(),
+                       {"sex", Text::tr("Sex")},
+                       {"training_level", Text::tr("Level of training")},
+                       {"enrolled_utc", Text::tr("Enrolled (UTC)"), ColumnKind::kTime},
+                       yesNo("withdrew", Text::tr("Withdrew")),
+                       number("virtual_min", Text::tr("Trained on the simulator"), "min"),
+                       number("real_min", Text::tr("Trained at the real arm"), "min"),
+                       number("rest_min", Text::tr("Rested"), "min")},
+                      {}};
+    std::map<std::string, const CohortDose*> doses;
+    for (const CohortDose& dose : in_.doses) {
+      doses[dose.trainee] = &dose;
+    }
+    for (const CohortTrainee& one : in_.trainees) {
+      const auto dose = doses.find(one.code);
+      const auto noted = [&](double CohortDose::*minutes) {
+        return dose == doses.end() ? ExportCell() : ExportCell((*dose->second).*minutes);
+      };
+      table.rows.push_back({one.code, numberOfGroup(one.group), groupOf(one.group), textOf(one.sex),
+                            textOf(one.level), timeOf(one.enrolledUtc_us), countOf(one.withdrew ? 1 : 0),
+                            noted(&CohortDose::virtual_min), noted(&CohortDose::real_min),
+                            noted(&CohortDose::rest_min)});
+    }
+    return table;
   }
 
   [[nodiscard]] ExportTable scores() const {
@@ -133,7 +225,8 @@ class Tables {
                        occasionNumber(),
                        occasionColumn(),
                        number("score", Text::tr("Score")),
-                       number("marks", Text::tr("Marks behind it"))},
+                       number("marks", Text::tr("Marks behind it")),
+                       groupNumber()},
                       {}};
     std::map<std::string, const CohortTrainee*> people;
     for (const CohortTrainee& trainee : in_.trainees) {
@@ -146,27 +239,62 @@ class Tables {
       table.rows.push_back({key.of, groupOf(*key.group), textOf(known ? person->second->sex : ""),
                             textOf(known ? person->second->level : ""),
                             countOf(static_cast<std::int64_t>(*key.occasion) + 1),
-                            textOf(in_.occasions[*key.occasion].str()), numberOf(score), countOf(score->n)});
+                            textOf(in_.occasions[*key.occasion].str()), numberOf(score), countOf(score->n),
+                            numberOfGroup(*key.group)});
     }
     return table;
   }
 
+  /// Marks that were given, and a row without a mark for each that a rater who scored at the occasion did not
+  /// give a trainee.
   [[nodiscard]] ExportTable marks() const {
-    ExportTable table{"marks",
-                      Text::tr("Marks"),
-                      Text::tr("Newest version of each mark that a rater submitted"),
-                      {participant(),
-                       groupColumn(),
-                       {"rater", Text::tr("Rater")},
-                       occasionNumber(),
-                       occasionColumn(),
-                       number("mark", Text::tr("Mark"))},
-                      {}};
-    for (const Result* mark : ledger_.select({.statistic = "rater_mark", .of = kEach})) {
-      const ResultKey& key = mark->key;
-      table.rows.push_back({key.of, groupOf(*key.group), key.index,
-                            countOf(static_cast<std::int64_t>(*key.occasion) + 1),
-                            textOf(in_.occasions[*key.occasion].str()), numberOf(mark)});
+    ExportTable table{
+        "marks",
+        Text::tr("Marks"),
+        Text::tr("Newest version of each mark that a rater submitted; a line without a mark where "
+                 "a rater of that occasion gave none"),
+        {participant(),
+         groupColumn(),
+         {"rater", Text::tr("Rater")},
+         occasionNumber(),
+         occasionColumn(),
+         number("mark", Text::tr("Mark")),
+         groupNumber(),
+         {"rater_class", Text::tr("Class of the rater")},
+         {"given", Text::tr("How it was given")},
+         number("version", Text::tr("Version of the mark")),
+         {"submitted_utc", Text::tr("Submitted (UTC)"), ColumnKind::kTime}},
+        {}};
+    std::map<std::string, std::string> classOf;
+    std::map<std::pair<std::size_t, std::string>, std::set<std::string>> marked;  // by occasion and rater
+    const auto add = [&](const std::string& trainee, std::size_t group, const std::string& rater,
+                         std::size_t occasion, Cells rest) {
+      Cells row{trainee, groupOf(group), rater, countOf(static_cast<std::int64_t>(occasion) + 1),
+                textOf(in_.occasions[occasion].str())};
+      row.insert(row.end(), rest.begin(), rest.end());
+      table.rows.push_back(std::move(row));
+    };
+    for (const TrainingMark& mark : in_.trainingMarks) {
+      const Result* result = ledger_.find({.statistic = "rater_mark",
+                                           .of = mark.trainee,
+                                           .group = mark.group,
+                                           .index = mark.rater,
+                                           .occasion = mark.occasion});
+      if (result != nullptr) {
+        classOf[mark.rater] = mark.raterClass;
+        marked[{mark.occasion, mark.rater}].insert(mark.trainee);
+        add(mark.trainee, mark.group, mark.rater, mark.occasion,
+            {numberOf(result), numberOfGroup(mark.group), textOf(mark.raterClass), wayOf(mark.way),
+             countOf(mark.version), timeOf(mark.submittedUtc_us)});
+      }
+    }
+    for (const auto& [at, trainees] : marked) {
+      for (const CohortTrainee& one : in_.trainees) {
+        if (!trainees.contains(one.code)) {
+          add(one.code, one.group, at.second, at.first,
+              {{}, numberOfGroup(one.group), textOf(classOf[at.second]), "missing", {}, {}});
+        }
+      }
     }
     return table;
   }
@@ -236,7 +364,8 @@ class Tables {
          number("trial_number", Text::tr("Number of the run")),
          {"phase", Text::tr("Phase")},
          number("twist_number", Text::tr("Number of the twist")),
-         number("twist_error_deg", Text::tr("Error of the angle"), "deg")},
+         number("twist_error_deg", Text::tr("Error of the angle"), "deg"),
+         groupNumber()},
         {}};
     std::map<std::string, std::int64_t> counted;
     for (const TrialSummaryRow& trial : in_.trials) {
@@ -244,7 +373,7 @@ class Tables {
       ResultKey key = runKey(trial, "twist_error_deg");
       for (key.number = 1; const Result* twist = ledger_.find(key); ++key.number) {
         table.rows.push_back({trial.trainee, groupOf(trial.group), countOf(run), textOf(trial.phase.str()),
-                              countOf(key.number), numberOf(twist)});
+                              countOf(key.number), numberOf(twist), numberOfGroup(trial.group)});
       }
     }
     return table;
@@ -364,8 +493,8 @@ ExportSet exportSet(const AnalysedCohort& cohort, const std::map<TrialId, std::i
 }
 
 std::vector<const ExportTable*> tablesOf(const ExportSet& set) {
-  return {&set.scores, &set.marks,      &set.evaluation, &set.agreement,  &set.comparison,
-          &set.twists, &set.competence, &set.trials,     &set.deviations, &set.numbers};
+  return {&set.groups,     &set.participants, &set.scores,     &set.marks,  &set.evaluation, &set.agreement,
+          &set.comparison, &set.twists,       &set.competence, &set.trials, &set.deviations, &set.numbers};
 }
 
 }  // namespace torsio

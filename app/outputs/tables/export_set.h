@@ -13,16 +13,18 @@ namespace torsio {
 
 /// The tables of a cohort, by what a row is.
 struct ExportSet {
-  ExportTable scores;      ///< a trainee and occasion
-  ExportTable marks;       ///< a mark of a rater
-  ExportTable trials;      ///< a recorded trial
-  ExportTable twists;      ///< a twist of a trial
-  ExportTable competence;  ///< a trainee and exercise
-  ExportTable evaluation;  ///< a number of the evaluation of models
-  ExportTable agreement;   ///< a number about raters
-  ExportTable comparison;  ///< a number about groups
-  ExportTable deviations;  ///< something that did not go by the protocol
-  ExportTable numbers;     ///< a line of cohort.csv, its value also as the text that stands there
+  ExportTable groups;        ///< a group of the cohort
+  ExportTable participants;  ///< a trainee
+  ExportTable scores;        ///< a trainee and occasion
+  ExportTable marks;         ///< a mark of a rater, or one that is missing
+  ExportTable trials;        ///< a recorded trial
+  ExportTable twists;        ///< a twist of a trial
+  ExportTable competence;    ///< a trainee and exercise
+  ExportTable evaluation;    ///< a number of the evaluation of models
+  ExportTable agreement;     ///< a number about raters
+  ExportTable comparison;    ///< a number about groups
+  ExportTable deviations;    ///< something that did not go by the protocol
+  ExportTable numbers;       ///< a line of cohort.csv, its value also as the text that stands there
 };
 
 /// Sorts the results of a cohort into tables: what its ledger leaves out is left out here, and no number is

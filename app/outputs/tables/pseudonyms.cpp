@@ -171,12 +171,14 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
     }
   }
   for (CohortTrainee& one : in.trainees) {
+    one.enrolledUtc_us += one.enrolledUtc_us > 0 ? names.shift_us(one.code) : 0;
     person(one.code);
   }
   for (TraineeScore& one : in.scores) {
     person(one.trainee);
   }
   for (TrainingMark& one : in.trainingMarks) {
+    one.submittedUtc_us += one.submittedUtc_us > 0 ? names.shift_us(one.trainee) : 0;
     person(one.trainee);
     rater(one.rater);
   }

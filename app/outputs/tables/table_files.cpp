@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/services/base/csv_table.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 
@@ -74,13 +75,44 @@ std::string typeWord(ColumnKind kind) {
   return "";
 }
 
+/// "1 = Group 1: 40 min virtual; 2 = ..."; empty: numbers stand for themselves.
+std::string labelsText(const ExportColumn& column) {
+  std::string text;
+  for (const auto& [value, label] : column.labels) {
+    text += (text.empty() ? "" : "; ") + formatExact(value) + " = " + label.str();
+  }
+  return text;
+}
+
+/// A string of R.
+std::string quoted(const std::string& words) {
+  std::string text = "\"";
+  for (const char c : words) {
+    text += c == '"' || c == '\\' ? std::string("\\") + c
+            : c == '\n'           ? std::string("\\n")
+                                  : std::string(1, c);
+  }
+  return text + "\"";
+}
+
+/// Makes a factor of a column of numbers that have labels; the numbers stay its codes.
+std::string factorLine(const std::string& column, const ExportColumn& from) {
+  std::string values;
+  std::string labels;
+  for (const auto& [value, label] : from.labels) {
+    values += (values.empty() ? "" : ", ") + formatExact(value);
+    labels += (labels.empty() ? "" : ", ") + quoted(label.str());
+  }
+  return column + " <- factor(" + column + ", levels = c(" + values + "), labels = c(" + labels + "))\n";
+}
+
 std::string codebookText(const std::vector<const ExportTable*>& tables) {
   std::string text(kByteOrderMark);
-  text += csvLine({"table", "column", "meaning", "unit", "type", "source"});
+  text += csvLine({"table", "column", "meaning", "unit", "type", "values", "source"});
   for (const ExportTable* table : tables) {
     for (const ExportColumn& column : table->columns) {
       text += csvLine({table->name, column.name, column.title.str(), column.unit, typeWord(column.kind),
-                       table->source.str()});
+                       labelsText(column), table->source.str()});
     }
   }
   return text;
@@ -92,19 +124,22 @@ std::string readerScript(const std::vector<const ExportTable*>& tables) {
       "# Reads the tables of this folder. Run R in a UTF-8 locale, in this folder or with setwd() to it.\n";
   for (const ExportTable* table : tables) {
     std::string classes;
-    std::string times;
+    std::string after;
     for (const ExportColumn& column : table->columns) {
       classes += (classes.empty() ? "" : ", ") + column.name + " = \"" +
                  (column.kind == ColumnKind::kNumber ? "numeric" : "character") + "\"";
       if (column.kind == ColumnKind::kTime) {
-        times += table->name + "$" + column.name + " <- as.POSIXct(" + table->name + "$" + column.name +
+        after += table->name + "$" + column.name + " <- as.POSIXct(" + table->name + "$" + column.name +
                  ", format = \"%Y-%m-%dT%H:%M:%OSZ\", tz = \"UTC\")\n";
+      }
+      if (!column.labels.empty()) {
+        after += factorLine(table->name + "$" + column.name, column);
       }
     }
     text +=
         table->name + " <- read.csv(\"" + table->name +
         ".csv\", fileEncoding = \"UTF-8-BOM\", check.names = FALSE, na.strings = \"\",\n  colClasses = c(" +
-        classes + "))\n" + times;
+        classes + "))\n" + after;
   }
   return text;
 }

@@ -86,12 +86,14 @@ void addGroups(Connection& connection, const CohortId& cohortId, const std::vect
   const std::optional<CurriculumVersion> version =
       versionId.empty() ? std::nullopt : CurriculumRepository(connection).version(versionId);
   for (const StudyGroup& group : groups) {
-    CohortGroup shown{Text::tr("Group %1", group.number), group.label, std::nullopt, std::nullopt};
+    CohortGroup shown{
+        Text::tr("Group %1", group.number), group.label, std::nullopt, std::nullopt, group.code, {}};
     if (version) {
       for (const StudyArm& arm : version->arms) {
         if (arm.id == group.armId) {
           shown.plannedVirtual_min = plannedMinutes(arm, PhaseKind::kVirtual);
           shown.plannedReal_min = plannedMinutes(arm, PhaseKind::kReal);
+          shown.arm = arm.label;
         }
       }
     }
@@ -245,7 +247,8 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
       continue;
     }
     inputs.trainees.push_back({person.code, static_cast<std::size_t>(group - groups.begin()), person.sex,
-                               person.level, enrolment.state == EnrolmentState::kWithdrawn});
+                               person.level, enrolment.state == EnrolmentState::kWithdrawn,
+                               enrolment.enrolledUtc_us});
   }
   inputs.allocation = checkedAllocation(study, cohortId);
 

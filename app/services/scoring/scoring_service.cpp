@@ -11,11 +11,13 @@
 
 #include "app/services/base/build_info.h"
 #include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/rating/assessment_run.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
@@ -159,6 +161,10 @@ ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) 
   ReadTraining read;
   read.result.occasions = occasionsOfCohort(connection, cohortId);
   read.result.submitted = RatingRepository(connection).marks(cohortId);
+  std::map<std::string, std::string> classOf;  // of raters, by code
+  for (const Rater& rater : PeopleRepository(connection).raters()) {
+    classOf[rater.person.code] = rater.classCode;
+  }
   for (const SubmittedMark& mark : read.result.submitted) {
     read.inputs.update(mark.id.text());
     read.inputs.update(mark.version);
@@ -174,9 +180,6 @@ ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) 
       continue;  // marked before allocation and in no group yet
     }
     read.result.scale = mark.scale;
-    ++(mark.assignmentId.empty() ? read.result.ways.entered
-       : mark.trialId.empty()    ? read.result.ways.live
-                                 : read.result.ways.blinded);
     TrainingMark scored;
     scored.trainee = mark.traineeCode;
     scored.group = positionOf(groups, mark.groupCode, [](const StudyGroup& g) { return g.code; });
@@ -184,6 +187,15 @@ ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) 
     scored.rater = mark.raterCode;
     scored.steps = *mark.score_steps;
     scored.id = mark.id;
+    scored.version = mark.version;
+    scored.submittedUtc_us = mark.submittedUtc_us;
+    scored.raterClass = classOf[mark.raterCode];
+    scored.way = mark.assignmentId.empty() ? MarkWay::kEntered
+                 : mark.trialId.empty()    ? MarkWay::kLive
+                                           : MarkWay::kBlinded;
+    ++(scored.way == MarkWay::kEntered ? read.result.ways.entered
+       : scored.way == MarkWay::kLive  ? read.result.ways.live
+                                       : read.result.ways.blinded);
     read.result.marks.push_back(std::move(scored));
   }
   read.result.trainees = traineeScores(read.result.scale, read.result.marks);

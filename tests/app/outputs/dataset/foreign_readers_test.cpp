@@ -22,6 +22,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/file_lock.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio {
 namespace {
@@ -85,7 +86,10 @@ TEST(ExportSet, HasEveryLineOfTheTableOfNumbersAndSortsThemByWhatARowIs) {
     }));
   };
   EXPECT_EQ(set.scores.rows.size(), with("training", "score"));
-  EXPECT_EQ(set.marks.rows.size(), with("training", "rater_mark"));
+  EXPECT_EQ(static_cast<std::size_t>(
+                std::count_if(set.marks.rows.begin(), set.marks.rows.end(),
+                              [](const auto& row) { return std::holds_alternative<double>(row[5]); })),
+            with("training", "rater_mark"));
   EXPECT_EQ(set.trials.rows.size(), with("trial", "minutes"));
   EXPECT_EQ(set.twists.rows.size(), with("trial", "twist_error_deg"));
   EXPECT_EQ(set.deviations.rows.size(), 3U);
@@ -94,6 +98,42 @@ TEST(ExportSet, HasEveryLineOfTheTableOfNumbersAndSortsThemByWhatARowIs) {
       ASSERT_EQ(row.size(), table->columns.size()) << table->name;
     }
   }
+}
+
+TEST(ExportSet, SaysWhatEachGroupIsAndWhichMarksAreMissing) {
+  CohortInputs in = testing::demonstrationCohort();
+  std::erase_if(in.trainingMarks, [](const TrainingMark& mark) {
+    return mark.trainee == "x101" && mark.rater == "R103" && mark.occasion == 1;
+  });
+  in.groups[1].code = "G2";
+  in.groups[1].arm = "Both";
+  in.groups[1].plannedVirtual_min = 20.0;
+  in.trainees[0].withdrew = true;
+  in.trainingMarks[0].way = MarkWay::kBlinded;
+  in.trainingMarks[0].raterClass = "chief";
+  in.trainingMarks[0].version = 2;
+  const ExportSet set = exportSet(analysedCohort(in), {});
+
+  ASSERT_EQ(set.groups.rows.size(), 3U);
+  std::vector<std::string> second;
+  for (const ExportCell& cell : set.groups.rows[1]) {
+    second.push_back(cellText(cell));
+  }
+  EXPECT_EQ(second, (std::vector<std::string>{"2", "Group 2", "G2", "20 min virtual, 20 min real arm", "Both",
+                                              "20", "", "10"}));
+  EXPECT_EQ(set.scores.columns.back().labels.at(1).second, "Group 2: 20 min virtual, 20 min real arm");
+  ASSERT_EQ(set.participants.rows.size(), 30U);
+  EXPECT_EQ(cellText(set.participants.rows[0][6]), "1") << "withdrew";
+  ASSERT_EQ(set.marks.rows.size(), 900U);
+  EXPECT_EQ(cellText(set.marks.rows[0][7]), "chief");
+  EXPECT_EQ(cellText(set.marks.rows[0][8]), "blinded");
+  EXPECT_EQ(cellText(set.marks.rows[0][9]), "2");
+  const std::vector<ExportCell>& missing = set.marks.rows.back();
+  EXPECT_EQ(cellText(missing[0]) + cellText(missing[2]) + cellText(missing[5]) + cellText(missing[8]),
+            "x101R103missing");
+
+  in.singleMarks = false;
+  EXPECT_TRUE(exportSet(analysedCohort(in), {}).marks.rows.empty()) << "not even which are missing";
 }
 
 TEST(CsvCell, KeepsNumbersAndMakesFormulasHarmless) {
@@ -273,6 +313,7 @@ TEST(Tables, AreReadByPsppWithTheirLabels) {
   writeFileAtomically(syntax, "GET FILE='" + (folder / "scores.sav").string() + "'.\nDISPLAY DICTIONARY.\n");
   const std::string dictionary = outputOf("pspp -o - '" + syntax.string() + "'", written.folder.path());
   EXPECT_THAT(dictionary, HasSubstr("after 40 min"));
+  EXPECT_THAT(dictionary, HasSubstr("40 min real arm"));
   EXPECT_THAT(dictionary, HasSubstr("|training_level |       4|Level of|Nominal"));
 }
 
@@ -286,7 +327,7 @@ TEST(Tables, AreReadByRToTheLastDigit) {
   const std::string said = outputOf(
       "cd '" + folder.string() +
           "' && LC_ALL=C.UTF-8 Rscript -e 'source(\"read_tables.R\"); cat(nrow(scores), class(scores$score), "
-          "sprintf(\"%.17g\", sum(scores$score)), deviations$description[1])'",
+          "sprintf(\"%.17g\", sum(scores$score)), deviations$description[1], levels(scores$group_number))'",
       written.folder.path());
   double sum = 0.0;
   for (const auto& row : written.set.scores.rows) {
@@ -301,6 +342,7 @@ TEST(Tables, AreReadByRToTheLastDigit) {
   EXPECT_EQ(kind, "numeric");
   EXPECT_NEAR(read, sum, 1e-9);
   EXPECT_THAT(said, HasSubstr("=1+1"));
+  EXPECT_THAT(said, HasSubstr("Group 3: 40 min real arm"));
 }
 
 TEST(Tables, HaveACodebookThatNamesEveryColumn) {
