@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/connectors/built_in.h"
 #include "app/connectors/xapi/learning_statement.h"
 #include "app/gui/administrator/curriculum/mastery_table.h"
 #include "app/gui/base/language.h"
@@ -311,24 +312,28 @@ TEST_F(Faces, NobodyReadsThatItIsNotTheirFaultBelowNotPassed) {
 }
 
 TEST_F(Faces, LearningRecordsTellOnlyWhatWasJudged) {
-  Connection& connection = world_->centre.connection();
-  const LrsIdentity identity{.settings = {.homePage = "https://centre.example"}, .accountKey = "key"};
-  ExerciseRules rules;
-  for (const std::string& id : lookedAt()) {
-    const LearningEvent event{
-        .kind = LearningEventKind::kJudged, .objectId = id, .personId = PersonId(world_->centre.person())};
-    const RunOutcome outcome = world_->truth.at(id).outcome;
+  if constexpr (kXapiBuiltIn) {
+    Connection& connection = world_->centre.connection();
+    const LrsIdentity identity{.settings = {.homePage = "https://centre.example"}, .accountKey = "key"};
+    ExerciseRules rules;
+    for (const std::string& id : lookedAt()) {
+      const LearningEvent event{
+          .kind = LearningEventKind::kJudged, .objectId = id, .personId = PersonId(world_->centre.person())};
+      const RunOutcome outcome = world_->truth.at(id).outcome;
 
-    const std::string statement =
-        statementOf(connection, event, identity, rules, testing::kCentreTime_us + 1);
+      const std::string statement =
+          statementOf(connection, event, identity, rules, testing::kCentreTime_us + 1);
 
-    const bool judged = outcome == RunOutcome::kPassed || outcome == RunOutcome::kNotPassed;
-    ASSERT_EQ(!statement.empty(), judged) << storedText(outcome);
-    if (judged) {
-      const json result = json::parse(statement).at("result");
-      EXPECT_EQ(result.at("success"), outcome == RunOutcome::kPassed);
-      EXPECT_EQ(result.at("extensions").at("urn:x-torsio:xapi:verdict"), storedText(outcome));
+      const bool judged = outcome == RunOutcome::kPassed || outcome == RunOutcome::kNotPassed;
+      ASSERT_EQ(!statement.empty(), judged) << storedText(outcome);
+      if (judged) {
+        const json result = json::parse(statement).at("result");
+        EXPECT_EQ(result.at("success"), outcome == RunOutcome::kPassed);
+        EXPECT_EQ(result.at("extensions").at("urn:x-torsio:xapi:verdict"), storedText(outcome));
+      }
     }
+  } else {
+    GTEST_SKIP() << "built without learning records";
   }
 }
 
