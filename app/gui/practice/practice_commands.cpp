@@ -16,9 +16,14 @@ namespace torsio::gui {
 
 namespace {
 
-#define TORSIO_COMMAND(text) QT_TRANSLATE_NOOP("torsio::gui::PracticeCommands", text)
+/// Not in a window that is a part of another: that one has them.
+bool ofTheProgram(Command command) {
+  return command >= Command::kDark;
+}
 
-struct CommandRow {
+}  // namespace
+
+struct PracticeCommands::Row {
   Command command;
   QKeySequence keys;
   const char* icon;  // null: none
@@ -27,110 +32,98 @@ struct CommandRow {
   bool checkable = false;
 };
 
-std::array<CommandRow, kCommands> commandRows() {
+std::array<PracticeCommands::Row, kCommands> PracticeCommands::rows() {
   constexpr auto kCtrl = Qt::CTRL;
   constexpr auto kCtrlShift = Qt::CTRL | Qt::SHIFT;
   return {{
-      {Command::kOpen, QKeySequence::Open, "open", TORSIO_COMMAND("Open organ\u2026"),
-       TORSIO_COMMAND("Use your own mesh instead of a shipped organ")},
+      {Command::kOpen, QKeySequence::Open, "open", QT_TR_NOOP("Open organ\u2026"),
+       QT_TR_NOOP("Use your own mesh instead of a shipped organ")},
       {Command::kBring,
        {},
        nullptr,
-       TORSIO_COMMAND("Import an organ\u2026"),
-       TORSIO_COMMAND("Make an organ from your own mesh or scan: view it, check it, save it")},
+       QT_TR_NOOP("Import an organ\u2026"),
+       QT_TR_NOOP("Make an organ from your own mesh or scan: view it, check it, save it")},
       {Command::kInstrument,
        {},
        nullptr,
-       TORSIO_COMMAND("Instrument\u2026"),
-       TORSIO_COMMAND("Show your own instrument; the force felt remains that of the exercise")},
-      {Command::kPicture, kCtrlShift | Qt::Key_P, "picture", TORSIO_COMMAND("Picture\u2026"),
-       TORSIO_COMMAND("Save the scene as a PNG picture")},
-      {Command::kStrip, kCtrlShift | Qt::Key_F, "filmstrip", TORSIO_COMMAND("Film strip\u2026"),
-       TORSIO_COMMAND(
+       QT_TR_NOOP("Instrument\u2026"),
+       QT_TR_NOOP("Show your own instrument; the force felt remains that of the exercise")},
+      {Command::kPicture, kCtrlShift | Qt::Key_P, "picture", QT_TR_NOOP("Picture\u2026"),
+       QT_TR_NOOP("Save the scene as a PNG picture")},
+      {Command::kStrip, kCtrlShift | Qt::Key_F, "filmstrip", QT_TR_NOOP("Film strip\u2026"),
+       QT_TR_NOOP(
            "Save the twist at 0, 30, 60 \u2026 degrees, or the recording that is replayed, as one picture")},
-      {Command::kRecord, kCtrl | Qt::Key_R, "record", TORSIO_COMMAND("Record"),
-       TORSIO_COMMAND("Restart the exercise and record it")},
-      {Command::kReplay, kCtrlShift | Qt::Key_R, "replay", TORSIO_COMMAND("Replay\u2026"),
-       TORSIO_COMMAND("Look at a recorded run again")},
+      {Command::kRecord, kCtrl | Qt::Key_R, "record", QT_TR_NOOP("Record"),
+       QT_TR_NOOP("Restart the exercise and record it")},
+      {Command::kReplay, kCtrlShift | Qt::Key_R, "replay", QT_TR_NOOP("Replay\u2026"),
+       QT_TR_NOOP("Look at a recorded run again")},
       {Command::kCompare,
        {},
        "compare",
-       TORSIO_COMMAND("Compare models"),
-       TORSIO_COMMAND("Twist this organ by the twist model, finite elements and springs under one torque")},
-      {Command::kRelease, Qt::Key_Escape, "release", TORSIO_COMMAND("Release"),
-       TORSIO_COMMAND("Release the tissue; it returns to rest")},
-      {Command::kRestart, QKeySequence::New, nullptr, TORSIO_COMMAND("Restart exercise"),
-       TORSIO_COMMAND("Start the exercise again")},
-      {Command::kFront, kCtrl | Qt::Key_1, "front", TORSIO_COMMAND("Front"),
-       TORSIO_COMMAND("Look from the front")},
-      {Command::kSide, kCtrl | Qt::Key_2, "side", TORSIO_COMMAND("Side"),
-       TORSIO_COMMAND("Look from the patient's left side")},
-      {Command::kTop, kCtrl | Qt::Key_3, "top", TORSIO_COMMAND("Top"), TORSIO_COMMAND("Look from the head")},
-      {Command::kWhole, kCtrl | Qt::Key_0, "fit", TORSIO_COMMAND("Whole organ"),
-       TORSIO_COMMAND("Show the whole organ")},
-      {Command::kLattice, kCtrl | Qt::Key_L, "lattice", TORSIO_COMMAND("Lattice"),
-       TORSIO_COMMAND("Show ridges and sections on the tissue"), true},
-      {Command::kWireframe, kCtrl | Qt::Key_M, "wireframe", TORSIO_COMMAND("Wireframe"),
-       TORSIO_COMMAND("Show the edges of the surface"), true},
-      {Command::kShear, kCtrl | Qt::Key_T, "stress", TORSIO_COMMAND("Shear stress"),
-       TORSIO_COMMAND("Colour the tissue by its shear stress"), true},
-      {Command::kMarkers, kCtrl | Qt::Key_K, "markers", TORSIO_COMMAND("Markers"),
-       TORSIO_COMMAND("Show the marker points of the organ"), true},
-      {Command::kGhost, kCtrl | Qt::Key_G, "ghost", TORSIO_COMMAND("Target pose"),
-       TORSIO_COMMAND("Show the pose to reach as a film over the organ"), true},
+       QT_TR_NOOP("Compare models"),
+       QT_TR_NOOP("Twist this organ by the twist model, finite elements and springs under one torque")},
+      {Command::kRelease, Qt::Key_Escape, "release", QT_TR_NOOP("Release"),
+       QT_TR_NOOP("Release the tissue; it returns to rest")},
+      {Command::kRestart, QKeySequence::New, nullptr, QT_TR_NOOP("Restart exercise"),
+       QT_TR_NOOP("Start the exercise again")},
+      {Command::kFront, kCtrl | Qt::Key_1, "front", QT_TR_NOOP("Front"), QT_TR_NOOP("Look from the front")},
+      {Command::kSide, kCtrl | Qt::Key_2, "side", QT_TR_NOOP("Side"),
+       QT_TR_NOOP("Look from the patient's left side")},
+      {Command::kTop, kCtrl | Qt::Key_3, "top", QT_TR_NOOP("Top"), QT_TR_NOOP("Look from the head")},
+      {Command::kWhole, kCtrl | Qt::Key_0, "fit", QT_TR_NOOP("Whole organ"),
+       QT_TR_NOOP("Show the whole organ")},
+      {Command::kLattice, kCtrl | Qt::Key_L, "lattice", QT_TR_NOOP("Lattice"),
+       QT_TR_NOOP("Show ridges and sections on the tissue"), true},
+      {Command::kWireframe, kCtrl | Qt::Key_M, "wireframe", QT_TR_NOOP("Wireframe"),
+       QT_TR_NOOP("Show the edges of the surface"), true},
+      {Command::kShear, kCtrl | Qt::Key_T, "stress", QT_TR_NOOP("Shear stress"),
+       QT_TR_NOOP("Colour the tissue by its shear stress"), true},
+      {Command::kMarkers, kCtrl | Qt::Key_K, "markers", QT_TR_NOOP("Markers"),
+       QT_TR_NOOP("Show the marker points of the organ"), true},
+      {Command::kGhost, kCtrl | Qt::Key_G, "ghost", QT_TR_NOOP("Target pose"),
+       QT_TR_NOOP("Show the pose to reach as a film over the organ"), true},
       {Command::kKeys,
        {},
        nullptr,
-       TORSIO_COMMAND("Keys\u2026"),
-       TORSIO_COMMAND("Assign the movements of the instrument to other keys")},
-      {Command::kHelp, QKeySequence::HelpContents, "help", TORSIO_COMMAND("Controls"),
-       TORSIO_COMMAND("How mouse and keys move the instrument")},
+       QT_TR_NOOP("Keys\u2026"),
+       QT_TR_NOOP("Assign the movements of the instrument to other keys")},
+      {Command::kHelp, QKeySequence::HelpContents, "help", QT_TR_NOOP("Controls"),
+       QT_TR_NOOP("How mouse and keys move the instrument")},
       {Command::kAutomatic,
        {},
        nullptr,
-       TORSIO_COMMAND("Automatic"),
-       TORSIO_COMMAND("As fine as this computer can draw smoothly"),
+       QT_TR_NOOP("Automatic"),
+       QT_TR_NOOP("As fine as this computer can draw smoothly"),
        true},
       {Command::kFast,
        {},
        nullptr,
-       TORSIO_COMMAND("Fast"),
-       TORSIO_COMMAND("Fewer effects, more pictures a second"),
+       QT_TR_NOOP("Fast"),
+       QT_TR_NOOP("Fewer effects, more pictures a second"),
        true},
       {Command::kFine,
        {},
        nullptr,
-       TORSIO_COMMAND("Fine"),
-       TORSIO_COMMAND("Shadow, ambient occlusion and antialiasing"),
+       QT_TR_NOOP("Fine"),
+       QT_TR_NOOP("Shadow, ambient occlusion and antialiasing"),
        true},
       {Command::kBest,
        {},
        nullptr,
-       TORSIO_COMMAND("Best"),
-       TORSIO_COMMAND("The finest shadow and edges; needs a graphics card"),
+       QT_TR_NOOP("Best"),
+       QT_TR_NOOP("The finest shadow and edges; needs a graphics card"),
        true},
-      {Command::kDark, kCtrl | Qt::Key_D, "theme", TORSIO_COMMAND("Dark"),
-       TORSIO_COMMAND("Dark colours for a dark room"), true},
-      {Command::kFull, Qt::Key_F11, nullptr, TORSIO_COMMAND("Full screen"),
-       TORSIO_COMMAND("Fill the whole screen")},
-      {Command::kQuit, QKeySequence::Quit, nullptr, TORSIO_COMMAND("Quit"),
-       TORSIO_COMMAND("End the program")},
-      {Command::kAbout, {}, nullptr, TORSIO_COMMAND("About Torsio"), TORSIO_COMMAND("Version and licence")},
+      {Command::kDark, kCtrl | Qt::Key_D, "theme", QT_TR_NOOP("Dark"),
+       QT_TR_NOOP("Dark colours for a dark room"), true},
+      {Command::kFull, Qt::Key_F11, nullptr, QT_TR_NOOP("Full screen"), QT_TR_NOOP("Fill the whole screen")},
+      {Command::kQuit, QKeySequence::Quit, nullptr, QT_TR_NOOP("Quit"), QT_TR_NOOP("End the program")},
+      {Command::kAbout, {}, nullptr, QT_TR_NOOP("About Torsio"), QT_TR_NOOP("Version and licence")},
   }};
 }
 
-#undef TORSIO_COMMAND
-
-/// Not in a window that is a part of another: that one has them.
-bool ofTheProgram(Command command) {
-  return command >= Command::kDark;
-}
-
-}  // namespace
-
 PracticeCommands::PracticeCommands(QMainWindow& window, bool embedded)
     : QObject(&window), window_(window), embedded_(embedded) {
-  for (const CommandRow& row : commandRows()) {
+  for (const Row& row : rows()) {
     auto* made = new QAction(&window);
     made->setCheckable(row.checkable);
     actions_[static_cast<std::size_t>(row.command)] = made;
@@ -250,7 +243,7 @@ void PracticeCommands::showRecording(bool recording) {
 }
 
 void PracticeCommands::applyIcons(const Theme& theme) {
-  for (const CommandRow& row : commandRows()) {
+  for (const Row& row : rows()) {
     if (row.icon != nullptr) {
       action(row.command).setIcon(icon(QLatin1String(row.icon), theme));
     }
@@ -264,7 +257,7 @@ void PracticeCommands::applyIcons(const Theme& theme) {
 }
 
 void PracticeCommands::retranslate() {
-  for (const CommandRow& row : commandRows()) {
+  for (const Row& row : rows()) {
     QAction& named = action(row.command);
     const QString tip = tr(row.tip);
     named.setText(tr(row.text));

@@ -74,6 +74,8 @@ class PracticeCommands : public QObject {
   void qualityChosen(torsio::gui::RenderQuality quality);
 
  private:
+  struct Row;
+  [[nodiscard]] static std::array<Row, kCommands> rows();
   [[nodiscard]] QList<QAction*> actions(std::initializer_list<Command> commands) const;
   void createQuality();
   void createMenuBar();
