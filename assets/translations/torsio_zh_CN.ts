@@ -19400,6 +19400,25 @@ Only an allocator previews, locks and draws. An administrator gives this role to
     </message>
 </context>
 <context>
+    <name>torsio::gui::AwayBanner</name>
+    <message>
+        <source>State of the database</source>
+        <translation>数据库状态</translation>
+    </message>
+    <message>
+        <source>The database does not answer. Your run continues; it is kept on this computer and stored as soon as the database answers</source>
+        <translation>数据库没有应答。您的操作继续进行；录制保存在本机，数据库恢复后立即存入</translation>
+    </message>
+    <message>
+        <source>The database does not answer. Torsio tries again by itself; what is stored is safe</source>
+        <translation>数据库没有应答。Torsio 会自动重试；已存入的数据是安全的</translation>
+    </message>
+    <message>
+        <source>%1. Waiting to be stored: %2</source>
+        <translation>%1。等待保存：%2 项</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::BriefingPage</name>
     <message>
         <source>Graded run: it counts as an attempt.</source>
@@ -21578,6 +21597,56 @@ MSM = 质点弹簧</translation>
         <source>Enter as a simulated physician</source>
         <translation>以模拟医师身份进入</translation>
     </message>
+    <message>
+        <source>PIN for practice</source>
+        <translation>练习用 PIN 码</translation>
+    </message>
+    <message>
+        <source>At least four digits. With it you practise at a station; nothing is recorded.
+Leave it empty to remove it.</source>
+        <translation>至少四位数字。可用它在工作站练习，不作任何记录。
+留空则删除。</translation>
+    </message>
+    <message>
+        <source>The PIN was removed</source>
+        <translation>PIN 码已删除</translation>
+    </message>
+    <message>
+        <source>The PIN is now in use</source>
+        <translation>PIN 码已生效</translation>
+    </message>
+    <message>
+        <source>There is no demonstration data</source>
+        <translation>没有演示数据</translation>
+    </message>
+    <message>
+        <source>Remove demonstration data</source>
+        <translation>删除演示数据</translation>
+    </message>
+    <message>
+        <source>Remove the simulated people (%1), their runs (%2) and marks (%3)?</source>
+        <translation>删除模拟人员（%1）、其操作（%2）和评分（%3）？</translation>
+    </message>
+    <message>
+        <source>Your own data stay as they are. This cannot be undone.</source>
+        <translation>您自己的数据不受影响。此操作无法撤销。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Removing the demonstration</source>
+        <translation>正在删除演示数据</translation>
+    </message>
+    <message>
+        <source>Removed from the user menu</source>
+        <translation>通过用户菜单删除</translation>
+    </message>
+    <message>
+        <source>The demonstration data were removed</source>
+        <translation>演示数据已删除</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::DetorsionCard</name>
@@ -22362,6 +22431,33 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::Entrance</name>
+    <message>
+        <source>No card with this code is in force. Sign in with your name and password</source>
+        <translation>没有使用此代码的有效卡片。请用登录名和密码登录</translation>
+    </message>
+    <message>
+        <source>Name and password do not match. Please try again</source>
+        <translation>登录名与密码不匹配，请重试</translation>
+    </message>
+    <message>
+        <source>This account is disabled. Ask your administrator</source>
+        <translation>该账户已停用，请联系管理员</translation>
+    </message>
+    <message>
+        <source>Leave kiosk mode</source>
+        <translation>退出自助终端模式</translation>
+    </message>
+    <message>
+        <source>An administrator ends the kiosk with name and password.</source>
+        <translation>管理员可用登录名和密码结束自助终端模式。</translation>
+    </message>
+    <message>
+        <source>Only an administrator can end the kiosk</source>
+        <translation>只有管理员可以结束自助终端模式</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::EvaluationPage</name>
     <message>
         <source>This is the next model. Change its sheet first</source>
@@ -23049,6 +23145,21 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::Founding</name>
+    <message>
+        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
+        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
+    </message>
+    <message>
+        <source>Setting up the centre</source>
+        <translation>正在设置中心</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was set up</source>
+        <translation>已取消；未建立任何内容</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::GroupEditor</name>
     <message>
         <source>Name of the group</source>
@@ -23420,6 +23531,21 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>The tissue returns to rest</source>
         <translation>组织正在恢复</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::IdleWarning</name>
+    <message>
+        <source>Warning of the idle lock</source>
+        <translation>无操作锁定提醒</translation>
+    </message>
+    <message>
+        <source>Still there? You will be signed out in %1. Press any key to stay</source>
+        <translation>您还在吗？%1 后将退出登录。按任意键继续</translation>
+    </message>
+    <message>
+        <source>Still there? The screen will be locked in %1. Press any key to stay</source>
+        <translation>您还在吗？%1 后将锁定屏幕。按任意键继续</translation>
     </message>
 </context>
 <context>
@@ -23998,22 +24124,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>You were signed out because nobody was here</source>
         <translation>由于长时间无人操作，已退出登录</translation>
     </message>
-    <message>
-        <source>The database does not answer. Your run continues; it is kept on this computer and stored as soon as the database answers</source>
-        <translation>数据库没有应答。您的操作继续进行；录制保存在本机，数据库恢复后立即存入</translation>
-    </message>
-    <message>
-        <source>The database does not answer. Torsio tries again by itself; what is stored is safe</source>
-        <translation>数据库没有应答。Torsio 会自动重试；已存入的数据是安全的</translation>
-    </message>
-    <message>
-        <source>Warning of the idle lock</source>
-        <translation>无操作锁定提醒</translation>
-    </message>
-    <message>
-        <source>State of the database</source>
-        <translation>数据库状态</translation>
-    </message>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
         <translation>
@@ -24025,98 +24135,12 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>文件已保留，请将此信息告知管理员</translation>
     </message>
     <message>
-        <source>PIN for practice</source>
-        <translation>练习用 PIN 码</translation>
-    </message>
-    <message>
-        <source>At least four digits. With it you practise at a station; nothing is recorded.
-Leave it empty to remove it.</source>
-        <translation>至少四位数字。可用它在工作站练习，不作任何记录。
-留空则删除。</translation>
-    </message>
-    <message>
-        <source>The PIN was removed</source>
-        <translation>PIN 码已删除</translation>
-    </message>
-    <message>
-        <source>The PIN is now in use</source>
-        <translation>PIN 码已生效</translation>
-    </message>
-    <message>
-        <source>There is no demonstration data</source>
-        <translation>没有演示数据</translation>
-    </message>
-    <message>
-        <source>Remove demonstration data</source>
-        <translation>删除演示数据</translation>
-    </message>
-    <message>
-        <source>Your own data stay as they are. This cannot be undone.</source>
-        <translation>您自己的数据不受影响。此操作无法撤销。</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Removing the demonstration</source>
-        <translation>正在删除演示数据</translation>
-    </message>
-    <message>
-        <source>Removed from the user menu</source>
-        <translation>通过用户菜单删除</translation>
-    </message>
-    <message>
-        <source>The demonstration data were removed</source>
-        <translation>演示数据已删除</translation>
-    </message>
-    <message>
-        <source>Leave kiosk mode</source>
-        <translation>退出自助终端模式</translation>
-    </message>
-    <message>
-        <source>An administrator ends the kiosk with name and password.</source>
-        <translation>管理员可用登录名和密码结束自助终端模式。</translation>
-    </message>
-    <message>
-        <source>Only an administrator can end the kiosk</source>
-        <translation>只有管理员可以结束自助终端模式</translation>
-    </message>
-    <message>
         <source>The database answers again, and what was kept meanwhile is stored</source>
         <translation>数据库已恢复应答，期间保存的内容已存入</translation>
     </message>
     <message>
-        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
-        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
-    </message>
-    <message>
-        <source>Setting up the centre</source>
-        <translation>正在设置中心</translation>
-    </message>
-    <message>
-        <source>Cancelled; nothing was set up</source>
-        <translation>已取消；未建立任何内容</translation>
-    </message>
-    <message>
-        <source>Name and password do not match. Please try again</source>
-        <translation>登录名与密码不匹配，请重试</translation>
-    </message>
-    <message>
-        <source>This account is disabled. Ask your administrator</source>
-        <translation>该账户已停用，请联系管理员</translation>
-    </message>
-    <message>
         <source>The new password is now in use</source>
         <translation>新密码已生效</translation>
-    </message>
-    <message>
-        <source>The password is not correct. Please try again</source>
-        <translation>密码不正确，请重试</translation>
-    </message>
-    <message>
-        <source>%1. Waiting to be stored: %2</source>
-        <translation>%1。等待保存：%2 项</translation>
     </message>
     <message>
         <source>The head of the audit trail was not kept: %1</source>
@@ -24127,10 +24151,6 @@ Leave it empty to remove it.</source>
         <translation>
             <numerusform>数据库最终拒绝了本工作站的 %Ln 条记录。请告知维护人员</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Remove the simulated people (%1), their runs (%2) and marks (%3)?</source>
-        <translation>删除模拟人员（%1）、其操作（%2）和评分（%3）？</translation>
     </message>
     <message>
         <source>No folder can be made for it: %1</source>
@@ -24153,24 +24173,8 @@ Leave it empty to remove it.</source>
         <translation>您现在是模拟学员。退出登录即可恢复自己的身份</translation>
     </message>
     <message>
-        <source>No card with this code is in force. Sign in with your name and password</source>
-        <translation>没有使用此代码的有效卡片。请用登录名和密码登录</translation>
-    </message>
-    <message>
         <source>Close the window once more, when you have read this</source>
         <translation>阅读后请再次关闭窗口</translation>
-    </message>
-    <message>
-        <source>Still there? You will be signed out in %1. Press any key to stay</source>
-        <translation>您还在吗？%1 后将退出登录。按任意键继续</translation>
-    </message>
-    <message>
-        <source>Still there? The screen will be locked in %1. Press any key to stay</source>
-        <translation>您还在吗？%1 后将锁定屏幕。按任意键继续</translation>
-    </message>
-    <message>
-        <source>Too many wrong tries. Please wait %1</source>
-        <translation>错误次数过多，请等待 %1</translation>
     </message>
 </context>
 <context>
@@ -25806,6 +25810,234 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Help</source>
         <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Open organ…</source>
+        <translation>打开器官…</translation>
+    </message>
+    <message>
+        <source>Use your own mesh instead of a shipped organ</source>
+        <translation>使用自己的网格代替自带器官</translation>
+    </message>
+    <message>
+        <source>Import an organ…</source>
+        <translation>导入器官…</translation>
+    </message>
+    <message>
+        <source>Make an organ from your own mesh or scan: view it, check it, save it</source>
+        <translation>用您自己的网格或扫描制作器官：查看、检验、保存</translation>
+    </message>
+    <message>
+        <source>Instrument…</source>
+        <translation>器械…</translation>
+    </message>
+    <message>
+        <source>Show your own instrument; the force felt remains that of the exercise</source>
+        <translation>显示您自己的器械；手感仍是练习中的</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>图片…</translation>
+    </message>
+    <message>
+        <source>Save the scene as a PNG picture</source>
+        <translation>将场景保存为 PNG 图片</translation>
+    </message>
+    <message>
+        <source>Film strip…</source>
+        <translation>连续画面…</translation>
+    </message>
+    <message>
+        <source>Save the twist at 0, 30, 60 … degrees, or the recording that is replayed, as one picture</source>
+        <translation>把 0、30、60……度时的扭转，或正在回放的录制，保存为一张图片</translation>
+    </message>
+    <message>
+        <source>Restart the exercise and record it</source>
+        <translation>重新开始练习并录制</translation>
+    </message>
+    <message>
+        <source>Replay…</source>
+        <translation>回放…</translation>
+    </message>
+    <message>
+        <source>Look at a recorded run again</source>
+        <translation>重新观看已录制的操作</translation>
+    </message>
+    <message>
+        <source>Compare models</source>
+        <translation>模型对比</translation>
+    </message>
+    <message>
+        <source>Twist this organ by the twist model, finite elements and springs under one torque</source>
+        <translation>在同一扭矩下用扭转模型、有限元和弹簧扭转该器官</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>Release the tissue; it returns to rest</source>
+        <translation>松开组织，使其恢复</translation>
+    </message>
+    <message>
+        <source>Restart exercise</source>
+        <translation>重新开始练习</translation>
+    </message>
+    <message>
+        <source>Start the exercise again</source>
+        <translation>从头开始练习</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>从正面观察</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Look from the patient&apos;s left side</source>
+        <translation>从患者左侧观察</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上方</translation>
+    </message>
+    <message>
+        <source>Look from the head</source>
+        <translation>从头侧观察</translation>
+    </message>
+    <message>
+        <source>Whole organ</source>
+        <translation>整个器官</translation>
+    </message>
+    <message>
+        <source>Show the whole organ</source>
+        <translation>显示整个器官</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation>网格线</translation>
+    </message>
+    <message>
+        <source>Show ridges and sections on the tissue</source>
+        <translation>在组织上显示脊线和截面</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>线框</translation>
+    </message>
+    <message>
+        <source>Show the edges of the surface</source>
+        <translation>显示表面的边</translation>
+    </message>
+    <message>
+        <source>Shear stress</source>
+        <translation>剪应力</translation>
+    </message>
+    <message>
+        <source>Colour the tissue by its shear stress</source>
+        <translation>按剪应力为组织着色</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Show the marker points of the organ</source>
+        <translation>显示器官的标记点</translation>
+    </message>
+    <message>
+        <source>Target pose</source>
+        <translation>目标姿态</translation>
+    </message>
+    <message>
+        <source>Show the pose to reach as a film over the organ</source>
+        <translation>以半透明形式显示需要达到的姿态</translation>
+    </message>
+    <message>
+        <source>Keys…</source>
+        <translation>按键…</translation>
+    </message>
+    <message>
+        <source>Assign the movements of the instrument to other keys</source>
+        <translation>将器械动作改到其他按键</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>操作方法</translation>
+    </message>
+    <message>
+        <source>How mouse and keys move the instrument</source>
+        <translation>如何用鼠标和键盘移动器械</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>As fine as this computer can draw smoothly</source>
+        <translation>在本机流畅的前提下尽量精细</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>快速</translation>
+    </message>
+    <message>
+        <source>Fewer effects, more pictures a second</source>
+        <translation>效果较少，帧率更高</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>精细</translation>
+    </message>
+    <message>
+        <source>Shadow, ambient occlusion and antialiasing</source>
+        <translation>阴影、环境光遮蔽和抗锯齿</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>最佳</translation>
+    </message>
+    <message>
+        <source>The finest shadow and edges; needs a graphics card</source>
+        <translation>最细腻的阴影和边缘；需要显卡</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Dark colours for a dark room</source>
+        <translation>适合暗室的深色</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全屏</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen</source>
+        <translation>铺满整个屏幕</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation>结束程序</translation>
+    </message>
+    <message>
+        <source>About Torsio</source>
+        <translation>关于 Torsio</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>版本与许可证</translation>
     </message>
 </context>
 <context>
@@ -28807,6 +29039,17 @@ Leave it empty to remove it.</source>
     <message>
         <source>Through the centre&apos;s mail server, to all raters with outstanding sheets or some of them</source>
         <translation>通过中心的邮件服务器，发给全部或部分欠交者</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ScreenLock</name>
+    <message>
+        <source>Too many wrong tries. Please wait %1</source>
+        <translation>错误次数过多，请等待 %1</translation>
+    </message>
+    <message>
+        <source>The password is not correct. Please try again</source>
+        <translation>密码不正确，请重试</translation>
     </message>
 </context>
 <context>

@@ -8,8 +8,12 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -23,6 +27,7 @@
 #include "app/gui/widgets/icons.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/signing.h"
+#include "app/services/maintenance/demonstration_removal.h"
 
 namespace torsio::gui {
 
@@ -361,7 +366,7 @@ void Desk::retranslate() {
   if (!actor.practiceOnly && actor.passwordShownUtc_us != kNoPasswordToShow) {
     userMenu_->addAction(tr("Change password\u2026"), this, &Desk::passwordChangeWanted);
     if (context_.may(Operation::kPractice)) {
-      userMenu_->addAction(tr("PIN for practice\u2026"), this, &Desk::pinWanted);
+      userMenu_->addAction(tr("PIN for practice\u2026"), this, &Desk::choosePin);
     }
     userMenu_->addAction(tr("Lock now"), QKeySequence(QStringLiteral("Ctrl+Alt+L")), this, &Desk::lockWanted);
     userMenu_->addSeparator();
@@ -373,7 +378,7 @@ void Desk::retranslate() {
                          [this] { Q_EMIT simulatedWanted(SimulatedRole::kPhysician); });
   }
   if (!actor.practiceOnly && context_.may(Operation::kPersonErase)) {
-    userMenu_->addAction(tr("Remove demonstration data\u2026"), this, &Desk::demonstrationRemovalWanted);
+    userMenu_->addAction(tr("Remove demonstration data\u2026"), this, &Desk::removeDemonstration);
     userMenu_->addSeparator();
   }
   userMenu_->addAction(tr("About Torsio"), this, &Desk::aboutWanted);
@@ -388,6 +393,52 @@ void Desk::changeEvent(QEvent* event) {
     retranslate();
   }
   QWidget::changeEvent(event);
+}
+
+void Desk::choosePin() {
+  bool entered = false;
+  const QString pin = QInputDialog::getText(this, tr("PIN for practice"),
+                                            tr("At least four digits. With it you practise at a station; "
+                                               "nothing is recorded.\nLeave it empty to remove it."),
+                                            QLineEdit::Password, {}, &entered);
+  if (!entered) {
+    return;
+  }
+  attempt(context_, [&] {
+    setOwnPin(context_.session(), pin.toStdString());
+    context_.notify(pin.isEmpty() ? tr("The PIN was removed") : tr("The PIN is now in use"));
+  });
+}
+
+void Desk::removeDemonstration() {
+  attempt(context_, [&] {
+    const DemonstrationSize size = demonstrationSize(context_.session());
+    if (size.rows == 0) {
+      context_.notify(tr("There is no demonstration data"));
+      return;
+    }
+    const QLocale locale;
+    QMessageBox question(QMessageBox::Question, tr("Remove demonstration data"),
+                         tr("Remove the simulated people (%1), their runs (%2) and marks (%3)?")
+                             .arg(locale.toString(static_cast<qlonglong>(size.people)),
+                                  locale.toString(static_cast<qlonglong>(size.trials)),
+                                  locale.toString(static_cast<qlonglong>(size.marks))),
+                         QMessageBox::Cancel, this);
+    question.setInformativeText(tr("Your own data stay as they are. This cannot be undone."));
+    const QAbstractButton* remove = question.addButton(tr("Remove"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    question.exec();
+    if (question.clickedButton() != remove) {
+      return;
+    }
+    context_.run(
+        this, tr("Removing the demonstration"),
+        [reason = tr("Removed from the user menu").toStdString()](SessionContext& own,
+                                                                  const ProgressCallback&) {
+          static_cast<void>(removeDemonstrationData(own, reason));
+        },
+        [this] { context_.notify(tr("The demonstration data were removed")); });
+  });
 }
 
 }  // namespace torsio::gui

@@ -83,12 +83,10 @@ class Desk : public QWidget {
   void signOutWanted();
   void lockWanted();
   void passwordChangeWanted();
-  void pinWanted();
   void languageWanted(torsio::gui::Language language);
   void themeWanted(torsio::gui::ThemeKind kind);
   void shortcutsWanted();
   void aboutWanted();
-  void demonstrationRemovalWanted();
   void simulatedWanted(SimulatedRole role);
 
  protected:
@@ -100,6 +98,8 @@ class Desk : public QWidget {
   QWidget* createHeader();
   QWidget* createBody();
   void connectContext();
+  void choosePin();
+  void removeDemonstration();
   void retranslate();
   void applyColours(ThemeKind kind);
   Page* pageFor(PageId id);

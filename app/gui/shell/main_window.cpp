@@ -1,32 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/shell/main_window.h"
 
+#include <initializer_list>
 #include <iostream>
 #include <utility>
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
-#include <QTemporaryDir>
+#include <QThread>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
-#include "app/gui/base/job_panel.h"
+#include "app/gui/base/problem_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/shell/dialog_lock.h"
-#include "app/gui/shell/lock_panel.h"
+#include "app/gui/shell/about_box.h"
+#include "app/gui/shell/away_banner.h"
+#include "app/gui/shell/entrance.h"
+#include "app/gui/shell/founding.h"
+#include "app/gui/shell/idle_warning.h"
+#include "app/gui/shell/look_round.h"
 #include "app/gui/shell/password_panel.h"
+#include "app/gui/shell/rail.h"
+#include "app/gui/shell/screen_lock.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
+#include "app/services/access/centre_settings.h"
+#include "app/services/access/kiosk_codes.h"
+#include "app/services/maintenance/copies.h"
+#include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/record_privacy.h"
+#include "app/services/recording/station_start.h"
 #include "app/services/recording/station_writer.h"
-#include "sim/core/error.h"
+#include "assessment/domain/people/account.h"
 
 namespace torsio::gui {
 
@@ -55,10 +66,10 @@ bool pressedByEnter(const QWidget& window, QObject* watched, const QEvent& event
 MainWindow::MainWindow(const ShellSetup& setup)
     : setup_(setup),
       preferences_(setup.remember),
-      idle_(setup.clock != nullptr ? *setup.clock : machineClock_, setup.idle.value_or(IdleLimits{})),
+      record_(setup_),
       mayClose_(!setup.kiosk),
-      idleWarning_(new QLabel(this)),
-      awayBanner_(new QLabel(this)),
+      idle_(new IdleWarning(setup.clock, setup.idle.value_or(IdleLimits{}), this)),
+      away_(new AwayBanner([this] { return reconnect(); }, this)),
       visit_(new VisitBar(this)),
       stack_(new QStackedWidget(this)) {
   setWindowTitle(QStringLiteral("Torsio"));
@@ -71,24 +82,30 @@ MainWindow::MainWindow(const ShellSetup& setup)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  idleWarning_->setObjectName(QStringLiteral("idleWarning"));
-  idleWarning_->setAlignment(Qt::AlignCenter);
-  idleWarning_->hide();
-  column->addWidget(idleWarning_);
-  awayBanner_->setObjectName(QStringLiteral("databaseAway"));
-  awayBanner_->setAlignment(Qt::AlignCenter);
-  awayBanner_->setWordWrap(true);
-  awayBanner_->hide();
-  column->addWidget(awayBanner_);
   visit_->hide();
-  column->addWidget(visit_);
+  for (QWidget* part : std::initializer_list<QWidget*>{idle_, away_, visit_, stack_}) {
+    column->addWidget(part);
+  }
+  connect(idle_, &IdleWarning::timeIsUp, this, [this] {
+    if (endsWhenLeft()) {
+      signOutBeyondDialogs(tr("You were signed out because nobody was here"));
+    } else {
+      lock();
+    }
+  });
+  connect(away_, &AwayBanner::settleWanted, this, &MainWindow::settleAgain);
+  connect(away_, &AwayBanner::refused, this, [this](int entries) {
+    if (desk_ != nullptr) {
+      desk_->context().notify(
+          tr("The database permanently refused %Ln entries of this station. Please tell its administrator",
+             nullptr, entries));
+    }
+  });
   connect(visit_, &VisitBar::wanted, this, &MainWindow::visit);
-  column->addWidget(stack_);
   SceneView::prepareWindow(*this);
   applyChoices({});
   createPanels();
   createKeys();
-  retranslate();
   qApp->installEventFilter(this);
   connect(&second_, &QTimer::timeout, this, &MainWindow::watchIdleness);
   connect(&second_, &QTimer::timeout, this, &MainWindow::heartbeat);
@@ -101,24 +118,20 @@ MainWindow::~MainWindow() {
   delete desk_;  // before the session that it works at
 }
 
-SessionKey MainWindow::key() const {
-  SessionKey key;
-  key.locator = setup_.locator.toStdString();
-  key.station = setup_.station;
-  return key;
+SignInPanel& MainWindow::signIn() const {
+  return entrance_->signIn();
 }
 
 void MainWindow::createPanels() {
   trouble_ = new TroublePanel(this);
-  firstRun_ = new FirstRunPanel(setup_.locator, this);
-  signIn_ = new SignInPanel(this);
-  password_ = new PasswordPanel(this);
-  lock_ = new LockPanel(this);
+  founding_ = new Founding(background_, record_, setup_, this);
+  entrance_ = new Entrance(background_, record_, this);
+  lock_ = new ScreenLock(background_, this);
   const std::initializer_list<std::pair<QWidget*, const char*>> panels{{trouble_, "trouble"},
-                                                                       {firstRun_, "first run"},
-                                                                       {signIn_, "sign-in"},
-                                                                       {password_, "password"},
-                                                                       {lock_, "lock"}};
+                                                                       {&founding_->panel(), "first run"},
+                                                                       {&signIn(), "sign-in"},
+                                                                       {&entrance_->password(), "password"},
+                                                                       {lock_->panel(), "lock"}};
   for (const auto& [panel, name] : panels) {
     panel->setObjectName(QLatin1String(name));
     stack_->addWidget(panel);
@@ -126,38 +139,51 @@ void MainWindow::createPanels() {
   trouble_->setTheme(theme(theme_));
   connect(trouble_, &TroublePanel::retryWanted, this, &MainWindow::openDatabase);
   connect(trouble_, &TroublePanel::otherDatabaseWanted, this, &MainWindow::enterFirstRun);
-  connect(firstRun_, &FirstRunPanel::languageWanted, this, [this](Language language) {
+  connectFounding();
+  connect(&signIn(), &SignInPanel::languageWanted, this, &MainWindow::chooseLanguage);
+  connectEntrance();
+  connect(lock_, &ScreenLock::opened, this, [this] { show(desk_); });
+  connect(lock_, &ScreenLock::signOutWanted, this, [this] { signOutBeyondDialogs({}); });
+  connect(&background_, &Background::workingChanged, this, [this](bool working) {
+    entrance_->setWorking(working);
+    founding_->panel().setWorking(working);
+    lock_->setWorking(working);
+  });
+}
+
+void MainWindow::connectFounding() {
+  const FirstRunPanel* panel = &founding_->panel();
+  connect(panel, &FirstRunPanel::languageWanted, this, [this](Language language) {
     firstRunLanguage_ = language;
     chooseLanguage(language);
   });
-  connect(firstRun_, &FirstRunPanel::chosen, this, &MainWindow::setUp);
-  connect(firstRun_, &FirstRunPanel::done, this, &MainWindow::enterDesk);
-  connect(firstRun_, &FirstRunPanel::lookRoundWanted, this, &MainWindow::lookRound);
-  connect(&firstRun_->job(), &JobPanel::cancelled, this, [this] { setUpCancelled_->store(true); });
-  connect(signIn_, &SignInPanel::passwordGiven, this, &MainWindow::tryPassword);
-  connect(signIn_, &SignInPanel::pinGiven, this, &MainWindow::tryPin);
-  connect(signIn_, &SignInPanel::codeGiven, this, &MainWindow::tryCode);
-  connect(signIn_, &SignInPanel::languageWanted, this, &MainWindow::chooseLanguage);
-  connect(signIn_, &SignInPanel::guestChosen, this, &MainWindow::enterAsGuest);
-  connect(password_, &PasswordPanel::chosen, this, &MainWindow::changePassword);
-  connect(password_, &PasswordPanel::givenUp, this, [this] {
+  connect(panel, &FirstRunPanel::done, this, &MainWindow::enterDesk);
+  connect(panel, &FirstRunPanel::lookRoundWanted, this, &MainWindow::lookRound);
+  connect(founding_, &Founding::founded, this, &MainWindow::begin);
+  connect(founding_, &Founding::foundThere, this, [this](const QString& locator) {
+    keepFirstRun(locator);
+    openDatabase();
+  });
+  connect(founding_, &Founding::failed, this, &MainWindow::endLookRound);
+}
+
+void MainWindow::connectEntrance() {
+  connect(entrance_, &Entrance::entered, this, &MainWindow::enterDesk);
+  connect(entrance_, &Entrance::passwordWanted, this, [this] { show(&entrance_->password()); });
+  connect(entrance_, &Entrance::passwordChanged, this, [this] {
+    show(desk_);
+    desk_->context().notify(tr("The new password is now in use"));
+  });
+  connect(&entrance_->password(), &PasswordPanel::givenUp, this, [this] {
     if (desk_ != nullptr) {
       show(desk_);
     } else {
       enterSignIn();
     }
   });
-  dialogLock_ = new DialogLock(this);
-  for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {
-    connect(lock, &LockPanel::passwordGiven, this, &MainWindow::unlock);
-    connect(lock, &LockPanel::signOutWanted, this, [this] { signOutBeyondDialogs({}); });
-  }
-  connect(&background_, &Background::workingChanged, this, [this](bool working) {
-    signIn_->setWorking(working);
-    password_->setWorking(working);
-    firstRun_->setWorking(working);
-    lock_->setWorking(working);
-    dialogLock_->panel().setWorking(working);
+  connect(entrance_, &Entrance::kioskEnded, this, [this] {
+    mayClose_ = true;
+    close();
   });
 }
 
@@ -170,8 +196,7 @@ void MainWindow::createKeys() {
   key(QKeySequence(QStringLiteral("?")), sheet);
   key(Qt::Key_F11, [this] { toggleFullScreen(); });
   key(Qt::CTRL | Qt::ALT | Qt::Key_L, [this] { lock(); });
-  connect(signIn_, &SignInPanel::leaveKioskWanted, this, &MainWindow::leaveKiosk);
-  signIn_->setKiosk(setup_.kiosk);
+  signIn().setKiosk(setup_.kiosk);
 }
 
 void MainWindow::toggleFullScreen() {
@@ -188,7 +213,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Wheel:
     case QEvent::TouchBegin:
     case QEvent::TouchUpdate:
-      idle_.activity();
+      idle_->activity();
       break;
     default:
       break;
@@ -198,124 +223,337 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void MainWindow::watchIdleness() {
   const bool watched = desk_ != nullptr && stack_->currentWidget() == desk_;
-  const bool busy = !watched || desk_->busy();
-  if (busy != idle_.busy()) {
-    idle_.setBusy(busy);  // each call begins the count anew
-  }
-  const IdleState state = idle_.state();
-  idleWarning_->setVisible(watched && state == IdleState::kWarning);
-  if (!watched) {
-    return;
-  }
-  if (state == IdleState::kWarning) {
-    const QString left = clockTimeLeft(idle_.untilLock_us());
-    const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_ || simulated_;
-    idleWarning_->setText(
-        ends ? tr("Still there? You will be signed out in %1. Press any key to stay").arg(left)
-             : tr("Still there? The screen will be locked in %1. Press any key to stay").arg(left));
-  } else if (state == IdleState::kLocked) {
-    idle_.unlock();  // the lock panel is the lock; the guard counts anew once it is open
-    const bool ends = setup_.kiosk || session_->actor().practiceOnly || lookedAt_ || simulated_;
-    if (ends) {
-      signOutBeyondDialogs(tr("You were signed out because nobody was here"));
-    } else {
-      lock();
-    }
-  }
+  idle_->watch(watched, watched && desk_->busy(),
+               watched && endsWhenLeft() ? IdleWarning::End::kSignOut : IdleWarning::End::kLock);
+}
+
+/// There is nothing to come back to at this desk, so that it is not locked.
+bool MainWindow::endsWhenLeft() const {
+  return setup_.kiosk || record_.session()->actor().practiceOnly || lookRound_ || simulated_;
 }
 
 void MainWindow::show(QWidget* panel) {
   stack_->setCurrentWidget(panel);
-  visit_->setVisible(lookedAt_ != nullptr && panel == desk_);
+  visit_->setVisible(lookRound_ != nullptr && panel == desk_);
 }
 
 void MainWindow::start() {
   if (const QString chosen = preferences_.database(); !chosen.isEmpty()) {
-    setup_.locator = chosen;
+    record_.setLocator(chosen);
   }
   openDatabase();
 }
 
 void MainWindow::heartbeat() {
-  if (!line_) {
-    return;
-  }
-  line_->signIn(session_->actor());
-  showAnswers(line_->answers());
-  if (const std::size_t refused = line_->refused(); refused != refusedTold_) {
-    refusedTold_ = refused;
-    if (refused > 0 && desk_ != nullptr) {
-      desk_->context().notify(
-          tr("The database permanently refused %Ln entries of this station. Please tell its administrator",
-             nullptr, static_cast<int>(refused)));
-    }
+  if (record_.line() != nullptr) {
+    record_.line()->signIn(record_.session()->actor());
+    away_->follow(*record_.line(), desk_ != nullptr && desk_->busy());
   }
 }
 
-void MainWindow::showAnswers(bool answers) {
-  const bool running = desk_ != nullptr && desk_->busy();
-  awayBanner_->setVisible(!answers);
-  if (!answers) {
-    awayBanner_->setText(running ? tr("The database does not answer. Your run continues; it is kept on this "
-                                      "computer and stored as soon as the database answers")
-                                 : tr("The database does not answer. Torsio tries again by itself; what is "
-                                      "stored is safe"));
-    if (const std::size_t waiting = line_ ? line_->waiting() : 0; waiting > 0) {
-      awayBanner_->setText(tr("%1. Waiting to be stored: %2").arg(awayBanner_->text()).arg(waiting));
-    }
-    settleDue_ = true;
-  }
-  answered_ = answers && (answered_ || reconnect());
-  if (answers && settleDue_ && !running && !background_.working()) {
-    settleAgain();
-  }
-}
-
-/// The connection of the pages was lost with the server. False: it is away again, or never was back; the next
-/// heartbeat that is answered tries anew.
+/// The connection of the pages was lost with the server. False: it is away again; the next heartbeat that is
+/// answered tries anew.
 bool MainWindow::reconnect() {
-  try {
-    session_->reconnect();
-  } catch (...) {
-    return false;
-  }
-  if (desk_ != nullptr) {
+  const bool back = record_.reconnect();
+  if (back && desk_ != nullptr) {
     desk_->databaseAnswered();
   }
+  return back;
+}
+
+void MainWindow::openDatabase() {
+  record_.stopLine();
+  try {
+    if (!preferences_.database().isEmpty() && preferences_.database() == record_.locator()) {
+      requireKnownRecord(record_.locator().toStdString());
+    } else if (lookAtRecord(record_.locator().toStdString()) != RecordPlace::kCentre) {
+      record_.close();
+      enterFirstRun();
+      return;
+    }
+    preferences_.keep(true);
+    record_.open();
+    const CentreSign sign = centreSign(record_.session()->connectionWithoutRight());
+    centre_ = toQString(sign.name);
+    cardsOpen_ = setup_.kiosk && centreSetting<kKioskCodes>(record_.session()->connectionWithoutRight());
+    if (!preferences_.language({})) {
+      if (const auto language = languageOf(toQString(sign.language))) {
+        chooseLanguage(*language);
+      }
+    }
+    enterSignIn();
+    settle();
+  } catch (...) {
+    trouble_->tell(std::current_exception());
+    show(trouble_);
+  }
+}
+
+/// Recordings that wait in files can take long to store; until then nobody signs in.
+void MainWindow::settle() {
+  const bool begins = !std::exchange(filesClosed_, true);
+  background_.run(
+      [this, begins, key = record_.key(),
+       folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
+        sweepLeftovers(key.locator);
+        std::vector<Text> closed = begins ? closeRecordFiles(key.locator, folder) : std::vector<Text>{};
+        SessionContext own(key);
+        if (begins) {
+          const std::vector<Text> copies = closeKnownCopies(own.connectionWithoutRight());
+          closed.insert(closed.end(), copies.begin(), copies.end());
+        }
+        const StationStart start = settleStation(own, folder);
+        return [this, kept = start.kept, closed] {
+          kept_ = kept;
+          if (!kept_.empty()) {
+            signIn().say(translatedLines(kept_), true);
+          } else if (!closed.empty()) {
+            signIn().say(translatedLines(closed), false);
+          }
+          startLine();
+        };
+      },
+      [this](const std::exception_ptr& problem) {
+        signIn().say(problemSentence(problem), true);
+        startLine();
+      });
+}
+
+void MainWindow::startLine() {
+  record_.startLine();
+  away_->reset();
+  if (desk_ != nullptr) {
+    desk_->context().setLine(record_.line());
+  }
+  heartbeat();
+}
+
+/// After the database was away: recordings of the meantime wait in files.
+void MainWindow::settleAgain() {
+  if (background_.working()) {
+    return;
+  }
+  away_->setSettleDue(false);
+  background_.run(
+      [this, key = record_.key(),
+       folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
+        SessionContext own(key);
+        const StationStart start = settleStation(own, folder);
+        return [this, start] {
+          if (desk_ == nullptr || start.trials.empty()) {
+            return;
+          }
+          desk_->context().notify(tr("The database answers again, and what was kept meanwhile is stored"));
+        };
+      },
+      [this](const std::exception_ptr&) { away_->setSettleDue(true); });
+}
+
+void MainWindow::changeRecord(const RecordChange& change) {
+  leaveDesk();
+  const std::optional<LeftHead> head = forgetActor();
+  record_.close();  // nobody has the record open now
+  QString sentence = change.sentence;
+  bool failed = false;
+  try {
+    if (change.swap) {
+      change.swap();
+    }
+    if (!change.locator.isEmpty()) {
+      record_.setLocator(change.locator);
+      preferences_.setDatabase(change.locator);
+    }
+  } catch (...) {
+    sentence = problemSentence(std::current_exception());
+    failed = true;
+  }
+  openDatabase();
+  tellHead(head);
+  signIn().say(sentence, failed);
+}
+
+/// Nothing is written before the last step, no setting of this station either.
+void MainWindow::enterFirstRun() {
+  preferences_.keep(false);
+  founding_->panel().setLanguage(language_.present());
+  show(&founding_->panel());
+}
+
+void MainWindow::keepFirstRun(const QString& locator) {
+  preferences_.keep(true);
+  preferences_.setDatabase(locator);
+  if (firstRunLanguage_) {
+    preferences_.setLanguage({}, *firstRunLanguage_);
+  }
+}
+
+void MainWindow::begin(const FirstRunChoice& choice, const std::vector<StartAccount>& accounts) {
+  startLine();
+  centre_ = toQString(choice.first.centre);
+  if (!lookRound_) {
+    keepFirstRun(choice.locator);
+    founding_->panel().showAccounts(accounts);
+    return;
+  }
+  // A visitor has no device, and nothing counts.
+  setCentreSetting<kGradedWithMouse>(*record_.session(), true);
+  lookRound_->visitor = record_.session()->actor();
+  visit_->setSeen(VisitedDesk::kAdministrator);
+  enterDesk();
+  desk_->context().notify(tr("Everybody here is simulated. All of it is deleted when you sign out"));
+  if (lookRound_->first != VisitedDesk::kAdministrator) {
+    visit(lookRound_->first);
+  }
+}
+
+void MainWindow::lookRound(VisitedDesk desk) {
+  lookRound_ = std::make_unique<LookRound>();
+  if (!lookRound_->folder.isValid()) {
+    founding_->panel().say(tr("No folder can be made for it: %1").arg(lookRound_->folder.errorString()));
+    lookRound_.reset();
+    return;
+  }
+  lookRound_->before = record_.locator();
+  lookRound_->first = desk;
+  founding_->begin(lookRound_->choice(tr("Look round: simulated people"), founding_->panel().language()));
+}
+
+void MainWindow::endLookRound() {
+  if (lookRound_) {
+    record_.close();  // nobody has the record open now
+    record_.setLocator(lookRound_->before);
+    lookRound_.reset();
+  }
+}
+
+void MainWindow::enterSignIn() {
+  applyChoices({});
+  signIn().setCentre(centre_);
+  signIn().setCards(cardsOpen_);
+  signIn().clear();
+  show(&signIn());
+}
+
+void MainWindow::enterDesk() {
+  leaveDesk();
+  if (!setup_.idle) {
+    idle_->setLimits(centreIdleLimits(record_.session()->connectionWithoutRight()));
+  }
+  applyChoices(userId());
+  openDesk();
+  tellKept();
+}
+
+void MainWindow::tellKept() {
+  if (kept_.empty() || record_.session()->actor().practiceOnly) {
+    return;
+  }
+  desk_->context().tell([kept = kept_] {
+    return TranslatedError{
+        tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept.size())),
+        tr("The files are kept. Please show this to your administrator"), translatedLines(kept)};
+  });
+  kept_.clear();
+}
+
+void MainWindow::openDesk() {
+  DeskSetup setup;
+  setup.assets = setup_.assets;
+  setup.centre = lookRound_ ? QString() : centre_;  // the line of the look round says it
+  setup.language = language_.present();
+  setup.theme = theme_;
+  setup.kiosk = setup_.kiosk;
+  setup.groups = setup_.groups;
+  desk_ = new Desk(*record_.session(), setup, this);
+  desk_->context().setLine(record_.line());
+  desk_->setObjectName(QStringLiteral("desk"));
+  stack_->addWidget(desk_);
+  connect(desk_, &Desk::signOutWanted, this, [this] { signOut(); });
+  connect(desk_, &Desk::lockWanted, this, &MainWindow::lock);
+  connect(desk_, &Desk::languageWanted, this, &MainWindow::chooseLanguage);
+  connect(desk_, &Desk::themeWanted, this, &MainWindow::chooseTheme);
+  connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
+  connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
+  connect(desk_, &Desk::simulatedWanted, this, &MainWindow::enterAsSimulated);
+  connect(desk_, &Desk::passwordChangeWanted, entrance_, &Entrance::changeOwnPassword);
+  // Later, since the page that asks for it dies with the desk.
+  connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
+    QTimer::singleShot(0, this, [this, change] { changeRecord(change); });
+  });
+  desk_->rail().setNarrow(preferences_.layout(QStringLiteral("rail_narrow")).toBool());
+  connect(&desk_->rail(), &Rail::narrowChanged, this,
+          [this](bool narrow) { preferences_.setLayout(QStringLiteral("rail_narrow"), narrow); });
+  show(desk_);
+  deskLevel_ = QThread::currentThread()->loopLevel();
+  desk_->openHome(preferences_.page(userId()));
+}
+
+void MainWindow::leaveDesk() {
+  if (desk_ == nullptr) {
+    return;
+  }
+  if (desk_->pageId()) {
+    preferences_.setPage(userId(), pageText(*desk_->pageId()));
+  }
+  stack_->removeWidget(desk_);
+  delete desk_;
+  desk_ = nullptr;
+}
+
+bool MainWindow::signOut(const QString& reason) {
+  if (desk_ != nullptr && !desk_->mayLeave()) {
+    return false;
+  }
+  leaveDesk();
+  simulated_ = false;
+  const std::optional<LeftHead> head = forgetActor();
+  if (lookRound_) {
+    endLookRound();
+    openDatabase();
+    return true;
+  }
+  enterSignIn();
+  if (!reason.isEmpty()) {
+    signIn().say(reason, false);
+  }
+  tellHead(head);
   return true;
 }
 
+bool MainWindow::lock() {
+  if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) {
+    return false;
+  }
+  if (record_.session()->actor().practiceOnly || lookRound_ || simulated_) {
+    return signOut();  // nothing to come back to
+  }
+  lock_->close(*record_.session(), record_.key());
+  show(lock_->panel());
+  return true;
+}
+
+void MainWindow::signOutBeyondDialogs(const QString& reason) {
+  lock_->closeDialogs();
+  if (QThread::currentThread()->loopLevel() > deskLevel_) {
+    // Whoever opened a dialog still waits in its event loop, and belongs to the desk: that returns first.
+    QTimer::singleShot(0, this, [this, reason] { signOutBeyondDialogs(reason); });
+    return;
+  }
+  if (desk_ == nullptr || signOut(reason)) {
+    return;
+  }
+  if (stack_->currentWidget() == desk_) {
+    lock();
+  }
+  lock_->say(tr("Something is unfinished here. Only its owner can sign out"));
+}
+
 std::optional<LeftHead> MainWindow::forgetActor() {
-  if (!session_ || session_->actor().userId.empty()) {
+  if (lookRound_ && record_.session() != nullptr) {
+    record_.session()->setActor({});  // the audit trail goes with the folder
     return std::nullopt;
   }
-  if (lookedAt_) {
-    session_->setActor({});
-    return std::nullopt;
-  }
-  const bool administrator = session_->actor().hasRole("administrator");
-  try {
-    if (line_ && !line_->answers()) {
-      line_->write([](SessionContext& own) { torsio::signOut(own); });
-      session_->setActor({});
-    } else {
-      torsio::signOut(*session_);
-    }
-  } catch (...) {
-    session_->setActor({});  // the audit trail cannot be written; nobody stays signed in for that
-    return std::nullopt;
-  }
-  if (!administrator) {
-    return std::nullopt;
-  }
-  if (line_ && !line_->answers()) {
-    return LeftHead{.trouble = Text::tr("The database does not answer")};
-  }
-  try {
-    return headOnLeaving(session_->connectionWithoutRight(), session_->now_us());
-  } catch (const Error& error) {
-    return LeftHead{.trouble = error.happenedText()};
-  }
+  return record_.signOut();
 }
 
 bool MainWindow::staysSilent(const LeftHead& head) {
@@ -331,26 +569,69 @@ void MainWindow::tellHead(const std::optional<LeftHead>& head) {
     return;
   }
   if (head->line.empty()) {
-    signIn_->say(tr("The head of the audit trail was not kept: %1").arg(toQString(head->trouble)), true);
+    signIn().say(tr("The head of the audit trail was not kept: %1").arg(toQString(head->trouble)), true);
     return;
   }
-  signIn_->tellHead(*head);
+  signIn().tellHead(*head);
+}
+
+void MainWindow::enterAsSimulated(SimulatedRole role) {
+  if (desk_ == nullptr || !desk_->mayLeave()) {
+    return;
+  }
+  if (lookRound_) {
+    visit(role == SimulatedRole::kTrainee ? VisitedDesk::kTrainee : VisitedDesk::kPhysician);
+    return;
+  }
+  Actor person;
+  if (!attempt(desk_->context(), [&] { person = simulatedPerson(desk_->context().session(), role); })) {
+    return;
+  }
+  enterDeskAs(person, true,
+              role == SimulatedRole::kTrainee
+                  ? tr("You are a simulated trainee. Sign out to return to your own account")
+                  : tr("You are a simulated physician. Sign out to return to your own account"));
+}
+
+void MainWindow::visit(VisitedDesk desk) {
+  if (!lookRound_ || desk_ == nullptr || !desk_->mayLeave()) {
+    return;
+  }
+  const Actor before = record_.session()->actor();
+  Actor next = lookRound_->visitor;
+  const bool simulated = desk != VisitedDesk::kAdministrator;
+  if (simulated) {
+    record_.session()->setActor(lookRound_->visitor);
+    const bool found = attempt(desk_->context(), [&] {
+      next = simulatedPerson(*record_.session(), desk == VisitedDesk::kTrainee ? SimulatedRole::kTrainee
+                                                                               : SimulatedRole::kPhysician);
+    });
+    record_.session()->setActor(before);
+    if (!found) {
+      return;
+    }
+  }
+  if (!simulated) {  // nobody knows the password of the visitor, and what is signed goes with the folder
+    next.passwordShownUtc_us = record_.session()->now_us();
+  }
+  visit_->setSeen(desk);
+  enterDeskAs(next, simulated, tr("Everybody here is simulated. All of it is deleted when you sign out"));
+}
+
+void MainWindow::enterDeskAs(const Actor& actor, bool simulated, const QString& sentence) {
+  // Later, since the menu or page that asked dies with the desk.
+  QTimer::singleShot(0, this, [this, actor, simulated, sentence] {
+    leaveDesk();
+    forgetActor();
+    record_.session()->setActor(actor);
+    simulated_ = simulated;
+    enterDesk();
+    desk_->context().notify(sentence);
+  });
 }
 
 QString MainWindow::userId() const {
-  return session_ ? toQString(session_->actor().userId) : QString();
-}
-
-void MainWindow::retranslate() {
-  idleWarning_->setAccessibleName(tr("Warning of the idle lock"));
-  awayBanner_->setAccessibleName(tr("State of the database"));
-}
-
-void MainWindow::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) {
-    retranslate();
-  }
-  QWidget::changeEvent(event);
+  return record_.session() != nullptr ? toQString(record_.session()->actor().userId) : QString();
 }
 
 void MainWindow::applyChoices(const QString& user) {
@@ -400,16 +681,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   leaveDesk();
   if (const std::optional<LeftHead> head = forgetActor(); head && !staysSilent(*head)) {
     enterSignIn();
-    signIn_->say(tr("Close the window once more, when you have read this"), true);
+    signIn().say(tr("Close the window once more, when you have read this"), true);
     tellHead(head);
     event->ignore();
     return;
   }
-  if (line_) {
-    line_->leave();
-  }
-  line_.reset();
-  lessons_.reset();
+  record_.leave();
   event->accept();
 }
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QObject>
+
+#include "app/gui/base/background.h"
+#include "app/services/access/access_service.h"
+
+namespace torsio::gui {
+
+class OpenRecord;
+class PasswordPanel;
+class SignInPanel;
+
+/// The way in: name and password, PIN, card or guest, a start password that must be changed, and out of the
+/// kiosk. Everything is checked off the GUI thread. GUI thread.
+class Entrance : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `background` and `record` outlive it.
+  Entrance(Background& background, OpenRecord& record, QWidget* window);
+
+  [[nodiscard]] SignInPanel& signIn() const noexcept { return *signIn_; }
+  [[nodiscard]] PasswordPanel& password() const noexcept { return *password_; }
+  /// Whoever is signed in chooses another password.
+  void changeOwnPassword();
+  void setWorking(bool working);
+
+ Q_SIGNALS:
+  /// The session has its actor.
+  void entered();
+  /// Of whoever is signed in.
+  void passwordChanged();
+  void passwordWanted();
+  /// An administrator ends the kiosk.
+  void kioskEnded();
+
+ private:
+  using Try = std::function<SignInAnswer(SessionContext&)>;
+  using Then = std::function<void(const SignInAnswer&)>;
+  void attempt(Try attempt, Then then);
+  void took(const SignInAnswer& answer, const QString& login, const QString& password);
+  void tryCode(const QString& code);
+  void enterAsGuest();
+  void beginChange(const QString& login, const QString& password, bool forced);
+  void change(const QString& login, const QString& oldPassword, const QString& newPassword);
+  void leaveKiosk();
+
+  Background& background_;
+  OpenRecord& record_;
+  QWidget* window_;
+  SignInPanel* signIn_;
+  PasswordPanel* password_;
+  bool forced_ = false;  // the password must be changed before anything else
+};
+
+}  // namespace torsio::gui
