@@ -18560,7 +18560,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Not judged: nothing is asked of such a recording</source>
-        <translation>未评定：此类记录没有目标要求</translation>
+        <translation>未评定：此类录制没有目标要求</translation>
     </message>
     <message>
         <source>This is not your fault: the computer lost part of this run, so not all of it could be measured.</source>
