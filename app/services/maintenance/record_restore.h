@@ -10,13 +10,13 @@
 
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
-#include "app/services/maintenance/maintenance_desk.h"
 #include "db/migrations/backup.h"
 #include "sim/core/text.h"
 
 namespace torsio {
 
 class FileInTheMaking;
+struct Maintainer;
 
 /// How much a record holds.
 struct RecordExtent {

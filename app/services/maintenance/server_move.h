@@ -7,11 +7,12 @@
 
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
-#include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/recording/unstored_trials.h"
 #include "db/repository/system/record_copy.h"
 
 namespace torsio {
+
+struct Maintainer;
 
 /// A database on a PostgreSQL server, as somebody types it.
 struct ServerAddress {

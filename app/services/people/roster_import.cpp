@@ -19,6 +19,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/people/roster_import_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 

@@ -15,6 +15,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/person_data.h"
+#include "db/repository/people/roster_import_repository.h"
 #include "sim/core/error.h"
 
 namespace torsio {

@@ -9,10 +9,11 @@
 #include "app/services/access/session_context.h"
 #include "app/services/people/people_service.h"
 #include "app/services/people/roster_import.h"
-#include "db/repository/people/roster_import_repository.h"
 #include "sim/core/text.h"
 
 namespace torsio {
+
+struct StoredRosterPerson;
 
 /// A roster that was imported, and whether it can still be taken back.
 struct ImportedRoster {
