@@ -12,6 +12,7 @@
 #include "app/services/maintenance/database_copy.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/demonstration_removal.h"
+#include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/maintenance/record_restore.h"
 #include "app/services/maintenance/retention.h"
