@@ -10,9 +10,9 @@ namespace torsio::gui {
 /// The pages of the administrator, allocator and statistician, in the order of the navigation; the first one
 /// is home.
 [[nodiscard]] std::vector<PageEntry> administratorPages();
-/// Their pictures for the user guide.
+/// Screens of these pages for the user guide.
 [[nodiscard]] std::vector<ScreenEntry> administratorScreens();
-/// Pictures of dialogs on their pages. A dialog keeps the language in which it was opened.
+/// Screens of dialogs on these pages. A dialog keeps the language in which it was opened.
 [[nodiscard]] std::vector<ScreenEntry> administratorDialogs();
 
 }  // namespace torsio::gui

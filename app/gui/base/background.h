@@ -10,7 +10,7 @@
 
 namespace torsio::gui {
 
-/// Short work off the GUI thread while nobody is signed in: checking a password, trying a database. One at a
+/// Short background work while nobody is signed in: checking a password, testing a database. One task at a
 /// time.
 class Background : public QObject {
   Q_OBJECT
@@ -19,8 +19,8 @@ class Background : public QObject {
   explicit Background(QObject* parent = nullptr);
   ~Background() override;
 
-  /// `work` runs in a worker thread and returns what then runs in the GUI thread; `failed` runs there instead
-  /// when it throws. Does nothing while other work runs.
+  /// Runs `work` in a worker thread and its result in the GUI thread; if it throws, `failed` runs there
+  /// instead. No effect while other work runs.
   using Finish = std::function<void()>;
   void run(std::function<Finish()> work, std::function<void(const std::exception_ptr&)> failed);
   [[nodiscard]] bool working() const noexcept { return working_; }

@@ -5,8 +5,8 @@
 
 namespace torsio::gui {
 
-/// Sent to the page that is shown when the database answers again after it was away: what could not be read
-/// or kept meanwhile is tried again.
+/// Sent to the current page when the database answers again after an outage, so that it retries what it could
+/// not read or store.
 [[nodiscard]] inline QEvent::Type databaseAnsweredEvent() {
   static const auto kType = static_cast<QEvent::Type>(QEvent::registerEventType());
   return kType;

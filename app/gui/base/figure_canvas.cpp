@@ -23,18 +23,18 @@ namespace {
 
 constexpr QSize kCopiedPicture(1600, 900);
 constexpr double kCopiedScale = 2.0;  // laid out at 800 x 450, drawn twice as large
-constexpr int kDescribedRows = 12;    // a screen reader offers the table for more
+constexpr int kDescribedRows = 12;    // a screen reader refers to the table for more
 constexpr int kLabel_px = 13;
 constexpr int kRowHeight = 26;
 constexpr int kFrameHeight = 110;
 
-/// Figures speak the language of the window.
+/// Figures use the window's language.
 const Wording kTranslated = [](const Text& text) { return toQString(text); };
 
 }  // namespace
 
-/// Charts are drawn for some hundred pixels. Across a 4K screen the lines of patterns would melt into a tint,
-/// and marks, lines and letters would be lost.
+/// Charts are designed for a few hundred pixels. On a 4K screen, hatches would blend into a tint, and marks,
+/// lines and letters would be too small.
 bool isWide(int width) {
   constexpr int kPlainUpTo = 1200;
   return width > kPlainUpTo;
@@ -80,7 +80,7 @@ FigureCanvas::FigureCanvas(QWidget* parent)
     : QGraphicsView(parent), style_(chartStyle(theme(ThemeKind::kLight))) {
   setScene(new QGraphicsScene(this));
   setFrameShape(QFrame::NoFrame);
-  setRenderHints(QPainter::Antialiasing | QPainter::NonCosmeticBrushPatterns);  // else hatches never grow
+  setRenderHints(QPainter::Antialiasing | QPainter::NonCosmeticBrushPatterns);  // else hatches do not scale
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFocusPolicy(Qt::StrongFocus);
@@ -162,7 +162,7 @@ void FigureCanvas::copy() const {
   if (!figure_) {
     return;
   }
-  auto* content = new QMimeData;  // the clipboard's
+  auto* content = new QMimeData;  // owned by the clipboard
   content->setImageData(picture(kCopiedPicture));
   content->setText(tabbed(figureTable(*figure_)));
   QGuiApplication::clipboard()->setMimeData(content);

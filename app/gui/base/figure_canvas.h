@@ -14,12 +14,11 @@ class QGraphicsWidget;
 
 namespace torsio::gui {
 
-/// The look of charts in a theme of the window.
+/// Returns the chart style of a window theme.
 [[nodiscard]] ChartStyle chartStyle(const Theme& theme);
 
-/// A figure of a report drawn into a widget, with the same builder as on paper. Ctrl+C copies it as a picture
-/// on white and as the table of its values. Says its values in the accessible description. In the language of
-/// the window.
+/// A figure of a report in a widget, built like the printed one. Ctrl+C copies it as a picture on white and
+/// as a table of its values. The accessible description contains its values. In the window's language.
 class FigureCanvas : public QGraphicsView {
   Q_OBJECT
 
@@ -30,7 +29,7 @@ class FigureCanvas : public QGraphicsView {
   void setTheme(const Theme& theme);
   void copy() const;
 
-  /// As it would be printed, for documents.
+  /// Renders the figure as printed, for documents.
   [[nodiscard]] QImage picture(const QSize& size) const;
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 220}; }
@@ -47,10 +46,10 @@ class FigureCanvas : public QGraphicsView {
 
   std::optional<ReportFigure> figure_;
   ChartStyle style_;
-  QGraphicsWidget* item_ = nullptr;  // the scene's
+  QGraphicsWidget* item_ = nullptr;  // owned by the scene
 };
 
-/// Tab-separated with a header line: what a spreadsheet takes.
+/// Returns tab-separated text with a header line, for spreadsheets.
 [[nodiscard]] QString tabbed(const ReportTable& table);
 
 }  // namespace torsio::gui

@@ -26,7 +26,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Numbers sort by size, times by what comes first.
+/// Makes a cell that sorts numbers by size and times chronologically.
 Cell cellOf(const Text& content) {
   Cell cell{toQString(content)};
   if (const QString written = toQString(content.str()); printedTime(written, QLocale()) != written) {

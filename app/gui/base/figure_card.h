@@ -17,8 +17,8 @@ namespace torsio::gui {
 class DataTable;
 class FigureCanvas;
 
-/// A figure with its title, its notes and its twin, the table of the values drawn: the same content for eyes,
-/// screen readers and spreadsheets. Or a table of the report alone. In the language of the window.
+/// A figure with its title, notes and table of values, so that eyes, screen readers and spreadsheets get the
+/// same content; or only a table of the report. In the window's language.
 class FigureCard : public QFrame {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class FigureCard : public QFrame {
   explicit FigureCard(QWidget* parent = nullptr);
 
   void setFigure(const ReportFigure& figure);
-  /// A table without a picture.
+  /// Shows a table without a figure.
   void setTable(const ReportTable& table);
   void setTheme(const Theme& theme);
   void showTable(bool table);
@@ -41,7 +41,7 @@ class FigureCard : public QFrame {
   void copy();
   void retranslate();
 
-  std::optional<ReportFigure> figure_;  // what is shown: a figure or a table alone
+  std::optional<ReportFigure> figure_;  // the figure shown; empty: only a table
   std::optional<ReportTable> alone_;
   QLabel* title_;
   QLabel* notes_;

@@ -71,7 +71,7 @@ void JobPanel::begin(const QString& title) {
   title_->setText(title);
   step_->clear();
   left_->clear();
-  bar_->setRange(0, 0);  // busy until the first figure comes
+  bar_->setRange(0, 0);  // indeterminate until the first progress
   cancel_->setEnabled(true);
   show();
 }

@@ -13,8 +13,7 @@ namespace torsio::gui {
 /// "0:12 left", "3 min left"; empty while `remaining_s` is negative (not known).
 [[nodiscard]] QString timeLeft(double remaining_s);
 
-/// A long piece of work: its name, what it does now, how far it is, how long it still takes, and a way to
-/// give it up.
+/// A long job: its name, present step, progress, remaining time, and a cancel button.
 class JobPanel : public QFrame {
   Q_OBJECT
 

@@ -7,7 +7,7 @@
 
 #include "sim/core/contracts.h"
 
-/// The linker drops resources of a static library that nothing names.
+/// Names the resources, which the linker would otherwise drop from a static library.
 static void initTranslations() {
   Q_INIT_RESOURCE(torsio_translations);
 }
@@ -16,7 +16,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Words of Qt's own dialogs, which come untranslated on a machine without Qt's translation package.
+/// Texts of Qt's own dialogs, for machines without Qt's translation package.
 [[maybe_unused]] const char* const kDialogWords[] = {
     QT_TRANSLATE_NOOP("QPlatformTheme", "OK"),
     QT_TRANSLATE_NOOP("QPlatformTheme", "Cancel"),
@@ -81,14 +81,14 @@ void LanguageSwitch::choose(Language language) {
 }
 
 void LanguageSwitch::install() {
-  // The locale first: widgets format their numbers and dates when the translator's event reaches them.
+  // Sets the locale first: widgets format numbers and dates on the translator's event.
   QLocale::setDefault(present_ == Language::kEnglish ? QLocale(QLocale::English, QLocale::UnitedKingdom)
                                                      : QLocale(QLocale::Chinese, QLocale::China));
   for (QWidget* window : QApplication::topLevelWidgets()) {
     window->setLocale(QLocale());
   }
   QCoreApplication::removeTranslator(&texts_);
-  // English has a file as well: its plurals.
+  // English also has a file, for its plurals.
   const bool loaded =
       texts_.load(QStringLiteral(":/torsio/translations/torsio_%1.qm").arg(languageCode(present_)));
   TORSIO_EXPECTS(loaded);

@@ -11,17 +11,16 @@ namespace torsio::gui {
 
 enum class Language { kEnglish, kSimplifiedChinese };
 
-/// "en", "zh_CN": in settings, on the command line.
+/// "en", "zh_CN": code in settings and on the command line.
 [[nodiscard]] QString languageCode(Language language);
 [[nodiscard]] std::optional<Language> languageOf(const QString& code);
-/// As its speakers write it.
+/// Returns the language's own name.
 [[nodiscard]] QString languageName(Language language);
-/// The one that the window speaks.
+/// Returns the window's language.
 [[nodiscard]] Language presentLanguage();
 
-/// The language of the whole program, switched while it runs: every widget gets a LanguageChange event, dates
-/// and numbers follow QLocale(). Files keep their own form. GUI thread; one object lives as long as the
-/// application.
+/// Switches the program's language at run time: every widget gets a LanguageChange event; dates and numbers
+/// follow QLocale(). File formats do not change. GUI thread; one instance for the application's lifetime.
 class LanguageSwitch : public QObject {
   Q_OBJECT
 

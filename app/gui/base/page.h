@@ -21,24 +21,25 @@ namespace torsio::gui {
 class ShellContext;
 struct Theme;
 
-/// One place of the navigation: a trainee's "Next step", a physician's "Queue", the administrator's "Roster".
-/// Pages hold no logic: they show what services of app give them, through ShellContext::session(). Texts are
-/// set in retranslate(), colours that the style sheet does not give in applyTheme(); both are called after
-/// construction and whenever language or theme change.
+/// A page of the navigation, such as a trainee's "Next step", a physician's "Queue", the administrator's
+/// "Roster". Pages contain no logic: they show what the services provide, through ShellContext::session().
+/// retranslate() sets the texts, applyTheme() the colours outside the style sheet; both are called after
+/// construction and on each change of language or theme.
 class Page : public QWidget {
   Q_OBJECT
 
  public:
-  /// Lists on the page keep their columns for each role: the property "role" says whose page it is.
+  /// Lists on the page store their columns by role: the property "role" names the page's role.
   explicit Page(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Shown, possibly again: reads anew what it shows. `argument`: what the caller of ShellContext::open gave.
+  /// Called whenever the page is shown: rereads its content. `argument`: from ShellContext::open().
   virtual void enter(const QVariant& argument) { static_cast<void>(argument); }
-  /// About to be left or closed. False: something must be finished first (the page has said what).
+  /// Called before the page is left or closed. False: something must be finished first (the page has told the
+  /// user).
   [[nodiscard]] virtual bool leave() { return true; }
-  /// True while a scored run goes on: no idle lock, no sign-out, no other page.
+  /// True during a scored run: no idle lock, sign-out or change of page.
   [[nodiscard]] virtual bool busy() const { return false; }
-  /// Keys that are no commands of a menu or button, for the sheet on F1: what and how.
+  /// Returns keys that are not shortcuts of a menu or button, for the help on F1: key and effect.
   [[nodiscard]] virtual std::vector<std::pair<QString, QString>> keys() const { return {}; }
   virtual void retranslate() = 0;
   virtual void applyTheme(const Theme& theme) { static_cast<void>(theme); }
@@ -51,19 +52,19 @@ class Page : public QWidget {
   ShellContext& shell_;
 };
 
-/// How the shell makes a page; what else it knows of the page stands in the table of page_id.h.
+/// How the shell creates a page; everything else about it is in the table of page_id.h.
 struct PageEntry {
   PageId id;
   std::function<Page*(ShellContext&)> make;
 };
 
-/// One picture of the user guide: a page in a state that is worth showing, on the demonstration cohort.
+/// A screenshot for the user guide: a page in a meaningful state, with the demonstration cohort.
 struct ScreenEntry {
-  QString name;  ///< of the file, without language, theme, size and ending: "station-debrief"
-  QString role;  ///< "trainee", "rater", "administrator": who is signed in
+  QString name;  ///< file name without language, theme, size and extension: "station-debrief"
+  QString role;  ///< "trainee", "rater", "administrator": role signed in
   PageId pageId;
-  std::function<QVariant(SessionContext&)> argument;  ///< for Page::enter; may be empty
-  std::function<void(Page&)> prepare;                 ///< after enter(); may be empty
+  std::function<QVariant(SessionContext&)> argument;  ///< argument of Page::enter; may be empty
+  std::function<void(Page&)> prepare;                 ///< called after enter(); may be empty
 };
 
 }  // namespace torsio::gui

@@ -10,9 +10,9 @@
 
 namespace torsio::gui {
 
-/// Every page of the program, in the order of the navigation.
+/// All pages, in the order of the navigation.
 enum class PageId {
-  // The trainee, and free practice.
+  // Trainee and free practice.
   kNextStep,
   kDebrief,
   kTrend,
@@ -24,7 +24,7 @@ enum class PageId {
   kRun,
   kPractice,
   kCompare,
-  // The physician.
+  // Physician.
   kQueue,
   kRaterCalibration,
   kLiveSheet,
@@ -32,7 +32,7 @@ enum class PageId {
   kSeverity,
   kEvaluation,
   kCase,
-  // The administrator.
+  // Administrator.
   kTodaysSessions,
   kRoster,
   kCurricula,
@@ -51,22 +51,22 @@ enum class PageId {
   kDevices,
 };
 
-/// What the program knows of a page without making one.
+/// Static properties of a page.
 struct PageFacts {
   PageId id;
-  const char* text;   ///< "station.next": object name of the page, and how tests and messages name it
-  const char* icon;   ///< of assets/icons; "": reached through other pages only
-  const char* title;  ///< English; pageTitle() translates it
+  const char* text;   ///< "station.next": object name of the page, also used by tests and messages
+  const char* icon;   ///< of assets/icons; "": only reached through other pages
+  const char* title;  ///< English; translated by pageTitle()
   Operation needs;
   std::optional<Operation> alsoNeeds = std::nullopt;
-  bool needsDatabase = true;  ///< false: it can be opened while the database is away
+  bool needsDatabase = true;  ///< false: available without the database
 };
 
-/// Looks a page up in the one table of pages. Any thread.
+/// Looks a page up in the table of pages. Thread-safe.
 [[nodiscard]] const PageFacts& factsOf(PageId id) noexcept;
-/// Names a page in the language of the window. GUI thread.
+/// Returns a page's title in the window's language. GUI thread.
 [[nodiscard]] QString pageTitle(PageId id);
-/// Names a page for messages, tests and findChild(): "station.next". Any thread.
+/// Returns a page's id for messages, tests and findChild(): "station.next". Thread-safe.
 [[nodiscard]] QString pageText(PageId id);
 
 }  // namespace torsio::gui

@@ -11,12 +11,11 @@
 
 namespace torsio::gui {
 
-/// Keeps a widget in the middle of its parent, however large that becomes, with an edge around it: no window
-/// draws one.
+/// Keeps a widget centred in its parent, with a border in place of a window frame.
 class InTheMiddle final : public QObject {
  public:
   explicit InTheMiddle(QWidget& kept) : QObject(&kept), kept_(kept), edge_(new QFrame(kept.parentWidget())) {
-    edge_->setProperty("around", true);  // of the style sheet
+    edge_->setProperty("around", true);  // for the style sheet
     edge_->setAttribute(Qt::WA_TransparentForMouseEvents);
     kept.parentWidget()->installEventFilter(this);
     kept.installEventFilter(this);
@@ -29,7 +28,7 @@ class InTheMiddle final : public QObject {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
     if (edge_ == nullptr) {
-      return false;  // the parent goes
+      return false;  // the parent is being destroyed
     }
     if (event->type() == QEvent::Resize) {
       place();
@@ -52,13 +51,13 @@ class InTheMiddle final : public QObject {
   QPointer<QFrame> edge_;
 };
 
-/// Shows a dialog as a part of its parent, in the middle: pictures of the window have it then. The dialog has
-/// a parent. GUI thread.
+/// Shows a dialog centred inside its parent, so that screenshots of the window include it. The dialog must
+/// have a parent. GUI thread.
 inline void placeDialog(QDialog& dialog) {
   dialog.setWindowFlags(Qt::Widget);
   dialog.setAutoFillBackground(true);
   dialog.resize(dialog.sizeHint());
-  new InTheMiddle(dialog);  // the dialog owns it
+  new InTheMiddle(dialog);  // owned by the dialog
   dialog.show();
 }
 

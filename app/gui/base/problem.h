@@ -10,17 +10,17 @@
 
 namespace torsio::gui {
 
-/// A problem that can be told again when the window changes its language: each call says it in the present
-/// one. Holds what happened, not words. GUI thread.
+/// A problem as a function that returns its text in the present language, so that it follows a change of
+/// language. GUI thread.
 using Problem = std::function<TranslatedError()>;
 
-/// How something is told that was never meant to be thrown; what() goes to the details.
+/// Text for an unexpected exception; its what() goes to the details.
 struct Surprise {
   std::function<QString()> happened;
   std::function<QString()> remedy;
 };
 
-/// Of what was thrown: an Error as toQString() says it, anything else as `surprise`.
+/// Converts an exception: an Error with its own text, anything else as `surprise`.
 [[nodiscard]] Problem problemOf(const std::exception_ptr& thrown, const Surprise& surprise);
 
 }  // namespace torsio::gui

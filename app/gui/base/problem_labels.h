@@ -7,7 +7,7 @@
 
 namespace torsio::gui {
 
-/// What went wrong and what to do, in one line: for the screens before the desk, which have no problem panel.
+/// Returns problem and remedy in one line, for screens before sign-in, which have no problem panel.
 [[nodiscard]] QString problemSentence(const std::exception_ptr& problem);
 
 }  // namespace torsio::gui

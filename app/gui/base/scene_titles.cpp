@@ -10,7 +10,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// "small_bowel" as people read it: "Small bowel".
+/// Formats an id for display: "small_bowel" becomes "Small bowel".
 QString readable(const std::string& id) {
   QString text = toQString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
   if (!text.isEmpty()) {
@@ -37,7 +37,7 @@ const SceneTitles::English& SceneTitles::of(const std::string& sceneId) {
         known->second.patterns[one.pattern.id] = one.pattern.title;
       }
     } catch (const Error&) {
-      // A scene of another installation, or a file that its centre has not finished: the id names it.
+      // A scene of another installation or an unfinished file: shows the id.
     }
   }
   return known->second;

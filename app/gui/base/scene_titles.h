@@ -9,16 +9,16 @@
 
 namespace torsio::gui {
 
-/// Titles of scenes and of their patterns, as their files in a folder of assets say them, in the present
-/// language: what a list shows in place of an id. A title of a centre's own stays as it is; what the folder
-/// lacks (a recording from elsewhere) is named by its id, made readable. Each file is read once. GUI thread.
+/// Titles of scenes and patterns in the present language, from a folder of assets, for lists. A centre's own
+/// titles are not translated; scenes not in the folder (recordings from elsewhere) are named by their
+/// formatted ids. Reads each file once. GUI thread.
 class SceneTitles {
  public:
   explicit SceneTitles(std::filesystem::path assets);
 
-  /// Returns the title of the scene with this id.
+  /// Returns the title of a scene.
   [[nodiscard]] QString scene(const std::string& id);
-  /// Returns the title of a pattern of the scene with this id.
+  /// Returns the title of a scene's pattern.
   [[nodiscard]] QString pattern(const std::string& sceneId, const std::string& patternId);
 
  private:

@@ -5,7 +5,7 @@
 
 namespace torsio::gui {
 
-/// As reports join sentences, pages do.
+/// Pages join sentences like reports.
 using torsio::joinedSentences;
 
 }  // namespace torsio::gui

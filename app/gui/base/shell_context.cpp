@@ -14,7 +14,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// As fast as until now; not known (negative) before there is something to go by.
+/// Estimates the remaining time, s, at the average rate so far; negative (unknown) at first.
 double guessedRemaining_s(double elapsed_s, double fraction) {
   constexpr double kSomething = 0.05;
   constexpr double kLongEnough_s = 2.0;
@@ -28,7 +28,7 @@ double guessedRemaining_s(double elapsed_s, double fraction) {
 
 ShellContext::ShellContext(SessionContext& session, std::filesystem::path assets, ThemeKind theme)
     : session_(session), assets_(std::move(assets)), theme_(theme) {
-  workers_.setMaxThreadCount(1);  // one long job after another: they share disk and database
+  workers_.setMaxThreadCount(1);  // one long job at a time: they share disk and database
 }
 
 ShellContext::~ShellContext() {
@@ -46,7 +46,7 @@ bool ShellContext::may(Operation operation) {
 void ShellContext::readRights() {
   const Actor& actor = session_.actor();
   std::set<Operation> rights;
-  // A guest is nobody: whoever sits down may practise, and nothing else.
+  // A guest has no account and may only practise.
   if (actor.practiceOnly && actor.userId.empty()) {
     rights.insert(Operation::kPractice);
   }
@@ -70,7 +70,7 @@ void ShellContext::setThemeKind(ThemeKind kind) {
 }
 
 void ShellContext::report(const std::exception_ptr& thrown) {
-  setProperty("toldAway", saysDatabaseAway(thrown));  // such a problem goes by itself
+  setProperty("toldAway", saysDatabaseAway(thrown));  // dismissed automatically when the database is back
   tell(problemOf(thrown, {[] { return tr("Something unexpected happened"); },
                           [] { return tr("Nothing was lost; please try again"); }}));
 }

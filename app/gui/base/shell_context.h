@@ -32,23 +32,22 @@ class StationWriter;
 
 namespace torsio::gui {
 
-/// Thrown by a job's progress callback after the user pressed Cancel; jobs let it pass.
+/// Thrown by a job's progress callback after the user pressed Cancel; jobs must not catch it.
 struct Cancelled {};
 
-/// The record of this station changes under everybody: it is replaced by a backup, or lies elsewhere from now
-/// on.
+/// A change of this station's record for everybody: replaced by a backup, or moved elsewhere.
 struct RecordChange {
-  std::function<void()> swap{};  ///< while nobody has the record open; may throw, then nothing has changed
-  QString locator{};             ///< from now on; empty: as before
-  QString sentence{};            ///< said at the sign-in that follows
+  std::function<void()> swap{};  ///< called while the record is closed; if it throws, nothing has changed
+  QString locator{};             ///< new location; empty: unchanged
+  QString sentence{};            ///< shown at the following sign-in
 };
 
-/// What pages need from round them. GUI thread.
+/// Services of the shell for its pages. GUI thread.
 class ShellContext : public QObject {
   Q_OBJECT
 
  public:
-  /// `session` outlives the context.
+  /// `session` must outlive the context.
   ShellContext(SessionContext& session, std::filesystem::path assets, ThemeKind theme);
   ~ShellContext() override;
 
@@ -60,36 +59,36 @@ class ShellContext : public QObject {
   [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
   void setThemeKind(ThemeKind kind);
 
-  /// Whether the actor may do this, as far as was known when the rights were last read: for what is shown and
-  /// enabled. Asks no database; the services ask anew and have the last word. A guest may practise.
+  /// Returns whether the actor had this right when the rights were last read, for showing and enabling
+  /// controls. Does not access the database; the services check again. A guest may practise.
   [[nodiscard]] bool may(Operation operation);
-  /// Reads the actor's rights: done when somebody signs in; call it where roles may have changed. Throws
-  /// DbError.
+  /// Reads the actor's rights: at sign-in, and to be called after roles may have changed. Throws DbError.
   void readRights();
 
-  /// For what nobody waits for (heartbeats, training time); null: the session writes at once. It
-  /// outlives the context.
+  /// Writer for data that nobody waits for (heartbeats, training time); null: the session writes immediately.
+  /// Must outlive the context.
   [[nodiscard]] StationWriter* line() const noexcept { return line_; }
   void setLine(StationWriter* line) noexcept { line_ = line; }
-  /// Whether the database is known to be away: then the GUI thread must not ask it anything.
+  /// Returns whether the database is known to be away; then the GUI thread must not access it.
   [[nodiscard]] bool databaseAway() const;
 
-  /// Goes to another page, which enters with `argument`.
+  /// Opens another page and passes `argument` to its enter().
   void open(PageId id, const QVariant& argument = {}) { Q_EMIT pageWanted(id, argument); }
-  /// A sentence that passes by at the lower edge.
+  /// Shows a short notification at the lower edge.
   void notify(const QString& sentence) { Q_EMIT noticed(sentence); }
-  /// Says in plain words what went wrong, what to do, details folded. Call it in a catch block.
+  /// Tells the user in plain words what went wrong and what to do, with folded details. Call it in a catch
+  /// block.
   void report(const std::exception_ptr& thrown);
-  /// Shows a problem that no exception reports.
+  /// Shows a problem without an exception.
   void tell(const Problem& problem);
 
-  /// Runs work that takes time off the GUI thread, on a connection of its own for the same actor; one job
-  /// after another. Title and progress are shown with the time left and a cancel button. `work(session,
-  /// progress)` reports progress, which throws Cancelled once the user gives up, so that the work unwinds and
-  /// leaves no half-written file. `then(result)` gets its result, by move, in the GUI thread.
-  /// `refused(error)` gets an Error instead of the message that otherwise tells the user; it may return false
-  /// to leave the error to that message after all. When `owner` is gone by then, neither is called, and
-  /// errors are told as usual. `owner` is the object that both touch.
+  /// Runs a long job in the background on its own connection for the same actor; jobs run one after another.
+  /// Shows title, progress, remaining time and a cancel button. `work(session, progress)` reports progress,
+  /// which throws Cancelled after the user has cancelled, so that the job unwinds and leaves no half-written
+  /// file. `then(result)` receives the result, moved, in the GUI thread. `refused(error)` receives an Error
+  /// instead of the usual message; it may return false to show that message after all. If `owner` has been
+  /// destroyed by then, neither is called, and errors are shown as usual. `owner` is the object that both
+  /// use.
   template <typename Work, typename Then>
   void run(QObject* owner, const QString& title, Work work, Then then) {
     run(owner, title, std::move(work), std::move(then), [](const Error&) { return false; });
@@ -120,19 +119,19 @@ class ShellContext : public QObject {
     start(std::move(job));
   }
   [[nodiscard]] bool working() const noexcept { return jobs_ > 0; }
-  /// Closes the desk and the record, carries out the change, and goes back to sign-in. The calling page dies
+  /// Closes desk and record, carries out the change, and returns to sign-in. The calling page is destroyed
   /// soon after.
   void changeRecord(const RecordChange& change) { Q_EMIT recordChangeWanted(change); }
-  /// Waits for all jobs: tests, and the end of the program.
+  /// Waits for all jobs, for tests and at exit.
   void waitForJobs();
-  /// Cancels the jobs that were started until now.
+  /// Cancels all jobs started so far.
   void cancelJobs() noexcept { cancelledUpTo_.store(started_); }
 
  Q_SIGNALS:
   void pageWanted(torsio::gui::PageId id, const QVariant& argument);
   void noticed(const QString& sentence);
   void problemMet(const torsio::gui::Problem& problem);
-  /// Sent with problemMet, in the present language.
+  /// Emitted with problemMet, in the present language.
   void failed(const QString& happened, const QString& remedy, const QString& details);
   void themeChanged(ThemeKind kind);
   void recordChangeWanted(const torsio::gui::RecordChange& change);
@@ -155,7 +154,7 @@ class ShellContext : public QObject {
   std::filesystem::path assets_;
   ThemeKind theme_;
   std::set<Operation> rights_;
-  std::optional<std::string> rightsOf_;  ///< user id
+  std::optional<std::string> rightsOf_;  ///< user id whose rights were read
   StationWriter* line_ = nullptr;
   QThreadPool workers_;
   int jobs_ = 0;
@@ -163,9 +162,8 @@ class ShellContext : public QObject {
   std::atomic<std::uint64_t> cancelledUpTo_{0};
 };
 
-/// Does something the user asked for, once: what it throws is reported in plain words, Cancelled is answered
-/// with `cancelled` (empty: nothing was changed). True when it went well. Pages catch here and nowhere else.
-/// GUI thread.
+/// Runs a user's action and reports exceptions in plain words; shows `cancelled` on Cancelled (empty: nothing
+/// was changed). Returns true on success. The only place where pages catch. GUI thread.
 bool attempt(ShellContext& shell, const std::function<void()>& action, const QString& cancelled = {});
 
 }  // namespace torsio::gui

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kDialogWidth = 440;
 
-/// The sentence that is signed, the password, and what was wrong with the last one.
+/// Asks for the password: the sentence to sign, the password, and the last error.
 class SignDialog : public QDialog {
   Q_DECLARE_TR_FUNCTIONS(SignDialog)
 
@@ -79,7 +79,7 @@ class SignDialog : public QDialog {
       wrong_->setText(translatedLine(error));
     }
     wrong_->show();
-    adjustSize();  // a sentence that wraps asks for no room by itself
+    adjustSize();  // a wrapping sentence requests no height by itself
     password_->clear();
     password_->setFocus();
   }

@@ -9,8 +9,8 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// Before something is signed: asks for the actor's own password where it is due, until it is right or the
-/// actor gives up. True: it may be signed. GUI thread; a check takes about half a second.
+/// Asks for the actor's password before signing if required, until it is correct or the actor cancels. True:
+/// may be signed. GUI thread; a check takes about half a second.
 [[nodiscard]] bool readyToSign(QWidget* parent, ShellContext& shell, SignatureMeaning meaning);
 
 }  // namespace torsio::gui

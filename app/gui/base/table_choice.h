@@ -9,15 +9,15 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Where to save a table and for which spreadsheet.
+/// File and CSV style of a table to save.
 struct TableChoice {
-  QString file{};  ///< empty: given up
+  QString file{};  ///< empty: cancelled
   CsvStyle look{};
 };
-/// Asks where to save; the kinds of file say for whom the table is written. The kind that was chosen last is
-/// offered first; at first that of the language of the computer. `name` without its ending.
+/// Asks where to save; the file types offer the CSV styles. Preselects the last one chosen; at first, that of
+/// the computer's language. `name` without extension.
 [[nodiscard]] TableChoice askTableToSave(QWidget* parent, const QString& title, const QString& name);
-/// The kind that was chosen last, for tables that are saved several at once.
+/// Returns the last style chosen, for saving several tables at once.
 [[nodiscard]] CsvStyle usualTableLook();
 
 }  // namespace torsio::gui

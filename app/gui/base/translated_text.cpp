@@ -13,8 +13,8 @@ namespace torsio::gui {
 
 namespace {
 
-/// Names and codes that come out of the record, the paper's instrument and the design of the allocation as
-/// plain words.
+/// Names and codes of the record, the paper's instrument and the allocation design, which have no
+/// placeholders.
 [[maybe_unused]] const char* const kPlainTerms[] = {
     QT_TRANSLATE_NOOP("Text", "Effectiveness"),
     QT_TRANSLATE_NOOP("Text", "Force feedback"),
@@ -62,7 +62,7 @@ namespace {
     QT_TRANSLATE_NOOP("Text", "finite elements"),
     QT_TRANSLATE_NOOP("Text", "mass-spring"),
     QT_TRANSLATE_NOOP("Text", "demonstration"),
-    QT_TRANSLATE_NOOP("Text", "Right forearm: Pronation, 60 degrees"),  // the exercise of the demonstration
+    QT_TRANSLATE_NOOP("Text", "Right forearm: Pronation, 60 degrees"),  // exercise of the demonstration
 };
 
 QString patternInLanguage(const std::string& pattern) {
@@ -74,7 +74,7 @@ bool windowIsEnglish() {
   return language == QLocale::English || language == QLocale::C;
 }
 
-/// Whether the language of the window has the sentence. Pure values (a path, a code) need no words.
+/// Returns whether the window's language has the sentence. Values alone (a path, a code) need no translation.
 bool known(const Text& text) {
   const QString own = toQString(text.pattern());
   if (own.isEmpty() || windowIsEnglish()) {

@@ -13,42 +13,42 @@
 
 namespace torsio::gui {
 
-/// Text of a std::string (UTF-8) as it stands: names, codes, what people wrote. A term of the record that has
-/// a translation is given as `toQString(Text(term))`. Any thread.
+/// Converts UTF-8 unchanged: names, codes, user input. For translatable terms of the record use
+/// `toQString(Text(term))`. Thread-safe.
 [[nodiscard]] QString toQString(const std::string& utf8);
-/// Gives the text of an id as it is.
+/// Converts an id unchanged.
 template <typename Tag>
 [[nodiscard]] QString toQString(const Id<Tag>& id) {
   return toQString(id.text());
 }
-/// Text of a path, in the notation of this system. Any thread.
+/// Converts a path to this system's notation. Thread-safe.
 [[nodiscard]] QString toQString(const std::filesystem::path& path);
-/// Path that a text names. The reverse of toQString(path); QString::toStdString() reverses toQString(utf8).
+/// Converts text to a path, the inverse of toQString(path); QString::toStdString() is the inverse of
+/// toQString(utf8).
 [[nodiscard]] std::filesystem::path toPath(const QString& text);
 
-/// Translates what services say into the language of the window: the pattern is looked up in the context
-/// "Text" of the translation, then the arguments, translated themselves, enter. What the translation
-/// lacks stays English. GUI thread.
+/// Translates a text of the services into the window's language: looks the pattern up in the context "Text",
+/// then inserts the arguments, also translated. Missing translations stay English. GUI thread.
 [[nodiscard]] QString toQString(const Text& text);
 
-/// Errors and findings begin in lower case, as they also stand within lines of the command line; alone on a
-/// screen they begin with a capital.
+/// Capitalises a sentence: errors and findings begin in lower case, because they also appear within lines of
+/// the command line.
 [[nodiscard]] QString capitalised(QString sentence);
 
-/// Translates each text; joined, one a line. GUI thread.
+/// Translates the texts and joins them, one per line. GUI thread.
 [[nodiscard]] QString translatedLines(const std::vector<Text>& texts);
 
-/// A refusal in the language of the window.
+/// An error in the window's language.
 struct TranslatedError {
-  QString happened;  ///< begins with a capital, no full stop
-  QString remedy;    ///< "" when there is none
-  QString details;   ///< where; and the English original when the language lacks the sentence
+  QString happened;  ///< capitalised, no full stop
+  QString remedy;    ///< empty if there is none
+  QString details;   ///< location, and the English original if the sentence has no translation
 };
 
-/// Translates a refusal. A sentence that the language lacks is replaced by what its ErrorCode means; the
-/// original is in the details. GUI thread.
+/// Translates an error. A sentence without translation is replaced by the meaning of its ErrorCode, with the
+/// original in the details. GUI thread.
 [[nodiscard]] TranslatedError translated(const Error& error);
-/// Translates a refusal into one line, "What happened. What to do". GUI thread.
+/// Translates an error into one line, "What happened. What to do". GUI thread.
 [[nodiscard]] QString translatedLine(const Error& error);
 
 }  // namespace torsio::gui

@@ -15,7 +15,7 @@ namespace torsio::gui {
 
 namespace {
 
-// Places of the fields, in the order in which they are added.
+// Indices of the fields, in the order in which they are added.
 constexpr std::size_t kWidth = 0;
 constexpr std::size_t kThickness = 1;
 constexpr std::size_t kForearm = 2;

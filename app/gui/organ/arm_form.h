@@ -13,17 +13,16 @@ class QLabel;
 
 namespace torsio::gui {
 
-/// The measures of a person's wrist, hand and fingers, a field each; they begin with those of a man. GUI
-/// thread.
+/// Fields for the measurements of a person's wrist, hand and fingers; initially a man's. GUI thread.
 class ArmForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit ArmForm(QWidget* parent = nullptr);
 
-  /// What the fields say.
+  /// Returns the input.
   [[nodiscard]] PersonArm person() const;
-  /// Back to a man's.
+  /// Resets to a man's measurements.
   void reset();
   void retranslate();
 
@@ -33,7 +32,7 @@ class ArmForm : public QWidget {
     QLabel* label;
     double man_mm;
   };
-  /// The field gets `name` as its object name.
+  /// `name`: object name of the field.
   void addLength(QFormLayout& form, const char* name, const PersonLength& range);
 
   std::vector<Field> fields_;

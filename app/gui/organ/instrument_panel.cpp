@@ -26,7 +26,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kPlacesWidth = 400;
-// As requireToolRequest() allows.
+// Limits of requireToolRequest().
 constexpr double kLeastThreshold_HU = -500.0;
 constexpr double kMaxThreshold_HU = 3000.0;
 constexpr double kLeastPivot_mm = 3.0;

@@ -19,24 +19,23 @@ namespace torsio::gui {
 class Card;
 class InstrumentView;
 
-/// Looks at an instrument that was found in a scan or a mesh, and says where its tip, hinge and jaws are. GUI
-/// thread.
+/// Shows an instrument found in a scan or mesh, and asks for its tip, hinge and jaws. GUI thread.
 class InstrumentPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit InstrumentPanel(QWidget* parent = nullptr);
 
-  /// Begins with a scan that has not been read: nothing is known of the instrument but its threshold.
+  /// Starts with an unread scan: only the threshold is known.
   void begin(const ToolRequest& request);
-  /// Begins with a mesh: nothing is known of the instrument but its file.
+  /// Starts with a mesh: only its file is known.
   void beginMesh(const std::filesystem::path& file);
   [[nodiscard]] bool ofMesh() const noexcept { return !meshFile_.empty(); }
-  /// Shows what was found with request().
+  /// Shows the result of request().
   void setTool(const ToolSurface& tool);
-  /// What is asked of the scan, with what has been placed.
+  /// Returns the request for the scan, with the points placed.
   [[nodiscard]] ToolRequest request() const;
-  /// The same of a mesh.
+  /// Returns the request for the mesh, with the points placed.
   [[nodiscard]] InstrumentImportRequest meshRequest() const;
   [[nodiscard]] const ToolSurface& tool() const noexcept { return tool_; }
   [[nodiscard]] InstrumentFacts facts() const;
@@ -46,7 +45,7 @@ class InstrumentPanel : public QWidget {
   void setTheme(const Theme& theme);
 
  Q_SIGNALS:
-  /// The instrument is to be found anew, with what is placed now.
+  /// The instrument is to be searched again, with the points placed.
   void placeWanted();
   void saveWanted();
   void backWanted();
@@ -61,7 +60,7 @@ class InstrumentPanel : public QWidget {
   ToolRequest request_;
   std::filesystem::path meshFile_;  // empty: a scan
   ToolSurface tool_;
-  bool changed_ = false;  // since it was found
+  bool changed_ = false;  // since the last search
 
   Card* pictureCard_;
   InstrumentView* view_;

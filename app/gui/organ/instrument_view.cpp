@@ -19,16 +19,16 @@ namespace {
 
 constexpr double kViewMillimetres = 1000.0;  // in a metre
 constexpr double kMargin_mm = 6.0;
-constexpr double kFront = 2.6;  // of the hinge's distance: how much of the front is shown
+constexpr double kFront = 2.6;  // length of the front shown, in hinge distances
 constexpr double kCaption = 22.0;
-constexpr double kHingeMark_mm = 3.0;  // at least, to each side
-constexpr double kBeside = 4.0;        // pixels above and below what is drawn
+constexpr double kHingeMark_mm = 3.0;  // minimum, to each side
+constexpr double kBeside = 4.0;        // margin above and below the drawing, px
 
 bool alongHinge(int row) {
   return row < 2;
 }
 
-/// A triangle as it is seen.
+/// A projected triangle.
 struct Facet {
   std::array<QPointF, 3> corners;
   double depth = 0.0;
@@ -97,7 +97,7 @@ InstrumentView::Pane InstrumentView::pane(int row) const {
   pane.from_mm = -kMargin_mm;
   const double shown_mm = shownLength_mm(row) + 2.0 * kMargin_mm;
   const double across_mm = 2.0 * halfAcross_mm_[static_cast<std::size_t>(row)];
-  // A wide window shows more of the shaft rather than less of the jaws.
+  // A wide window shows more of the shaft, but no less of the jaws.
   pane.perMm = std::min(width() / std::max(shown_mm, 1.0),
                         std::max(pane.area.height() - 2.0 * kBeside, 1.0) / std::max(across_mm, 1.0));
   return pane;
@@ -152,7 +152,7 @@ void InstrumentView::paintPane(QPainter& painter, int row) const {
   painter.setClipRect(pane.area);
   const double opening_rad = radians(opening_deg_);
   paintMesh(painter, pane, tool_.shaft, theme_.shaft, 0.0);
-  if (pane.alongHinge) {  // opened, behind the closed jaws
+  if (pane.alongHinge) {  // opened jaws, behind the closed ones
     painter.setOpacity(0.35);
     paintMesh(painter, pane, tool_.upperJaw, theme_.grasp, opening_rad);
     paintMesh(painter, pane, tool_.lowerJaw, theme_.grasp, -opening_rad);
@@ -187,7 +187,7 @@ void InstrumentView::paintMesh(QPainter& painter, const Pane& pane, const Triang
     std::array<Vec3, 3> p;
     Facet facet;
     for (std::size_t k = 0; k < 3; ++k) {
-      // The upper jaw (y > 0) opens away from the axis: forwards lies towards -z of the hinge.
+      // The upper jaw (y > 0) opens away from the axis: turns towards -z of the hinge.
       p[k] = pivot + rotateAbout(kViewMillimetres * mesh.vertices_m[t[k]] - pivot, {1, 0, 0}, turn_rad);
       const double across_mm = pane.alongHinge ? p[k].y : p[k].x;
       facet.depth += pane.alongHinge ? p[k].x : p[k].y;

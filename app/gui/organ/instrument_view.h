@@ -10,8 +10,8 @@
 
 namespace torsio::gui {
 
-/// An instrument that was found in a scan, with its tip, axis, hinge and opened jaws: the whole of it, and
-/// its front seen along the hinge and across it. A click says where the tip or the hinge is. GUI thread.
+/// An instrument found in a scan, with tip, axis, hinge and opened jaws: as a whole, and its front seen along
+/// and across the hinge. A click sets the tip or the hinge. GUI thread.
 class InstrumentView : public QWidget {
   Q_OBJECT
 
@@ -23,16 +23,16 @@ class InstrumentView : public QWidget {
   void setTheme(const Theme& theme);
   [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
 
-  /// What a click at a place of the widget says; as a mouse button does.
+  /// Handles a click at a place of the widget.
   void pickAt(const QPointF& place);
-  /// Where a point of the shaft's axis is drawn, in the row of the whole instrument (0), of its front along
-  /// the hinge (1) or from above (2).
+  /// Returns the position of a point of the shaft's axis in the row of the whole instrument (0), of its front
+  /// along the hinge (1) or from above (2).
   [[nodiscard]] QPointF placeOf(int row, double fromTip_mm) const;
 
  Q_SIGNALS:
-  /// The tip is at the other end.
+  /// The user says that the tip is at the other end.
   void otherEndPicked();
-  /// The hinge is so far behind the tip.
+  /// The user has set the distance of the hinge behind the tip.
   void hingePicked(double fromTip_mm);
 
  protected:
@@ -40,17 +40,17 @@ class InstrumentView : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  /// Part of the widget, what of the instrument it shows, and from where.
+  /// A part of the widget, with range and direction of view.
   struct Pane {
     QRectF area;
-    double from_mm;  // along the shaft, at the left
+    double from_mm;  // along the shaft, at the left edge
     double perMm;
-    bool alongHinge;  // else from above
+    bool alongHinge;  // false: from above
   };
-  static constexpr int kPanes = 3;  // the whole, along the hinge, from above
+  static constexpr int kPanes = 3;  // whole, along the hinge, from above
   [[nodiscard]] Pane pane(int row) const;
   [[nodiscard]] double shownLength_mm(int row) const;
-  /// How far the line of the hinge reaches to each side, from above.
+  /// Returns the half length of the hinge line in the view from above.
   [[nodiscard]] double hingeMark_mm() const;
   void measure();
   void paintPane(QPainter& painter, int row) const;
@@ -59,7 +59,7 @@ class InstrumentView : public QWidget {
 
   ToolSurface tool_;
   double opening_deg_ = 0.0;
-  std::array<double, kPanes> halfAcross_mm_{};  // of what each row shows, from the axis
+  std::array<double, kPanes> halfAcross_mm_{};  // from the axis, for each row
   Theme theme_;
 };
 

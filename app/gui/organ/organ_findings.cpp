@@ -28,7 +28,7 @@ QString weightName(FindingWeight weight) {
   return OrganFindings::tr("for your information");
 }
 
-/// What was found, without its code, with which refusals of the reader begin.
+/// Returns a finding without its code, with which refusals of the reader begin.
 QString wordsOf(const OrganFinding& finding) {
   QString sentence = toQString(finding.what);
   const QString code = toQString(finding.code);
@@ -62,7 +62,7 @@ OrganFindings::OrganFindings(QWidget* parent)
 
 void OrganFindings::show(const OrganImport& import) {
   import_ = import;
-  import_->organ.mesh.vertices_m.clear();  // only its measures are told
+  import_->organ.mesh.vertices_m.clear();  // only its measurements are shown
   import_->organ.mesh.vertices_m.shrink_to_fit();
   fill();
 }

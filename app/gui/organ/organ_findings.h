@@ -13,8 +13,8 @@ class QVBoxLayout;
 
 namespace torsio::gui {
 
-/// What was found about an organ: the verdict, its measures, each finding with code, place, value and remedy
-/// in words. GUI thread.
+/// Findings about an organ: verdict, measurements, and each finding with code, location, value and remedy.
+/// GUI thread.
 class OrganFindings : public QWidget {
   Q_OBJECT
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wizard's way to an instrument: a scan or a mesh of it, looked for, placed and saved.
+// The wizard's steps for an instrument: search in a scan or mesh, placement, saving.
 #include <utility>
 
 #include <QCheckBox>

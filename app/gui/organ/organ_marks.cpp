@@ -82,7 +82,7 @@ void OrganMarks::drawName(QPainter& painter, const QPointF& at, const QString& n
 
 void OrganMarks::paintEvent(QPaintEvent*) {
   if (!view_.draws()) {
-    return;  // only the words that say so are seen
+    return;  // the view shows only an explanation
   }
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);

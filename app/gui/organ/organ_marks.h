@@ -12,18 +12,17 @@ namespace torsio::gui {
 
 class SceneView;
 
-/// The axis of an organ and its landmarks with their names, drawn over its view. Follows the camera; takes no
-/// mouse.
+/// Overlay with an organ's axis and named landmarks. Follows the camera; ignores the mouse.
 class OrganMarks : public QWidget {
   Q_OBJECT
 
  public:
-  /// Lies over the whole of `view`, its parent.
+  /// Covers all of `view`, its parent.
   explicit OrganMarks(SceneView& view);
 
   void setAxis(std::vector<Vec3> axis_m, std::vector<OrganLandmark> landmarks);
   void setTheme(const Theme& theme);
-  /// Names a landmark in the language of the window.
+  /// Names a landmark in the window's language.
   [[nodiscard]] static QString nameOf(OrganLandmark::Kind kind);
 
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -24,7 +24,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kMaxTwist_deg = 60;  // that an organ is judged at, either way
+constexpr int kMaxTwist_deg = 60;  // range of the judged twist, both ways
 
 }  // namespace
 
@@ -149,7 +149,7 @@ bool OrganPicture::pickAt(const QPointF& pixel) {
     return false;
   }
   const TriangleMesh& mesh = *trial_.shown;
-  TriangleMesh seen = mesh;  // as it lies twisted
+  TriangleMesh seen = mesh;  // twisted state
   trial_.view.deform(state(), seen.vertices_m);
   const std::optional<SightHit> hit = sightHit(seen, view_->camera().ray(pixel, QSizeF(view_->size())));
   if (!hit) {

@@ -19,8 +19,8 @@ namespace torsio::gui {
 class OrganMarks;
 class SceneView;
 
-/// An organ that is judged: its axis, sections, ridges and landmarks, and a trial twist by hand. A click on
-/// it names a place. GUI thread.
+/// A judged organ: its axis, sections, ridges and landmarks, and a manual trial twist. Clicks select a place.
+/// GUI thread.
 class OrganPicture : public QWidget {
   Q_OBJECT
 
@@ -28,9 +28,9 @@ class OrganPicture : public QWidget {
   explicit OrganPicture(QWidget* parent = nullptr);
 
   void setTrial(const OrganTrial& trial);
-  /// Twists the organ about its own axis, the free end gripped.
+  /// Twists the organ about its own axis, gripped at the free end.
   void twist(double angle_deg);
-  /// Tells what is seen at a pixel of the view; false when that is no organ.
+  /// Emits the place at a pixel of the view; false if there is no organ.
   bool pickAt(const QPointF& pixel);
   [[nodiscard]] SceneView& view() const noexcept { return *view_; }
 
@@ -38,7 +38,7 @@ class OrganPicture : public QWidget {
   void setTheme(const Theme& theme);
 
  Q_SIGNALS:
-  /// A place on the surface at rest was clicked, metres.
+  /// A place on the surface was clicked; rest coordinates, m.
   void picked(const torsio::Vec3& place_m);
 
  private:

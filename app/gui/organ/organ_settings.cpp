@@ -193,7 +193,7 @@ void OrganSettings::takePlace(const Vec3& place_m) {
       end->place_mm[k]->setValue(place[k] / kMillimetre_m);
     }
     if (end == &fixed_) {
-      free_.pick->setChecked(true);  // the other end comes next
+      free_.pick->setChecked(true);  // the other end is next
     } else {
       free_.pick->setChecked(false);
     }

@@ -18,26 +18,26 @@ class QRadioButton;
 
 namespace torsio::gui {
 
-/// What somebody says about an organ that is brought: unit of the file, anatomy, wall, ends. GUI thread.
+/// Input about an imported organ: unit of the file, anatomy, wall, ends. GUI thread.
 class OrganSettings : public QWidget {
   Q_OBJECT
 
  public:
   explicit OrganSettings(const std::filesystem::path& assets, QWidget* parent = nullptr);
 
-  /// A scan says its unit itself, and its surface has no holes.
+  /// Hides unit and holes for a scan, which defines its unit and whose surface has no holes.
   void setScan(bool scan);
-  /// Puts what is said into a request; the file is the caller's.
+  /// Writes the input into a request; the caller sets the file.
   void apply(OrganImportRequest& request) const;
-  /// Takes a place that was clicked for the end that waits for one; else does nothing.
+  /// Assigns a clicked place to the end that waits for one, if any.
   void takePlace(const Vec3& place_m);
-  /// Everything as for another file.
+  /// Resets everything for another file.
   void reset();
 
   void retranslate();
 
  Q_SIGNALS:
-  /// Something is said otherwise than before.
+  /// The input has changed.
   void changed();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first page of the wizard: what an organ or an instrument is made of.
+// The wizard's first page: sources of organs and instruments.
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -20,7 +20,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kCardWidth = 620;
-constexpr int kWholePage = 1000;  // against the room beside it, until the page is as wide as it gets
+constexpr int kWholePage = 1000;  // stretch: margins only grow at the page's maximum width
 constexpr int kMaxSeries = 100'000;
 
 }  // namespace
@@ -31,7 +31,7 @@ QWidget* OrganWizard::createSourcePage() {
   middle->setContentsMargins(0, 0, 0, 0);
   middle->setSpacing(0);
   auto* page = new QWidget(ground);
-  page->setMaximumWidth(2 * kCardWidth + 2 * kSpace);  // its cards stay side by side on a wide screen
+  page->setMaximumWidth(2 * kCardWidth + 2 * kSpace);  // keeps its cards side by side on a wide screen
   middle->addStretch(1);
   middle->addWidget(page, kWholePage);
   middle->addStretch(1);

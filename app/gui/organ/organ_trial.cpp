@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kAxisPoints = 96;
 
-/// The organ as it is judged: twisted about its own axis, whatever its anatomy is, or on its stalk. Null
-/// where it has no axis.
+/// Makes a scene that twists the organ about its own axis, whatever its anatomy, or on its stalk. Null if it
+/// has no axis.
 std::shared_ptr<const Scene> ownAxisScene(const OrganImport& import, TriangleMesh shown,
                                           const std::filesystem::path& assets) {
   if (import.measures.length_m == 0.0) {
@@ -38,7 +38,7 @@ std::shared_ptr<const Scene> ownAxisScene(const OrganImport& import, TriangleMes
   try {
     return std::make_shared<const Scene>(sceneOfOrgan(request, std::move(organ)));
   } catch (const Error&) {
-    return nullptr;  // the findings say why
+    return nullptr;  // the findings explain why
   }
 }
 
@@ -60,7 +60,7 @@ void findAxis(OrganTrial& trial) {
   }
 }
 
-/// Passes on what the reader of scans tells, as a part of the whole.
+/// Maps the progress of the scan reader to a part of the whole.
 ScanProgress passedOn(const ProgressCallback& progress, double whole) {
   return [&progress, whole](ScanStep step, double fraction) {
     const ScanStepShare share = shareOf(step);
@@ -68,7 +68,7 @@ ScanProgress passedOn(const ProgressCallback& progress, double whole) {
   };
 }
 
-/// A surface without an axis: it stands still.
+/// Makes a static view of a surface without axis.
 ViewScene stillView(const TriangleMesh& mesh, const std::string& anatomy) {
   ViewScene view;
   view.look = tissueLook(anatomy);
@@ -96,7 +96,7 @@ OrganTrial trialOf(OrganImport import, const std::filesystem::path& assets) {
     return trial;
   }
   trial.view = makeViewScene(trial.scene, trial.import.organ.anatomy);
-  trial.view.surroundings = Surroundings::kDrape;  // it does not lie where the patient's own does
+  trial.view.surroundings = Surroundings::kDrape;  // it is not placed like the patient's own
   trial.shown = std::shared_ptr<const TriangleMesh>(trial.scene, &trial.scene->mesh);
   findAxis(trial);
   return trial;

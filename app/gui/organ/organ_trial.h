@@ -13,41 +13,41 @@
 
 namespace torsio::gui {
 
-/// A place of an organ that is worth pointing at.
+/// A notable place of an organ.
 struct OrganLandmark {
   enum class Kind { kFixedEnd, kFreeEnd, kWidest, kNarrowest };
   Kind kind = Kind::kFixedEnd;
-  Vec3 place_m;  ///< on its axis, at rest
+  Vec3 place_m;  ///< on the axis, at rest
 };
 
-/// An organ that was judged, and what is looked at to see whether the judgement is right.
+/// A judged organ, with its view for checking the judgement.
 struct OrganTrial {
   OrganImport import;
-  std::shared_ptr<const Scene> scene;         ///< twists about its own axis; null: it has no axis
-  std::shared_ptr<const TriangleMesh> shown;  ///< the surface in the view; empty: none could be mended
+  std::shared_ptr<const Scene> scene;         ///< twists about its own axis; null: no axis
+  std::shared_ptr<const TriangleMesh> shown;  ///< surface in the view; empty: could not be repaired
   ViewScene view;
-  std::vector<Vec3> axis_m;  ///< from the held to the free end; empty: none
+  std::vector<Vec3> axis_m;  ///< from the fixed to the free end; empty: none
   std::vector<OrganLandmark> landmarks;
 };
 
-/// Reads a mesh, judges it and makes what is looked at. Slow (seconds): in a worker thread. `progress` may
-/// throw to give up. Throws as importOrgan().
+/// Reads and judges a mesh and prepares its view. Slow (seconds): in a worker thread. `progress` may throw to
+/// cancel. Throws like importOrgan().
 [[nodiscard]] OrganTrial trialOfMesh(const OrganImportRequest& request, const ProgressCallback& progress);
 
-/// Reads a scan apart and makes it small enough to look at, with `find` also the organ in it. As trialOfMesh.
-/// Throws as previewApart().
+/// Reads a scan in a separate process and reduces it for display; `find`: also segments the organ. Threading
+/// like trialOfMesh(). Throws like previewApart().
 [[nodiscard]] ScanPreview previewOf(const ScanRequest& scan, bool find, const ProgressCallback& progress);
 
-/// Draws the organ of a scan, judges it and makes what is looked at; `surface`: as it was drawn. As
-/// trialOfMesh. Throws as reconstructOrgan().
+/// Reconstructs and judges the organ of a scan and prepares its view; `surface` receives the reconstruction.
+/// Threading like trialOfMesh(). Throws like reconstructOrgan().
 [[nodiscard]] OrganTrial trialOfScan(const OrganImportRequest& request, const ScanRequest& scan,
                                      ScanSurface& surface, const ProgressCallback& progress);
 
-/// Judges a surface anew that was drawn from a scan before.
+/// Judges an existing surface of a scan again.
 [[nodiscard]] OrganTrial trialOfSurface(const OrganImportRequest& request, const ScanRequest& scan,
                                         const ScanSurface& surface, const ProgressCallback& progress);
 
-/// Makes what is looked at of an organ that was judged. `assets`: the assets folder.
+/// Prepares the view of a judged organ. `assets`: the assets folder.
 [[nodiscard]] OrganTrial trialOf(OrganImport import, const std::filesystem::path& assets);
 
 }  // namespace torsio::gui

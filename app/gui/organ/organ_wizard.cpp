@@ -274,7 +274,7 @@ void OrganWizard::judgeAgain() {
   const std::optional<double> wall_mm =
       asked.wall_m ? std::optional(kMillimetres * *asked.wall_m) : std::nullopt;
   if (surface_.mesh.triangles.empty() || wall_mm != drawn_.wall_mm) {
-    makeSurface();  // another wall is another surface
+    makeSurface();  // another wall needs another surface
     return;
   }
   if (!mayWork()) {
@@ -294,7 +294,7 @@ void OrganWizard::adopt(OrganTrial trial) {
   changed_ = false;
   picture_->setTrial(*trial_);
   findings_->show(trial_->import);
-  settingsCard_->setVisible(!ofMeasures_);  // of a drawn arm all is known
+  settingsCard_->setVisible(!ofMeasures_);  // nothing to ask about a generated arm
   pages_->setCurrentIndex(kJudgingPage);
   showButtons();
 }
@@ -320,7 +320,7 @@ void OrganWizard::save(const std::filesystem::path& file) {
 }
 
 bool OrganWizard::chooseFile() {
-  // A scan's file may be called after its patient.
+  // A scan's file name may contain the patient's name.
   const QString name = (ofScan_ ? tr("organ") : toQString(source_.stem())) + QStringLiteral(".organ");
   QString file = askFileToSave(this, tr("Save organ"), name, tr("Organ files (*.organ)"));
   if (file.isEmpty()) {

@@ -32,41 +32,40 @@ class PageHeading;
 class ScanPanel;
 class ShellContext;
 
-/// Brings an organ of one's own, step by step: a mesh is chosen, or a scan in which the organ is found; it is
-/// judged, looked at, saved as an organ file and opened. Reading and judging are done in the background. GUI
-/// thread.
+/// Imports an organ step by step: choose a mesh, or a scan and segment the organ; judge, inspect, save as an
+/// organ file, open. Reads and judges in the background. GUI thread.
 class OrganWizard : public QWidget {
   Q_OBJECT
 
  public:
   explicit OrganWizard(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Begins with the choice of a file.
+  /// Starts with the choice of a file.
   void begin();
-  /// Reads and judges a mesh file with what the settings say; the page of the judgement follows.
+  /// Reads and judges a mesh file with the settings; then shows the page of the judgement.
   void judgeMesh(const std::filesystem::path& file);
-  /// Looks for an instrument in a scan of it, with what its page says; the page follows.
+  /// Searches a scan for an instrument with the settings of its page; then shows the page.
   void openInstrument(const std::filesystem::path& source);
-  /// The same in a mesh of it.
+  /// Searches a mesh for an instrument; then shows its page.
   void openToolMesh(const std::filesystem::path& file);
-  /// Shows the page of an instrument of which nothing is known but its mesh file.
+  /// Shows the instrument page for a mesh file not read yet.
   void showToolMesh(const std::filesystem::path& file);
   void findInstrument();
-  /// Writes the instrument that was found. Throws as writeInstrument().
+  /// Writes the instrument. Throws like writeInstrument().
   void saveInstrument(const std::filesystem::path& file);
   [[nodiscard]] InstrumentPanel& instrument() const noexcept { return *instrument_; }
-  /// Draws and judges an arm with the measures of the form; the page of the judgement follows.
+  /// Generates and judges an arm from the form's measurements; then shows the page of the judgement.
   void makeArm();
-  /// Reads a scan, a NIfTI file or a folder of DICOM files; the page of its slices follows.
+  /// Reads a scan (a NIfTI file or a folder of DICOM files); then shows the page of its slices.
   void openScan(const std::filesystem::path& source);
-  /// Shows a scan that was read.
+  /// Shows a scan already read.
   void showScan(const std::filesystem::path& source, ScanPreview preview);
-  /// Looks for the organ in the scan, as the page of the slices says.
+  /// Segments the organ with the settings of the slices' page.
   void findOrgan();
-  /// Draws and judges what was found; the page of the judgement follows.
+  /// Reconstructs and judges the segmented organ; then shows the page of the judgement.
   void makeSurface();
   [[nodiscard]] ScanPanel& scanPanel() const noexcept { return *scan_; }
-  /// What was judged last; empty before.
+  /// Returns the last judged organ; empty at first.
   [[nodiscard]] const std::optional<OrganTrial>& trial() const noexcept { return trial_; }
   /// Writes the accepted organ. Throws Error{kFileUnwritable}.
   void save(const std::filesystem::path& file);
@@ -79,7 +78,7 @@ class OrganWizard : public QWidget {
  Q_SIGNALS:
   /// An organ file is to be opened in the simulator.
   void opened(const QString& file);
-  /// Back to where one came from.
+  /// The wizard is to be left.
   void closed();
 
  private:
@@ -107,13 +106,13 @@ class OrganWizard : public QWidget {
   ShellContext& shell_;
   std::filesystem::path source_;
   bool ofScan_ = false;
-  bool ofMeasures_ = false;  // an arm that was drawn
+  bool ofMeasures_ = false;  // a generated arm
   std::shared_ptr<const Arm> drawnArm_;
-  ScanRequest drawn_;    // of surface_
-  ScanSurface surface_;  // as it was drawn from the scan
+  ScanRequest drawn_;    // request of surface_
+  ScanSurface surface_;  // reconstructed from the scan
   std::optional<OrganTrial> trial_;
   std::optional<std::filesystem::path> saved_;
-  bool changed_ = false;  // the settings, since the organ was judged
+  bool changed_ = false;  // settings changed since the judgement
 
   PageHeading* heading_;
   QStackedWidget* pages_;

@@ -33,8 +33,8 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kControlsWidth = 320;
-constexpr double kFinest_mm = 1.0 / 16.0;  // of a dab's place: it goes to another process in words
-constexpr double kDabEvery = 0.4;          // of its radius, along a stroke
+constexpr double kFinest_mm = 1.0 / 16.0;  // of a dab's position, which is passed as text
+constexpr double kDabEvery = 0.4;          // spacing along a stroke, in radii
 constexpr int kMaxLevel_HU = 2000;
 constexpr int kMaxWidth_HU = 4000;
 constexpr std::size_t kTissues = 4;
@@ -325,7 +325,7 @@ void ScanPanel::release() {
   showState();
 }
 
-/// Along a stroke at most so many dabs that they cover it.
+/// Adds dabs along a stroke, no more than needed to cover it.
 void ScanPanel::dab(const PreviewVoxel& voxel) {
   if (state_.found.empty() || state_.strokes.empty()) {
     return;
@@ -348,7 +348,7 @@ void ScanPanel::dab(const PreviewVoxel& voxel) {
   }
 }
 
-/// A drag in one plane: in the direction across it the box stays as it is, at first all of the scan.
+/// Sets the box from a drag in one plane: keeps its extent across the plane, initially the whole scan.
 void ScanPanel::spanBox(const SliceView& view, const PreviewVoxel& voxel) {
   const ScanVolume& volume = state_.preview.volume;
   std::array<PreviewVoxel, 2> box = state_.box.value_or(std::array<PreviewVoxel, 2>{

@@ -25,26 +25,25 @@ namespace torsio::gui {
 class Card;
 class SliceView;
 
-/// Name of the object that shows the slices of a plane.
+/// Returns the object name of a plane's slice view.
 [[nodiscard]] QString sliceName(SlicePlane plane);
 
-/// A scan in three slices with the organ's mask over it: window of grey, tissue, seed by a click, box by a
-/// drag, a brush that mends the mask. It asks for work (`findWanted`, `surfaceWanted`) and does none itself.
-/// GUI thread.
+/// A scan in three slices with the organ's mask: grey window, tissue, seed by click, box by drag, brush to
+/// correct the mask. It requests work (`findWanted`, `surfaceWanted`) and does none itself. GUI thread.
 class ScanPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ScanPanel(QWidget* parent = nullptr);
 
-  /// Shows a scan; what was said about another one is forgotten.
+  /// Shows a scan; discards the input about the previous one.
   void setScan(const std::filesystem::path& source, ScanPreview preview);
-  /// Shows the organ that was found; strokes of the brush stay.
+  /// Shows the segmented organ; keeps brush strokes.
   void setFound(ScanPreview organ);
-  /// What is to be looked for, or made: `brushed` with the strokes of the brush.
+  /// Returns the request to segment or reconstruct; `brushed`: with the brush strokes.
   [[nodiscard]] ScanRequest request(bool brushed) const;
   [[nodiscard]] const SliceState& state() const noexcept { return state_; }
-  /// Shows the slices through a place, millimetres.
+  /// Shows the slices through a place, mm.
   void lookAt(const Vec3& place_mm);
 
   void retranslate();

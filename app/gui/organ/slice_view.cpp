@@ -13,11 +13,11 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kNotch = 120.0;  // of a wheel, eighths of a degree
-constexpr int kPage = 10;         // slices
+constexpr double kNotch = 120.0;  // of the wheel, eighths of a degree
+constexpr int kPage = 10;         // slices per Page Up or Page Down
 constexpr double kWindowPerPixel_HU = 2.0;
 constexpr double kLeastWidth_HU = 10.0;
-constexpr double kMaskShare = 0.45;  // of its colour in the mixture
+constexpr double kMaskShare = 0.45;  // weight of the mask's colour
 constexpr double kLineShare = 0.7;
 constexpr double kSeed_px = 6.0;
 constexpr int kMargin_px = 4;

@@ -11,34 +11,34 @@
 
 namespace torsio::gui {
 
-/// One slice of a scan in grey, the organ's mask, the box, the seed and the two other slices drawn over it.
-/// Seen as radiologists do: the patient's left on the right, axial from the feet, sagittal from the left. The
-/// wheel and the arrow keys go through the slices; a drag with the right button changes the window.
+/// A slice of a scan in grey, with the organ's mask, box, seed and the two other slices. Radiological
+/// orientation: the patient's left on the right, axial from the feet, sagittal from the left. Wheel and arrow
+/// keys move through slices; a right drag changes the window.
 class SliceView : public QWidget {
   Q_OBJECT
 
  public:
-  /// `state` is the panel's and outlives the view.
+  /// `state`: the panel's; must outlive the view.
   SliceView(SliceState& state, SlicePlane plane, QWidget* parent = nullptr);
 
-  /// What is shown has changed.
+  /// Redraws after a change of the state.
   void refresh();
   void setTheme(const Theme& theme);
-  /// A circle of this radius follows the mouse; 0: none.
+  /// Shows a circle of this radius at the mouse; 0: none.
   void setBrush(double radius_mm);
   [[nodiscard]] SlicePlane plane() const noexcept { return plane_; }
-  /// The voxel at a pixel of the widget; none outside of the slice.
+  /// Returns the voxel at a pixel of the widget; empty outside of the slice.
   [[nodiscard]] std::optional<PreviewVoxel> voxelAt(const QPointF& pixel) const;
-  /// The pixel of a voxel's middle.
+  /// Returns the pixel of a voxel's centre.
   [[nodiscard]] QPointF pixelOf(const PreviewVoxel& voxel) const;
   [[nodiscard]] QSize sizeHint() const override { return {360, 300}; }
 
  Q_SIGNALS:
-  /// The left button went down, moved or came up over a voxel.
+  /// The left button was pressed, dragged or released over a voxel.
   void pressed(const torsio::gui::PreviewVoxel& voxel);
   void dragged(const torsio::gui::PreviewVoxel& voxel);
   void released();
-  /// Another slice, or another window of grey, was chosen here: all views are to be drawn anew.
+  /// The slice or grey window was changed here: all views need redrawing.
   void moved();
 
  protected:
@@ -60,14 +60,14 @@ class SliceView : public QWidget {
 
   SliceState& state_;
   SlicePlane plane_;
-  std::size_t across_;  // axis of the preview that runs to the right
-  std::size_t along_;   // and the one that runs down or up
-  bool upwards_;        // it runs up
+  std::size_t across_;  // preview axis that points right
+  std::size_t along_;   // preview axis that points down or up
+  bool upwards_;        // along_ points up
   QImage picture_;
   Theme theme_;
   double brush_mm_ = 0.0;
   std::optional<QPointF> mouse_;
-  std::optional<QPointF> windowing_;  // where the right button went down last
+  std::optional<QPointF> windowing_;  // last position of a right drag
 };
 
 }  // namespace torsio::gui

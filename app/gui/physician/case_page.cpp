@@ -35,7 +35,7 @@ namespace {
 
 constexpr std::int64_t kSaveWatchedEvery_us = 5'000'000;
 
-/// Whether the sheet goes on by itself is a habit of each person.
+/// Settings key of automatic advance, for each user.
 QString advanceKey(ShellContext& shell) {
   return QStringLiteral("users/%1/advance").arg(toQString(shell.session().actor().userId));
 }
@@ -89,8 +89,8 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   halves_->setHandleWidth(kSpace);
   column->addWidget(halves_, 1);
   column->addWidget(createStrip());
-  // A sentence that wraps asks for the height of its narrowest shape; on a small screen the window would
-  // grow.
+  // A wrapping sentence requests the height of its narrowest shape, which would enlarge the window on a small
+  // screen.
   for (QLabel* text : {remarks_, stripText_}) {
     text->setMinimumHeight(fontMetrics().height());
   }
@@ -101,7 +101,7 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   connect(sheet_, &SheetEditorPanel::heldBack, this, [this] {
     this->shell().notify(tr("This is the next case. Watch it, or change its sheet, first"));
   });
-  // Success shows the recording right after; failure and cancelling end here.
+  // On success the recording is shown afterwards; failure and cancellation end here.
   connect(&shell, &ShellContext::jobEnded, this, [this] {
     if (sheet_->editor() != nullptr && !opened_.shown.live && !replay_->ready()) {
       replay_->showSentence(tr("The recording could not be opened."));
@@ -117,7 +117,7 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
     noteWork();
     replay_->setWatched(watched_.spans());
     if (sheet_->asking() && !amending_) {
-      showCheck();  // who watches on while the question stands sees it answered
+      showCheck();  // updates the question while the rater keeps watching
     }
     const bool crossed = from / kSaveWatchedEvery_us != to / kSaveWatchedEvery_us;
     if (crossed && opened_.state != SheetState::kSubmitted) {
@@ -141,7 +141,7 @@ void CasePage::createHead(QVBoxLayout* column) {
   advance_->setObjectName(QStringLiteral("advance"));
   advance_->setCheckable(true);
   connect(advance_, &QToolButton::toggled, this, [this](bool on) { sheet_->setAdvancing(on); });
-  // By the hand alone: what a program sets is no choice of the person.
+  // Only on clicks: programmatic changes are not the user's choice.
   connect(advance_, &QToolButton::clicked, this,
           [this](bool on) { QSettings().setValue(advanceKey(shell()), on); });
   head->addWidget(advance_);

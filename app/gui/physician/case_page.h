@@ -26,8 +26,8 @@ namespace torsio::gui {
 class ReplayPanel;
 class SheetEditorPanel;
 
-/// One case: the recording at the left, the sheet at the right. Each keystroke is on the disk before the next
-/// one; submitting asks once more and then seals. Argument of enter(): the assignment id.
+/// A case: recording on the left, sheet on the right. Every keystroke is stored immediately; submitting asks
+/// for confirmation and then seals. Argument of enter(): the assignment id.
 class CasePage : public Page {
   Q_OBJECT
 
@@ -54,9 +54,9 @@ class CasePage : public Page {
   void save();
   void addBookmark(const QString& text);
   void askRemark();
-  /// Opens the field with the words of an own remark; the nearest one to the playhead when `id` is empty.
+  /// Opens the field with one's own remark; empty `id`: the one nearest to the playhead.
   void editRemark(const RemarkId& id);
-  /// Stores what the field holds, as a new remark or as new words of the one that is edited.
+  /// Stores the field as a new remark or as the edited one.
   void storeRemark();
   void askSubmit();
   void submit();
@@ -65,7 +65,7 @@ class CasePage : public Page {
   void showAll();
   void showCheck();
   void showHistory();
-  /// What was sealed when and why, a line a version.
+  /// Returns when and why each version was sealed, one per line.
   [[nodiscard]] QString versionsText() const;
   void showRemarks();
   [[nodiscard]] QString rowName(const std::string& row) const;
@@ -99,12 +99,12 @@ class CasePage : public Page {
   ViewingRules rules_;
   WatchLog watched_;
   std::vector<CaseRemark> caseRemarks_;
-  RemarkId edited_;  ///< remark whose words stand in the field; empty: a new one
+  RemarkId edited_;  ///< remark being edited; empty: a new one
   std::vector<SheetVersion> versions_;
   QElapsedTimer sinceKey_;
   std::uint64_t loads_ = 0;
   bool amending_ = false;
-  bool sealed_ = false;  ///< the case before was sealed here just now
+  bool sealed_ = false;  ///< the previous case has just been sealed here
 };
 
 }  // namespace torsio::gui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the case page says.
+// Texts of the case page.
 #include <cmath>
 
 #include <QFrame>
@@ -26,7 +26,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::size_t kListedRemarks = 6;
-constexpr double kRounding = 0.1;  // percent: the last tick of a recording has no length
+constexpr double kRounding = 0.1;  // percent: the last sample of a recording has no duration
 
 }  // namespace
 
@@ -70,7 +70,7 @@ std::vector<std::pair<QString, QString>> CasePage::keys() const {
 void CasePage::applyTheme(const Theme& theme) {
   replay_->setTheme(theme);
   sheet_->setTheme(theme);
-  remarks_->clear();  // the same text anew: a label keeps the colour that its links had
+  remarks_->clear();  // otherwise the links of a label keep their old colour
   showRemarks();
 }
 

@@ -19,7 +19,7 @@ void ChoiceRow::setChoices(const std::vector<QString>& texts, std::size_t chosen
   for (QAbstractButton* button : group_->buttons()) {
     group_->removeButton(button);
     button->hide();
-    button->deleteLater();  // it may be the one that was just pressed
+    button->deleteLater();  // it may be the button just pressed
   }
   while (QLayoutItem* item = row_->takeAt(0)) {
     delete item;

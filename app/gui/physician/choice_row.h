@@ -12,20 +12,19 @@ class QHBoxLayout;
 
 namespace torsio::gui {
 
-/// Offers a few things side by side, one of which is open: the models of an evaluation, the reference runs of
-/// a calibration. GUI thread.
+/// A row of alternatives, one of which is selected: models of an evaluation, reference runs of a calibration.
+/// GUI thread.
 class ChoiceRow : public QWidget {
   Q_OBJECT
 
  public:
   explicit ChoiceRow(QWidget* parent = nullptr);
 
-  /// Shows a button a text in place of those before; `chosen` is pressed, none where it is out of range.
-  /// Emits nothing.
+  /// Replaces the buttons; `chosen` is selected, none if out of range. Emits nothing.
   void setChoices(const std::vector<QString>& texts, std::size_t chosen);
 
  Q_SIGNALS:
-  /// A button was pressed: its position among the texts.
+  /// A button was pressed; its index.
   void chosen(std::size_t position);
 
  private:

@@ -10,8 +10,8 @@
 
 namespace torsio::gui {
 
-/// Own marks against the range and mean of the others, one bar a row: a band from lowest to highest, a line
-/// at the mean, a diamond at the own mark; rows that lie apart say so in words.
+/// One's own marks against the others' range and mean, one bar per row: a band from lowest to highest, a line
+/// at the mean, a diamond at the own mark; discrepant rows are also described in words.
 class ComparisonBars : public QWidget {
   Q_OBJECT
 

@@ -183,7 +183,7 @@ void DiscrepancyReviewPage::showCase() {
   bars_->setVisible(!moving);
   legend_->setVisible(!moving);
   sheet_->setVisible(moving);
-  // The bars stand at the top; a sheet takes all the room there is.
+  // Bars are at the top; a sheet takes all the space.
   auto* column = static_cast<QVBoxLayout*>(right_->layout());
   column->setStretch(column->count() - 1, moving ? 0 : 1);
   replay_->setVisible(!one->shown.live);

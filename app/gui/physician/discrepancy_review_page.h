@@ -19,8 +19,8 @@ class DataTable;
 class PageHeading;
 class SheetEditorPanel;
 
-/// After all have submitted: own marks that lie apart, and what to do about each. Only disagreements; nobody
-/// is named.
+/// After everybody has submitted: one's own discrepant marks, and the decision about each. Shows only
+/// disagreements, and no names.
 class DiscrepancyReviewPage : public Page {
   Q_OBJECT
 
@@ -44,7 +44,7 @@ class DiscrepancyReviewPage : public Page {
   void showCase();
   void startMoving();
   void stopMoving();
-  /// False: it says so at the field, which has the focus then.
+  /// False: shows the error at the field and focuses it.
   [[nodiscard]] bool hasReason();
   template <typename Action>
   void decide(const Action& action, const QString& said);
@@ -58,7 +58,7 @@ class DiscrepancyReviewPage : public Page {
   ComparisonBars* bars_;
   SheetEditorPanel* sheet_;
   QLineEdit* reason_;
-  QLabel* why_;  ///< what is wrong with the reason
+  QLabel* why_;  ///< error of the reason
   QPushButton* keep_;
   QPushButton* move_;
   QPushButton* adjudicator_;

@@ -20,7 +20,7 @@ class PageHeading;
 class ReplayPanel;
 class SheetEditorPanel;
 
-/// The nine-index form: one model after the other in the order drawn for this rater, under hidden labels.
+/// The nine-index form: the models one after another in this rater's random order, with hidden labels.
 class EvaluationPage : public Page {
   Q_OBJECT
 
@@ -46,7 +46,7 @@ class EvaluationPage : public Page {
   void openModel(std::size_t at);
   void edited();
   void submit();
-  /// Loads the recording of the open model, where it has one.
+  /// Loads the recording of the open model, if any.
   void openRecording();
   void showModels();
   void showAll();
@@ -56,10 +56,10 @@ class EvaluationPage : public Page {
   QComboBox* campaigns_;
   ChoiceRow* choices_;
   QLabel* scaleText_;
-  QLabel* definition_;  // of the index that is marked
+  QLabel* definition_;  // definition of the current index
   SheetEditorPanel* sheet_;
   ReplayPanel* replay_;
-  std::uint64_t loads_ = 0;  // number of the newest loading
+  std::uint64_t loads_ = 0;  // id of the latest load
   SaidLine said_;
   QPushButton* submit_;
   std::vector<EvaluationForm> forms_;

@@ -36,7 +36,7 @@ namespace {
 
 constexpr int kTick_ms = 100;
 constexpr int kFollow_ms = 2'000;
-constexpr std::int64_t kSitting_us = 12 * 3'600'000'000LL;  // sealed before that: another day's work
+constexpr std::int64_t kSitting_us = 12 * 3'600'000'000LL;  // sheets sealed earlier belong to another day
 
 }  // namespace
 
@@ -87,7 +87,7 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   right->addLayout(foot);
   row->addLayout(right, 3);
   column->addLayout(row, 1);
-  // The style sheet of the application decides the height of push buttons; a finger needs more.
+  // The application's style sheet sets the height of push buttons; fingers need more.
   const QString tall = QStringLiteral("QPushButton { min-height: %1px; }").arg(kTouch_px - 2 * kSpace + 2);
   for (QPushButton* button : {start_, write_, submit_, amend_, older_}) {
     button->setStyleSheet(tall);
@@ -128,7 +128,7 @@ void LivePage::createClock(QVBoxLayout* column) {
 void LivePage::enter(const QVariant&) {
   keptAt_ = keptAt(shell().session());
   withOlder_ = false;
-  retranslate();  // the heading says where things are kept
+  retranslate();  // the heading says where things are stored
   opened_ = {};
   followed_ = {};
   sheet_->endSheet();
@@ -180,15 +180,14 @@ void LivePage::lookForCalls() {
             return states;
           };
           if (!follow_.isActive() || holdsButton(*this) || stateOf(lines) == stateOf(lines_)) {
-            return;  // no line is made anew under a finger
+            return;  // lines are not rebuilt under a finger
           }
           lines_ = lines;
           showLines();
           followCall();
         };
       },
-      [](const std::exception_ptr&) {
-      });  // the window says when the record is away; the next look tries again
+      [](const std::exception_ptr&) {});  // the window shows a database outage; the next refresh tries again
 }
 
 void LivePage::followCall() {
@@ -202,7 +201,7 @@ void LivePage::followCall() {
   const auto shown = std::find_if(lines_.begin(), lines_.end(), [this](const QueueLine& line) {
     return line.shown.assignmentId == opened_.shown.assignmentId;
   });
-  // Whoever this sheet is about still stands at the arm: the call that came later is for another room.
+  // The trainee of this sheet is still at the arm: the later call is for another room.
   const bool otherRoom = sheet_->editor() != nullptr && shown != lines_.end() && shown->call &&
                          shown->call->open && shown->state != SheetState::kSubmitted;
   const bool begun = sheet_->editor() != nullptr && (opened_.state == SheetState::kDraft || tick_.isActive());

@@ -26,8 +26,8 @@ class Background;
 class PageHeading;
 class SheetEditorPanel;
 
-/// The sheet for the real arm: it opens by itself when an administrator calls a case; a timer, and targets
-/// for fingers. A sheet that is begun is never taken away: the next call waits beside it.
+/// The sheet for the real arm, which opens automatically when an administrator calls a case; with timer and
+/// targets for fingers. A started sheet is never replaced: the next call waits beside it.
 class LivePage : public Page {
   Q_OBJECT
 
@@ -48,9 +48,9 @@ class LivePage : public Page {
  private:
   void createClock(QVBoxLayout* column);
   void readLines();
-  /// Asks for calls away from the window's thread, as the clock wants.
+  /// Polls for calls in the background, on the timer.
   void lookForCalls();
-  /// Opens the sheet of the newest open call, unless another one is begun.
+  /// Opens the sheet of the newest open call, unless another one is started.
   void followCall();
   [[nodiscard]] QString stateText(const QueueLine& line) const;
   void showLines();
@@ -86,7 +86,7 @@ class LivePage : public Page {
   QElapsedTimer running_;
   std::int64_t clocked_us_ = 0;
   KeptAt keptAt_ = KeptAt::kThisMachine;
-  AssignmentId followed_;  // opened by a call; whoever goes back to another sheet is left there
+  AssignmentId followed_;  // opened by a call; a user who returns to another sheet stays there
   bool withOlder_ = false;
 };
 

@@ -15,15 +15,15 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// In a physician's queue: moments of practice runs that trainees ask about by name, the longest waiting
-/// first, and the last answers of a week, which can be edited. Hidden while there is neither.
+/// Questions of trainees about moments of practice runs, with names, in a physician's queue, longest waiting
+/// first; and a week's answers, which can be edited. Hidden if there are neither.
 class QuestionsCard : public Card {
   Q_OBJECT
 
  public:
   explicit QuestionsCard(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Reads them anew; the caller's catch reports.
+  /// Rereads the questions; the caller handles exceptions.
   void read();
   [[nodiscard]] const std::vector<PhysicianQuestion>& questions() const noexcept { return questions_; }
   /// Shows the moment with a field for the answer.
@@ -38,8 +38,8 @@ class QuestionsCard : public Card {
   void show(const PhysicianQuestion& question, const Debrief& run);
 
   ShellContext& shell_;
-  std::vector<PhysicianQuestion> questions_;  ///< what waits
-  std::vector<PhysicianQuestion> answered_;   ///< lately, the last answer first
+  std::vector<PhysicianQuestion> questions_;  ///< unanswered
+  std::vector<PhysicianQuestion> answered_;   ///< recent ones, last answer first
   QVBoxLayout* list_;
 };
 

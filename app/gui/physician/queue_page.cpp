@@ -32,7 +32,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kTableHeight = 20 * kSpace;
-constexpr int kDoorsBeside = 2;  // a third would leave no room for their sentences
+constexpr int kDoorsBeside = 2;  // a third would leave no room for their texts
 
 }  // namespace
 
@@ -43,7 +43,7 @@ QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
       table_(new DataTable(QStringLiteral("review.queue"), this)) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea(this);  // long sentences in a wide typeface need more than a small screen
+  auto* scroll = new QScrollArea(this);  // long texts in a wide font need more than a small screen
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
   outer->addWidget(scroll);
@@ -187,7 +187,7 @@ void QueuePage::showDoors() {
     widest = std::max(widest, door->button->sizeHint().width());
   }
   for (const auto& [door, waits] : all) {
-    door->button->setMinimumWidth(widest);  // below each other in one column
+    door->button->setMinimumWidth(widest);  // stacked in one column
     doorPlaces_->removeWidget(door->row);
     door->row->setVisible(waits);
     if (!waits) {

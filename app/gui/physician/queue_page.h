@@ -18,7 +18,7 @@ class PageHeading;
 class QuestionsCard;
 class RepliesCard;
 
-/// A physician's home: how much waits, how long it takes, and one button that goes on where the work is.
+/// A physician's home page: amount of work, time needed, and one button to continue.
 class QueuePage : public Page {
   Q_OBJECT
 

@@ -29,9 +29,9 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kNear_points = 0.5;  // a step of the buttons' keys
+constexpr double kNear_points = 0.5;  // smaller differences count as agreement
 
-/// The overall mark alone: that is what a panel has agreed on.
+/// Reduces a rubric to the overall mark, the only one that a panel has agreed on.
 RubricRevision overallOnly(RubricRevision rubric) {
   rubric.rows.clear();
   return rubric;
@@ -64,7 +64,7 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
   row->setSpacing(2 * kSpace);
   row->addWidget(replay_, 3);
   auto* right = new QVBoxLayout;
-  sheet_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // one row: the rubric takes the room
+  sheet_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // a single row
   right->addWidget(sheet_);
   right->addWidget(compare_);
   resultCard_->content()->addWidget(result_);
@@ -83,7 +83,7 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
   column->addLayout(row, 1);
   connect(choices_, &ChoiceRow::chosen, this, [this](std::size_t at) { openRun(at + 1); });
   connect(compare_, &QPushButton::clicked, this, &RaterCalibrationPage::compare);
-  // Success shows the recording right after; failure and cancelling end here.
+  // On success the recording is shown afterwards; failure and cancellation end here.
   connect(&shell, &ShellContext::jobEnded, this, [this] {
     if (number_ > 0 && !replay_->ready()) {
       replay_->showSentence(tr("The recording could not be opened."));
@@ -151,7 +151,7 @@ void RaterCalibrationPage::showRuns() {
     const int number = static_cast<int>(run.number);
     texts.push_back(run.own_steps ? tr("Reference %1, scored").arg(number) : tr("Reference %1").arg(number));
   }
-  choices_->setChoices(texts, number_ - 1);  // no run is open at 0, and no button is pressed
+  choices_->setChoices(texts, number_ - 1);  // 0: no run is open, no button is pressed
 }
 
 void RaterCalibrationPage::showResult() {

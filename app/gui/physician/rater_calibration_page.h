@@ -19,7 +19,7 @@ class PageHeading;
 class ReplayPanel;
 class SheetEditorPanel;
 
-/// Two reference runs before the real ones: score, then see how far from the panel.
+/// Two reference runs before the real ones: score them and compare with the panel.
 class RaterCalibrationPage : public Page {
   Q_OBJECT
 
@@ -42,9 +42,9 @@ class RaterCalibrationPage : public Page {
   void showResult();
   void compare();
   void goNext();
-  /// The mark on the sheet is the one that was compared last.
+  /// Returns whether the mark on the sheet is the last one compared.
   [[nodiscard]] bool compared() const;
-  /// The first run that is not scored; 0: none.
+  /// Returns the first unscored run; 0: none.
   [[nodiscard]] std::size_t nextNumber() const;
   [[nodiscard]] QString anchorText() const;
 

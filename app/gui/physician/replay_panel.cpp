@@ -27,11 +27,10 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kFrame_ms = 33;
-constexpr double kLongestFrame_s =
-    0.25;  // a window that was dragged or a lid that was closed is not watching
+constexpr double kLongestFrame_s = 0.25;  // dragging a window or closing a lid does not count as watching
 constexpr std::int64_t kJump_us = 5'000'000;
 constexpr std::int64_t kStep_us = 40'000;
-constexpr qint64 kLongestWait_ms = 250;  // for a frame of a window that perhaps nobody sees
+constexpr qint64 kLongestWait_ms = 250;  // for a frame of a window that may be invisible
 
 }  // namespace
 
@@ -54,7 +53,7 @@ std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
                                                 const std::filesystem::path& assets) {
   std::shared_ptr<LoadedRecording> loaded;
   try {
-    // The chunks move on to the playback, so that they are in memory once; the header stays for the scene.
+    // Moves the chunks to the playback, to hold them in memory only once; the scene keeps the header.
     Trial trial{recording.trial.header, std::move(recording.trial.chunks), recording.trial.summary};
     TraceCollector traces(trial.summary.samples);
     TrialPlayback playback(std::move(trial), [&](std::span<const Sample> samples) { traces.add(samples); });
@@ -74,7 +73,7 @@ std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
     }
     loaded->scene = std::move(scene);
   } catch (const Error&) {
-    loaded->scene.reset();  // a user's own organ: the traces tell what can be told
+    loaded->scene.reset();  // a user's own organ: only traces are shown
   }
   return loaded;
 }
@@ -194,9 +193,9 @@ QString ReplayPanel::taskText(const BlindedTask& task) {
   return tr("Asked for: %1").arg(parts.join(QStringLiteral("  \u00b7  ")));
 }
 
-/// On a tall screen the curves take part in its height.
+/// On a tall screen, the traces grow too.
 void ReplayPanel::fitTraces() {
-  constexpr int kShare = 4;  // of the panel: a quarter
+  constexpr int kShare = 4;  // a quarter of the panel
   const int share = height() / kShare;
   traces_->setMinimumHeight(share > traces_->sizeHint().height() ? share : 0);
 }

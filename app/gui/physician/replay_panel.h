@@ -25,7 +25,7 @@ class QToolButton;
 
 namespace torsio::gui {
 
-/// A blinded recording with everything that its showing needs; made in a worker thread.
+/// A blinded recording with everything to display it; created in a worker thread.
 struct LoadedRecording {
   LoadedRecording(TrialPlayback itsPlayback, TraceData itsTraces, std::string itsDigest)
       : playback(std::move(itsPlayback)), traces(std::move(itsTraces)), digest(std::move(itsDigest)) {}
@@ -36,15 +36,15 @@ struct LoadedRecording {
   BlindedTask task;
   std::shared_ptr<const Scene> scene;  ///< null: the organ is not here, traces only
   ViewScene view;
-  std::unique_ptr<AsyncModelPlayback> async;  ///< null: the view needs none
+  std::unique_ptr<AsyncModelPlayback> async;  ///< null: not needed by the view
 };
-/// Decodes, checks and builds; a missing organ leaves the scene empty. Throws Error for a recording that
-/// cannot be played. Worker thread.
+/// Decodes, verifies and builds; a missing organ leaves the scene empty. Throws Error for an unplayable
+/// recording. Worker thread.
 [[nodiscard]] std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
                                                               const std::filesystem::path& assets);
 
-/// The organ in 3D, the linked traces under it, and the transport: what a rater watches. Keys come from the
-/// page (handleKey), so that they work wherever the focus is.
+/// A rater's player: the organ in 3D, the linked traces below it, and the transport. The page forwards keys
+/// (handleKey), so that they work regardless of focus.
 class ReplayPanel : public QWidget {
   Q_OBJECT
 
@@ -53,13 +53,13 @@ class ReplayPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   void retranslate();
-  /// A sentence in place of the picture.
+  /// Shows a sentence in place of the picture.
   void showSentence(const QString& sentence);
-  /// Null: nothing to show.
+  /// Shows a recording; null: nothing.
   void show(std::shared_ptr<LoadedRecording> recording);
-  /// Says what proves the recording, below the panel unless a page puts it where it has more room.
+  /// Returns the label with the recording's digest, below the panel unless a page moves it.
   [[nodiscard]] QLabel* proof() noexcept { return digest_; }
-  /// Allowed speeds, rising. One: locked.
+  /// Sets the allowed speeds, ascending. A single one: locked.
   void setSpeeds(std::vector<double> speeds);
   void setBookmarks(std::vector<std::int64_t> times_us) { traces_->setBookmarks(std::move(times_us)); }
   void setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> spans_us);
@@ -73,15 +73,15 @@ class ReplayPanel : public QWidget {
   void seek_us(std::int64_t position_us);
   void togglePlay();
   void pause();
-  /// Space, J, K, L, comma, period, Home, End. False: not a key of the transport.
+  /// Handles Space, J, K, L, comma, period, Home, End. False: another key.
   bool handleKey(int key);
-  /// Moves a playing recording on; the timer calls it, and tests.
+  /// Advances playback; called by the timer and by tests.
   void frame(double elapsed_s);
-  /// Tests move the time themselves.
+  /// Lets tests control the time.
   void setRealTime(bool realTime) noexcept { realTime_ = realTime; }
 
  Q_SIGNALS:
-  /// A stretch went by by itself.
+  /// A stretch was played without seeking.
   void played(qint64 from_us, qint64 to_us, double speed);
   void moved(qint64 position_us);
 
@@ -98,7 +98,7 @@ class ReplayPanel : public QWidget {
   void showTransport();
   void changeSpeed(int direction);
 
-  QLabel* task_;  // what the exercise asks for
+  QLabel* task_;  // the exercise's task
   QLabel* sentence_;
   SceneView* view_;
   TraceView* traces_;
@@ -114,8 +114,8 @@ class ReplayPanel : public QWidget {
   QTimer timer_;
   QElapsedTimer sinceFrame_;
   bool realTime_ = true;
-  bool playAsked_ = false;                    ///< before the recording was there
-  std::optional<QElapsedTimer> awaitsFrame_;  // since when; then what stands beside the picture follows
+  bool playAsked_ = false;                    ///< before the recording was loaded
+  std::optional<QElapsedTimer> awaitsFrame_;  // since when; afterwards the rest is updated
   std::optional<std::vector<std::pair<std::int64_t, std::int64_t>>> watched_us_;  // waits for the frame too
 };
 

@@ -9,15 +9,14 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// In a physician's queue: what trainees answered to one's remarks, until it was read. Hidden while there is
-/// nothing.
+/// Trainees' unread replies to one's remarks, in a physician's queue. Hidden if there are none.
 class RepliesCard : public Card {
   Q_OBJECT
 
  public:
   explicit RepliesCard(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Reads them anew; the caller's catch reports.
+  /// Rereads the replies; the caller handles exceptions.
   void read();
 
  protected:

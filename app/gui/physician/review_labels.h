@@ -13,13 +13,13 @@
 
 namespace torsio::gui {
 
-/// "7.5" in the reader's notation, without needless decimals.
+/// Formats points in the user's locale without needless decimals: "7.5".
 [[nodiscard]] QString pointsText(double points);
 [[nodiscard]] QString scoreText(std::int64_t score_steps, const ScoreScale& scale);
 /// "+0.8", "-0.5", "0.0".
 [[nodiscard]] QString signedText(double points);
 
-/// For Page::keys(): what scores a sheet, and what moves a recording.
+/// Keys of a sheet and of playback, for Page::keys().
 [[nodiscard]] std::vector<std::pair<QString, QString>> sheetKeys();
 [[nodiscard]] std::vector<std::pair<QString, QString>> replayKeys();
 

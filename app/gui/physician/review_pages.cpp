@@ -24,13 +24,13 @@ std::function<Page*(ShellContext&)> maker() {
   return [](ShellContext& shell) -> Page* { return new T(shell); };
 }
 
-/// The case that "continue" would open.
+/// Returns the case that "continue" would open.
 QVariant nextCase(SessionContext& session) {
   const auto next = reviewQueue(session).next;
   return next ? QVariant(toQString(*next)) : QVariant();
 }
 
-constexpr double kPictureAt = 0.6;  // of the recording: something happens there
+constexpr double kPictureAt = 0.6;  // fraction of the recording with something to see
 
 /// Waits for the recording and shows a moment of it.
 void showMoment(ReplayPanel& replay) {

@@ -9,7 +9,7 @@ namespace torsio::gui {
 
 /// The pages of the physician, in the order of the navigation; the first one is home.
 [[nodiscard]] std::vector<PageEntry> reviewPages();
-/// Their pictures for the user guide.
+/// Screens of these pages for the user guide.
 [[nodiscard]] std::vector<ScreenEntry> reviewScreens();
 
 }  // namespace torsio::gui

@@ -11,13 +11,13 @@
 
 namespace torsio::gui {
 
-/// What a page says beside what it shows, until it says something else: again() says it in the language
-/// chosen last. The label belongs to its parent. GUI thread.
+/// A page's status message; again() repeats it in the present language. The label belongs to its parent. GUI
+/// thread.
 class SaidLine {
  public:
   explicit SaidLine(QLabel* label) : label_(label) {}
 
-  /// `words` gives the sentence in the language of the moment. `caution`: something is to be done about it.
+  /// `words` returns the sentence in the present language. `caution`: it needs action.
   void say(std::function<QString()> words, bool caution = false) {
     words_ = std::move(words);
     setLook(label_, "caution", caution);

@@ -174,17 +174,17 @@ void ScoreRow::showAnchor() {
   if (anchors_.empty()) {
     return;
   }
-  // A long form has room for the anchors of one row: the marked one.
+  // A long form only has room for the anchors of one row: the current one.
   anchor_->setVisible(shape_ != RowShape::kCompact || current_);
   if (hovered_ >= 0) {
     anchor_->setText(nearestAnchor(stepsOf(hovered_)));
     return;
   }
-  // Where the rater is, every anchor; elsewhere the one that was met.
+  // The current row shows all anchors; others only the one of their mark.
   anchor_->setText(current_ || !answer_.score_steps ? allAnchors() : nearestAnchor(*answer_.score_steps));
 }
 
-/// The room of all anchors is kept while only one is shown: no row moves away from under a finger.
+/// Reserves the height of all anchors even if only one is shown, so that rows do not move under a finger.
 void ScoreRow::keepAnchorRoom() {
   if (anchors_.empty() || !laidOut_) {
     return;
@@ -250,7 +250,7 @@ void ScoreRow::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::int64_t steps = stepsOf(static_cast<int>(i));
     const bool chosen = answer_.score_steps && *answer_.score_steps == steps;
-    // Half points lie between two cells: both are outlined.
+    // Half points are between two cells: outlines both.
     const bool beside =
         answer_.score_steps && !chosen && std::abs(*answer_.score_steps - steps) < scale_.stepsPerPoint;
     const bool hovered = hovered_ == static_cast<int>(i) && !readOnly_;
@@ -309,7 +309,7 @@ bool ScoreRow::eventFilter(QObject* watched, QEvent* event) {
   if (watched == reason_ && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Escape) {
-      // Esc takes back what was typed since N, and nothing else: a score that stands goes on standing.
+      // Esc undoes only what was entered since N: an existing score remains.
       const SheetAnswer before = std::exchange(asked_, std::nullopt).value_or(answer_);
       if (answer_ != before) {
         Q_EMIT takenBack(before);

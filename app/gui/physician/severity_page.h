@@ -15,7 +15,7 @@ class Card;
 class DataTable;
 class PageHeading;
 
-/// Own marks against the panel's means, one dot a case: above the diagonal milder, below it stricter.
+/// One's own marks against the panel's means, one dot per case: milder above the diagonal, stricter below.
 class SeverityPlot : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class SeverityPlot : public QWidget {
   OwnSeverity severity_;
 };
 
-/// How strict the physician is, for their own eyes: no league table exists anywhere.
+/// A physician's own severity, visible only to them: there is no ranking anywhere.
 class SeverityPage : public Page {
   Q_OBJECT
 

@@ -85,7 +85,7 @@ bool SheetEditorPanel::handleCommand(QKeyEvent* event) {
     redo();
   } else if (enter && (event->modifiers() & Qt::ControlModifier) != 0) {
     if (event->isAutoRepeat()) {
-      return true;  // one press asks, another one seals: a key held down is no second press
+      return true;  // the first press asks, the second seals: auto-repeat is not a second press
     }
     if (awaitsTouch_) {
       Q_EMIT heldBack();
@@ -107,7 +107,7 @@ bool SheetEditorPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched != commentField() || event->type() != QEvent::KeyPress) {
     return SheetPanel::eventFilter(watched, event);
   }
-  // One history for the whole sheet: the text field keeps none of its own.
+  // The whole sheet has one undo history: the text field has none of its own.
   auto* key = static_cast<QKeyEvent*>(event);
   if (handleCommand(key)) {
     return true;

@@ -15,9 +15,8 @@ namespace torsio::gui {
 class SaidLine;
 class ShellContext;
 
-/// A sheet while somebody fills it in: the rubric, its one history for undo and redo, its keys, what is said
-/// about saving, and the second press before it is sealed. Every page on which marks are given has one; the
-/// page says where a sheet is kept and what follows. GUI thread.
+/// A sheet being filled in: rubric, undo history, keys, save status, and a second press before sealing. Used
+/// on every page with marks; the page decides where the sheet is stored and what follows. GUI thread.
 class SheetEditorPanel : public SheetPanel {
   Q_OBJECT
 
@@ -26,42 +25,42 @@ class SheetEditorPanel : public SheetPanel {
   explicit SheetEditorPanel(bool largeTargets = false, QWidget* parent = nullptr);
   ~SheetEditorPanel() override;
 
-  /// Shows a sheet and begins a new history. `withOverall`: false for forms of rows alone.
+  /// Shows a sheet with a new history. `withOverall`: false for forms without overall mark.
   void beginSheet(RubricRevision rubric, Sheet sheet, bool withOverall = true);
   /// Shows nothing.
   void endSheet();
-  /// Null when no sheet is shown.
+  /// Returns the editor; null if no sheet is shown.
   [[nodiscard]] SheetEditor* editor() const noexcept { return editor_.get(); }
 
-  /// Does `store`; says on `said` that the sheet is kept, or that it is not, and reports why.
+  /// Calls `store`; shows on `said` whether the sheet was saved, and reports an error.
   bool save(ShellContext& shell, SaidLine& said, std::function<QString()> kept,
             const std::function<void()>& store);
-  /// The last save() failed: what is shown is kept nowhere yet.
+  /// Returns whether the last save() failed, so that the sheet is not stored.
   [[nodiscard]] bool unsaved() const noexcept { return unsaved_; }
 
-  /// Take back the last change, or bring it again; nothing on a sheet that is read only.
+  /// Undo or redo the last change; no effect on a read-only sheet.
   void undo();
   void redo();
-  /// Takes every answer and the comment away, as one step that undo() brings back.
+  /// Clears all answers and the comment as one undo step.
   void clearAll();
-  /// Undo, redo, and Ctrl+Enter, which asks for what the page does at the end. False: none of these.
+  /// Handles undo, redo, and Ctrl+Enter, which requests the page's final action. False: another key.
   bool handleCommand(QKeyEvent* event);
-  /// handleCommand(), then the keys of the rows.
+  /// Calls handleCommand(), then handles the keys of the rows.
   bool handle(QKeyEvent* event);
 
-  /// Whether the page has asked to press once more. A change of the sheet takes the question back.
+  /// Returns whether the page has asked for a second press. Any change of the sheet withdraws the question.
   [[nodiscard]] bool asking() const noexcept { return asking_; }
   void setAsking(bool asking) noexcept { asking_ = asking; }
 
-  /// The sheet took the place of one that was sealed just now: Ctrl+Enter belongs to that one until something
-  /// else is done here. beginSheet() ends it, and so does touched().
+  /// Suppresses Ctrl+Enter after the previous sheet was sealed, until something else is done here. Ended by
+  /// beginSheet() and touched().
   void waitForTouch() noexcept { awaitsTouch_ = true; }
   void touched() noexcept { awaitsTouch_ = false; }
 
  Q_SIGNALS:
-  /// Ctrl+Enter; not while it is held down.
+  /// Ctrl+Enter was pressed, without auto-repeat.
   void finishWanted();
-  /// Ctrl+Enter that waitForTouch() kept back.
+  /// Ctrl+Enter was suppressed by waitForTouch().
   void heldBack();
 
  protected:

@@ -39,14 +39,14 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   ground->installEventFilter(this);
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);
-  scroll_->setMinimumHeight(6 * kSpace);  // a row or two where a screen is small
+  scroll_->setMinimumHeight(6 * kSpace);  // a row or two on a small screen
   scroll_->installEventFilter(this);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
   edge_->setProperty("edge", true);
   edge_->setFixedHeight(1);
   QSizePolicy kept = edge_->sizePolicy();
-  kept.setRetainSizeWhenHidden(true);  // the rows stand still
+  kept.setRetainSizeWhenHidden(true);  // rows do not move
   edge_->setSizePolicy(kept);
   edge_->setObjectName(QStringLiteral("edge"));
   edge_->hide();
@@ -67,7 +67,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   commentLayout_->addWidget(commentLabel_);
   commentLayout_->addWidget(comment_);
   column->addLayout(commentLayout_);
-  column->addStretch();  // a tall page leaves its room below the sheet, not within it
+  column->addStretch();  // on a tall page, extra space goes below the sheet
   connect(comment_, &QPlainTextEdit::textChanged, this, [this] {
     if (filling_ || editor_ == nullptr) {
       return;
@@ -78,11 +78,11 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   });
 }
 
-/// No taller than its rows: the overall mark follows them, as wide as they are.
+/// Limits the height to the rows, so that the overall mark follows them at the same width.
 void SheetPanel::fitRows() {
   const int wide = scroll_->viewport()->width();
   const int frame = scroll_->frameWidth();
-  const int beside = scroll_->width() - frame - wide;  // the scroll bar, if there is one
+  const int beside = scroll_->width() - frame - wide;  // width of the scroll bar, if any
   const int right = rowsLayout_->contentsMargins().right() + beside;
   overallLayout_->setContentsMargins(frame, 0, right, 0);
   commentLayout_->setContentsMargins(frame + kRowMark_px + kSpace, 0, right + kSpace, 0);
@@ -97,10 +97,10 @@ bool SheetPanel::eventFilter(QObject* watched, QEvent* event) {
     QTimer::singleShot(0, this, &SheetPanel::fitRows);
   }
   if (watched == scroll_ && event->type() == QEvent::Resize) {
-    QTimer::singleShot(0, this, &SheetPanel::showCurrentRow);  // when the rows have their places
+    QTimer::singleShot(0, this, &SheetPanel::showCurrentRow);  // after layout of the rows
   }
   if (watched == scroll_ && event->type() == QEvent::KeyPress) {
-    event->ignore();  // the arrows belong to the rows, not to the scroll bar
+    event->ignore();  // arrow keys move between rows instead of scrolling
     return true;
   }
   return QWidget::eventFilter(watched, event);
@@ -137,7 +137,7 @@ void SheetPanel::retranslate() {
   const bool focused = isAncestorOf(QApplication::focusWidget());
   build();
   if (editor_ != nullptr && focused) {
-    takeFocus();  // the keyboard wandered on with the rows that went
+    takeFocus();  // focus moved to another widget when the rows were removed
   }
 }
 
@@ -165,7 +165,7 @@ void SheetPanel::setReadOnly(bool readOnly) {
 
 void SheetPanel::build() {
   for (ScoreRow* row : rows_) {
-    row->disconnect(this);  // the keyboard wanders on through all of them as they go: nobody's choice
+    row->disconnect(this);  // removal moves focus through all of them, not the user
   }
   for (ScoreRow* row : rows_) {
     row->hide();
@@ -187,7 +187,7 @@ void SheetPanel::build() {
     row->setReadOnly(readOnly_);
     row->retranslate();
     (code == kOverallRow ? overallLayout_ : rowsLayout_)->addWidget(row);
-    row->show();  // at once: it may be given the focus before the layout has run
+    row->show();  // immediately: it may get the focus before layout
     rows_.push_back(row);
     connect(row, &ScoreRow::wanted, this, [this, code] { setCurrentRow(code); });
     connect(row, &ScoreRow::finished, this, &SheetPanel::takeFocus);
@@ -214,7 +214,7 @@ void SheetPanel::build() {
   }
   rowsLayout_->addStretch(1);
   scroll_->setVisible(!editor_->rubric().rows.empty());
-  // Nothing scrolls sideways: a score that cannot be seen could not be given.
+  // No horizontal scrolling: a hidden score could not be given.
   scroll_->setMinimumWidth(rowsLayout_->minimumSize().width() +
                            scroll_->verticalScrollBar()->sizeHint().width());
   QWidget* before = nullptr;
@@ -244,7 +244,7 @@ void SheetPanel::refresh() {
   }
   filling_ = true;
   comment_->setPlainText(comment);
-  comment_->moveCursor(QTextCursor::End);  // who comes here goes on writing
+  comment_->moveCursor(QTextCursor::End);  // so that typing continues at the end
   filling_ = false;
 }
 
@@ -267,7 +267,7 @@ void SheetPanel::showCurrentRow() {
     if (line->code() != current_ || !scroll_->isAncestorOf(line)) {
       continue;
     }
-    if (still) {  // a row whose scale can be read is left where it is
+    if (still) {  // a row with a visible scale does not scroll
       const int top = line->mapTo(scroll_->widget(), QPoint(0, 0)).y();
       scroll_->ensureVisible(0, top + line->scaleEnd(), 0, 0);
       scroll_->ensureVisible(0, top, 0, 0);
@@ -318,7 +318,7 @@ void SheetPanel::adjust(std::int64_t steps) {
   const ScoreScale& scale = editor_->scale(current_);
   const auto score = editor_->answer(current_).score_steps;
   if (!score) {
-    return;  // an arrow adjusts a score; it invents none
+    return;  // an arrow adjusts an existing score only
   }
   if (editor_->setScore(current_, std::clamp(*score + steps, scale.lo, scale.hi))) {
     changed();
@@ -331,7 +331,7 @@ void SheetPanel::digit(int value) {
     return points > 0 && steps && *steps / editor_->scale(current_).stepsPerPoint == points * 10 + next;
   };
   if (advancing_ && typed_points_ && !longer(*typed_points_, value)) {
-    step(+1);  // the figure before was complete
+    step(+1);  // the previous digit was complete
   }
   const ScoreScale& scale = editor_->scale(current_);
   const auto steps = stepsForDigit(scale, value, typed_points_);

@@ -25,11 +25,11 @@ class ScoreRow;
 /// Usual: name above the scale. Large: for fingers. Compact: name beside the scale, for long forms.
 enum class RowShape { kUsual, kLarge, kCompact };
 
-constexpr int kRowMark_px = 4;  ///< width of the bar at the left of the current row
+constexpr int kRowMark_px = 4;  ///< width of the bar left of the current row
 
-/// The rubric with its anchors, one row a line, and a comment. Number keys score the marked row, arrows move
-/// and adjust, N says "not assessable". It changes the editor that it was given and tells each change
-/// (SheetEditorPanel adds the rest of an editor).
+/// The rubric with anchors, one row per line, and a comment. Number keys score the current row, arrows move
+/// and adjust, N means "not assessable". Changes its editor and reports each change (SheetEditorPanel adds
+/// the rest). GUI thread.
 class SheetPanel : public QWidget {
   Q_OBJECT
 
@@ -39,40 +39,41 @@ class SheetPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   void retranslate();
-  /// Scores alone, in compact rows: no comment, no "not assessable".
+  /// Shows only scores, in compact rows: no comment, no "not assessable".
   void setScoresOnly(RowShape shape = RowShape::kCompact);
-  /// Goes on to the next row after a figure. After a "1" that may become a "10" it waits for the next key.
+  /// Moves to the next row after a digit. A "1" that may become "10" waits for the next key.
   void setAdvancing(bool advancing) noexcept {
     advancing_ = advancing;
     typed_points_.reset();
   }
   [[nodiscard]] bool advancing() const noexcept { return advancing_; }
-  /// A sealed sheet is read only.
+  /// Makes a sealed sheet read-only.
   void setReadOnly(bool readOnly);
-  /// After undo, redo or another change from outside.
+  /// Redraws after undo, redo or another external change.
   void refresh();
 
   [[nodiscard]] bool readOnly() const noexcept { return readOnly_; }
   [[nodiscard]] const std::string& currentRow() const noexcept { return current_; }
   void setCurrentRow(const std::string& row);
-  /// Scrolls no further than it takes to see the current row whole.
+  /// Scrolls just enough to show the whole current row.
   void showCurrentRow();
-  /// Digits, arrows, N, Backspace, Delete. False: not a key of the sheet.
+  /// Handles digits, arrows, N, Backspace, Delete. False: another key.
   bool handleKey(int key, Qt::KeyboardModifiers modifiers);
-  /// Puts the keyboard on the marked row.
+  /// Focuses the current row.
   void takeFocus();
 
  Q_SIGNALS:
-  /// The editor was changed by the user.
+  /// The user changed the editor.
   void edited();
   void rowChanged();
 
  protected:
-  /// The editor outlives its showing. Null: empty.
+  /// Shows an editor, which must outlive its display; null: empty.
   void setEditor(SheetEditor* editor);
   [[nodiscard]] QPlainTextEdit* commentField() const noexcept { return comment_; }
   bool eventFilter(QObject* watched, QEvent* event) override;
-  /// Tab stays in the sheet: from the comment to the first row, and back. Ctrl+Enter and the mouse lead out.
+  /// Keeps Tab within the sheet: from the comment to the first row, and back. Ctrl+Enter and the mouse leave
+  /// it.
   bool focusNextPrevChild(bool next) override;
 
  private:
@@ -90,10 +91,10 @@ class SheetPanel : public QWidget {
   SheetEditor* editor_ = nullptr;
   const Theme* theme_;
   QScrollArea* scroll_;
-  QFrame* edge_;  ///< between rows that are cut and the overall mark
+  QFrame* edge_;  ///< between clipped rows and the overall mark
   QVBoxLayout* rowsLayout_;
-  QVBoxLayout* overallLayout_;  ///< below what scrolls: the overall mark is always seen
-  QVBoxLayout* commentLayout_;  ///< below that, as wide as the scales
+  QVBoxLayout* overallLayout_;  ///< outside the scroll area: the overall mark is always visible
+  QVBoxLayout* commentLayout_;  ///< below it, as wide as the scales
   QLabel* commentLabel_;
   QPlainTextEdit* comment_;
   std::vector<ScoreRow*> rows_;
@@ -103,7 +104,7 @@ class SheetPanel : public QWidget {
   bool filling_ = false;
 };
 
-/// One line of the rubric: name, scale as buttons, the answer, anchors, and a field for why not.
+/// A row of the rubric: name, scale as buttons, answer, anchors, and a field for the reason.
 class ScoreRow : public QWidget {
   Q_OBJECT
 
@@ -117,19 +118,19 @@ class ScoreRow : public QWidget {
   void setAnswer(const SheetAnswer& answer);
   void setCurrent(bool current);
   void setReadOnly(bool readOnly);
-  /// Whether a finger or the mouse is being put on it just now: then nothing may scroll away.
+  /// Returns whether it is being pressed by finger or mouse; then nothing may scroll.
   [[nodiscard]] bool underFinger() const noexcept { return underFinger_; }
-  /// Height down to the end of the scale; the anchors stand below.
+  /// Returns the height to the end of the scale; the anchors are below it.
   [[nodiscard]] int scaleEnd() const;
-  /// Opens the field for the reason and puts the keyboard there.
+  /// Opens and focuses the reason's field.
   void askReason();
 
  Q_SIGNALS:
   void scored(qint64 steps);
   void reasoned(const QString& reason);
-  void takenBack(const torsio::SheetAnswer& before);  ///< the reason was given up: so it was
-  void wanted();                                      ///< clicked or tabbed to
-  void finished();                                    ///< the reason is complete: back to the keys
+  void takenBack(const torsio::SheetAnswer& before);  ///< reason cancelled; the answer before
+  void wanted();                                      ///< clicked or reached by Tab
+  void finished();                                    ///< the reason is complete
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -158,16 +159,16 @@ class ScoreRow : public QWidget {
   std::vector<RubricAnchor> anchors_;
   RowShape shape_;
   bool current_ = false;
-  bool laidOut_ = false;  // has a width of its own
+  bool laidOut_ = false;  // its width is known
   bool underFinger_ = false;
   bool readOnly_ = false;
   int hovered_ = -1;
   SheetAnswer answer_;
-  std::optional<SheetAnswer> asked_;  // the answer when the reason was asked for
+  std::optional<SheetAnswer> asked_;  // answer before the reason was asked for
   const Theme* theme_;
   QLabel* name_;
   QLabel* value_;
-  QWidget* strip_;  // room for the cells
+  QWidget* strip_;  // area of the cells
   QLabel* anchor_;
   QLineEdit* reason_;
 };

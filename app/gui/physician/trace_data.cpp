@@ -13,7 +13,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::size_t kMaxStretches = 65'536;  // a dozen for each pixel of the widest screen
+constexpr std::size_t kMaxStretches = 65'536;  // a dozen per pixel of the widest screen
 constexpr float kPercent = 100.0F;
 
 std::array<float, kTraces> valuesOf(const Sample& sample) {

@@ -13,22 +13,22 @@
 
 namespace torsio::gui {
 
-/// What one trace of a recording tells, in the order in which the traces lie under each other.
+/// The traces of a recording, from top to bottom.
 enum class TraceKind : std::uint8_t {
   kAngle = 0,     ///< degrees
   kTorque = 1,    ///< N m
   kForce = 2,     ///< on the tissue, N
-  kFlow = 3,      ///< of blood, % of the untwisted organ
-  kDose = 4,      ///< of ischaemia: from 1 on the tissue is lost
+  kFlow = 3,      ///< of ischaemia: from 1 on, the tissue is lost
+  kDose = 4,      ///< blackShare of the surface, %
   kBlack = 5,     ///< blackShare of the outside, %
   kPatency = 6,   ///< of the lumen, %
   kPressure = 7,  ///< of the content, mmHg
 };
 inline constexpr std::size_t kTracesOfATwist = 3;
-inline constexpr std::size_t kTracesOfVessels = 6;  ///< of an untwisted organ without a lumen, as the testis
+inline constexpr std::size_t kTracesOfVessels = 6;  ///< untwisting without a lumen, such as the testis
 inline constexpr std::size_t kTraces = 8;
 
-/// What a recording is judged by, in the units of its traces; drawn as bands and lines.
+/// Target and limits of a recording, in the units of its traces; drawn as bands and lines.
 struct TraceMarks {
   float target_deg = 0.0F;
   float tolerance_deg = 0.0F;
@@ -36,27 +36,27 @@ struct TraceMarks {
   std::optional<float> forceLimit_N{};
 };
 
-/// The traces of a recording, ready to be drawn at any width: for each stretch of time, lowest and highest
-/// value one after the other. A short recording has one stretch a sample; a long one no more stretches than
-/// any screen can show, so that forty minutes take as little room as one.
+/// The traces of a recording, prepared for drawing at any width: minimum and maximum of each stretch of time.
+/// In a short recording, each sample is a stretch; a long one has at most as many stretches as a screen can
+/// show, so that forty minutes need no more memory than one.
 struct TraceData {
-  /// By TraceKind: kTracesOfATwist, kTracesOfVessels or kTraces of them.
+  /// By TraceKind: the first kTracesOfATwist, kTracesOfVessels or kTraces.
   std::vector<RangePyramid> values{};
-  std::vector<std::int64_t> times_us{};  ///< where each stretch begins, since the first sample
+  std::vector<std::int64_t> times_us{};  ///< start of each stretch, since the first sample
   std::int64_t duration_us = 0;
   std::optional<TraceMarks> marks{};
   [[nodiscard]] bool untwisting() const noexcept { return values.size() > kTracesOfATwist; }
 };
 
-/// Makes traces while the samples go by. Any one thread.
+/// Builds traces from a stream of samples. Use from one thread.
 class TraceCollector {
  public:
-  /// `samples`: as many as will come, about.
+  /// `samples`: approximate number of samples.
   explicit TraceCollector(std::int64_t samples);
-  /// The next ones, in order.
+  /// Adds the next samples, in order.
   void add(std::span<const Sample> samples);
-  /// Ends it. An organ that was not undone has the traces of a twist alone; one whose lumen stays open and
-  /// without pressure has none, so that its two traces are left out.
+  /// Finishes. Without untwisting, only the traces of a twist are kept; for an organ whose lumen stays open
+  /// and without pressure, its two traces are omitted.
   [[nodiscard]] TraceData finish();
 
  private:

@@ -23,7 +23,7 @@ constexpr int kWatchedHeight = 4;
 constexpr int kLaneGapOfMany = 3;
 constexpr float kWholeScale = 100.0F;  // percent
 constexpr float kLostDose = 1.0F;
-constexpr float kSmallTorque_Nm = 0.1F;  // below it an untwisting is told in mN m
+constexpr float kSmallTorque_Nm = 0.1F;  // torque below which an untwisting is shown in mN m
 constexpr float kThousand = 1e3F;
 constexpr std::int64_t kTickSteps_us[] = {1'000'000,  2'000'000,   5'000'000,   10'000'000,  30'000'000,
                                           60'000'000, 120'000'000, 300'000'000, 600'000'000, 1'800'000'000};
@@ -41,7 +41,7 @@ QString withUnit(const QString& size, const QString& unit) {
 
 TraceView::TraceView(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
   setCursor(Qt::PointingHandCursor);
-  setFocusPolicy(Qt::NoFocus);  // the keys of the page move it; nothing here needs a focus of its own
+  setFocusPolicy(Qt::NoFocus);  // the page's keys move it; needs no focus
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
@@ -73,7 +73,7 @@ void TraceView::setPosition_us(std::int64_t position_us) {
     return;
   }
   position_us_ = position_us;
-  update();  // the cursor may stand where it stood; the values beside it do not
+  update();  // the cursor may not have moved, but the values beside it have changed
 }
 
 void TraceView::setBookmarks(std::vector<std::int64_t> times_us) {
@@ -178,7 +178,7 @@ TraceView::Lane TraceView::lane(TraceKind kind) const {
   return made;
 }
 
-/// What the exercise asks for lies within the scale, reached or not.
+/// Includes the exercise's target and limits in the scale.
 void TraceView::mark(TraceKind kind, Lane& made) const {
   if (!data_->marks) {
     return;
@@ -189,7 +189,7 @@ void TraceView::mark(TraceKind kind, Lane& made) const {
     made.low = std::min(made.low, made.band->first);
     made.high = std::max(made.high, made.band->second);
   }
-  // A torque has the sign of the twist, and so has its limit.
+  // Torque and its limit have the sign of the twist.
   const float sign = kind == TraceKind::kTorque && -made.low > made.high ? -1.0F : 1.0F;
   const std::optional<float> limit = kind == TraceKind::kForce    ? marks.forceLimit_N
                                      : kind == TraceKind::kTorque ? marks.torqueLimit_Nm
@@ -233,12 +233,12 @@ QStringList TraceView::readings() const {
   if (data_ == nullptr || data_->times_us.empty()) {
     return texts;
   }
-  // The stretch that the cursor is in: the last that begins no later than it.
+  // The stretch at the cursor: the last one that begins no later.
   const auto after = std::upper_bound(data_->times_us.begin(), data_->times_us.end(), position_us_);
   const auto index =
       static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - data_->times_us.begin() - 1, 0));
   for (const Lane& one : lanes()) {
-    // Of a long recording a stretch is some samples: the middle of what they say.
+    // In a long recording, a stretch has several samples: shows the middle of their range.
     const float value = 0.5F * (one.values->at(2 * index) + one.values->at(2 * index + 1));
     texts << withUnit(figure(value * one.factor, one.decimals), one.unit);
   }
@@ -314,7 +314,7 @@ void TraceView::drawLane(QPainter& painter, const Lane& lane, const QRect& area)
     if (first >= last) {
       break;
     }
-    // One stretch of overlap joins the columns.
+    // Overlaps by one stretch to join the columns.
     const RangePyramid::Range range = lane.values->range(2 * (first > 0 ? first - 1 : 0), 2 * last);
     painter.drawLine(area.left() + x, yOf(range.low), area.left() + x, yOf(range.high));
     first = last;

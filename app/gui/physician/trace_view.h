@@ -16,27 +16,27 @@
 
 namespace torsio::gui {
 
-/// The linked traces over one time axis with cursor, bookmarks and the stretches that have been watched: of a
-/// twist angle, torque and force; of an untwisting also how the organ fares, each trace with its scale and
-/// its value at the cursor; target, tolerance and limits of the exercise as bands and lines. A click or drag
-/// moves the cursor. The traces are drawn once a size and theme; moving the cursor costs the same for seconds
-/// and for hours. Says the same in words to screen readers.
+/// Linked traces over one time axis with cursor, bookmarks and watched stretches: angle, torque and force of
+/// a twist, for an untwisting also the organ's condition; each trace with its scale and value at the cursor,
+/// and the exercise's target, tolerance and limits as bands and lines. Click or drag moves the cursor. Traces
+/// are rendered once per size and theme; moving the cursor costs the same for seconds and hours. Describes
+/// itself to screen readers. GUI thread.
 class TraceView : public QWidget {
   Q_OBJECT
 
  public:
   explicit TraceView(QWidget* parent = nullptr);
 
-  /// Null: nothing to show. The data outlives its showing.
+  /// Shows traces, which must outlive their display; null: none.
   void setData(const TraceData* traces);
   void setTheme(const Theme& theme);
   void retranslate();
   void setPosition_us(std::int64_t position_us);
   void setBookmarks(std::vector<std::int64_t> times_us);
-  /// Stretches that count as watched, microseconds.
+  /// Sets the stretches that count as watched, microseconds.
   void setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> spans_us);
 
-  /// Returns name and scale of each trace, from top to bottom, as they are written beside it.
+  /// Returns name and scale of each trace as displayed, from top to bottom.
   [[nodiscard]] QStringList laneTexts() const;
   /// Returns the value of each trace at the cursor, with its unit.
   [[nodiscard]] QStringList readings() const;
@@ -59,13 +59,13 @@ class TraceView : public QWidget {
     QString unit;
     const RangePyramid* values = nullptr;
     QColor colour;
-    float low = 0.0F;  // ends of the scale
+    float low = 0.0F;  // from values to displayed unit
     float high = 1.0F;
-    float factor = 1.0F;  // of the values, for the unit in which they are told
+    float factor = 1.0F;  // as text
     int decimals = 0;
-    QString scale;                                  // in words
-    std::optional<float> limit{};                   // a line across
-    std::optional<std::pair<float, float>> band{};  // what is aimed at, with a line in the middle
+    QString scale;                                  // horizontal line
+    std::optional<float> limit{};                   // target band, with a line in the middle
+    std::optional<std::pair<float, float>> band{};  // Reserves space for the texts beside the traces.
   };
   [[nodiscard]] std::int64_t duration_us() const noexcept;
   [[nodiscard]] QRect plot() const;
@@ -93,8 +93,8 @@ class TraceView : public QWidget {
   std::vector<std::int64_t> bookmarks_us_;
   std::vector<std::pair<std::int64_t, std::int64_t>> watched_us_;
   QPixmap traces_;
-  int labels_ = 0;    // width of what stands left of the traces
-  int readings_ = 0;  // and right of them
+  int labels_ = 0;    // width of the texts at the left
+  int readings_ = 0;  // and at the right
 };
 
 }  // namespace torsio::gui

@@ -56,7 +56,7 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
   column->addWidget(tabs_);
   tabs_->addTab(createFormulations(), QString());
   for (int tab : {kModelsTab, kMarkersTab}) {
-    auto* empty = new QWidget(tabs_);  // filled when it is first shown: three more scenes take a while
+    auto* empty = new QWidget(tabs_);  // filled when first shown: three more scenes take a while
     auto* inside = new QVBoxLayout(empty);
     inside->setContentsMargins(0, 0, 0, 0);
     tabs_->insertTab(tab, empty, QString());
@@ -188,7 +188,8 @@ void ComparePage::showMarkers() {
 }
 
 void ComparePage::enter(const QVariant& argument) {
-  if (argument.canConvert<SceneRequest>()) {  // an organ of the simulator, beside finite elements and springs
+  if (argument.canConvert<SceneRequest>()) {  // an organ of the simulator, to compare with finite elements
+                                              // and springs
     models().load(argument.value<SceneRequest>());
     showModels();
     return;
@@ -351,7 +352,7 @@ void waitFor(const std::function<bool()>& done) {
   }
 }
 
-/// For a picture: a quick comparison, whose times are real and whose elements are few.
+/// Runs a quick comparison for a screenshot, with real times and few elements.
 void compareQuickly(ComparePage& page) {
   waitFor([&page] { return page.loaded(); });
   page.showModels();

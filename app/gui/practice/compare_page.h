@@ -19,10 +19,9 @@ class Card;
 class MarkerEditor;
 class ModelComparison;
 
-/// Models side by side under the same torque (paper section 4). Tabs: the paper's formulation and
-/// Saint-Venant's, each with the angle it answers with, its largest shear stress and the time it took, one
-/// slider moves both; the twist model, finite elements and springs (ModelComparison); the markers that these
-/// are compared at.
+/// Models side by side under the same torque (paper section 4). Tabs: the paper's and Saint-Venant's
+/// formulation, each with its angle, largest shear stress and computing time, both moved by one slider; twist
+/// model, finite elements and springs (ModelComparison); the markers of this comparison. GUI thread.
 class ComparePage : public Page {
   Q_OBJECT
 
@@ -32,14 +31,14 @@ class ComparePage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
-  /// Goes to the tab of finite elements and springs, or of the markers; an organ is loaded the first time.
+  /// Shows the tab of finite elements and springs, or of the markers; loads an organ the first time.
   void showModels();
   void showMarkers();
-  /// The comparison with finite elements and springs; made when it is first asked for.
+  /// Returns the comparison with finite elements and springs; created on first use.
   [[nodiscard]] ModelComparison& models();
-  /// The editor of the markers of its organ; made when it is first asked for.
+  /// Returns the editor of its organ's markers; created on first use.
   [[nodiscard]] MarkerEditor& markers();
-  /// The models are shown (they load in the background).
+  /// Returns whether the models, which load in the background, are shown.
   [[nodiscard]] bool loaded() const noexcept { return sides_[0].scene.scene != nullptr; }
   /// Sets the torque on both models, N m.
   void setTorque(double torque_Nm);
@@ -82,7 +81,7 @@ class ComparePage : public Page {
   double torque_Nm_ = 0.0;
 };
 
-/// For everybody who may practise.
+/// For all users who may practise.
 [[nodiscard]] PageEntry comparePage();
 [[nodiscard]] std::vector<ScreenEntry> compareScreens();
 

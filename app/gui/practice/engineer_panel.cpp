@@ -19,7 +19,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// A number of which 0 means "none".
+/// Returns a number field in which 0 means "none".
 QDoubleSpinBox* numberOrNone(double most, int decimals, double step) {
   auto* box = new QDoubleSpinBox;
   box->setRange(0.0, most);
@@ -33,7 +33,7 @@ std::optional<double> numberOf(const QDoubleSpinBox& box) {
   return box.value() == 0.0 ? std::nullopt : std::optional(box.value());
 }
 
-/// Which of two entries stands for what is not asked for.
+/// Returns a combo box with two entries, still without text.
 QComboBox* twoEntries() {
   auto* box = new QComboBox;
   box->addItems({QString(), QString()});
@@ -173,7 +173,7 @@ void EngineerPanel::showModel(const TwistModelOptions& options, const Material& 
 
 ModelChoice EngineerPanel::choice() const {
   ModelChoice asked;
-  // What stands there unchanged is what the tissue says, or was chosen before.
+  // An unchanged value is the tissue's, or the one chosen before.
   asked.shearModulus_Pa = modulus_->value() == modulus_->property("shown").toDouble() ? shown_.shearModulus_Pa
                                                                                       : numberOf(*modulus_);
   asked.drift = drift_->currentIndex() == 1 ? std::optional(Drift::kConstant) : std::nullopt;

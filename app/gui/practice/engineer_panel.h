@@ -18,27 +18,27 @@ namespace torsio::gui {
 
 class Card;
 
-/// The parts of the twist model one by one, named after the paper's equations: for engineers, in free
-/// practice only. Folded at first. What the present formulation does not know is disabled.
+/// Switches of the twist model's parts, named after the paper's equations: for engineers, in free practice
+/// only. Initially folded. Disables what the present formulation does not have. GUI thread.
 class EngineerPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit EngineerPanel(QWidget* parent = nullptr);
 
-  /// Shows what the organ on view is built with; emits nothing. `built`: what its model was built with,
-  /// whether a scene or an engineer asked for it; `chosen`: the engineer did.
+  /// Shows the model of the organ on view; emits nothing. `built`: its options, from scene or engineer;
+  /// `chosen`: an engineer chose them.
   void showModel(const TwistModelOptions& options, const Material& material, const ModelChoice& built,
                  bool chosen);
-  /// What the fields ask for.
+  /// Returns the input.
   [[nodiscard]] ModelChoice choice() const;
   void setFolded(bool folded);
-  /// Off while a trial is recorded or replayed.
+  /// Disabled while a trial is recorded or replayed.
   void setChangeable(bool changeable);
   void retranslate();
 
  Q_SIGNALS:
-  /// The organ is to be built with this model.
+  /// The organ is to be rebuilt with this model.
   void chosen(const torsio::ModelChoice& choice);
 
  private:
@@ -73,7 +73,7 @@ class EngineerPanel : public QWidget {
   std::vector<QWidget*> ofSaintVenant_;
   Formulation formulation_ = Formulation::kSaintVenant;
   ModelChoice shown_;
-  bool chosen_ = false;  // by an engineer, not by the scene
+  bool chosen_ = false;  // by an engineer, not the scene
 };
 
 }  // namespace torsio::gui

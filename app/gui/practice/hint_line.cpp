@@ -72,7 +72,7 @@ QString HintLine::hint(const LiveState& state) const {
 }
 
 QString HintLine::hapticHint(ExercisePhase phase) const {
-  const bool led = !controller_.toolRidesOnTissue();  // a stylus; else it turns on the spot
+  const bool led = !controller_.toolRidesOnTissue();  // a stylus; otherwise the tool turns on the spot
   switch (phase) {
     case ExercisePhase::kTracking:
       return tr("Bring the jaw to the marked band");

@@ -11,16 +11,16 @@ namespace torsio::gui {
 class DetorsionPanel;
 class SimulationController;
 
-/// The line at the foot of free practice: what can be done next, or for a while what has just happened.
+/// The line at the foot of free practice: what can be done next, or temporarily what has just happened.
 class HintLine : public QLabel {
   Q_OBJECT
 
  public:
-  /// Both outlive the line.
+  /// `controller` and `detorsion` must outlive the line.
   HintLine(const SimulationController& controller, const DetorsionPanel& detorsion,
            QWidget* parent = nullptr);
 
-  /// Says this for some seconds; `stays`: until endNotice().
+  /// Shows a notice for some seconds; `stays`: until endNotice().
   void notice(const QString& sentence, bool stays = false);
   void endNotice();
   void pass(double elapsed_s) noexcept { noticeLeft_s_ -= elapsed_s; }

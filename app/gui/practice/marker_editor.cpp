@@ -27,7 +27,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kEditorWidth = 440;  // the longest name of a marker that is shipped is read whole
+constexpr int kEditorWidth = 440;  // fits the longest name of the shipped markers
 
 QLabel* field(QGridLayout* grid, int row, QWidget* widget) {
   auto* label = new QLabel;
@@ -132,7 +132,7 @@ void MarkerEditor::setOrgan(std::shared_ptr<const Scene> scene, const ViewScene&
   section_->setRange(1, scene_->lattice().sections());
   ridge_->setRange(1, scene_->lattice().ridges());
   view_->setScene(view);
-  view_->setMarkersVisible(false);  // the numbers stand for them
+  view_->setMarkersVisible(false);  // replaced by numbers
   view_->setLattice(true);
   fill(0);
 }
@@ -181,7 +181,7 @@ void MarkerEditor::choose(int row) {
 
 void MarkerEditor::showPlace() {
   const OrganMarker& marker = markers_[static_cast<std::size_t>(chosen())];
-  std::size_t corner = 0;  // the nearest one
+  std::size_t corner = 0;  // nearest one
   for (std::size_t k = 1; k < 3; ++k) {
     corner = marker.barycentric[k] > marker.barycentric[corner] ? k : corner;
   }

@@ -22,30 +22,29 @@ class Card;
 class MarkerLabels;
 class ShellContext;
 
-/// The named points of an organ that a comparison follows (Fig. 11): shown on it, moved by a click on its
-/// surface or by section and ridge, named, kept in a file. GUI thread.
+/// Markers of an organ for comparisons (Fig. 11): displayed on it, moved by a click on its surface or by
+/// section and ridge, named, stored in a file. GUI thread.
 class MarkerEditor : public QWidget {
   Q_OBJECT
 
  public:
   explicit MarkerEditor(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Shows an organ with these markers, which are also what "Reset" goes back to; emits nothing.
+  /// Shows an organ with these markers, to which "Reset" returns; emits nothing.
   void setOrgan(std::shared_ptr<const Scene> scene, const ViewScene& view, std::vector<OrganMarker> markers);
   [[nodiscard]] const std::vector<OrganMarker>& markers() const noexcept { return markers_; }
-  /// Reads markers in place of those shown. Throws as readMarkers(); then nothing has changed.
+  /// Replaces the markers by a file's. Throws like readMarkers(); then nothing has changed.
   void open(const std::filesystem::path& file);
-  /// Writes what is shown. Throws as writeMarkers(), and Error{kBadData} for a name that is missing or stands
-  /// twice.
+  /// Writes the markers. Throws like writeMarkers(), and Error{kBadData} for a missing or duplicate name.
   void save(const std::filesystem::path& file) const;
-  /// Moves the chosen marker to what is seen at a pixel of the view; false when that is no organ.
+  /// Moves the current marker to the surface at a pixel of the view; false if there is no organ.
   bool placeAt(const QPointF& pixel);
 
   void retranslate();
   void setTheme(const Theme& theme);
 
  Q_SIGNALS:
-  /// markers() are others.
+  /// markers() has changed.
   void changed();
 
  private:

@@ -16,9 +16,9 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kLabelRadius_px = 10.0;
-constexpr double kHiddenShare = 0.35;      ///< of the opacity of the disc, on the far side
-constexpr double kHiddenNumber = 0.7;      ///< of its number, which stays readable
-constexpr double kSkinThickness_mm = 1.0;  ///< a marker lies this near to what is seen
+constexpr double kHiddenShare = 0.35;      ///< opacity of a disc on the far side
+constexpr double kHiddenNumber = 0.7;      ///< opacity of its number, which stays readable
+constexpr double kSkinThickness_mm = 1.0;  ///< tolerance for a marker to be visible
 
 }  // namespace
 
@@ -89,7 +89,7 @@ void MarkerLabels::paintEvent(QPaintEvent*) {
       draw(marker);
     }
   }
-  for (const OrganMarker& marker : markers_) {  // the chosen one above the others
+  for (const OrganMarker& marker : markers_) {  // the current one on top
     if (marker.number == chosen_) {
       draw(marker);
     }

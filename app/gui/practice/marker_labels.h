@@ -13,18 +13,18 @@ namespace torsio::gui {
 
 class SceneView;
 
-/// The numbers of an organ's markers over its view at rest, the chosen one filled; those on the far side are
-/// faint. Follows the camera; takes no mouse.
+/// Overlay with the numbers of an organ's markers at rest, the current one filled, those on the far side
+/// faint. Follows the camera; ignores the mouse.
 class MarkerLabels : public QWidget {
   Q_OBJECT
 
  public:
-  /// Lies over the whole of `view`, its parent.
+  /// Covers all of `view`, its parent.
   explicit MarkerLabels(SceneView& view);
 
   void setMarkers(std::shared_ptr<const Scene> scene, std::vector<OrganMarker> markers, int chosen);
   void setTheme(const Theme& theme);
-  /// Where a marker stands in the view, pixels.
+  /// Returns the position of a marker in the view, pixels.
   [[nodiscard]] QPointF pixelOf(const OrganMarker& marker) const;
 
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -38,7 +38,7 @@ class MarkerLabels : public QWidget {
   SceneView& view_;
   std::shared_ptr<const Scene> scene_;
   std::vector<OrganMarker> markers_;
-  int chosen_ = 0;  // number of a marker; 0: none
+  int chosen_ = 0;  // marker number; 0: none
   Theme theme_;
 };
 

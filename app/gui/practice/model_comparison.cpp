@@ -36,11 +36,11 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kShownPoses_per_s = 30.0;  ///< of simulated time
+constexpr double kShownPoses_per_s = 30.0;  ///< per second of simulated time
 constexpr int kReplayFrame_ms = 33;
 constexpr int kLeastViewHeight = 250;
-constexpr double kViewShare = 0.35;  // of the height of the page, where that is more
-constexpr int kLabelRoom = 4;        ///< the width of a label with a mnemonic is told a little too small
+constexpr double kViewShare = 0.35;  // of the page's height, if larger
+constexpr int kLabelRoom = 4;        ///< size hints of labels with a mnemonic are slightly too small
 constexpr int kTableHeight = 330;
 constexpr int kFigureHeight = 400;
 constexpr int kFirstMarkerOfCourse = 8;  ///< the second knuckle, as in Fig. 14
@@ -62,7 +62,7 @@ ComparedScene loadCompared(SceneRequest request) {
   return organ;
 }
 
-/// A time that may be microseconds or minutes, with three figures.
+/// Formats a time from microseconds to minutes with three digits.
 QString spanOf(double seconds) {
   const QLocale locale;
   if (seconds < 1e-3) {
@@ -236,7 +236,7 @@ void ModelComparison::adopt(ComparedScene organ) {
     side.poses->clear();
     ViewScene view = organ_.loaded.view;
     view.shear = {};
-    // A view asks for the pose of the number in the place of the grasp.
+    // Views refer to poses by number, passed in place of the grasp.
     view.deform = [skin = organ_.skin, scene = organ_.loaded.scene, poses = side.poses](
                       const OrganState& state, std::span<Vec3> out_m) {
       const auto pose = static_cast<std::size_t>(state.twist.graspArc_m);
@@ -266,7 +266,7 @@ void ModelComparison::compare(const ComparisonOptions& options) {
   if (!loaded()) {
     return;
   }
-  if (shell_.working()) {  // times are to be taken on a machine that does nothing else
+  if (shell_.working()) {  // timing needs an otherwise idle machine
     shell_.notify(tr("Wait until the current work has finished"));
     return;
   }
@@ -284,7 +284,7 @@ void ModelComparison::compare(const ComparisonOptions& options) {
         return std::make_shared<const ComparisonResult>(runComparison(*scene, markers, {}, asked, progress));
       },
       [this, scene = organ_.loaded.scene](std::shared_ptr<const ComparisonResult> result) {
-        if (scene == organ_.loaded.scene) {  // the organ was not changed meanwhile
+        if (scene == organ_.loaded.scene) {  // unless the organ has been changed
           took(std::move(result));
         }
       });

@@ -27,36 +27,36 @@ class Card;
 class FigureCard;
 class ShellContext;
 
-/// An organ as a comparison needs it: its lattice and markers, and what the views draw.
+/// An organ for comparisons: lattice and markers, and the data of the views.
 struct ComparedScene {
   LoadedScene loaded;
-  std::vector<OrganMarker> markers;  ///< its own, or spread ones
+  std::vector<OrganMarker> markers;  ///< its own, or evenly spread
   std::shared_ptr<const LatticeSkin> skin;
   double torque_Nm = 0.0;  ///< usualTorque_Nm()
 };
 
-/// The paper's comparison in the window (Figs. 8 to 14): twist model, finite elements and springs side by
-/// side under one torque, each with the clock of its processing time; the tables and figures of `torsio
-/// compare`, and its files. GUI thread; the models are computed in a worker.
+/// The paper's comparison (Figs. 8 to 14): twist model, finite elements and springs side by side under one
+/// torque, each with its computing time; tables and figures of `torsio compare`, and its files. GUI thread;
+/// models are computed in a worker.
 class ModelComparison : public QWidget {
   Q_OBJECT
 
  public:
   explicit ModelComparison(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Loads an organ in the background; organChanged() follows.
+  /// Loads an organ in the background; then emits organChanged().
   void load(const SceneRequest& request);
   [[nodiscard]] const ComparedScene& organ() const noexcept { return organ_; }
   [[nodiscard]] bool loaded() const noexcept { return organ_.loaded.scene != nullptr; }
-  /// An organ was asked for, be it loaded or not.
+  /// Returns whether an organ was requested, loaded or not.
   [[nodiscard]] bool asked() const noexcept { return asked_; }
-  /// The markers that the next comparison follows.
+  /// Sets the markers of the next comparison.
   void setMarkers(std::vector<OrganMarker> markers);
-  /// Torque and, for pictures and tests, how finely: then compares in the background.
+  /// Compares in the background with this torque and, for screenshots and tests, resolution.
   void compare(const ComparisonOptions& options);
-  /// Null before the first comparison of this organ.
+  /// Returns the result; null before this organ's first comparison.
   [[nodiscard]] const ComparisonResult* result() const noexcept { return result_.get(); }
-  /// Writes what `torsio compare --out` writes, the report in the language of the window. Throws
+  /// Writes the files of `torsio compare --out`, with the report in the window's language. Throws
   /// Error{kFileUnwritable}.
   void saveReport(const std::filesystem::path& folder) const;
 
@@ -77,7 +77,7 @@ class ModelComparison : public QWidget {
     SceneView* view = nullptr;
     QLabel* clock = nullptr;
     QLabel* figures = nullptr;
-    std::shared_ptr<std::vector<ModelPose>> poses;  ///< what the view draws from
+    std::shared_ptr<std::vector<ModelPose>> poses;  ///< poses that the view draws
   };
 
   QWidget* createBar();
@@ -109,9 +109,9 @@ class ModelComparison : public QWidget {
   bool asked_ = false;
   ComparedScene organ_;
   std::vector<OrganMarker> markers_;
-  std::optional<SceneRequest> ownOrgan_;  // a mesh of the user's, which no scene names
+  std::optional<SceneRequest> ownOrgan_;  // a user's mesh, which no scene names
   std::shared_ptr<const ComparisonResult> result_;
-  double generation_ = 0.0;  // of the poses: views tell theirs apart by it
+  double generation_ = 0.0;  // distinguishes the poses of successive comparisons for the views
   QTimer replayTimer_;
   QElapsedTimer replayClock_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of the way to an organ of one's own, on a shipped organ as if somebody had brought it.
+// Screens of importing an organ, with a shipped organ as if a user had brought it.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -35,7 +35,7 @@ OrganWizard& bringStomach(Page& page, const QString& anatomy) {
   return wizard;
 }
 
-/// A value as a CT shows a stomach that is full of gas, at this distance outside of its lumen.
+/// CT value of a gas-filled stomach at this distance outside the lumen.
 std::int16_t valueAround(double distance_mm) {
   constexpr double kWall_mm = 4.0;
   constexpr std::int16_t kGas_HU = -1000;
@@ -44,7 +44,7 @@ std::int16_t valueAround(double distance_mm) {
   return distance_mm < 0.0 ? kGas_HU : distance_mm < kWall_mm ? kTissue_HU : kFat_HU;
 }
 
-/// A shipped organ as the slices of a scan, synthetic, with the mask of its lumen.
+/// Makes synthetic slices of a shipped organ, with the mask of its lumen.
 ScanPreview stomachSlices(const std::filesystem::path& assets) {
   constexpr double kVoxel_mm = 2.5;
   constexpr double kMargin_mm = 15.0;
@@ -94,7 +94,7 @@ void showSlices(Page& page) {
   panel.lookAt({55.0, 10.0, -10.0});
 }
 
-/// The shipped grasper as if its CAD had been brought.
+/// Shows the shipped grasper as if its CAD model had been imported.
 void showInstrument(Page& page) {
   OrganWizard& wizard = static_cast<PracticePage&>(page).bringOrgan();
   const std::filesystem::path folder = wizard.assets() / "instruments";

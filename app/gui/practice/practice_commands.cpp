@@ -16,7 +16,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Not in a window that is a part of another: that one has them.
+/// Returns whether the command belongs to the enclosing window if embedded.
 bool ofTheProgram(Command command) {
   return command >= Command::kDark;
 }
@@ -26,7 +26,7 @@ bool ofTheProgram(Command command) {
 struct PracticeCommands::Row {
   Command command;
   QKeySequence keys;
-  const char* icon;  // null: none
+  const char* icon;  // null if none
   const char* text;
   const char* tip;
   bool checkable = false;
@@ -215,7 +215,7 @@ void PracticeCommands::createToolBar() {
     bar->addAction(&action(Command::kDark));
     return;
   }
-  // Beside a navigation there is less room: the directions are known by their signs.
+  // Beside a navigation there is less room: the directions only show their icons.
   for (QAction* direction : directions) {
     if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(direction))) {
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);

@@ -19,7 +19,7 @@ namespace torsio::gui {
 
 struct Theme;
 
-/// What can be done in free practice.
+/// Commands of free practice.
 enum class Command {
   kOpen,
   kBring,
@@ -53,14 +53,14 @@ enum class Command {
 };
 inline constexpr std::size_t kCommands = static_cast<std::size_t>(Command::kAbout) + 1;
 
-/// The commands of free practice with their names, keys and signs, in menus and in a tool bar. It carries
-/// none of them out: connect() to the action.
+/// The commands of free practice with names, keys and icons, in menus and a tool bar. It executes none of
+/// them: connect to the action.
 class PracticeCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// `embedded`: in a page of another window, which has no menu bar and no program-wide commands (the last
-  /// four are never triggered then).
+  /// `embedded`: in a page of another window, without menu bar and program-wide commands (the last four are
+  /// then never triggered).
   PracticeCommands(QMainWindow& window, bool embedded);
 
   [[nodiscard]] QAction& action(Command command) const noexcept {

@@ -50,9 +50,9 @@ void PracticeFiles::openOrgan() {
   }
   SceneRequest request = controller_.request();
   request.organFile = toPath(file);
-  request.pattern.clear();  // those of its own anatomy, not of the organ before
+  request.pattern.clear();  // the new organ has its own patterns
   request.organScale_m = 0.001;
-  if (!isOrganFile(*request.organFile)) {  // an organ file says its unit itself
+  if (!isOrganFile(*request.organFile)) {  // an organ file defines its unit
     const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres")};
     constexpr double kScales_m[] = {0.001, 0.01, 1.0};
     bool chosen = false;

@@ -16,13 +16,13 @@ namespace torsio::gui {
 class SceneView;
 class ShownTool;
 
-/// What free practice opens and saves: organs, instruments, recordings, pictures. Each choice asks first, and
-/// says in a box of its own what went wrong.
+/// Opens and saves organs, instruments, recordings and pictures of free practice. Each command first asks for
+/// a file, and shows errors in a message box.
 class PracticeFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive it.
+  /// All arguments must outlive it.
   PracticeFiles(SimulationController& controller, SceneView& view, ShownTool& tool, QWidget& window);
 
   void openOrgan();
@@ -33,7 +33,7 @@ class PracticeFiles : public QObject {
   void tellProblem(const QString& happened, const QString& remedy, const QString& details);
 
  private:
-  /// Tells an Error that `act` throws.
+  /// Shows an Error that `act` throws.
   template <typename Act>
   void attempt(const Act& act);
   [[nodiscard]] std::vector<StripFrame> replayFrames();

@@ -21,7 +21,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// For a picture: the organ half-way through the exercise, whatever the machine's speed.
+/// Holds the organ half-way through the exercise for a screenshot, regardless of the machine's speed.
 void holdAtTarget(SimulatorWindow& simulator) {
   while (simulator.controller().loading()) {
     QCoreApplication::processEvents();

@@ -19,14 +19,14 @@ namespace torsio::gui {
 class OrganWizard;
 class StationDesk;
 
-/// Free practice on any organ: the simulator without a curriculum round it. Nobody's trial and never scored.
-/// Whoever signed in with a password may record a try and look at it again until the sign-out; with a PIN or
-/// as a guest nothing is recorded.
+/// Free practice on any organ: the simulator without curriculum. Never stored as a trial, never scored. Users
+/// signed in with a password may record a try and replay it until sign-out; with a PIN or as a guest nothing
+/// is recorded.
 class PracticePage : public Page {
   Q_OBJECT
 
  public:
-  /// `desk` says which device there is; it is read here only.
+  /// `desk`: read only here, for the device.
   PracticePage(ShellContext& shell, const StationDesk& desk, QWidget* parent = nullptr);
   ~PracticePage() override;
 
@@ -35,7 +35,7 @@ class PracticePage : public Page {
   [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
-  /// Shows the way to an organ of one's own in place of the simulator; made when it is first asked for.
+  /// Shows the organ wizard in place of the simulator; creates it on first use.
   OrganWizard& bringOrgan();
 
  private:
@@ -43,13 +43,13 @@ class PracticePage : public Page {
   [[nodiscard]] TrialRecording recording();
 
   std::shared_ptr<TrialStore> store_;
-  std::shared_ptr<std::set<std::string>> own_;  // ids of the trials of this sign-in
+  std::shared_ptr<std::set<std::string>> own_;  // trial ids of this sign-in
   QStackedWidget* pages_;
   SimulatorWindow* simulator_ = nullptr;
   OrganWizard* wizard_ = nullptr;
 };
 
-/// For everybody who may practise.
+/// For all users who may practise.
 [[nodiscard]] PageEntry practicePage(std::shared_ptr<StationDesk> desk);
 [[nodiscard]] std::vector<ScreenEntry> practiceScreens();
 [[nodiscard]] std::vector<ScreenEntry> organScreens();

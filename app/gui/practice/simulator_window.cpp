@@ -37,10 +37,10 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kFrame_ms = 16;
-constexpr double kReadoutEvery_s = 0.08;  // figures that change faster cannot be read
+constexpr double kReadoutEvery_s = 0.08;  // faster figures are unreadable
 constexpr double kRateOver_s = 1.0;
-constexpr double kLongestFrame_s = 0.25;  // after a pause nothing jumps
-constexpr int kPanelWidth = 380;          // so that the longest name of an organ is read whole
+constexpr double kLongestFrame_s = 0.25;  // no jump after a pause
+constexpr int kPanelWidth = 380;          // fits the longest name of an organ
 
 }  // namespace
 
@@ -282,14 +282,14 @@ void SimulatorWindow::retranslate() {
     showTitle();
   }
   hint_->endNotice();
-  hint_->clear();  // the next frame says it again
+  hint_->clear();  // set again in the next frame
   showMode();
 }
 
 void SimulatorWindow::pause() {
   frameTimer_.stop();
   controller_->releaseTissue();
-  controller_->useHapticDevice({});  // a run may need it
+  controller_->useHapticDevice({});  // a run may need the device
 }
 
 void SimulatorWindow::resume() {
@@ -302,7 +302,7 @@ void SimulatorWindow::resume() {
 
 void SimulatorWindow::unfoldEngineerPanel() {
   engineer_->setFolded(false);
-  QApplication::sendPostedEvents();  // the panel has its height
+  QApplication::sendPostedEvents();  // applies the panel's height
   side_->ensureWidgetVisible(engineer_);
 }
 
@@ -329,7 +329,7 @@ void SimulatorWindow::frame(double elapsed_s) {
   }
   readoutDue_s_ = kReadoutEvery_s;
   measureRate();
-  readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a picture has no rate
+  readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a screenshot has no frame rate
   detorsion_->show(state);
   exercise_->showBeside(controller_->asyncRate_per_s(), (state.limits & kForceModelLate) != 0);
   hint_->show(state);

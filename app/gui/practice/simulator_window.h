@@ -34,21 +34,21 @@ class ReplayBar;
 class ShownTool;
 class ValidityButton;
 
-/// What the window needs from outside.
+/// Configuration of the window.
 struct WindowSetup {
   std::filesystem::path assets;
   SceneLoader loader = loadSceneForView;
   TrialRecording recording;
   ThemeKind theme = ThemeKind::kLight;
-  bool embedded = false;    ///< a part of another window: no menu bar, no program-wide commands
-  HapticOpener openHaptic;  ///< empty: mouse and keyboard
-  std::shared_ptr<InstrumentOutlet> outlet;  ///< where others watch the instrument; null: nowhere
-  bool remember = true;  ///< read and write geometry and choices (off for pictures and tests)
+  bool embedded = false;                     ///< part of another window: no menu bar, no global shortcuts
+  HapticOpener openHaptic;                   ///< empty: mouse and keyboard only
+  std::shared_ptr<InstrumentOutlet> outlet;  ///< output of the instrument to other programs; null: none
+  bool remember = true;  ///< read and write geometry and choices (off for screenshots and tests)
 };
 
-/// The window of free practice: the scene, and exercise and readouts beside it. It only connects them:
-/// simulation is the controller's, drawing the scene view's, steering the pointer controls', menus and keys
-/// the commands', files and pictures PracticeFiles'.
+/// The window of free practice: the scene, with exercise and readouts beside it. It only connects them: the
+/// controller simulates, the scene view draws, the pointer controls steer, PracticeCommands has menus and
+/// keys, PracticeFiles files and pictures.
 class SimulatorWindow : public QMainWindow {
   Q_OBJECT
 
@@ -59,29 +59,29 @@ class SimulatorWindow : public QMainWindow {
   [[nodiscard]] SimulationController& controller() noexcept { return *controller_; }
   [[nodiscard]] const std::filesystem::path& assets() const noexcept { return setup_.assets; }
   void setThemeKind(ThemeKind kind);
-  /// Sets the colours without the application's palette and style sheet, which another window has set
-  /// already.
+  /// Sets the colours, but not the application's palette and style sheet, which belong to the enclosing
+  /// window.
   void applyColours(ThemeKind kind);
-  /// All texts anew, in the present language.
+  /// Sets all texts in the present language.
   void retranslate();
-  /// While nobody looks: no frames, and the exercise stands still.
+  /// Stops frames and the exercise while hidden.
   void pause();
   void resume();
   [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
-  /// How mouse and keys move the instrument and the camera: what and how.
+  /// Returns how mouse and keys move instrument and camera: input and effect.
   [[nodiscard]] static std::vector<std::pair<QString, QString>> pointerKeys();
-  /// Shows an instrument of a centre's own (NAME.json) until the window closes; what is felt stays that of
-  /// the exercise. Throws as loadInstrument().
+  /// Shows a centre's own instrument (NAME.json) until the window closes; haptics stay those of the exercise.
+  /// Throws like loadInstrument().
   void showInstrument(const std::filesystem::path& file);
-  /// Opens the panel of the model's parts and scrolls to it.
+  /// Unfolds the panel of the model's parts and scrolls to it.
   void unfoldEngineerPanel();
-  /// One round of the frame timer; tests call it themselves.
+  /// One tick of the frame timer; tests call it directly.
   void frame(double elapsed_s);
 
  Q_SIGNALS:
-  /// The organ that is shown is to be compared by other models too.
+  /// The displayed organ is to be compared with other models.
   void comparisonWanted(const torsio::SceneRequest& organ);
-  /// Somebody wants to bring an organ of their own. Only of a window that is a part of another.
+  /// The user wants to import an organ. Only if embedded.
   void organWanted();
 
  protected:
@@ -93,7 +93,7 @@ class SimulatorWindow : public QMainWindow {
   void connectCommands();
   void connectController();
   void connectPanels();
-  /// Loads the present scene with a change.
+  /// Reloads the present scene with a change of its request.
   void reload(const std::function<void(SceneRequest&)>& change);
   void look(ViewPreset preset);
   void toggleRecording();

@@ -7,13 +7,12 @@
 
 namespace torsio::gui {
 
-/// Every page of the program, by line of work and in the order of the navigation. The desk keeps what its
-/// actor may open.
+/// All pages, by role and in the order of the navigation. The desk keeps those that its actor may open.
 [[nodiscard]] std::vector<PageGroup> allPages();
 
-/// Every picture of the user guide that shows a page.
+/// All page screenshots of the user guide.
 [[nodiscard]] std::vector<ScreenEntry> allScreens();
-/// Pictures of dialogs, which keep the language in which they were opened.
+/// Screenshots of dialogs, which keep the language in which they were opened.
 [[nodiscard]] std::vector<ScreenEntry> allDialogs();
 
 }  // namespace torsio::gui

@@ -28,12 +28,12 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kPatience_ms = 120'000;
-constexpr int kSettlingFrames = 3;  // quality and textures are in force after the second
+constexpr int kSettlingFrames = 3;  // quality and textures take effect after the second
 constexpr double kSwing_rad_per_s = 1.5;
 constexpr int kPulse_ms = 5;
 constexpr double kWarmUp_s = 2.0;
 
-/// Runs the event loop until `done`; throws after too long.
+/// Runs the event loop until `done`; throws on timeout.
 template <typename Condition>
 void waitUntil(const Condition& done, const char* what) {
   QElapsedTimer waited;
@@ -56,7 +56,7 @@ void requireDisplay() {
               Text::tr("Run it on a desktop, or through xvfb-run with QT_QPA_PLATFORM=xcb"));
 }
 
-/// The window with the organ as it is asked for, drawn at least once.
+/// The window with the requested organ, drawn at least once.
 struct Stage {
   Stage(const WindowSetup& setup, const ScreenshotRequest& request)
       : window(setup), view(child<SceneView>(window, "view")) {
@@ -128,7 +128,7 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
     return;
   }
   LiveState held = scriptedTwist(*window.controller().scene(), angleOf(request, window));
-  held.targetAngle_rad = window.controller().target_rad();  // the exercise's, whatever the hand was told
+  held.targetAngle_rad = window.controller().target_rad();  // the exercise's target
   window.controller().freeze(held);
   settle(window);
   writePicture(request.sceneOnly ? child<SceneView>(window, "view").picture() : window.grab().toImage(),
@@ -142,13 +142,13 @@ FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& re
   SimulationController& controller = window.controller();
   LiveState state = scriptedTwist(*controller.scene(), angleOf(request, window));
   const double widest_rad = state.response.angle_rad;
-  // The window shows scripted states, so that every machine draws the same; the servo works beside it.
+  // The window shows scripted states, so that every machine draws the same; the servo runs alongside.
   Pose parked;
   parked.position_m = controller.parkingPoint_m();
   RecordedRun servo(controller.sharedScene(), std::make_unique<PointerDevice>(parked), {}, nullptr);
   servo.start();
   FrameRate rate;
-  // Ends each wait; with a time limit Qt would spin and take the processor from the renderer.
+  // Ends each wait; with a timeout, Qt would busy-wait and take the processor from the renderer.
   QTimer pulse;
   pulse.start(kPulse_ms);
   QElapsedTimer clock;

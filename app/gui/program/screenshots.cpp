@@ -74,7 +74,7 @@ void settle(QWidget& window) {
   }
 }
 
-/// One run over languages, themes and sizes with whatever screens are asked for.
+/// Takes the requested screens in all languages, themes and sizes.
 class Photographer {
  public:
   explicit Photographer(const ScreenshotsRequest& request) : request_(request) {}
@@ -83,7 +83,7 @@ class Photographer {
     return request_.only.isEmpty() || name.contains(request_.only);
   }
 
-  /// `make` builds the screen as the child of a window; called once for each language and theme.
+  /// `make` builds the screen as the child of a window; called once per language and theme.
   void take(const QString& name, const std::function<std::unique_ptr<QWidget>(ThemeKind, Language)>& make) {
     if (!wants(name)) {
       return;
@@ -129,7 +129,7 @@ class Photographer {
   std::vector<Shot> shots_;
 };
 
-/// People of the demonstration who sign in for a picture.
+/// Demonstration users who sign in for screenshots.
 class Cast {
  public:
   Cast(const std::string& locator, const std::filesystem::path& assets, const ProgressCallback& progress)
@@ -173,7 +173,7 @@ class Cast {
   std::map<std::string, Actor> actors_;
 };
 
-/// A panel that fills a window of its own.
+/// Wraps a panel in its own window.
 template <typename Panel>
 std::unique_ptr<QWidget> windowOf(std::unique_ptr<Panel> panel) {
   panel->setAutoFillBackground(true);
@@ -203,8 +203,8 @@ void takePanels(Photographer& photographer) {
   });
 }
 
-/// Organs that come twisted, each in the states that it goes through, in the window of free practice. Taken
-/// only when asked for by name: they are many.
+/// Takes organs that come twisted, each in its successive states, in free practice. Only when asked for by
+/// name, because they are many.
 void takeUntwistings(Photographer& photographer, const ScreenshotsRequest& request) {
   if (request.only.isEmpty()) {
     return;
@@ -295,7 +295,7 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
   takeUntwistings(photographer, request);
   std::vector<ScreenEntry> pages;
   std::vector<ScreenEntry> screens = allScreens();
-  if (!request.look) {  // whoever looks may change the language
+  if (!request.look) {  // `look` may change the language
     const std::vector<ScreenEntry> dialogs = allDialogs();
     screens.insert(screens.end(), dialogs.begin(), dialogs.end());
   }

@@ -23,18 +23,18 @@ struct ScreenshotsRequest {
   std::vector<QSize> sizes;
   std::vector<Language> languages;
   std::vector<ThemeKind> themes;
-  QString only;  ///< a part of the name; empty: all
+  QString only;  ///< part of the name; empty: all
   ProgressCallback progress;
-  /// Called with each screen as it stands instead of writing a picture; empty: pictures are written.
+  /// Called with each screen instead of writing a picture; empty: pictures are written.
   std::function<void(const QString& name, QWidget& window)> look;
 };
 
-/// Pictures of every screen of the program on the demonstration cohort, and an index.html that shows them.
-/// The record lies in a temporary folder and is gone afterwards. On a display without OpenGL the scene is
-/// replaced by a sentence. Returns how many pictures were written. Throws Error.
+/// Takes screenshots of all screens with the demonstration cohort, and writes an index.html for them. Uses a
+/// temporary record, deleted afterwards. On a display without OpenGL, a sentence replaces the scene. Returns
+/// the number of pictures. Throws Error.
 int takeAllScreenshots(const ScreenshotsRequest& request);
 
-/// Takes them in an application of its own and says on standard output how many there are.
+/// Takes the screenshots in a separate application object and prints their number.
 void runScreenshots(ScreenshotsRequest request);
 
 }  // namespace torsio::gui

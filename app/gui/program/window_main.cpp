@@ -24,7 +24,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Qt ends the whole process when it finds no display; better to say so beforehand.
+/// Reports a missing display before Qt would end the process.
 void requireAnyDisplay() {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
   for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
@@ -39,7 +39,7 @@ void requireAnyDisplay() {
 #endif
 }
 
-/// Asked before the application gets a palette of ours.
+/// Must be called before the application gets our palette.
 bool systemIsDark() {
   return QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
 }
@@ -49,7 +49,8 @@ TrialRecording ownTrialFiles() {
   return trialFiles((data + QStringLiteral("/trials")).toStdString());
 }
 
-/// One picture, a rate, or the bare simulator with an organ of the user's choice: no record, no sign-in.
+/// Takes one picture, measures the frame rate, or runs the simulator alone with an organ of the user's
+/// choice: no record, no sign-in.
 void runSimulator(const WindowOptions& options) {
   WindowSetup setup;
   setup.assets = options.picture.scene.assets;
@@ -88,7 +89,7 @@ void runShell(const WindowOptions& options) {
   if (setup.kiosk) {
     window.showFullScreen();
   } else {
-    // A window as large as the screen would lie under its own frame and the desktop's bars.
+    // A window as large as the screen would be covered by its own frame and the desktop's bars.
     const QSize room = window.QWidget::screen()->availableSize();
     if (window.width() >= room.width() || window.height() >= room.height()) {
       window.setWindowState(window.windowState() | Qt::WindowMaximized);

@@ -9,13 +9,13 @@ class QApplication;
 
 namespace torsio::gui {
 
-/// The application object of a process that draws windows.
+/// Creates the application object of a process with windows.
 [[nodiscard]] std::unique_ptr<QApplication> makeWindowApplication();
 
-/// Opens the window and returns when it is closed: sign-in, stations, review, administration. For the
-/// simulator there is no record and no sign-in; its recordings are files of the user. For a picture a
-/// scripted hand twists the organ on a manual clock up to the angle. Throws Error for files that cannot be
-/// used and a display that cannot draw.
+/// Opens the window and returns when it is closed: sign-in, stations, review, administration. The simulator
+/// runs without record and sign-in; its recordings are the user's files. For a picture, a scripted hand
+/// twists the organ on a manual clock to the angle. Throws Error for unusable files and a display that cannot
+/// draw.
 void runWindow(const WindowOptions& options);
 
 }  // namespace torsio::gui

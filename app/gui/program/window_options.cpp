@@ -19,7 +19,7 @@ namespace {
 
 constexpr QSize kMaxSize(7680, 4320);
 
-/// Options as they are written.
+/// Options as typed.
 struct WrittenWindow {
   WindowOptions options;
   std::string organ;

@@ -14,17 +14,17 @@ class App;
 
 namespace torsio::gui {
 
-/// What was asked of the window on the command line; `torsio --help` explains each option.
+/// Options of the window on the command line; `torsio --help` explains each of them.
 struct WindowOptions {
   std::optional<ThemeKind> theme;
-  ScreenshotRequest picture;          ///< its scene is also the simulator's; no file: no picture
-  std::optional<double> frameRate_s;  ///< measure this long
-  bool simulator = false;             ///< an organ, a picture or a rate was asked for
+  ScreenshotRequest picture;          ///< its scene is also the simulator's; without a file: no picture
+  std::optional<double> frameRate_s;  ///< duration of a measurement
+  bool simulator = false;             ///< an organ, picture or rate was requested
   bool kiosk = false;
-  std::string database;  ///< of this run; empty: the station's
+  std::string database;  ///< for this run; empty: the station's
 };
 
-/// Adds the options of the window, and opens it when the command line names no command.
+/// Adds the options of the window, which opens if the command line names no command.
 void addWindow(CLI::App& program);
 /// Adds `torsio screenshots`.
 void addScreenshots(CLI::App& program);

@@ -24,7 +24,7 @@ double eased(double low, double high, double value) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Middle and half sizes of what lies in a slab of a body, in two directions across it.
+/// Centre and half extents of a slab of a body, across it.
 struct Section {
   double x = 0.0;
   double y = 0.0;
@@ -32,7 +32,7 @@ struct Section {
   double halfY = 0.0;
 };
 
-/// `points`: across, across, along.
+/// `points`: two coordinates across, then along.
 Section sectionOf(std::span<const Vec3> points, double from, double to) {
   constexpr double kHuge = std::numeric_limits<double>::max();
   double low[2] = {kHuge, kHuge};
@@ -49,14 +49,13 @@ Section sectionOf(std::span<const Vec3> points, double from, double to) {
           0.5 * (high[1] - low[1])};
 }
 
-/// One ring of cloth: how far along, and how much wider than what it lies round.
+/// A ring of cloth: its position along, and its width relative to the body inside.
 struct Ring {
   double along = 0.0;
   double wide = 1.0;
 };
 
-/// A hem that is turned back, shares of the half width. Its rim goes in to what it lies round: nothing is
-/// open.
+/// A turned-back hem, in half widths. Its rim touches the body, so that there is no gap.
 constexpr std::array<Ring, 10> kHem{{{0.03, 0.82},
                                      {-0.02, 1.02},
                                      {-0.015, 1.06},
@@ -68,7 +67,7 @@ constexpr std::array<Ring, 10> kHem{{{0.03, 0.82},
                                      {0.545, 1.095},
                                      {0.60, 1.08}}};
 
-/// A closed skin over rings of kSides points each, its ends shut at their middles.
+/// Builds a closed surface over rings of kSides points each; the ends close at their centres.
 TriangleMesh skinOver(const std::vector<std::array<Vec3, kSides>>& rings) {
   TriangleMesh mesh;
   constexpr auto kAround = static_cast<std::uint32_t>(kSides);
@@ -105,8 +104,7 @@ double noise(double x, double y, double z) {
   return static_cast<double>(tissueNoise({x, y, z}));
 }
 
-/// Folds of cloth round an arm, shares of its half width: broad ones, narrower ones that run along it,
-/// creases.
+/// Folds of cloth round an arm, in half widths: broad ones, narrower ones along the arm, creases.
 double foldAt(double angle, double along) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -115,7 +113,7 @@ double foldAt(double angle, double along) {
          0.06 * crease + 0.05 * noise(3.1 * c, 3.1 * s + 9.0, 1.9 * along);
 }
 
-/// How far the hem lies askew, half widths.
+/// Slant of the hem, half widths.
 double hemAt(double angle, double along) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -123,12 +121,12 @@ double hemAt(double angle, double along) {
          (0.13 * noise(1.1 * c + 2.0, 1.1 * s, 1.0) + 0.05 * noise(2.6 * c, 2.6 * s + 3.0, 2.0));
 }
 
-/// How much of the folds there is: a hem is smoother than the loose cloth behind it, its rim lies close.
+/// Amplitude of the folds: the hem is smoother than the loose cloth behind it, and its rim fits closely.
 double foldedAt(double along) {
   return 0.35 * eased(0.0, 0.4, along) + 0.65 * eased(0.5, 1.9, along);
 }
 
-/// The rings of a hem and of the cloth behind it, `length` half widths long, closer together near the hem.
+/// Returns the rings of a hem and the cloth behind it, `length` half widths long, denser near the hem.
 std::vector<Ring> ringsOf(double length, double widening) {
   constexpr int kRings = 34;
   std::vector<Ring> rings(kHem.begin(), kHem.end());
@@ -153,13 +151,13 @@ TriangleMesh drapeOverArm(const OrganSurface& arm, float ground_mm) {
   constexpr double kSlab_mm = 30.0;
   const Section section = sectionOf(points, end - kSlab_mm, end);
   const double size = std::max(section.halfX, section.halfY);
-  constexpr double kCovered = 0.42;  // of the arm, half widths
-  constexpr double kLength = 15.0;   // half widths: beyond the painted square
+  constexpr double kCovered = 0.42;  // covered part of the arm, half widths
+  constexpr double kLength = 15.0;   // half widths: extends beyond the painted square
   const auto ground = static_cast<double>(ground_mm);
   std::vector<std::array<Vec3, kSides>> rings;
   for (const Ring& ring : ringsOf(kLength, 0.28)) {
     const double loose = eased(0.5, 2.2, ring.along);
-    const double flat = eased(0.75 * kLength, kLength, ring.along);  // at its end it lies on the table
+    const double flat = eased(0.75 * kLength, kLength, ring.along);  // its end lies on the table
     std::array<Vec3, kSides>& places = rings.emplace_back();
     for (int k = 0; k < kSides; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kSides;
@@ -195,11 +193,11 @@ TriangleMesh gownSleeve(const TriangleMesh& glove) {
   for (const Ring& ring : ringsOf(kLength, 0.45)) {
     const double z = end + size * (ring.along - kCovered);
     const double on = z - (end - 0.5 * kSlab_mm);
-    // The way of the cuff, which bends until the arm runs along the shaft.
+    // The path of the cuff, which bends until the arm runs along the shaft.
     constexpr double kBend_mm = 160.0;
     const double aside = on < 0.0 ? on : kBend_mm * (1.0 - std::exp(-on / kBend_mm));
     const double over = std::clamp((ring.along - kHem.back().along) / kLength - 0.9, 0.0, 0.1) / 0.1;
-    const double shut = std::sqrt(1.0 - 0.98 * over * over);  // a shoulder
+    const double shut = std::sqrt(1.0 - 0.98 * over * over);  // rounded end
     std::array<Vec3, kSides>& places = rings.emplace_back();
     for (int k = 0; k < kSides; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kSides;

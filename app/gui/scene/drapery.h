@@ -6,13 +6,13 @@
 
 namespace torsio::gui {
 
-/// Cloth where a body would look cut off; for the eye only, nothing touches it. Closed surfaces, metres.
+/// Cloth that hides where a body ends; visual only, nothing touches it. Closed surfaces, metres.
 
-/// The drape over the upper arm: from a hem round the arm just above its lower end down to the ground and out
-/// of the picture. `arm`: at rest, hand up. View frame, but in metres.
+/// The drape over the upper arm: from a hem just above the arm's lower end down to the ground and out of the
+/// picture. `arm`: at rest, hand up. View frame, but in metres.
 [[nodiscard]] TriangleMesh drapeOverArm(const OrganSurface& arm, float ground_mm);
 
-/// The sleeve of the gown over the end of a glove's cuff, on along the shaft and out of the picture. Frame of
+/// The sleeve of the gown over the end of a glove's cuff, along the shaft and out of the picture. Frame of
 /// the instrument.
 [[nodiscard]] TriangleMesh gownSleeve(const TriangleMesh& glove);
 

@@ -33,7 +33,8 @@ QVector3D millimetres(const Vec3& p) {
   return QVector3D(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)) * kMillimetres;
 }
 
-/// Three corners a triangle; each takes the mean of those normals round its vertex that look nearly its way.
+/// Returns three corners per triangle, with normals averaged over the adjacent faces on the same side of
+/// sharp edges.
 std::vector<EdgeVertex> cornersOf(const TriangleMesh& mesh) {
   std::vector<Vec3> faces;
   std::vector<std::vector<std::uint32_t>> around(mesh.vertices_m.size());
@@ -42,7 +43,7 @@ std::vector<EdgeVertex> cornersOf(const TriangleMesh& mesh) {
     for (const std::uint32_t corner : t) {
       around[corner].push_back(static_cast<std::uint32_t>(faces.size()));
     }
-    faces.push_back(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));  // weighs by area
+    faces.push_back(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));  // weighted by area
   }
   std::vector<EdgeVertex> corners;
   corners.reserve(3 * faces.size());
@@ -79,7 +80,7 @@ InstrumentParts partsOf(const std::filesystem::path& file,
   const QJsonObject jaws = root.value(QLatin1String("jaws")).toObject();
   const auto part = [&](const char* name) {
     const std::string mesh = meshes.value(QLatin1String(name)).toString().toStdString();
-    // Only beside the file: it must not name "../../secret.ply".
+    // Only beside the file: must not name "../../secret.ply".
     if (mesh.empty() || std::filesystem::path(mesh).filename() != mesh) {
       throw Error(ErrorCode::kBadData, Text::tr("the instrument names no mesh '%1'", name), file.string(),
                   Text::tr("Use the instrument that was installed with the program"));
@@ -173,7 +174,7 @@ void InstrumentGeometry::appendSoftEdge(const QMatrix4x4& place, const QColor& c
   for (const QVector3D& vertex_mm : vertices_mm_) {
     places_.push_back(place.map(vertex_mm));
   }
-  const QMatrix4x4 turn = place.inverted().transposed();  // of normals, also where it is stretched
+  const QMatrix4x4 turn = place.inverted().transposed();  // for normals, valid under stretching too
   const auto end = [&](const Silhouette::Rim& rim, std::uint32_t side) {
     EdgeVertex vertex = corners_[std::size_t{3} * rim.triangle + side];
     const QVector3D at = places_[silhouette_.triangle(rim.triangle)[side]];

@@ -22,34 +22,34 @@ struct InstrumentParts {
   TriangleMesh shaft;
   TriangleMesh upperJaw;
   TriangleMesh lowerJaw;
-  TriangleMesh hand;  ///< gloved, about the end of the shaft; empty: the instrument has none
+  TriangleMesh hand;  ///< gloved hand at the end of the shaft; empty: none
   QVector3D jawPivot_mm;
   double shaftLength_mm = 250.0;
-  double jawOpening_deg = 20.0;  ///< each jaw, fully open
+  double jawOpening_deg = 20.0;  ///< of each jaw, fully open
 };
 
-/// Reads a shipped instrument, or (NAME.json) one of a centre's own with its meshes beside it. Throws
-/// Error{kFileMissing, kFileUnreadable, kBadData, kBadMesh} for files that are absent or not an instrument.
+/// Reads a shipped instrument, or a centre's own (NAME.json) with its meshes in the same folder. Throws
+/// Error{kFileMissing, kFileUnreadable, kBadData, kBadMesh} for missing or invalid files.
 [[nodiscard]] InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::string& id);
 [[nodiscard]] InstrumentParts loadInstrument(const std::filesystem::path& file);
 
-/// A closed body of revolution about z; `profile_mm`: radius and z, from one end on the axis to the other, z
-/// rising.
+/// Returns a closed body of revolution about z; `profile_mm`: radius and z, from one end on the axis to the
+/// other, in order of z.
 [[nodiscard]] TriangleMesh turnedBody(std::span<const std::array<double, 2>> profile_mm, int sides);
 
-/// One rigid body of the instrument; edges sharper than 35 degrees stay sharp. GUI thread.
+/// A rigid body of the instrument; edges sharper than 35 degrees stay sharp. GUI thread.
 class InstrumentGeometry : public QQuick3DGeometry {
   Q_OBJECT
 
  public:
   InstrumentGeometry();
   void setMesh(const TriangleMesh& mesh);
-  /// Adds the soft edge of the body where `place` puts it. `surface`: its kind, as the material has it.
+  /// Adds the soft edge of the body at `place`. `surface`: the material's surface kind.
   void appendSoftEdge(const QMatrix4x4& place, const QColor& colour, float surface, const Eye& eye,
                       std::vector<EdgeVertex>& quads);
 
  private:
-  std::vector<EdgeVertex> corners_;  // three a triangle
+  std::vector<EdgeVertex> corners_;  // three per triangle
   std::vector<QVector3D> vertices_mm_;
   Silhouette silhouette_;
   std::vector<QVector3D> places_;

@@ -24,12 +24,12 @@ SkinAnchor skinAnchor(const Scene& scene, const Vec3& point_m) {
 
 namespace {
 
-constexpr double kStep_m = 0.0025;  // longest piece of a line before it is put onto the skin
-constexpr float kLift_mm = 0.35F;   // above the skin: chords of a round surface run below it
+constexpr double kStep_m = 0.0025;  // maximum length of a line segment before projection onto the skin
+constexpr float kLift_mm = 0.35F;   // above the skin, because chords of a curved surface run below it
 
 using Attribute = QQuick3DGeometry::Attribute;
 
-/// Refines a polyline and puts it onto the skin.
+/// Subdivides a polyline and projects it onto the skin.
 SkinLine skinLine(const Scene& scene, std::span<const Vec3> corners_m, bool closed) {
   SkinLine line;
   line.closed = closed;

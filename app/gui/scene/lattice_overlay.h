@@ -13,28 +13,28 @@
 
 namespace torsio::gui {
 
-/// A point fixed to the skin: three corners and their weights. It moves exactly as the drawn skin does.
+/// A point fixed to the skin: three corners and their weights. Moves exactly with the drawn skin.
 struct SkinAnchor {
   std::array<std::uint32_t, 3> corners{};
   std::array<float, 3> weights{};
 };
 
-/// One ridge or the outline of one section.
+/// A ridge or the outline of a section.
 struct SkinLine {
   std::vector<SkinAnchor> anchors;
   bool closed = false;
 };
 
-/// The lattice of the paper's section 3.1 and the section that the exercise grasps.
+/// The lattice of the paper's section 3.1, and the section to grasp.
 struct LatticeLines {
   std::vector<SkinLine> lattice;  ///< ridges first, then sections
-  std::vector<SkinLine> grasp;    ///< one line
+  std::vector<SkinLine> grasp;    ///< a single line
 };
 
-/// Puts ridges and sections onto the skin. Some thousand closest-point queries: tens of milliseconds.
+/// Projects ridges and sections onto the skin. Thousands of closest-point queries: tens of milliseconds.
 [[nodiscard]] LatticeLines latticeLines(const Scene& scene);
 
-/// The skin point nearest to a world point of the organ at rest.
+/// Returns the skin point nearest to a point of the organ at rest, world frame.
 [[nodiscard]] SkinAnchor skinAnchor(const Scene& scene, const Vec3& point_m);
 
 /// Flat ribbons along skin lines. GUI thread.
@@ -45,12 +45,12 @@ class RibbonGeometry : public MovingGeometry {
   RibbonGeometry();
   enum class Shape : std::uint8_t {
     kFlat,      ///< on the skin
-    kStanding,  ///< flat, and a second ribbon upright on it: it is seen where the skin turns away
+    kStanding,  ///< flat, and a second upright ribbon, visible where the skin turns away
   };
-  /// `width_mm`: of the ribbon; `surface`: the skin that the anchors mean.
+  /// `width_mm`: of the ribbon; `surface`: the skin that the anchors refer to.
   void setLines(std::vector<SkinLine> lines, float width_mm, const OrganSurface& surface,
                 Shape shape = Shape::kFlat);
-  /// The skin moved.
+  /// Updates the lines after the skin has moved.
   void follow(const OrganSurface& surface);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the light of the scene view while the program is built: torsio_make_light FILE.
+// Build tool for the lighting of the scene view: torsio_make_light FILE.
 #include <cstdio>
 #include <exception>
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kMetresPerMillimetre = 0.001;
 
-// Corners and faces of an icosahedron: small and without shading it is a ball.
+// Corners and faces of an icosahedron, which looks like a ball when small and unshaded.
 constexpr float kGolden = 1.6180340F;
 constexpr std::array<std::array<float, 3>, 12> kCorners{{{-1, kGolden, 0},
                                                          {1, kGolden, 0},

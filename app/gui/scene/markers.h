@@ -9,12 +9,12 @@
 
 namespace torsio::gui {
 
-/// The ten marker points of the paper's Fig. 11 (or an organ's own), tied to the skin.
-/// `assets`: the assets folder; the file is organMarkersFile(). Empty when the organ has none.
-/// Throws Error{kBadData} for a file that breaks its rules.
+/// Returns the ten marker points of the paper's Fig. 11 (or the organ's own) as skin points, from
+/// organMarkersFile(). `assets`: the assets folder. Empty if the organ has none. Throws Error{kBadData} for
+/// an invalid file.
 [[nodiscard]] std::vector<SkinAnchor> organMarkers(const Scene& scene, const std::filesystem::path& assets);
 
-/// Where a marker is now, view frame.
+/// Returns the present position of a marker, view frame.
 [[nodiscard]] QVector3D markerPlace(const SkinAnchor& marker, const OrganSurface& surface);
 
 /// The markers as small balls. GUI thread.
@@ -23,7 +23,7 @@ class MarkerGeometry : public QQuick3DGeometry {
 
  public:
   MarkerGeometry();
-  /// Centres in the view frame, radius in its unit (mm).
+  /// `centres`: view frame; `radius_mm`: in its unit.
   void setMarkers(const std::vector<QVector3D>& centres, float radius_mm);
 };
 

@@ -19,11 +19,11 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kRows = 7;  // from the root to the loop
+constexpr int kRows = 7;  // from root to loop
 
 struct FanVertex {
   float position[3];
-  float place[2];  // along the loop, and from the root to it
+  float place[2];  // along the loop; from the root to it
 };
 
 using Attribute = QQuick3DGeometry::Attribute;
@@ -40,7 +40,7 @@ QPointF between(const QPointF& root, const QPointF& loop, double share) {
   return root + share * (loop - root);
 }
 
-/// Vessels: trunks that spread from the root, arcades from one to the next, straight ones on to the wall.
+/// Draws the vessels: trunks that spread from the root, arcades between them, straight ones to the wall.
 void drawVessels(QPainter& painter, const QColor& colour) {
   constexpr int kTrunks = 9;
   constexpr int kArcades = 18;
@@ -49,7 +49,7 @@ void drawVessels(QPainter& painter, const QColor& colour) {
     QColor shown = colour;
     shown.setAlpha(alpha);
     QPen made(shown, width, Qt::SolidLine, Qt::RoundCap);
-    made.setCosmetic(true);  // the painted square is drawn out into a fan
+    made.setCosmetic(true);  // the painted square is stretched to a fan
     painter.setPen(made);
   };
   pen(150, 4.0);
@@ -113,7 +113,7 @@ QImage paintMesentery(const Theme& theme) {
     for (int x = 0; x < kWide_px; ++x) {
       const double u = (x + 0.5) / kWide_px;
       const double v = 1.0 - (y + 0.5) / kHigh_px;
-      // It hangs in soft folds, which open towards the loop.
+      // Soft folds, which open towards the loop.
       const double fold = std::sin(44.0 * u + 1.5 * std::sin(9.0 * u)) + 0.5 * std::sin(83.0 * u + 1.0);
       const double light = 1.0 + (0.02 + 0.04 * v) * fold - 0.10 * (1.0 - v);
       const double side = std::min(1.0, std::min(u, 1.0 - u) / 0.04);
@@ -128,7 +128,7 @@ QImage paintMesentery(const Theme& theme) {
   }
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setCompositionMode(QPainter::CompositionMode_SourceAtop);  // no vessel where there is no tissue
+  painter.setCompositionMode(QPainter::CompositionMode_SourceAtop);  // no vessels where there is no tissue
   painter.translate(0.0, kHigh_px);
   painter.scale(kWide_px, -kHigh_px);
   drawVessels(painter, dark ? QColor(0x37, 0x2C, 0x36) : QColor(0x9E, 0x8A, 0x90));

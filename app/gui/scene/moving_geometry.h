@@ -5,14 +5,15 @@
 
 namespace torsio::gui {
 
-/// A mesh whose vertices are written anew while its triangles stay. Qt Quick tells the model of every change
-/// while it is being drawn already, and the model answers by asking for one more frame that shows the same;
-/// here it is told of new shapes only. GUI thread.
+/// A mesh with changing vertices and fixed triangles. Qt Quick notifies the model of every change during
+/// drawing, and the model then requests one more, identical frame; this class only notifies it of new
+/// topology. GUI thread.
 class MovingGeometry : public QQuick3DGeometry {
   Q_OBJECT
 
  protected:
-  /// Other triangles, another number of vertices: the model has to know. Call it beside setIndexData().
+  /// Marks a change of triangles or vertex count, of which the model must be notified. Call it with
+  /// setIndexData().
   void reshape() noexcept { reshaped_ = true; }
   QSSGRenderGraphObject* updateSpatialNode(QSSGRenderGraphObject* node) override;
 

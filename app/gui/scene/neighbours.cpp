@@ -15,7 +15,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Of a body in the half-dark.
+/// Colours of a body in the half-dark.
 struct Tone {
   QColor rim;
   QColor body;
@@ -23,14 +23,14 @@ struct Tone {
 };
 
 Tone toneOf(const Theme& theme, int hue) {
-  // Little colour: what is treated must be the only thing that looks like living tissue.
+  // Little colour: only the organ to be treated may look like living tissue.
   const bool dark = theme.kind == ThemeKind::kDark;
   const auto tone = [&](int saturation, int value) { return QColor::fromHsv(hue, saturation, value); };
   return dark ? Tone{tone(38, 36), tone(40, 62), tone(32, 86)}
               : Tone{tone(24, 152), tone(20, 196), tone(11, 226)};
 }
 
-/// A hollow organ along a line: rim, body, and a gleam where the lamp meets it.
+/// Draws a hollow organ along a line: rim, body, and a highlight from the lamp.
 void drawTube(QPainter& painter, const QPainterPath& line, double width, const Tone& tone) {
   painter.setBrush(Qt::NoBrush);
   const auto stroke = [&](const QColor& colour, double wide, const QPointF& shift) {
@@ -40,7 +40,7 @@ void drawTube(QPainter& painter, const QPainterPath& line, double width, const T
   stroke(tone.rim, width, {});
   stroke(tone.body, 0.88 * width, {});
   QColor gleam = tone.gleam;
-  constexpr int kSteps = 5;  // narrower and brighter towards the middle: a soft light
+  constexpr int kSteps = 5;  // narrower and brighter towards the middle, for soft light
   for (int step = 1; step <= kSteps; ++step) {
     gleam.setAlpha(34);
     stroke(gleam, width * (0.66 - 0.11 * step), {-0.10 * width, 0.12 * width});
@@ -49,7 +49,7 @@ void drawTube(QPainter& painter, const QPainterPath& line, double width, const T
 
 void drawBody(QPainter& painter, const QPainterPath& outline, const Tone& tone) {
   const QRectF box = outline.boundingRect();
-  QLinearGradient light(box.bottomLeft(), box.topRight());  // y upwards: from the upper left
+  QLinearGradient light(box.bottomLeft(), box.topRight());  // y up: from the upper left
   light.setColorAt(0.0, tone.gleam);
   light.setColorAt(0.45, tone.body);
   light.setColorAt(1.0, tone.rim);
@@ -58,7 +58,7 @@ void drawBody(QPainter& painter, const QPainterPath& outline, const Tone& tone) 
   painter.drawPath(outline);
 }
 
-/// Colon: pouch beside pouch along a line.
+/// Draws colon along a line, pouch by pouch.
 void drawColon(QPainter& painter, const QPainterPath& line, double width, const Tone& tone) {
   drawTube(painter, line, width, tone);
   constexpr double kPouch = 0.24;
@@ -70,7 +70,7 @@ void drawColon(QPainter& painter, const QPainterPath& line, double width, const 
   for (int k = 1; k < pouches; ++k) {
     const double share = line.percentAtLength(length * k / pouches);
     const QPointF at = line.pointAtPercent(share);
-    const double way = line.angleAtPercent(share) * 3.14159265358979 / 180.0;  // y downwards
+    const double way = line.angleAtPercent(share) * 3.14159265358979 / 180.0;  // y down
     const QPointF across(0.42 * width * std::sin(way), 0.42 * width * std::cos(way));
     const QPointF along(0.05 * std::cos(way), -0.05 * std::sin(way));
     QPainterPath fold(at + across);
@@ -79,7 +79,7 @@ void drawColon(QPainter& painter, const QPainterPath& line, double width, const 
   }
 }
 
-/// Packed small bowel: rows that meander, the nearer ones over the farther ones.
+/// Draws packed small bowel: meandering rows, the nearer over the farther ones.
 void drawBowel(QPainter& painter, double left, double right, double top, double bottom, const Tone& tone) {
   constexpr double kRow = 0.36;
   constexpr double kWidth = 0.40;
@@ -97,16 +97,16 @@ void drawBowel(QPainter& painter, double left, double right, double top, double 
   }
 }
 
-/// How much of its neighbours a stomach brings along.
+/// The neighbours that a stomach's mesh includes.
 struct EndsOfStomach {
-  bool own = false;             ///< it has a stub of the oesophagus and the bulb of the duodenum
-  bool pylorusInPlace = false;  ///< else the antrum is turned away
+  bool own = false;             ///< with a stub of the oesophagus and the bulb of the duodenum
+  bool pylorusInPlace = false;  ///< false: the antrum is turned away
 };
 
-/// What a stomach hangs between: the oesophagus, which comes from below the liver to the cardia, and the
-/// duodenum, which leads from the pylorus up to the gallbladder, round and behind the colon. What the stomach
-/// has of them is not drawn a second time. Where the antrum is turned away, no open end is left in its place:
-/// the duodenum then comes from behind the gallbladder.
+/// Draws what a stomach is attached to: the oesophagus, from below the liver to the cardia, and the duodenum,
+/// from the pylorus up to the gallbladder and behind the colon. Parts of the stomach's own mesh are not drawn
+/// again. If the antrum is turned away, there is no open end in its place: the duodenum then comes from
+/// behind the gallbladder.
 void drawEndsOfStomach(QPainter& painter, const Theme& theme, const EndsOfStomach& ends) {
   const Tone tone = toneOf(theme, 8);
   QPainterPath duodenum(QPointF(-1.04, -0.14));
@@ -161,7 +161,7 @@ void drawPelvis(QPainter& painter, const Theme& theme) {
   drawBody(painter, bladder, toneOf(theme, 40));
 }
 
-/// The bowel before and behind a loop.
+/// Draws the bowel on both sides of a loop.
 void drawLimbsOfLoop(QPainter& painter, const Theme& theme) {
   const Tone tone = toneOf(theme, 350);
   for (const QPointF& foot : {kLoopFirstFoot, kLoopSecondFoot}) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kHighest_deg = 89.0F;
 constexpr float kZoomPerStep = 0.89F;
-constexpr float kMargin = 1.12F;  // share of the view's half height that stays free round a framed ball
+constexpr float kMargin = 1.12F;  // distance factor that leaves a margin around a framed ball
 
 float halfAngleTangent() {
   return std::tan(OrbitCamera::kFieldOfView_deg * std::numbers::pi_v<float> / 360.0F);

@@ -8,33 +8,33 @@
 
 namespace torsio::gui {
 
-/// A half-line in the view frame, millimetres.
+/// A ray in the view frame, mm.
 struct ViewRay {
   QVector3D origin;
   QVector3D direction;  ///< unit
 };
 
-/// From where an organ is looked at. Names as in anatomy: front is what a surgeon at the patient's feet sees.
+/// View directions with anatomical names: front is the view of a surgeon at the patient's feet.
 enum class ViewPreset { kFront, kSide, kTop };
 
-/// A camera that turns about a target point. Plain value in the view frame (millimetres, y up); it knows how
-/// pixels and points correspond, so that the pointer needs no scene graph.
+/// A camera that orbits a target point. Plain value in the view frame (mm, y up); converts between pixels and
+/// points, so that pointers need no scene graph.
 class OrbitCamera {
  public:
   static constexpr float kFieldOfView_deg = 32.0F;
-  static constexpr float kDegreesPerPixel = 0.35F;  ///< of an orbiting drag
+  static constexpr float kDegreesPerPixel = 0.35F;  ///< while orbiting
 
-  /// Looks at a ball so that it fills `size` up to a margin.
+  /// Frames a ball so that it fills `size` up to a margin.
   void frame(const QVector3D& centre, float radius, const QSizeF& size);
   void look(ViewPreset preset);
-  /// Looks from a side: `azimuth_deg` round the organ from the front towards the patient's left,
+  /// Sets the direction: `azimuth_deg` about the organ from the front towards the patient's left,
   /// `elevation_deg` from below (-89) to above (89).
   void lookFrom(float azimuth_deg, float elevation_deg);
-  /// Turns by a drag of so many pixels.
+  /// Orbits by a drag, pixels.
   void orbit(const QPointF& drag);
-  /// Moves target and camera with a drag of so many pixels in a view of `height` pixels.
+  /// Moves target and camera by a drag in a view of `height`, pixels.
   void pan(const QPointF& drag, double height);
-  /// One step is one notch of a wheel; positive comes nearer.
+  /// Zooms by steps of a wheel; positive: nearer.
   void zoom(double steps);
 
   [[nodiscard]] QVector3D position() const;
@@ -45,13 +45,13 @@ class OrbitCamera {
   [[nodiscard]] float distance() const noexcept { return distance_; }
   [[nodiscard]] const QVector3D& target() const noexcept { return target_; }
 
-  /// The half-line through a pixel of a view of `size` pixels.
+  /// Returns the ray through a pixel of a view of `size` pixels.
   [[nodiscard]] ViewRay ray(const QPointF& pixel, const QSizeF& size) const;
-  /// The pixel of a point in front of the camera.
+  /// Returns the pixel of a point in front of the camera.
   [[nodiscard]] QPointF pixel(const QVector3D& point, const QSizeF& size) const;
-  /// Distance of a point from the camera along its line of sight.
+  /// Returns the distance of a point along the viewing direction.
   [[nodiscard]] float depth(const QVector3D& point) const;
-  /// The point on a pixel's ray at such a depth along the line of sight.
+  /// Returns the point on a pixel's ray at this depth along the viewing direction.
   [[nodiscard]] QVector3D atDepth(const QPointF& pixel, float depth, const QSizeF& size) const;
 
  private:

@@ -13,40 +13,41 @@
 
 namespace torsio::gui {
 
-/// One corner as the graphics card reads it. The first three move with the tissue, the others never change.
+/// A vertex as sent to the graphics card. The first three attributes move with the tissue, the others never
+/// change.
 struct DrawnVertex {
   float position[3];  ///< view frame, mm
   float normal[3];
   float colour[4];  ///< linear
-  float map[2];     ///< place on the painted skin, 0..1
-  float along[2];   ///< mm along the organ; the second is not used
-  float rest[3];    ///< place at rest, view frame, mm; travels as the tangent
+  float map[2];     ///< position on the painted skin, 0..1
+  float along[2];   ///< mm along the organ; the second is unused
+  float rest[3];    ///< rest position, view frame, mm; passed as the tangent
 };
 static_assert(sizeof(DrawnVertex) == 68, "the layout that OrganGeometry announces");
 
-/// The organ's skin in the scene graph; its vertices are written anew whenever the tissue moves. GUI thread.
+/// The organ's skin in the scene graph; its vertices are rewritten when the tissue moves. GUI thread.
 class OrganGeometry : public MovingGeometry {
   Q_OBJECT
 
  public:
   OrganGeometry();
-  /// Another organ: triangles and vertices. Without a skin nothing of it is painted.
+  /// Sets another organ's triangles and vertices. Without a skin, nothing is painted.
   void setSurface(const OrganSurface& surface, const TissueSkin* skin = nullptr);
   /// Moves the vertices of the present organ.
   void updateVertices(const OrganSurface& surface);
-  /// The soft edge of the organ as it was last updated; what is returned lives until the next call.
+  /// Returns the soft edge of the organ after its last update; valid until the next call.
   std::span<const EdgeVertex> softEdge(const OrganSurface& surface, const Eye& eye);
 
  private:
   std::vector<DrawnVertex> drawn_;
-  std::vector<TriangleMesh::Triangle> corners_;  // of drawn vertices, in the order of the surface
+  std::vector<TriangleMesh::Triangle> corners_;  // indices of drawn vertices, in the order of the surface
   Silhouette silhouette_;
   std::vector<QVector3D> places_;
   std::vector<EdgeVertex> edge_;
-  std::vector<std::uint32_t> sources_;  // vertex of the surface, one a drawn vertex
+  std::vector<std::uint32_t> sources_;  // surface vertex of each drawn vertex
 };
 
-/// The painted skin as a picture for the graphics card. GUI thread.
+/// The painted skin as a texture. GUI thread.
 class SkinTexture : public QQuick3DTextureData {
   Q_OBJECT
 
@@ -54,7 +55,7 @@ class SkinTexture : public QQuick3DTextureData {
   void setSkin(const TissueSkin& skin);
 };
 
-/// The organ's edges as thin lines, lifted off the skin so that they do not flicker. GUI thread.
+/// The organ's edges as thin lines, raised above the skin to avoid flicker. GUI thread.
 class WireGeometry : public MovingGeometry {
   Q_OBJECT
 

@@ -11,13 +11,13 @@ namespace torsio::gui {
 
 namespace {
 
-// The lamp stands at the upper left: so far the shadow moves for each millimetre above the ground.
+// Shift of the shadow per millimetre above the ground; the lamp is at the upper left.
 constexpr float kRight = 0.32F;
 constexpr float kDown = 0.36F;
 constexpr int kSide = OrganShadow::kSide_px;
-constexpr int kPasses = 3;  // of means along both ways: nearly a bell
+constexpr int kPasses = 3;  // of box filters in both directions: nearly a Gaussian
 
-/// Means of five along lines of `step`: from `in` to `out`, both squares of kSide.
+/// Averages five values along lines with `step`, from `in` to `out`, both squares of kSide.
 void soften(std::span<const std::uint8_t> in, std::span<std::uint8_t> out, int step, int line) {
   constexpr int kReach = 2;
   constexpr int kCount = 2 * kReach + 1;
@@ -61,7 +61,7 @@ std::span<const std::uint8_t> OrganShadow::cast(const OrganSurface& organ) {
     if (column < 1 || row < 1 || column >= kSide - 1 || row >= kSide - 1) {
       continue;
     }
-    // Four pixels: vertices lie further apart than one where the mesh is coarse.
+    // Four pixels, because the vertices of a coarse mesh are further apart than one.
     std::uint8_t* here = &shade_[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)];
     here[0] = here[1] = here[kSide] = here[kSide + 1] = 255;
   }
@@ -81,7 +81,7 @@ void ShadowTexture::setShade(std::span<const std::uint8_t> shade) {
 }
 
 QSSGRenderGraphObject* ShadowTexture::updateSpatialNode(QSSGRenderGraphObject* node) {
-  // As MovingGeometry: whoever is told of new contents asks for one more, equal frame.
+  // As in MovingGeometry: a notification would request one more, identical frame.
   QSignalBlocker quiet(this);
   if (node == nullptr) {
     quiet.unblock();

@@ -12,20 +12,20 @@
 
 namespace torsio::gui {
 
-/// Half of the side of the square that is shaded, in radii of the organ.
+/// Half side of the shaded square, in radii of the organ.
 inline constexpr float kShadowReach = 2.0F;
 
-/// The soft shadow that the operating lamp throws of an organ, as it lies now, on what is behind it. Some
-/// tenth of a millisecond a frame; plain value.
+/// The soft shadow of an organ in its present shape, cast by the operating lamp on what is behind. Takes a
+/// few tenths of a millisecond per frame. Plain value.
 class OrganShadow {
  public:
   static constexpr int kSide_px = 96;
 
   OrganShadow();
-  /// `ground_mm`: where the shadow falls, along the viewer's direction.
+  /// `ground_mm`: depth of the surface that receives the shadow, in the viewing direction.
   OrganShadow(const QVector3D& centre_mm, float radius_mm, float ground_mm);
 
-  /// How much of the lamp is taken, 0 to 255: rows from below, kSide_px squared.
+  /// Returns the shading, 0 to 255: rows from below, kSide_px squared.
   std::span<const std::uint8_t> cast(const OrganSurface& organ);
 
  private:
@@ -33,10 +33,10 @@ class OrganShadow {
   float radius_mm_ = 0.0F;
   float ground_mm_ = 0.0F;
   std::vector<std::uint8_t> shade_;
-  std::vector<std::uint8_t> other_;  // of a step of softening
+  std::vector<std::uint8_t> other_;  // buffer of a filter pass
 };
 
-/// The shadow as a picture for the graphics card, written anew each frame. GUI thread.
+/// The shadow as a texture, rewritten each frame. GUI thread.
 class ShadowTexture : public QQuick3DTextureData {
   Q_OBJECT
 

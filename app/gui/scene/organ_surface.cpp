@@ -13,8 +13,8 @@ namespace torsio::gui {
 
 namespace {
 
-/// The curve of sRGB (IEC 61966-2-1), from a table: good to 4e-7. A power for each channel of each vertex
-/// would take longer than all else that a frame of an organ takes.
+/// The sRGB curve (IEC 61966-2-1) from a table, accurate to 4e-7. A power per channel and vertex would take
+/// longer than the rest of an organ's frame.
 class LinearLight {
  public:
   LinearLight() {
@@ -59,7 +59,7 @@ void OrganSurface::paint(std::span<const std::array<float, 3>> colours) {
   static const LinearLight kLinear;
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      // The scene graph reads vertex colours as linear light.
+      // The scene graph expects linear vertex colours.
       vertices_[i].colour[k] = colours.empty() ? 1.0F : kLinear(colours[i][k]);
     }
   }
@@ -82,7 +82,7 @@ void OrganSurface::update(std::span<const Vec3> vertices_m) {
     const std::array<float, 4>& c = third.place;
     const float ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2];
     const float wx = c[0] - a[0], wy = c[1] - a[1], wz = c[2] - a[2];
-    // Twice the area times the unit normal: large triangles weigh more.
+    // Twice the area times the unit normal, so that large triangles weigh more.
     const float n[3] = {uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx};
     for (std::size_t k = 0; k < 3; ++k) {
       first.sum[k] += n[k];

@@ -11,7 +11,7 @@
 
 namespace torsio::gui {
 
-/// One corner as the graphics card reads it: view frame, millimetres.
+/// A vertex as sent to the graphics card: view frame, mm.
 struct SurfaceVertex {
   float position[3];
   float normal[3];
@@ -19,36 +19,36 @@ struct SurfaceVertex {
 };
 static_assert(sizeof(SurfaceVertex) == 40, "the layout that OrganGeometry announces");
 
-/// The drawn shape of the organ: takes twisted vertices, makes smooth normals, can be painted.
-/// Plain value without a scene graph; one thread.
+/// The drawn shape of the organ: takes deformed vertices, computes smooth normals, can be painted. Plain
+/// value without a scene graph; use from one thread.
 class OrganSurface {
  public:
   OrganSurface() = default;
   explicit OrganSurface(const TriangleMesh& mesh);
 
-  /// Vertices in metres, world frame, one a mesh vertex; normals are recomputed (area-weighted).
+  /// Sets the vertices, metres, world frame, one per mesh vertex; recomputes normals (area-weighted).
   void update(std::span<const Vec3> vertices_m);
 
-  /// Moves every vertex inward along its normal: where another surface has the same place, that one is seen.
+  /// Moves all vertices inwards along their normals, so that a coincident surface is seen instead.
   void sink(float depth_mm);
 
-  /// Colours of one's own, sRGB, one a vertex; empty: none, which is white.
+  /// Sets colours, sRGB, one per vertex; empty: white.
   void paint(std::span<const std::array<float, 3>> colours);
 
   [[nodiscard]] std::span<const SurfaceVertex> vertices() const noexcept { return vertices_; }
   [[nodiscard]] std::span<const TriangleMesh::Triangle> triangles() const noexcept { return triangles_; }
-  /// Every edge once: the wireframe.
+  /// Returns every edge once, for the wireframe.
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> edges() const;
 
  private:
-  /// What normals are made of, side by side.
+  /// Input of the normals, packed together.
   struct Turning {
     std::array<float, 4> place{};
     std::array<float, 4> sum{};
   };
 
   std::vector<SurfaceVertex> vertices_;
-  std::vector<Turning> turning_;  // one a vertex
+  std::vector<Turning> turning_;  // one per vertex
   std::vector<TriangleMesh::Triangle> triangles_;
 };
 

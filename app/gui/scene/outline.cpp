@@ -16,7 +16,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::size_t kQuad = 4;
-constexpr std::size_t kRoom = 512;  // quads; more is made as it is needed
+constexpr std::size_t kRoom = 512;  // quads; grows on demand
 
 using Attribute = QQuick3DGeometry::Attribute;
 
@@ -127,7 +127,7 @@ void OutlineGeometry::setQuads(std::span<const EdgeVertex> corners) {
                   static_cast<qsizetype>(indices.size() * sizeof(std::uint32_t))});
     reshape();
   }
-  // Quads without a use have no extent.
+  // Unused quads have zero size.
   std::fill(std::copy(corners.begin(), corners.end(), drawn_.begin()), drawn_.end(), EdgeVertex{});
   setVertexData({reinterpret_cast<const char*>(drawn_.data()),
                  static_cast<qsizetype>(drawn_.size() * sizeof(EdgeVertex))});

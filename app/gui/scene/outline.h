@@ -12,29 +12,29 @@
 
 namespace torsio::gui {
 
-/// From where a picture is seen.
+/// The viewpoint of a picture.
 struct Eye {
   QVector3D position;        ///< view frame, mm
-  float pixel_share = 0.0F;  ///< size of a pixel at a distance of one
+  float pixel_share = 0.0F;  ///< size of a pixel at unit distance
 };
 
-/// One corner of a solid thing or of a soft edge, as the graphics card reads it.
+/// A vertex of a solid or a soft edge as sent to the graphics card.
 struct EdgeVertex {
   float position[3];  ///< mm
   float normal[3];
-  float colour[4];  ///< the fourth: how much of the pixel is covered, 1 at the edge and 0 a pixel beyond it
-  float map[2];     ///< place on the painted skin; of a solid thing, its kind of surface
+  float colour[4];  ///< the fourth is the coverage, 1 at the edge and 0 one pixel beyond it
+  float map[2];     ///< position on the painted skin; for solids, the surface kind
 };
 static_assert(sizeof(EdgeVertex) == 48, "the layout that is announced to the graphics card");
 
-/// Names the parts of EdgeVertex to a geometry.
+/// Declares the attributes of EdgeVertex to a geometry.
 void announceEdgeVertices(QQuick3DGeometry& geometry);
 
-/// Where a surface turns away from the viewer. Steps of pixels are seen there and nowhere else, so that a
-/// soft edge of one pixel along it smooths the picture. Plain value; one thread.
+/// The rim where a surface turns away from the viewer. Aliasing is visible only there, so that a soft edge of
+/// one pixel along it smooths the picture. Plain value; use from one thread.
 class Silhouette {
  public:
-  /// A side of a triangle that faces the viewer, beyond which the surface faces away or ends.
+  /// An edge of a triangle facing the viewer, beyond which the surface faces away or ends.
   struct Rim {
     std::uint32_t triangle = 0;
     std::uint32_t side = 0;  ///< from this corner, 0 to 2, to the next
@@ -43,9 +43,10 @@ class Silhouette {
   Silhouette() = default;
   Silhouette(std::span<const TriangleMesh::Triangle> triangles, std::size_t vertices);
 
-  /// `places`: one a vertex. What is returned lives until the next call.
+  /// `places`: one per vertex. The result is valid until the next call.
   std::span<const Rim> find(std::span<const QVector3D> places, const QVector3D& eye);
-  /// At a vertex of the rim that was found: away from the surface, across the line of sight; unit.
+  /// Returns the unit vector away from the surface and across the line of sight, at a vertex of the rim
+  /// found.
   [[nodiscard]] QVector3D outward(std::uint32_t vertex) const { return outward_[vertex].normalized(); }
   [[nodiscard]] const TriangleMesh::Triangle& triangle(std::uint32_t index) const {
     return triangles_[index];
@@ -54,34 +55,33 @@ class Silhouette {
  private:
   struct Side {
     Rim rim;
-    Rim other;          // the same side, of the triangle beyond
-    bool last = false;  // nothing is beyond
+    Rim other;          // the same edge in the triangle beyond
+    bool last = false;  // no triangle beyond
   };
   void add(std::span<const QVector3D> places, const QVector3D& eye, const Rim& seen);
 
   std::vector<TriangleMesh::Triangle> triangles_;
   std::vector<Side> sides_;
-  std::vector<std::uint8_t> faces_;  // one a triangle: 1 towards the viewer
-  std::vector<QVector3D> outward_;   // one a vertex, sums
+  std::vector<std::uint8_t> faces_;  // one per triangle; 1: faces the viewer
+  std::vector<QVector3D> outward_;   // one per vertex, sums
   std::vector<Rim> rims_;
 };
 
-/// Adds the soft edge along a rim, four corners: the two of the rim as they are drawn, and the same a pixel
-/// further out.
+/// Adds the soft edge along an edge of the rim as four corners: its two ends, and both a pixel further out.
 void appendSoftEdge(const EdgeVertex& from, const EdgeVertex& to, const QVector3D& outwardFrom,
                     const QVector3D& outwardTo, const Eye& eye, std::vector<EdgeVertex>& quads);
 
-/// Soft edges as the graphics card draws them. GUI thread.
+/// Soft edges as a mesh. GUI thread.
 class OutlineGeometry : public MovingGeometry {
   Q_OBJECT
 
  public:
   OutlineGeometry();
-  /// Four corners a quad.
+  /// Four corners per quad.
   void setQuads(std::span<const EdgeVertex> corners);
 
  private:
-  std::vector<EdgeVertex> drawn_;  // with room: as many corners as the triangles name
+  std::vector<EdgeVertex> drawn_;  // with spare room: as many corners as the triangles use
 };
 
 }  // namespace torsio::gui

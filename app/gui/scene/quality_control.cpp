@@ -7,9 +7,9 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kSlow_s = 1.0 / 24.0;   // below the rate of films motion falls apart
-constexpr double kQuick_s = 1.0 / 50.0;  // what a display of 60 Hz gives when nothing holds it back
-constexpr double kIdle_s = 0.25;         // nothing moved: says nothing about the speed
+constexpr double kSlow_s = 1.0 / 24.0;   // below the frame rate of films, motion looks jerky
+constexpr double kQuick_s = 1.0 / 50.0;  // unthrottled rate on a 60 Hz display
+constexpr double kIdle_s = 0.25;         // nothing moved, so it is not a measurement
 constexpr double kSmoothing = 0.15;
 constexpr double kDownAfter_s = 1.5;
 constexpr double kLongestWait_s = 120.0;

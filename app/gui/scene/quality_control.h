@@ -3,22 +3,21 @@
 
 namespace torsio::gui {
 
-/// What draws the picture.
+/// What renders the picture.
 enum class Renderer {
-  kSoftware,  ///< the processor, which the servo and the window need too
+  kSoftware,  ///< the processor, which the servo and the window also need
   kGraphicsCard,
 };
 
-/// Decides between the fine and the fast picture by how long frames take, with hysteresis: down when the
-/// picture stutters, up when there is room to spare, and after every fall a longer wait before the next try.
-/// On a software renderer it stays fast: a single fine frame there takes longer than an answer to somebody
-/// who scrubs may take, and what it takes it takes from the servo. Plain value.
+/// Switches between fine and fast rendering by frame times, with hysteresis: down when the picture stutters,
+/// up when there is spare time, with a longer wait after every drop. A software renderer stays fast: even a
+/// single fine frame would exceed the response time for scrubbing, at the servo's expense. Plain value.
 class QualityControl {
  public:
   explicit QualityControl(Renderer renderer = Renderer::kSoftware) noexcept
       : mayBeFine_(renderer == Renderer::kGraphicsCard), fine_(mayBeFine_) {}
 
-  /// Time since the frame before, s. Gaps in which nothing was drawn do not count. True when fine() changed.
+  /// Adds the time since the previous frame, s; ignores pauses without drawing. True if fine() has changed.
   bool note(double frame_s) noexcept;
   [[nodiscard]] bool fine() const noexcept { return fine_; }
 
@@ -27,8 +26,8 @@ class QualityControl {
   bool mayBeFine_;
   bool fine_;
   double mean_s_ = 0.0;
-  double watched_s_ = 0.0;  // how long the mean has been on one side
-  double wait_s_ = 4.0;     // before the next try upwards
+  double watched_s_ = 0.0;  // time for which the mean has been on one side
+  double wait_s_ = 4.0;     // before the next attempt to switch up
 };
 
 }  // namespace torsio::gui

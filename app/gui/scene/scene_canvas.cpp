@@ -26,7 +26,7 @@
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/scene/tissue_look.h"
 
-/// The linker drops resources of a static library that nothing names.
+/// Names the resources, which the linker would otherwise drop from a static library.
 static void initSceneResources() {
   Q_INIT_RESOURCE(torsio_scene);
   Q_INIT_RESOURCE(torsio_light);
@@ -37,15 +37,15 @@ namespace torsio::gui {
 
 namespace {
 
-// The arrow of the force, shares of the organ's radius.
+// Lengths of the force arrow, in radii of the organ.
 constexpr double kShortestArrow = 0.10;
 constexpr double kLongestArrow = 0.55;
 constexpr float kArrowThickness = 0.014F;
-constexpr double kLongestArrow_N = 3.3;  // what the device can give at most: the arrow is full there
-constexpr double kLeastForce_N = 0.02;   // below the friction of the device nobody feels it
+constexpr double kLongestArrow_N = 3.3;  // maximum force of the device, at which the arrow has full length
+constexpr double kLeastForce_N = 0.02;   // below the friction of the device, nobody feels it
 constexpr double kJawHolding_deg = 3.0;  // each jaw, closed on tissue
 
-/// Names of Mesa, Chrome's renderer, and Windows with and without a driver.
+/// Recognises renderers by name: Mesa's, Chrome's, and Windows' with and without a driver.
 Renderer kindOf(const QString& renderer) {
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "software rasterizer", "SwiftShader",
                            "Microsoft Basic Render", "GDI Generic"}) {
@@ -56,7 +56,8 @@ Renderer kindOf(const QString& renderer) {
   return Renderer::kGraphicsCard;
 }
 
-/// Of each jaw. A mouse button closes to what holds tissue, a hand may close on to nothing between the jaws.
+/// Returns the angle of each jaw. A mouse button closes to the tissue held; a hand may close further on
+/// nothing.
 double shownJaw_deg(double grip, double opening_deg) {
   const double closed = std::clamp(grip, 0.0, 1.0);
   const double open = std::max(0.0, 1.0 - closed / kPointerClosure);
@@ -64,7 +65,7 @@ double shownJaw_deg(double grip, double opening_deg) {
   return open * opening_deg + (1.0 - open) * kJawHolding_deg * (1.0 - pressed);
 }
 
-/// Whether a thing and all that it hangs on are shown.
+/// Returns whether a node and all its parents are visible.
 bool seen(const QObject* model) {
   for (const QObject* at = model; at != nullptr; at = at->property("parent").value<QObject*>()) {
     const QVariant visible = at->property("visible");
@@ -75,7 +76,7 @@ bool seen(const QObject* model) {
   return true;
 }
 
-/// Whether the hand is held towards the viewer, where it would hide what it works on.
+/// Returns whether the hand points towards the viewer, where it would hide its work.
 bool handHides(const QObject& root, const QVector3D& eye) {
   constexpr float kTowardsViewer = 0.7F;  // cosine
   const QVector3D tip = root.property("toolPosition").value<QVector3D>();
@@ -84,7 +85,7 @@ bool handHides(const QObject& root, const QVector3D& eye) {
          kTowardsViewer;
 }
 
-// Of the port, from inside the abdomen outwards: radius and place along the shaft, mm.
+// The port, from the inside of the abdomen outwards: radius and position along the shaft, mm.
 constexpr std::array<std::array<double, 2>, 14> kPortBody_mm{{{0.0, -30.0},
                                                               {3.4, -30.0},
                                                               {4.2, -26.0},
@@ -101,7 +102,7 @@ constexpr std::array<std::array<double, 2>, 14> kPortBody_mm{{{0.0, -30.0},
                                                               {0.0, 44.5}}};
 constexpr std::array<std::array<double, 2>, 6> kPortSeal_mm{
     {{0.0, 44.0}, {6.4, 44.0}, {6.4, 46.2}, {5.6, 47.4}, {3.4, 47.8}, {0.0, 47.8}}};
-// Of the force's arrow, each one long and one in radius.
+// The force arrow's parts, each of unit length and unit radius.
 constexpr std::array<std::array<double, 2>, 4> kStem_mm{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
 constexpr std::array<std::array<double, 2>, 3> kHead_mm{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
 constexpr int kSides = 20;
@@ -185,7 +186,7 @@ void SceneCanvas::edgeSolids() {
 }
 
 void SceneCanvas::edgeOrgan(const OrganSurface& organ) {
-  const bool gone = organ.vertices().empty();  // its scene was let go of
+  const bool gone = organ.vertices().empty();  // its scene was released
   if (!gone && parts_.organEdge != nullptr && eye_.pixel_share > 0.0F) {
     parts_.organEdge->setQuads(parts_.organ->softEdge(organ, eye_));
   }
@@ -293,7 +294,7 @@ void SceneCanvas::setTool(const Pose& pose, double grip) {
 }
 
 void SceneCanvas::placePort(const QVector3D& tip_mm, const QVector3D& shaft) {
-  // The wall of the abdomen stands like a dome over the organ: the port is where the shaft goes through it.
+  // The abdominal wall is a dome over the organ: the port is where the shaft passes it.
   constexpr float kDome = 1.2F;        // radii
   constexpr float kSleeve_mm = 60.0F;  // nearer to the tip it would hide the jaws
   const QVector3D from = tip_mm - centre_mm_;
@@ -333,7 +334,7 @@ void SceneCanvas::setLook(const TissueLook& look) {
 
 void SceneCanvas::setSurroundings(Surroundings kind, const OrganSurface& organ, const QVector3D& centre_mm,
                                   float radius_mm, float back_mm, const Theme& theme) {
-  constexpr float kBehind = 0.12F;  // radii: nothing that is twisted reaches it
+  constexpr float kBehind = 0.12F;  // radii: beyond the reach of a twisted organ
   const float ground_mm = back_mm - kBehind * radius_mm;
   ground_mm_ = ground_mm;
   surroundings_ = kind;
@@ -377,7 +378,7 @@ void SceneCanvas::castShadow(const OrganSurface& organ) {
 
 void SceneCanvas::setTheme(const Theme& theme) {
   if (quick_ != nullptr) {
-    quick_->setClearColor(theme.backdrop);  // beside the painted square
+    quick_->setClearColor(theme.backdrop);  // visible beside the painted square
   }
   set("gloveColour", theme.kind == ThemeKind::kDark ? QColor(0x6E, 0x93, 0xB4) : QColor(0x9C, 0xBE, 0xDA));
   set("gownColour", theme.kind == ThemeKind::kDark ? QColor(0x33, 0x5A, 0x66) : QColor(0x86, 0xAE, 0xB8));

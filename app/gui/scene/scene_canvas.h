@@ -43,17 +43,16 @@ enum class RenderQuality {
   kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer stays fast
   kFast,
   kFine,  ///< antialiasing, shadow, ambient occlusion
-  kBest,  ///< the same with as much of each as a graphics card can do; never chosen by itself
+  kBest,  ///< like kFine with the maximum of each; never chosen automatically
 };
 
-/// The drawing of a scene: the scene graph, its level and its frames. It knows nothing of scenes and states;
-/// SceneView hands it what is to be seen. On a platform without OpenGL everything is taken and nothing drawn.
-/// GUI thread.
+/// Draws a scene: the scene graph, its quality level and frames. It knows no scenes or states; SceneView
+/// tells it what to show. On a platform without OpenGL, it accepts everything and draws nothing. GUI thread.
 class SceneCanvas : public QObject {
   Q_OBJECT
 
  public:
-  /// The meshes and pictures of scene_view.qml; null on a platform without OpenGL.
+  /// The meshes and textures of scene_view.qml; null on a platform without OpenGL.
   struct Parts {
     OrganGeometry* organ = nullptr;
     SkinTexture* skin = nullptr;
@@ -71,34 +70,34 @@ class SceneCanvas : public QObject {
 
   explicit SceneCanvas(QWidget& parent);
 
-  /// Names the scene's own types to QML; the constructor does it where the scene can be drawn.
+  /// Registers the scene's types with QML; the constructor does it if scenes can be drawn.
   static void registerTypes();
   [[nodiscard]] static bool platformCanRender();
 
   [[nodiscard]] QQuickWidget* widget() const noexcept { return quick_; }
   [[nodiscard]] bool drawn() const noexcept { return root_ != nullptr; }
   [[nodiscard]] const Parts& parts() const noexcept { return parts_; }
-  /// A property of the root of scene_view.qml.
+  /// Sets a property of the root of scene_view.qml.
   void set(const char* name, const QVariant& value);
 
-  /// `distant_mm`: how far beside the camera's distance something may stand that is to be seen.
+  /// `distant_mm`: depth shown beyond the camera's target; half of it before the target.
   void setCamera(const OrbitCamera& camera, float distant_mm);
   void setInstrument(const InstrumentParts& parts);
   /// `grip`: 0 open .. 1 closed.
   void setTool(const Pose& pose, double grip);
-  /// An arrow at a world point along the force on the tool; nothing below what a hand feels. `radius_mm`: of
-  /// the organ, by which the arrow is measured.
+  /// Shows an arrow at a world point along the force on the tool; nothing below what a hand feels.
+  /// `radius_mm`: of the organ, which scales the arrow.
   void setForce(const Vec3& at_m, const Vec3& force_N, float radius_mm);
   void setLook(const TissueLook& look);
-  /// What lies behind an organ at rest that reaches back to `back_mm`.
+  /// Sets what is behind an organ at rest that extends back to `back_mm`.
   void setSurroundings(Surroundings kind, const OrganSurface& organ, const QVector3D& centre_mm,
                        float radius_mm, float back_mm, const Theme& theme);
-  /// The mesentery of a loop of bowel at rest; none where the surroundings have none. After
+  /// Shows the mesentery of a loop of bowel at rest, if its surroundings have one. Call after
   /// setSurroundings().
   void hangMesentery(const std::vector<MesenteryHold>& holds, const OrganSurface& rest);
-  /// The shadow of the organ as it lies now.
+  /// Updates the shadow to the organ's present shape.
   void castShadow(const OrganSurface& organ);
-  /// The soft edge of the organ as its vertices were last updated.
+  /// Updates the soft edge after the organ's vertices.
   void edgeOrgan(const OrganSurface& organ);
   void setTheme(const Theme& theme);
   void setQuality(RenderQuality quality);
@@ -109,7 +108,7 @@ class SceneCanvas : public QObject {
   [[nodiscard]] QImage picture() const;
 
  Q_SIGNALS:
-  /// As SceneView::frameDrawn().
+  /// See SceneView::frameDrawn().
   void frameDrawn();
 
  private:
@@ -120,7 +119,7 @@ class SceneCanvas : public QObject {
   void shapeSolids();
   void edgeSolids();
 
-  /// A rigid thing of the scene graph that gets a soft edge.
+  /// A rigid node of the scene graph with a soft edge.
   struct Solid {
     QObject* model = nullptr;
     InstrumentGeometry* geometry = nullptr;

@@ -20,16 +20,16 @@ namespace torsio::gui {
 
 namespace {
 
-// Share of the organ's radius: what is seen of a line is the same on a large organ and a small one.
+// In radii of the organ, so that lines look the same on large and small organs.
 constexpr float kGhostDepth_mm = 0.6F;
 constexpr float kLatticeWidth = 0.0042F;
 constexpr float kGraspWidth = 0.013F;
 constexpr float kMarkerRadius = 0.021F;
 
-/// Stands where the organ would be: until it is loaded, or always on a display without OpenGL.
+/// Placeholder of the organ: until it is loaded, or permanently on a display without OpenGL.
 class InPlaceOfScene : public QLabel {
  public:
-  /// `words`: of the context SceneView.
+  /// `words`: in the context SceneView.
   InPlaceOfScene(const char* words, QWidget* parent) : QLabel(parent), words_(words) {
     setAlignment(Qt::AlignCenter);
     setWordWrap(true);
@@ -101,7 +101,7 @@ void SceneView::prepareWindow(QWidget& window) {
   surface->hide();
 }
 
-/// In the colours of the theme: the scene graph draws black where it has no pictures yet.
+/// Covers the view in the theme's colour: the scene graph draws black before its first picture.
 void SceneView::showWaiting() {
   const Theme& colours = theme(themeKind_);
   QPalette calm = waiting_->palette();
@@ -310,7 +310,7 @@ void SceneView::setGhost(const std::optional<OrganState>& state) {
   std::vector<Vec3> vertices_m(ghost.vertices().size());
   view_.deform(*state, vertices_m);
   ghost.update(vertices_m);
-  ghost.sink(kGhostDepth_mm);  // what the twist does not move would be seen half as ghost, half as tissue
+  ghost.sink(kGhostDepth_mm);  // parts that do not move would flicker between ghost and tissue
   ghost.paint(std::vector<std::array<float, 3>>(ghost.vertices().size(), {1.0F, 1.0F, 1.0F}));  // one colour
   canvas_->parts().ghost->setSurface(ghost);
 }

@@ -24,8 +24,8 @@ class StressLegend;
 struct InstrumentParts;
 struct Theme;
 
-/// The living picture of organ and instrument. On a platform without OpenGL ("offscreen") it shows a sentence
-/// instead, so that everything round it can be built and tested anywhere.
+/// The live picture of organ and instrument. On a platform without OpenGL ("offscreen") it shows a sentence
+/// instead, so that everything around it works and can be tested anywhere. GUI thread.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -33,37 +33,37 @@ class SceneView : public QWidget {
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
 
-  /// Before the application object exists: OpenGL, shared by all windows. A view that is put into another
-  /// window loses its scene graph otherwise.
+  /// Selects OpenGL with contexts shared by all windows; call before the application object exists. Otherwise
+  /// a view moved to another window loses its scene graph.
   static void prepareGraphics();
-  /// Gives a window, before it is first shown, the kind of surface that scenes are drawn on. Without it the
-  /// first scene that appears in it makes the window anew: it flickers, and the keyboard is lost.
+  /// Sets a window's surface type for scenes before it is first shown. Otherwise its first scene recreates
+  /// the window, which flickers and loses keyboard focus.
   static void prepareWindow(QWidget& window);
-  /// False on platforms that cannot draw the scene.
+  /// Returns false on platforms that cannot draw scenes.
   [[nodiscard]] static bool platformCanRender();
 
   void setScene(const ViewScene& view);
-  /// Lets go of the scene, so that two are never in memory; until the next one it says that one is loading.
+  /// Releases the scene, so that there are never two in memory; shows a loading message until the next one.
   void forgetScene();
   void setInstrument(const InstrumentParts& parts);
-  /// Moves the skin; does nothing when the state is the shown one.
+  /// Moves the skin; no effect if the state is already shown.
   void setOrgan(const OrganState& state);
-  /// Moves the skin, with the dents under the instrument and the force that the tissue answers with.
+  /// Moves the skin, with dents under the instrument and the tissue's reaction force.
   void setTissue(const LiveState& state);
-  /// An arrow at a world point along the force on the tool; nothing below what a hand feels.
+  /// Shows an arrow at a world point along the force on the tool; nothing below what a hand feels.
   void setForce(const Vec3& at_m, const Vec3& force_N);
   /// Colours the skin by shear stress, with a legend.
   void setShearVisible(bool visible);
   [[nodiscard]] bool shearVisible() const noexcept { return shearVisible_; }
   void setMarkersVisible(bool visible);
-  /// Other markers than the scene came with.
+  /// Replaces the scene's markers.
   void setMarkers(std::vector<SkinAnchor> markers);
-  /// A translucent organ at the pose to reach; nothing: none.
+  /// Shows a translucent organ at the target pose; empty: none.
   void setGhost(const std::optional<OrganState>& state);
   /// `grip`: 0 open .. 1 closed.
   void setTool(const Pose& pose, double grip);
   void setToolVisible(bool visible);
-  /// What lies behind the organ; seen from the front it means something.
+  /// Shows or hides what is behind the organ; it is meant for the front view.
   void setSurroundingsVisible(bool visible);
   void setWireframe(bool visible);
   void setLattice(bool visible);
@@ -72,27 +72,27 @@ class SceneView : public QWidget {
 
   [[nodiscard]] OrbitCamera& camera() noexcept { return camera_; }
   [[nodiscard]] const OrbitCamera& camera() const noexcept { return camera_; }
-  /// Hands a changed camera to the scene graph.
+  /// Passes the camera to the scene graph.
   void applyCamera();
   /// Shows the whole organ from the camera's present direction.
   void frameOrgan();
 
-  /// Draws once more, although nothing changed.
+  /// Draws once more without a change.
   void redraw();
-  /// Whether a redraw() will end in frameDrawn().
+  /// Returns whether a redraw() will lead to frameDrawn().
   [[nodiscard]] bool draws() const;
-  /// Frames drawn so far; the window measures its rate from it.
+  /// Returns the number of frames drawn, from which the window computes its rate.
   [[nodiscard]] std::int64_t framesDrawn() const noexcept { return canvas_->framesDrawn(); }
-  /// Name of the renderer: "llvmpipe ...", empty before the first frame.
+  /// Returns the renderer's name: "llvmpipe ..."; empty before the first frame.
   [[nodiscard]] const QString& renderer() const noexcept { return canvas_->renderer(); }
-  /// The picture as it is now, in device pixels; null without a renderer.
+  /// Returns the present picture in device pixels; null without a renderer.
   [[nodiscard]] QImage picture();
 
  Q_SIGNALS:
   void cameraChanged();
-  /// A frame is drawn and the window is about to be put together anew: what is to change with the picture and
-  /// is marked for painting now costs nothing more, while on a software renderer each putting together takes
-  /// as long as a frame. The renderer is still at work: nothing may be shown, hidden or drawn at once.
+  /// Emitted when a frame has been drawn and the window is about to be composed. Marking widgets for painting
+  /// now is free, whereas with a software renderer each extra composition takes as long as a frame. The
+  /// renderer is still active: do not show, hide or draw anything synchronously.
   void frameDrawn();
 
  protected:
@@ -100,9 +100,9 @@ class SceneView : public QWidget {
 
  private:
   void showSkin();
-  /// Tells whether the organ lies otherwise than it is shown.
+  /// Returns whether the state differs from the one shown.
   [[nodiscard]] bool moves(const OrganState& state) const;
-  /// Computes the vertices: of the state, or of the shape that an asynchronous model has delivered.
+  /// Computes the vertices from the state, or from the latest shape of an asynchronous model.
   void deformSkin(const OrganState& state);
   void paintSkin();
   void showSurroundings();
@@ -119,16 +119,16 @@ class SceneView : public QWidget {
   ViewScene view_;
   std::vector<Vec3> deformed_m_;
   std::optional<OrganState> shown_;
-  std::int64_t shapeShown_ = 0;  // of ViewScene::shape
+  std::int64_t shapeShown_ = 0;  // number of the ViewScene::shape shown
   bool dented_ = false;
   bool shearVisible_ = false;
   bool markersVisible_ = false;
   std::vector<float> shearShare_;
-  std::vector<std::array<float, 3>> colours_;  // one a vertex
+  std::vector<std::array<float, 3>> colours_;  // one per vertex
   OrbitCamera camera_;
   QVector3D organCentre_;
   float organRadius_ = 100.0F;
-  float organBack_ = 0.0F;  // mm: the farthest that it reaches from a viewer in front
+  float organBack_ = 0.0F;  // mm: greatest depth, seen from the front
   bool wireframe_ = false;
   bool latticeVisible_ = false;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scene graph only: what is drawn and how it is lit. SceneView (C++) sets every property.
+// The scene graph: models, materials and lights. SceneView (C++) sets every property.
 import QtQuick
 import QtQuick3D
 import Torsio.Scene
@@ -31,7 +31,7 @@ Item {
     property alias arrowFoot: arrowFootGeometry
     property alias organEdge: organEdgeGeometry
     property alias solidEdge: solidEdgeGeometry
-    // Each with its colour and kind of surface: 0 plastic, 0.25 cloth, 1 steel, -1 of one colour whatever the light.
+    // Each with colour and surface kind: 0 plastic, 0.25 cloth, 1 steel, -1 unlit.
     readonly property var solids: [shaftModel, upperJawModel, lowerJawModel, handModel, sleeveModel,
                                    drapeModel, portBodyModel, portSealModel, arrowStemModel, arrowHeadModel, arrowFootModel]
 
@@ -47,14 +47,14 @@ Item {
     property bool toolVisible: true
     property bool handVisible: false
     property bool portVisible: false
-    property real portAlong: 100     // mm from the tip: where the shaft goes through the port
+    property real portAlong: 100     // mm from the tip, where the shaft passes the port
 
     property vector3d surroundingsPosition
     property bool surroundingsVisible: true
     property bool drapeVisible: false     // over the upper arm
     property bool mesenteryVisible: false
-    property real surroundingsSize: 100   // mm: side of the square
-    property real shadowShare: 1          // of the square by the side of the shadow on it
+    property real surroundingsSize: 100   // side of the square, mm
+    property real shadowShare: 1          // ratio of the sides of square and shadow
     property color gloveColour: "#8fb3cf"
     property color gownColour: "#7fa9b5"
     property color clothColour: "#aecfcc"
@@ -68,7 +68,7 @@ Item {
     property real foldDepth: 0
     property real poreDepth: 0
     property vector3d relief
-    property real paintedRelief: 0     // mm from black to white of the painted skin's fourth channel
+    property real paintedRelief: 0     // range of the painted skin's fourth channel, mm
     property bool stressVisible: false
     property color wireColour: "#20323c"
     property color latticeColour: "#12303c"
@@ -79,7 +79,7 @@ Item {
     property vector3d forcePosition
     property quaternion forceRotation
     property real forceLength: 20     // mm
-    property real forceThickness: 1   // mm: of the shaft of the arrow
+    property real forceThickness: 1   // of the arrow's shaft, mm
     property color forceColour: "#9a5b00"
     property bool markersVisible: false
     property color markerColour: "#0b6384"
@@ -89,20 +89,20 @@ Item {
     property bool wireVisible: false
     property bool latticeVisible: false
     property bool graspVisible: true
-    property bool fine: false        // antialiasing, shadow, ambient occlusion and the film of moisture
-    property bool best: false        // of the fine level: as much of it as a graphics card can do
+    property bool fine: false        // antialiasing, shadow, ambient occlusion and moisture
+    property bool best: false        // the fine level with maximum settings
 
-    // Where the lamps stand, as the fast level's shader wants it.
+    // Positions of the lamps for the fast level's shader.
     readonly property vector3d lampDirection: Qt.vector3d(-0.27, 0.788, 0.553)
     readonly property vector3d shaftDirection: root.toolRotation.times(Qt.vector3d(0, 0, 1))
     readonly property vector3d lensDirection: root.cameraRotation.times(Qt.vector3d(-0.54, 0.24, 0.80))
 
-    // Plastic, rubber and steel in the light of the same two lamps and a room of a few colours.
+    // Plastic, rubber and steel, lit by the same two lamps and a room of a few colours.
     component Solid: CustomMaterial {
         property color colour
         property vector3d own: Qt.vector3d(colour.r, colour.g, colour.b)
         property real surface: 0
-        property real scratches: 0       // how far they tilt the steel
+        property real scratches: 0       // tilt of the steel
         property vector3d lampDirection
         property vector3d lensDirection
         property vector3d shaftDirection
@@ -114,8 +114,8 @@ Item {
     View3D {
         id: view
         anchors.fill: parent
-        // Straight into the picture: a picture of its own would be drawn and copied. Antialiasing needs one;
-        // the fast level has soft edges instead.
+        // Directly into the window, which saves a copy. Antialiasing needs an offscreen buffer; the fast level
+        // has soft edges instead.
         renderMode: root.fine ? View3D.Offscreen : View3D.Inline
         camera: camera
 
@@ -140,7 +140,7 @@ Item {
             clipNear: root.cameraNear
             clipFar: root.cameraFar
 
-            // The lamp beside the lens goes along: no side of the organ is ever without form.
+            // The lamp beside the lens moves with the camera, so that every side of the organ is shaded.
             DirectionalLight {
                 eulerRotation: Qt.vector3d(-14, 34, 0)
                 color: "#fbf4ef"
@@ -148,7 +148,7 @@ Item {
             }
         }
 
-        // The operating lamp stays where the room has it.
+        // The operating lamp is fixed in the room.
         DirectionalLight {
             eulerRotation: Qt.vector3d(-52, -26, 0)
             color: "#fff4ea"
@@ -159,8 +159,8 @@ Item {
             shadowBias: 4
             shadowFilter: root.best ? 10 : 6
         }
-        // Beside the materials and before them: Qt Quick 3D tells a material when its texture goes, also one
-        // that is gone already.
+        // Outside of the materials and before them: Qt Quick 3D notifies a material of its texture's destruction
+        // even if the material has been destroyed.
         Texture {
             id: groundTexture
             textureData: SurroundingsTexture { id: surroundingsData }
@@ -188,7 +188,7 @@ Item {
             mipFilter: Texture.Linear
         }
 
-        // The fast level: the painted skin in the light of the same lamps, without a picture of the room.
+        // The fast level: the painted skin, lit by the same lamps without the light probe.
         CustomMaterial {
             id: plainTissue
             shadingMode: CustomMaterial.Unshaded
@@ -236,7 +236,7 @@ Item {
             property real bumpMiddle: root.relief.y
             property real bumpSmall: root.relief.z
         }
-        // A map is read by its colours: light makes them darker, never others.
+        // A map is read by its colours: light may darken them, but not change their hue.
         CustomMaterial {
             id: stressMap
             shadingMode: CustomMaterial.Unshaded
@@ -255,7 +255,7 @@ Item {
             property vector3d lampDirection: root.lampDirection
         }
 
-        // What lies behind the organ, under the organ's shadow: no lamp is asked, at either level.
+        // The square behind the organ, with its shadow: unlit at both levels.
         Model {
             objectName: "surroundings"
             visible: root.surroundingsVisible
@@ -264,8 +264,8 @@ Item {
             id: surroundingsModel
             scale: Qt.vector3d(0.01 * beyond * root.surroundingsSize, 0.01 * beyond * root.surroundingsSize, 1)
             readonly property real beyond: 4    // a view may be much wider than high
-            // Drawn last, as far away as can be: where something stands it costs nothing, and it hides
-            // nothing, also where the instrument comes from behind.
+            // Drawn last and farthest away: it costs nothing where it is covered, and hides nothing, even if
+            // the instrument comes from behind.
             depthBias: 100000
             castsShadows: false
             receivesShadows: false
@@ -282,7 +282,7 @@ Item {
             }
         }
 
-        // Over the square and behind all else: the mesentery of a loop of bowel, for the eye only.
+        // The mesentery of a loop of bowel: in front of the square and behind everything else, visual only.
         Model {
             objectName: "mesentery"
             visible: root.mesenteryVisible && root.surroundingsVisible
@@ -316,7 +316,7 @@ Item {
             roughness: 0.95
             specularAmount: 0.1
         }
-        // The drape goes on over the upper arm.
+        // The drape over the upper arm.
         Model {
             id: drapeModel
             objectName: "drape"
@@ -335,7 +335,7 @@ Item {
             castsShadows: root.fine
             materials: root.stressVisible ? stressMap : root.fine ? livingTissue : plainTissue
         }
-        // A pixel along the edge of organ and solid things that fades out: smooth without antialiasing.
+        // Soft edges of organ and solids, one pixel wide: smooth without antialiasing.
         Model {
             objectName: "organEdge"
             visible: !root.fine
@@ -394,7 +394,7 @@ Item {
             }
         }
 
-        // The pose to reach, as a film over the scene.
+        // The target pose, translucent.
         Model {
             visible: root.ghostVisible
             geometry: OrganGeometry { id: ghostGeometry }
@@ -407,7 +407,7 @@ Item {
             }
         }
 
-        // The force of the tissue on the instrument: a shaft with a head, standing on the contact.
+        // The force of the tissue on the instrument: an arrow at the contact.
         Node {
             id: forceArrow
             visible: root.forceVisible
@@ -424,7 +424,7 @@ Item {
                 lensDirection: root.lensDirection
                 shaftDirection: root.shaftDirection
             }
-            // Bodies of revolution about z, one long and one in radius.
+            // Bodies of revolution about z, of unit length and unit radius.
             Model {
                 id: arrowStemModel
                 readonly property color colour: root.forceColour
@@ -503,7 +503,7 @@ Item {
                 castsShadows: root.fine
                 materials: root.fine ? insulation : plainInsulation
             }
-            // The surgeon's hand holds the end of the shaft where nothing hides it.
+            // The surgeon's hand at the end of the shaft, if visible.
             PrincipledMaterial {
                 id: glove
                 baseColor: root.gloveColour
@@ -527,7 +527,7 @@ Item {
                 castsShadows: root.fine
                 materials: root.fine ? glove : plainGlove
             }
-            // The sleeve of the gown, from the cuff on out of the picture.
+            // The sleeve of the gown, from the cuff out of the picture.
             PrincipledMaterial {
                 id: gown
                 baseColor: root.gownColour
@@ -552,7 +552,7 @@ Item {
                 materials: root.fine ? gown : plainGown
             }
 
-            // The port in the wall of the abdomen: sleeve and funnel, and the seal round the shaft.
+            // The port in the abdominal wall: sleeve, funnel, and the seal around the shaft.
             Node {
                 visible: root.portVisible
                 z: root.portAlong

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kWaySteps = 36;
 
-/// Nunez, Anderton, Renslow: Optimizing colormaps (PLOS ONE 2018), every sixth part of cividis.
+/// Nunez, Anderton, Renslow: Optimizing colormaps (PLOS ONE 2018), seven equidistant stops of cividis.
 constexpr std::array<std::array<float, 3>, 7> kCividis{{{0.000F, 0.135F, 0.305F},
                                                         {0.148F, 0.245F, 0.423F},
                                                         {0.321F, 0.348F, 0.427F},
@@ -38,7 +38,7 @@ ShearMap::ShearMap(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)
     if (parts[v] != LatticePart::kSide) {
       continue;
     }
-    // In patches, from the centre of the first one.
+    // In units of patches, from the centre of the first one.
     const double along = coordinates[v].arc_m / lattice.length_m() * rows - 0.5;
     const double about = coordinates[v].angle_rad / kTurn * ridges - 0.5;
     const auto row = static_cast<int>(std::floor(along));

@@ -63,7 +63,7 @@ void StressLegend::paintEvent(QPaintEvent*) {
   painter.setPen(theme_->text);
   painter.drawText(QRect(kSpace, kSpace - 2, width() - 2 * kSpace, line), Qt::AlignLeft | Qt::AlignVCenter,
                    tr("Shear stress"));
-  // Row by row and not smoothed, which would mix each colour with the ground.
+  // Row by row and without antialiasing, which would mix each colour with the background.
   painter.setRenderHint(QPainter::Antialiasing, false);
   const QRect bar(kSpace, 2 * kSpace + line, kBarWidth, kBarHeight);
   for (int y = 0; y < bar.height(); ++y) {

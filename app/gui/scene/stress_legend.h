@@ -7,8 +7,8 @@
 
 namespace torsio::gui {
 
-/// What the colours of the shear map mean: a bar with figures, over the scene. Says the same in its
-/// accessible description.
+/// Legend of the shear map: a colour bar with numbers, over the scene. Its accessible description says the
+/// same.
 class StressLegend : public QWidget {
   Q_OBJECT
 

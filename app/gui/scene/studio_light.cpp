@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kLevels = 6;
-constexpr float kRoughnessPerLevel = 0.2F;  // as the renderer chooses its level
+constexpr float kRoughnessPerLevel = 0.2F;  // the renderer's choice of levels
 
 float dotOf(const Direction& a, const Direction& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -64,7 +64,7 @@ const std::array<Lamp, 4>& lamps() {
   return kLamps;
 }
 
-/// The i-th of n well spread points of the unit square (Hammersley).
+/// Returns the i-th of n evenly distributed points of the unit square (Hammersley).
 std::array<float, 2> spreadPoint(int i, int n) {
   auto bits = static_cast<std::uint32_t>(i);
   bits = (bits << 16U) | (bits >> 16U);
@@ -75,7 +75,7 @@ std::array<float, 2> spreadPoint(int i, int n) {
   return {(static_cast<float>(i) + 0.5F) / static_cast<float>(n), static_cast<float>(bits) * 0x1p-32F};
 }
 
-/// A direction given by its angle from `pole` and its turn about it.
+/// Returns the direction at an angle from `pole` and a turn about it.
 Direction around(const Direction& pole, float cosine, float turn) {
   const Direction other = std::abs(pole[1]) < 0.9F ? Direction{0, 1, 0} : Direction{1, 0, 0};
   const Direction side = unit(crossOf(other, pole));
@@ -88,7 +88,7 @@ Direction around(const Direction& pole, float cosine, float turn) {
   return d;
 }
 
-/// Direction through a pixel of a side, sides in the order +x -x +y -y +z -z of a cube map.
+/// Returns the direction through a pixel of a cube map's side, sides in the order +x -x +y -y +z -z.
 Direction throughPixel(int side, int row, int column, int across) {
   const float s = 2.0F * (static_cast<float>(column) + 0.5F) / static_cast<float>(across) - 1.0F;
   const float t = 2.0F * (static_cast<float>(row) + 0.5F) / static_cast<float>(across) - 1.0F;
@@ -124,7 +124,7 @@ std::string fileHead(int across) {
   constexpr std::uint32_t kHalfFloat = 0x140B;
   constexpr std::uint32_t kRgba = 0x1908;
   constexpr std::uint32_t kRgbaOfHalves = 0x881A;
-  // This note tells the renderer that the levels are filtered already.
+  // Tells the renderer that the levels are already filtered.
   std::string note("QT_IBL_BAKER_VERSION\0001\000", 23);
   const auto noteLength = static_cast<std::uint32_t>(note.size());
   note.append((4 - note.size() % 4) % 4, '\0');
@@ -141,7 +141,7 @@ std::string fileHead(int across) {
 }  // namespace
 
 Radiance studioRadiance(const Direction& direction) {
-  // Ceiling, walls, floor: a little warm from below, where tissue lights tissue.
+  // Ceiling, walls, floor: slightly warm from below, from light reflected by tissue.
   const float t = 0.5F + 0.5F * direction[1];
   const Radiance below{0.26F, 0.225F, 0.21F};
   const Radiance above{0.62F, 0.65F, 0.68F};

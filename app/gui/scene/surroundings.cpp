@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kSide_px = 1024;
 constexpr int kGround_px = 512;
-// In radii of the organ: the arm table, the towel on it, and the ring that holds the abdomen open.
+// In radii of the organ: the arm table, the towel on it, and the retractor ring.
 constexpr double kTable = 1.42;
 constexpr double kTowelRight = 0.62;
 constexpr double kTowelUp = 1.62;
@@ -29,7 +29,7 @@ double eased(double low, double high, double value) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Cloth is green-blue, tissue out of the light is pale or dark with the theme, never as red as the organ.
+/// Cloth is green-blue; tissue in shade is pale or dark with the theme, never as red as the organ.
 QColor towelOf(const Theme& theme) {
   return theme.kind == ThemeKind::kDark ? QColor(0x2A, 0x4A, 0x50) : QColor(0xC2, 0xDC, 0xDB);
 }
@@ -38,17 +38,17 @@ QColor cavityOf(const Theme& theme) {
   return theme.kind == ThemeKind::kDark ? QColor(0x2B, 0x24, 0x29) : QColor(0xD6, 0xCA, 0xCF);
 }
 
-/// Height of the cloth, in radii: broad folds that run down the table, and small ones across them.
+/// Height of the cloth, in radii: broad folds down the table, and small ones across.
 double clothHeight(double u, double v) {
   return 0.026 * static_cast<double>(tissueNoise({1.9 * u, 0.55 * v, 0.0})) +
          0.0075 * static_cast<double>(tissueNoise({5.2 * u + 1.5 * v, 1.7 * v - u, 7.0})) +
          0.00045 * static_cast<double>(tissueNoise({27.0 * u, 25.0 * v, 3.0}));
 }
 
-/// How bright cloth is where the lamp comes from the upper left: slopes, and the creases of its packing.
+/// Brightness of the cloth, lit from the upper left: slopes and fold creases.
 double clothLight(double u, double v) {
   constexpr double kStep = 0.012;
-  constexpr double kCrease = 1.06;  // from one crease to the next
+  constexpr double kCrease = 1.06;  // between creases
   const double right = (clothHeight(u + kStep, v) - clothHeight(u - kStep, v)) / (2.0 * kStep);
   const double up = (clothHeight(u, v + kStep) - clothHeight(u, v - kStep)) / (2.0 * kStep);
   double light = 1.0 - 0.95 * right + 0.75 * up;
@@ -59,7 +59,7 @@ double clothLight(double u, double v) {
   return light;
 }
 
-/// The operating lamp's pool.
+/// Light of the operating lamp.
 double lampLight(double u, double v) {
   return 1.07 - 0.17 * eased(0.35, 2.1, std::hypot(u + 0.12, v - 0.15));
 }
@@ -71,20 +71,20 @@ QRgb shown(const QColor& colour, double light) {
   return qRgb(channel(colour.red()), channel(colour.green()), channel(colour.blue()));
 }
 
-/// How much of the light the draped upper arm takes from the table beside it.
+/// Shade of the draped upper arm on the table beside it.
 double shadeOfUpperArm(double u, double v) {
   const double beside = (u - 0.13) / 0.26;
   return 0.34 * std::exp(-beside * beside) * eased(0.62, 1.05, -v);
 }
 
 QRgb drapeAt(double u, double v, const Theme& theme, bool arm) {
-  // Beyond the table it hangs down into the dark of the room.
+  // Beyond the table, it hangs down into the dark.
   const double edge = kTable + 0.03 * static_cast<double>(tissueNoise({1.3 * v, 2.0, u > 0.0 ? 1.0 : 5.0}));
   const double over = std::abs(u) - edge;
   const double hangs = eased(-0.02, 0.05, over);
   double light = clothLight(u, v) * lampLight(u, v) * (1.0 - hangs * (0.34 + 0.20 * eased(0.0, 1.2, over)));
-  light += 0.07 * std::exp(-0.5 * std::pow((over + 0.05) / 0.03, 2.0));  // where it bends over the edge
-  // A towel under the limb: its hem, and a narrow shade round it.
+  light += 0.07 * std::exp(-0.5 * std::pow((over + 0.05) / 0.03, 2.0));  // at the edge of the table
+  // A towel under the limb: its hem, with a narrow shade round it.
   const double outside = std::max(std::abs(u) - kTowelRight, std::abs(v) - kTowelUp);
   const double towel = 1.0 - eased(-0.004, 0.010, outside);
   light *= 1.0 - 0.16 * (1.0 - towel) * std::exp(-std::max(outside, 0.0) / 0.035);
@@ -104,7 +104,7 @@ QRgb cavityAt(double u, double v, const Theme& theme) {
     return shown(clothColour(theme),
                  clothLight(u, v) * lampLight(u, v) * (0.80 + 0.10 * eased(1.0, 1.2, ring)));
   }
-  // Two lattices that lie askew: a single one shows as squares.
+  // Two lattices at an angle: a single one would show squares.
   const double uneven = 0.020 * static_cast<double>(tissueNoise({2.1 * u + 0.9 * v, 2.2 * v - u, 0.0})) +
                         0.018 * static_cast<double>(tissueNoise({1.2 * u - 2.6 * v, 2.4 * u + v, 4.0})) +
                         0.007 * static_cast<double>(tissueNoise({7.0 * u + 4.0 * v, 6.0 * v - 5.0 * u, 7.0}));
@@ -126,7 +126,7 @@ QImage paintGround(Surroundings kind, const Theme& theme) {
   return image.scaled(kSide_px, kSide_px, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
-/// The ring of steel that holds the abdomen open.
+/// Draws the steel ring that holds the abdomen open.
 void drawRing(QPainter& painter, const Theme& theme) {
   const bool dark = theme.kind == ThemeKind::kDark;
   painter.setBrush(Qt::NoBrush);

@@ -12,39 +12,39 @@ namespace torsio::gui {
 
 struct Theme;
 
-/// What lies behind an organ in the operating room.
+/// What is behind an organ in the operating room.
 enum class Surroundings : std::uint8_t {
-  kDrape,             ///< a limb or a testis on a draped table
-  kArm,               ///< the same; the upper arm lies under the drape
-  kStomach,           ///< the opened abdomen about a stomach with oesophagus and bulb: where both go on, and
-                      ///< liver, spleen and colon in outline
-  kTurnedAntrum,      ///< the same without the way from the bulb into the duodenum
-  kBareStomach,       ///< the opened abdomen about a stomach without them: they are drawn up to it
-  kBareTurnedAntrum,  ///< the same without the way from pylorus to duodenum
-  kIntestine,         ///< the opened abdomen: loops of bowel in outline
-  kBowelLoop,  ///< the same about a loop of small bowel, which goes on at its feet and has its mesentery
-  kPelvis,     ///< the opened abdomen below: descending colon, rectum, bladder and small bowel in outline
+  kDrape,    ///< a limb or a testis on a draped table
+  kArm,      ///< like kDrape, with the upper arm under the drape
+  kStomach,  ///< open abdomen with a stomach whose mesh includes oesophagus and bulb: continues both, with
+             ///< outlines of liver, spleen and colon
+  kTurnedAntrum,      ///< like kStomach, without continuing the bulb to the duodenum
+  kBareStomach,       ///< open abdomen with a stomach without them: both are drawn up to it
+  kBareTurnedAntrum,  ///< like kBareStomach, without the way from pylorus to duodenum
+  kIntestine,         ///< open abdomen: loops of bowel in outline
+  kBowelLoop,  ///< like kIntestine, with a loop of small bowel, continued at its feet, and its mesentery
+  kPelvis,     ///< open lower abdomen: descending colon, rectum, bladder and small bowel in outline
 };
 
-/// Chooses by the scene's id, as tissueLook() does; anything unknown lies on a drape. `former`: the former
-/// state of the scene (SceneRequest::former).
+/// Returns the surroundings for a scene's id, like tissueLook(); unknown ones get a drape. `former`: the
+/// former state of the scene (SceneRequest::former).
 [[nodiscard]] Surroundings surroundingsOf(std::string_view sceneId, bool former = false);
 
-/// Of the drapes.
+/// Returns the colour of drapes.
 [[nodiscard]] QColor clothColour(const Theme& theme);
 
-/// Half of the side of the painted square, in radii of the organ.
+/// Half side of the painted square, in radii of the organ.
 inline constexpr float kSurroundingsReach = 3.2F;
 
-/// Whether an instrument comes to the organ through a port, as into an abdomen.
+/// Returns whether the instrument enters through a port, as in an abdomen.
 [[nodiscard]] bool throughPort(Surroundings kind) noexcept;
 
 /// Paints the square behind an organ seen from the front: cloth or tissue in the light of the operating lamp,
-/// and outlines. The same picture on every machine; its lightness follows the theme's backdrop, so that what
-/// stands out from that stands out from this. The organ's shadow is not on it (OrganShadow).
+/// and outlines. Identical on every machine; its lightness follows the theme's backdrop, so that the same
+/// things stand out from both. Without the organ's shadow (OrganShadow).
 [[nodiscard]] QImage paintSurroundings(Surroundings kind, const Theme& theme);
 
-/// The painted square as a picture for the graphics card. GUI thread.
+/// The painted square as a texture. GUI thread.
 class SurroundingsTexture : public QQuick3DTextureData {
   Q_OBJECT
 

@@ -8,16 +8,16 @@
 
 namespace torsio::gui {
 
-/// The one border between the simulation's frame (metres, LPS: x left, y back, z up) and the scene graph's
-/// (millimetres, y up, z towards the viewer who stands in front of the patient).
+/// Conversion between the simulation's frame (metres, LPS: x left, y back, z up) and the scene graph's (mm, y
+/// up, z towards a viewer in front of the patient). The only place where it is done.
 inline constexpr float kViewUnitsPerMetre = 1000.0F;
 
-/// A direction: turned, not scaled.
+/// Converts a direction: rotates without scaling.
 [[nodiscard]] inline QVector3D toViewDirection(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.z), static_cast<float>(-v.y)};
 }
 
-/// A point in metres.
+/// Converts a point in metres.
 [[nodiscard]] inline QVector3D toView(const Vec3& point_m) {
   return toViewDirection(point_m) * kViewUnitsPerMetre;
 }
@@ -30,17 +30,17 @@ inline constexpr float kViewUnitsPerMetre = 1000.0F;
   return fromViewDirection(point_mm) / static_cast<double>(kViewUnitsPerMetre);
 }
 
-/// Camera or tool axes (x right, y up, z towards the viewer) in the world, for a node's rotation in the view
-/// frame; identity is a viewer in front of the patient.
+/// Converts camera or tool axes (x right, y up, z towards the viewer) from a node's rotation in the view
+/// frame to world axes; identity is a viewer in front of the patient.
 [[nodiscard]] inline Quat cameraToWorld(const QQuaternion& q) {
   constexpr double kHalfRoot =
-      0.70710678118654752;  // a quarter turn about x brings the view's y to the world's z
+      0.70710678118654752;  // a quarter turn about x maps the view's y to the world's z
   return Quat{kHalfRoot, kHalfRoot, 0.0, 0.0} * Quat{static_cast<double>(q.scalar()),
                                                      static_cast<double>(q.x()), static_cast<double>(q.y()),
                                                      static_cast<double>(q.z())};
 }
 
-/// The node's rotation for a tool whose own axes keep their names (z along its shaft).
+/// Converts the rotation of a tool to its node's, keeping the tool's axes (z along the shaft).
 [[nodiscard]] inline QQuaternion toolToView(const Quat& q) {
   constexpr double kHalfRoot = 0.70710678118654752;
   const Quat turned = Quat{kHalfRoot, -kHalfRoot, 0.0, 0.0} * q;

@@ -22,28 +22,28 @@
 
 namespace torsio::gui {
 
-/// What the view draws for one organ; made once beside the loading.
+/// The drawing data of an organ, created while loading.
 struct ViewScene {
   OrganSurface surface;
-  std::shared_ptr<const TissueSkin> skin;  ///< null where no scene can be drawn
+  std::shared_ptr<const TissueSkin> skin;  ///< null if scenes cannot be drawn
   LatticeLines lines;
   TissueLook look;
   Surroundings surroundings = Surroundings::kDrape;
-  ShearMap shear;                        ///< empty: no map can be shown
-  BloodMap blood;                        ///< empty: the tissue keeps its colour
-  std::vector<MesenteryHold> mesentery;  ///< of Surroundings::kBowelLoop; empty: none is drawn
-  std::vector<SkinAnchor> markers;       ///< empty: the organ has none
-  /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
+  ShearMap shear;                        ///< empty: no shear map
+  BloodMap blood;                        ///< empty: constant tissue colour
+  std::vector<MesenteryHold> mesentery;  ///< for Surroundings::kBowelLoop; otherwise empty
+  std::vector<SkinAnchor> markers;       ///< empty if the organ has none
+  /// Computes the vertices for a state of twist, one per vertex of the surface, metres. GUI thread.
   std::function<void(const OrganState&, std::span<Vec3>)> deform;
-  /// Where an asynchronous model answers: the number of its newest shape, 0 before the first, and the
-  /// vertices of that shape. GUI thread. Empty: `deform` tells all.
+  /// For an asynchronous model: number of its latest shape, 0 before the first, and that shape's vertices.
+  /// GUI thread. Empty: only `deform` is used.
   std::function<std::int64_t()> shapeNumber;
   std::function<void(std::span<Vec3>)> shape;
 };
 
-/// Surface, overlay lines and colours of a scene. Slow (fractions of a second); asks scene->collision, so
-/// call it before the servo runs.
-/// `tissue`: name by which the look is chosen, empty: the scene's id.
+/// Creates surface, overlay lines and colours of a scene. Slow (fractions of a second); uses
+/// scene->collision, so call it before the servo runs. `tissue`: name that selects the look; empty: the
+/// scene's id.
 [[nodiscard]] ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene,
                                       const std::string& tissue = {});
 

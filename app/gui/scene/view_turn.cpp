@@ -16,7 +16,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kKeyOrbit_px = 24.0;
-constexpr double kNotch = 120.0;  ///< of a wheel, eighths of a degree
+constexpr double kNotch = 120.0;  ///< of the wheel, eighths of a degree
 
 }  // namespace
 

@@ -13,9 +13,8 @@ namespace torsio::gui {
 
 class SceneView;
 
-/// Turns the camera of a scene view where nothing else is steered: dragging or the arrow keys turn it, the
-/// wheel or
-/// + and - zoom. A click that does not drag is told. Belongs to the view.
+/// Turns the camera of a scene view without an instrument: drag or arrow keys turn it, wheel or + and - zoom.
+/// Reports clicks without drag. Owned by the view.
 class ViewTurn : public QObject {
   Q_OBJECT
 
@@ -25,9 +24,9 @@ class ViewTurn : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  Q_SIGNALS:
-  /// The camera has another place.
+  /// The camera has moved.
   void turned();
-  /// The left button was pressed and let go at a pixel of the view.
+  /// The left button was clicked at a pixel of the view.
   void clicked(const QPointF& pixel);
 
  private:
@@ -36,20 +35,20 @@ class ViewTurn : public QObject {
   void zoom(double steps);
 
   SceneView& view_;
-  std::optional<QPointF> pressed_;  // where a button went down
+  std::optional<QPointF> pressed_;  // where a button was pressed
   QPointF last_;
   bool dragged_ = false;
 };
 
-/// A point of a mesh that a line of sight meets first.
+/// The first point of a mesh on a line of sight.
 struct SightHit {
   std::uint32_t face = 0;
   std::array<double, 3> barycentric{};
   double distance_mm = 0.0;  ///< from the ray's origin
 };
 
-/// Finds where a ray of the view frame meets a mesh at rest first; empty: nowhere. Looks at every triangle:
-/// under a millisecond for twenty thousand.
+/// Finds the first intersection of a ray of the view frame with a mesh at rest; empty: none. Tests every
+/// triangle: under a millisecond for twenty thousand.
 [[nodiscard]] std::optional<SightHit> sightHit(const TriangleMesh& mesh, const ViewRay& ray);
 
 }  // namespace torsio::gui

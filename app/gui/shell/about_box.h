@@ -7,7 +7,7 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Version and build, licence, and what Torsio is not: a medical device, a place for patient data.
+/// Version, build, licence, and the disclaimers: not a medical device, not for patient data.
 [[nodiscard]] QString aboutText();
 void showAboutBox(QWidget* parent);
 

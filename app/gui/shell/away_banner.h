@@ -12,24 +12,24 @@ class StationWriter;
 
 namespace torsio::gui {
 
-/// Says calmly that the database does not answer, and what becomes of the work meanwhile; asks for what had
-/// to wait once it answers again. GUI thread.
+/// Shows a database outage and its consequences for the present work; requests the deferred tasks when the
+/// database answers again. GUI thread.
 class AwayBanner : public QLabel {
   Q_OBJECT
 
  public:
-  /// `reconnect` brings the connection of the pages back; false: not yet.
+  /// `reconnect`: restores the connection of the pages; false: not yet.
   explicit AwayBanner(std::function<bool()> reconnect, QWidget* parent = nullptr);
 
-  /// A new line: nothing is known to wait.
+  /// Resets for a new writer: nothing is known to be waiting.
   void reset();
-  /// About once a second. `running`: a run goes on.
+  /// Call about once a second. `running`: a run is in progress.
   void follow(const StationWriter& line, bool running);
-  /// Recordings may wait in files.
+  /// Sets whether recordings may be waiting in files.
   void setSettleDue(bool due) noexcept { settleDue_ = due; }
 
  Q_SIGNALS:
-  /// The database will never take this many entries of the station.
+  /// The database has permanently rejected this number of the station's entries.
   void refused(int entries);
   void settleWanted();
 
@@ -39,7 +39,7 @@ class AwayBanner : public QLabel {
  private:
   std::function<bool()> reconnect_;
   std::size_t refusedTold_ = 0;
-  bool answered_ = true;  // at the last look
+  bool answered_ = true;  // at the last check
   bool settleDue_ = false;
 };
 

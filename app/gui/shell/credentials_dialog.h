@@ -8,7 +8,7 @@ class QLineEdit;
 
 namespace torsio::gui {
 
-/// Asks for somebody's name and password, for one act that not everybody may do.
+/// Asks for another user's name and password, for one action that needs special rights.
 class CredentialsDialog : public QDialog {
   Q_OBJECT
 

@@ -40,7 +40,7 @@ QToolButton* headerButton(QWidget* parent) {
   return button;
 }
 
-/// The keyboard goes to the first field of a page that has not chosen one itself.
+/// Focuses the first field of a page that has not chosen one.
 void focusInto(QWidget& page) {
   if (QWidget* chosen = page.focusWidget(); chosen != nullptr && chosen->isVisibleTo(&page)) {
     chosen->setFocus(Qt::OtherFocusReason);
@@ -55,7 +55,7 @@ void focusInto(QWidget& page) {
   }
 }
 
-/// Which of the groups (training, review, administration) an actor's home is in.
+/// Returns the group (training, review, administration) of an actor's home page.
 std::size_t homeGroup(const Actor& actor) {
   switch (homeOf(actor)) {
     case Home::kReview:
@@ -91,7 +91,7 @@ Desk::Desk(SessionContext& session, const DeskSetup& setup, QWidget* parent)
 Desk::~Desk() {
   context_.cancelJobs();
   disconnect(&context_, nullptr, this, nullptr);
-  // Pages refer to the context: they go first, wherever they stand in the tree of widgets.
+  // Pages refer to the context, so they are deleted first, regardless of the widget tree.
   for (const auto& [id, page] : made_) {
     delete page;
   }
@@ -124,7 +124,7 @@ void Desk::createRail(const std::vector<PageGroup>& groups) {
     if (group.items.empty()) {
       continue;
     }
-    // One's own work stands first.
+    // The user's own group comes first.
     shown.insert(g == own ? shown.begin() : shown.end(), std::move(group));
   }
   order_.clear();
@@ -133,7 +133,7 @@ void Desk::createRail(const std::vector<PageGroup>& groups) {
       order_.push_back(item.id);
     }
   }
-  // Whoever only draws the groups has one page to go to.
+  // An allocator has only one page.
   if (entries_.contains(PageId::kAllocation) && context_.may(Operation::kAllocationRun) &&
       !context_.may(Operation::kStudySetup)) {
     home_ = PageId::kAllocation;
@@ -208,7 +208,7 @@ QWidget* Desk::createBody() {
   stack_ = new QStackedWidget(body);
   column->addWidget(problem_);
   column->addWidget(stack_, 1);
-  column->addWidget(job_);  // below, so that its "Cancel" takes the place of no other button
+  column->addWidget(job_);  // at the bottom, so that its "Cancel" does not take another button's place
   toast_ = new Toast(body);
   return body;
 }
@@ -269,7 +269,7 @@ bool Desk::open(PageId id, const QVariant& argument) {
     rail_->setCurrent(id);
     problem_->hide();
     page->enter(argument);
-    // A page that says what it is in a heading of its own is not told twice.
+    // Not repeated for a page with its own title.
     const auto labels = page->findChildren<QLabel*>();
     title_->setHidden(std::any_of(labels.begin(), labels.end(), [page](const QLabel* label) {
       return label->property("heading").toBool() && label->isVisibleTo(page);
@@ -289,7 +289,7 @@ void Desk::openHome(const QString& lastPage) {
   if (!home_ || open(*home_)) {
     return;
   }
-  // The database went away in this very moment: better a page that needs none than none at all.
+  // The database failed at this very moment: rather a page without database than none.
   for (const PageId id : order_) {
     if (!factsOf(id).needsDatabase && open(id)) {
       return;

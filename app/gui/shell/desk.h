@@ -28,7 +28,7 @@ class ProblemPanel;
 class Rail;
 class Toast;
 
-/// Pages of one line of work: training, review, administration.
+/// Pages of one area: training, review, administration.
 struct PageGroup {
   std::function<QString()> title;
   std::vector<PageEntry> pages;
@@ -40,17 +40,17 @@ struct DeskSetup {
   Language language = Language::kEnglish;
   ThemeKind theme = ThemeKind::kLight;
   bool kiosk = false;
-  /// Makes everybody's pages, anew for each desk; the desk keeps what its actor may open.
+  /// Creates all pages, anew for each desk; the desk keeps those that its actor may open.
   std::function<std::vector<PageGroup>()> groups = [] { return std::vector<PageGroup>(); };
 };
 
-/// What a signed-in person works at: navigation, header, and one page at a time. It dies with the sign-out,
-/// and with it everything that was on it.
+/// The workplace of a signed-in person: navigation, header, and one page at a time. Destroyed on sign-out
+/// with everything in it.
 class Desk : public QWidget {
   Q_OBJECT
 
  public:
-  /// `session` outlives the desk.
+  /// `session` must outlive the desk.
   Desk(SessionContext& session, const DeskSetup& setup, QWidget* parent = nullptr);
   ~Desk() override;
 
@@ -59,22 +59,22 @@ class Desk : public QWidget {
   /// Empty before the first page.
   [[nodiscard]] std::optional<PageId> pageId() const noexcept { return currentId_; }
 
-  /// False: the present page is busy or not finished (the user has been told), or the page is not the
-  /// actor's.
+  /// Opens a page. False: the present page is busy or unfinished (the user has been told), or the actor may
+  /// not open it.
   bool open(PageId id, const QVariant& argument = {});
-  /// Opens the first page of one's own work; for an administrator the page with this text, where it is among
-  /// those to choose from.
+  /// Opens the first page of the actor's own group; for an administrator, the page with this id if it is
+  /// available.
   void openHome(const QString& lastPage = {});
-  /// A scored run goes on: no lock, no sign-out, no closing.
+  /// True during a scored run: no lock, no sign-out, no closing.
   [[nodiscard]] bool busy() const;
-  /// Whether the desk may be left now; says why not.
+  /// Returns whether the desk may be left now; tells the user why not.
   [[nodiscard]] bool mayLeave();
 
-  /// The database was away and answers again: the page that is shown tries again, and nobody is told any more
-  /// that it does not answer.
+  /// Called when the database answers after an outage: the present page tries again, and messages about the
+  /// outage close.
   void databaseAnswered();
 
-  /// Marks the chosen language and theme in the header; the colours of all pages follow.
+  /// Shows language and theme in the header; sets the colours of all pages.
   void setLanguage(Language language);
   void setThemeKind(ThemeKind kind);
   [[nodiscard]] Rail& rail() noexcept { return *rail_; }

@@ -72,7 +72,7 @@ void DialogLock::uncover() {
 void DialogLock::closeOthers() {
   const std::vector<QDialog*> open = openDialogs();
   hide();
-  // The newest first: each returns to the one that opened it.
+  // Newest first: each returns to the one that opened it.
   for (auto dialog = open.rbegin(); dialog != open.rend(); ++dialog) {
     (*dialog)->done(QDialog::Rejected);
   }

@@ -9,9 +9,8 @@ namespace torsio::gui {
 
 class LockPanel;
 
-/// The lock of a place where dialogs stand open. They would be readable beside the window's lock panel, and
-/// keep it out of reach: so each is covered, and a lock panel of their own stands above them. What was typed
-/// in them stays. GUI thread.
+/// The lock of a place with open dialogs, which would stay readable beside the window's lock panel and block
+/// it: covers each dialog and shows a separate lock panel above them. Their input is kept. GUI thread.
 class DialogLock : public QDialog {
   Q_OBJECT
 
@@ -19,13 +18,12 @@ class DialogLock : public QDialog {
   explicit DialogLock(QWidget* window);
 
   [[nodiscard]] LockPanel& panel() const noexcept { return *panel_; }
-  /// Covers the open dialogs and asks above them; does nothing when there are none.
+  /// Covers the open dialogs and shows the lock panel; no effect if there are none.
   void cover();
   void uncover();
-  /// Closes all open dialogs as if given up, without a question. Whoever waits for them goes on only when the
-  /// event loop comes round.
+  /// Rejects all open dialogs without asking. Their callers continue when the event loop runs.
   void closeOthers();
-  /// Escape opens no lock.
+  /// Escape must not unlock.
   void reject() override {}
 
  protected:

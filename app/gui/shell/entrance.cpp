@@ -119,7 +119,7 @@ void Entrance::change(const QString& login, const QString& oldPassword, const QS
       [this](const std::exception_ptr& problem) { password_->say(problemSentence(problem)); });
 }
 
-/// Only somebody who may change the centre's settings gets out of the kiosk.
+/// Leaves kiosk mode; needs the right to change the centre's settings.
 void Entrance::leaveKiosk() {
   CredentialsDialog dialog(tr("Leave kiosk mode"),
                            tr("An administrator ends the kiosk with name and password."), window_);

@@ -14,28 +14,28 @@ class OpenRecord;
 class PasswordPanel;
 class SignInPanel;
 
-/// The way in: name and password, PIN, card or guest, a start password that must be changed, and out of the
-/// kiosk. Everything is checked off the GUI thread. GUI thread.
+/// Sign-in with name and password, PIN, card or as a guest; change of a start password; leaving the kiosk.
+/// All checks are off the GUI thread. GUI thread.
 class Entrance : public QObject {
   Q_OBJECT
 
  public:
-  /// `background` and `record` outlive it.
+  /// `background` and `record` must outlive it.
   Entrance(Background& background, OpenRecord& record, QWidget* window);
 
   [[nodiscard]] SignInPanel& signIn() const noexcept { return *signIn_; }
   [[nodiscard]] PasswordPanel& password() const noexcept { return *password_; }
-  /// Whoever is signed in chooses another password.
+  /// Lets the signed-in user choose another password.
   void changeOwnPassword();
   void setWorking(bool working);
 
  Q_SIGNALS:
   /// The session has its actor.
   void entered();
-  /// Of whoever is signed in.
+  /// The signed-in user's password was changed.
   void passwordChanged();
   void passwordWanted();
-  /// An administrator ends the kiosk.
+  /// An administrator has ended the kiosk.
   void kioskEnded();
 
  private:
@@ -54,7 +54,7 @@ class Entrance : public QObject {
   QWidget* window_;
   SignInPanel* signIn_;
   PasswordPanel* password_;
-  bool forced_ = false;  // the password must be changed before anything else
+  bool forced_ = false;  // the password must be changed first
 };
 
 }  // namespace torsio::gui

@@ -28,7 +28,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kFirstRunWidth = 620;
-constexpr int kCardHeight = 580;  // of the tallest step, so that the buttons stay where they are
+constexpr int kCardHeight = 580;  // of the tallest step, so that the buttons stay in place
 enum Step { kCentre, kAdministrator, kDatabase, kDemonstration, kAccounts };
 constexpr int kNumberedSteps = 4;
 
@@ -248,7 +248,7 @@ void FirstRunPanel::testDatabase() {
         const bool inUse = lookAtRecord(where) == RecordPlace::kCentre;
         return [this, inUse] {
           test_->setEnabled(true);
-          next_->setFocus();  // the keyboard went on to the way back while the test could not be pressed
+          next_->setFocus();  // focus had moved to the back button while the test button was disabled
           say(inUse ? tr("A centre keeps its records there already. You can sign in to it after this step")
                     : tr("The database answers and is empty: it can be used"));
           setLook(answer_, "caution", inUse);
@@ -278,7 +278,7 @@ void FirstRunPanel::setWorking(bool working) {
 }
 
 void FirstRunPanel::say(const QString& text) {
-  answerPlace_->addWidget(answer_);  // it may stand below a field
+  answerPlace_->addWidget(answer_);  // it may be below a field
   answer_->show();
   setLook(answer_, "caution", !text.isEmpty());
   setLook(answer_, "good", false);
@@ -291,7 +291,7 @@ void FirstRunPanel::sayAt(const Gap& gap) {
   const int place = column != nullptr ? column->indexOf(gap.field) : -1;
   if (place >= 0) {
     column->insertWidget(place + 1, answer_);
-    answer_->show();  // at once, not in the next round of events
+    answer_->show();  // immediately, not in the next event loop iteration
   }
   gap.field->setFocus();
 }

@@ -24,38 +24,39 @@ namespace torsio::gui {
 class Background;
 class JobPanel;
 
-/// What the wizard was told.
+/// The wizard's result.
 struct FirstRunChoice {
   FirstRun first;
   QString locator;  ///< of the database
 };
 
-/// The first start of a centre, in four short steps: language and centre, first administrator, database,
-/// demonstration cohort. Nothing is made before the last button; the start passwords of the demonstration are
+/// The first start of a centre in four short steps: language and centre, first administrator, database,
+/// demonstration cohort. Nothing is created before the last button; the demonstration's start passwords are
 /// shown once.
 class FirstRunPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// `defaultFile`: where an embedded database would lie.
+  /// `defaultFile`: location of an embedded database.
   explicit FirstRunPanel(const QString& defaultFile, QWidget* parent = nullptr);
   ~FirstRunPanel() override;
 
   [[nodiscard]] JobPanel& job() noexcept { return *job_; }
   void setLanguage(Language language);
   void setWorking(bool working);
-  /// After success: the accounts with their start passwords, once. Without any the panel is done at once.
+  /// Shows the accounts with their start passwords once after success. Without any, the panel finishes
+  /// immediately.
   void showAccounts(const std::vector<StartAccount>& accounts);
-  /// The language that is chosen here.
+  /// Returns the chosen language.
   [[nodiscard]] Language language() const;
-  /// Under the buttons: what is missing, or what went wrong.
+  /// Shows a problem under the buttons.
   void say(const QString& sentence);
 
  Q_SIGNALS:
   void languageWanted(torsio::gui::Language language);
   void chosen(const torsio::gui::FirstRunChoice& choice);
   void done();
-  /// Nothing is to be set up: only a look at what a centre looks like.
+  /// The user only wants to look at a demonstration, without setup.
   void lookRoundWanted(VisitedDesk desk);
 
  protected:
@@ -69,15 +70,15 @@ class FirstRunPanel : public QWidget {
   QWidget* createAccountsStep();
   void go(int step);
   void next();
-  /// Enter in a field that is no line of text.
+  /// Makes Enter continue in a field that is not a line edit.
   void nextOnEnter(QWidget* field);
-  /// What is missing in the present step, and in which field; no sentence: nothing.
+  /// What is missing in the present step, and its field; empty sentence: nothing.
   struct Gap {
     QString sentence;
     QWidget* field = nullptr;
   };
   [[nodiscard]] Gap missing() const;
-  /// Says it right below its field, where the keyboard goes.
+  /// Shows it below its field, and focuses the field.
   void sayAt(const Gap& gap);
   [[nodiscard]] QString locator() const;
   void chooseFile();

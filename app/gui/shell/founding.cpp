@@ -36,7 +36,7 @@ void Founding::begin(const FirstRunChoice& choice) {
         SessionContext own(key);
         own.setPasswordCost(setup_.passwordCost);
         if (!needsFirstRun(own.connectionWithoutRight())) {
-          return [this, choice] {  // a centre is there already: its people sign in
+          return [this, choice] {  // a centre exists already: its people sign in
             panel_->job().end();
             Q_EMIT foundThere(choice.locator);
           };

@@ -12,7 +12,7 @@
 
 namespace torsio::gui {
 
-/// Sets up the centre that the panel of the first run describes, or finds one there, off the GUI thread. GUI
+/// Sets up the centre described in the first-run panel, or finds an existing one, off the GUI thread. GUI
 /// thread.
 class Founding : public QObject {
   Q_OBJECT
@@ -22,15 +22,14 @@ class Founding : public QObject {
   Founding(Background& background, OpenRecord& record, const ShellSetup& setup, QWidget* window);
 
   [[nodiscard]] FirstRunPanel& panel() const noexcept { return *panel_; }
-  /// Closes the record that is open; founded(), foundThere() or failed() follows, unless the choice is
-  /// refused.
+  /// Closes the open record; then emits founded(), foundThere() or failed(), unless the choice is refused.
   void begin(const FirstRunChoice& choice);
 
  Q_SIGNALS:
-  /// The session has the actor who set it up.
+  /// The centre is set up; the session's actor is its founder.
   void founded(const torsio::gui::FirstRunChoice& choice, const std::vector<torsio::StartAccount>& accounts);
   void foundThere(const QString& locator);
-  /// The panel has said why.
+  /// The panel has shown the reason.
   void failed();
 
  private:

@@ -10,8 +10,8 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// What an administrator takes along when signing out: length, time and hash of the head of the audit trail,
-/// where it was kept, and a way to copy it. Hidden until there is one.
+/// What an administrator takes along when signing out: length, time and hash of the audit trail's head, where
+/// it was stored, and a copy button. Hidden until there is one.
 class HeadNotice : public QWidget {
   Q_OBJECT
 

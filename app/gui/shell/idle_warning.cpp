@@ -18,7 +18,7 @@ IdleWarning::IdleWarning(const Clock* clock, const IdleLimits& limits, QWidget* 
 void IdleWarning::watch(bool watched, bool busy, End end) {
   const bool counts = watched && !busy;
   if (counts == guard_.busy()) {
-    guard_.setBusy(!counts);  // each call begins the count anew
+    guard_.setBusy(!counts);  // each call restarts the idle timer
   }
   const IdleState state = guard_.state();
   setVisible(watched && state == IdleState::kWarning);
@@ -31,7 +31,7 @@ void IdleWarning::watch(bool watched, bool busy, End end) {
                 ? tr("Still there? You will be signed out in %1. Press any key to stay").arg(left)
                 : tr("Still there? The screen will be locked in %1. Press any key to stay").arg(left));
   } else if (state == IdleState::kLocked) {
-    guard_.unlock();  // what follows is the lock; the guard counts anew once it is open
+    guard_.unlock();  // the lock follows; the timer restarts after unlocking
     Q_EMIT timeIsUp();
   }
 }

@@ -7,21 +7,21 @@
 
 namespace torsio::gui {
 
-/// The line that warns of the idle lock. GUI thread.
+/// The line that warns before the idle lock. GUI thread.
 class IdleWarning : public QLabel {
   Q_OBJECT
 
  public:
-  /// What happens to a desk when its time is up.
+  /// What happens to an idle desk.
   enum class End { kLock, kSignOut };
 
-  /// `clock` outlives it; null: the machine's.
+  /// `clock` must outlive it; null: the system's.
   IdleWarning(const Clock* clock, const IdleLimits& limits, QWidget* parent = nullptr);
 
   void setLimits(const IdleLimits& limits) { guard_.setLimits(limits); }
-  /// Somebody is there.
+  /// Restarts the timer on the user's activity.
   void activity() { guard_.activity(); }
-  /// About once a second. `watched`: a desk is shown; `busy`: a run goes on at it.
+  /// Call about once a second. `watched`: a desk is shown; `busy`: a run is in progress on it.
   void watch(bool watched, bool busy, End end);
 
  Q_SIGNALS:

@@ -70,7 +70,7 @@ void LockPanel::setWorking(bool working) {
   secret_->setEnabled(!working);
   signOut_->setEnabled(!working);
   if (!working && isVisible()) {
-    secret_->setFocus();  // hidden, it would take the keyboard from the sign-in
+    secret_->setFocus();  // when hidden, it would take the focus from the sign-in
   }
 }
 

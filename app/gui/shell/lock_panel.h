@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// Covers a desk that its owner left: the work behind stays as it was.
+/// Covers a desk whose owner is away; the work behind is unchanged.
 class LockPanel : public QWidget {
   Q_OBJECT
 

@@ -11,7 +11,7 @@
 
 namespace torsio::gui {
 
-/// A record of simulated people in a folder of its own, for whoever is only curious. The folder goes with it.
+/// A temporary record of simulated people for a visitor; its folder is deleted with it.
 struct LookRound {
   [[nodiscard]] FirstRunChoice choice(const QString& centre, Language language) const {
     FirstRunChoice choice;
@@ -25,8 +25,8 @@ struct LookRound {
   }
 
   QTemporaryDir folder{};
-  QString before{};  ///< the locator that comes back
-  Actor visitor{};   ///< who looks round, also while seen as a simulated person
+  QString before{};  ///< locator to restore afterwards
+  Actor visitor{};   ///< the visitor, even when seen as a simulated person
   VisitedDesk first = VisitedDesk::kAdministrator;
 };
 

@@ -43,7 +43,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Enter presses the button that has the keyboard, as it does in dialogs. True: it was one.
+/// Makes Enter press the focused button, as in dialogs. True: handled.
 bool pressedByEnter(const QWidget& window, QObject* watched, const QEvent& event) {
   if (event.type() != QEvent::KeyPress) {
     return false;
@@ -75,8 +75,8 @@ MainWindow::MainWindow(const ShellSetup& setup)
   setWindowTitle(QStringLiteral("Torsio"));
   setObjectName(QStringLiteral("shell"));
   setAutoFillBackground(true);
-  // Without a smallest size of its own the window grows with what a page shows for a moment, beyond the
-  // screen, and stays there.
+  // Without a minimum size, the window permanently grows with any page's momentary content, beyond the
+  // screen.
   setMinimumSize(640, 400);
   resize(1366, 768);
   auto* column = new QVBoxLayout(this);
@@ -115,7 +115,7 @@ MainWindow::MainWindow(const ShellSetup& setup)
 
 MainWindow::~MainWindow() {
   qApp->removeEventFilter(this);
-  delete desk_;  // before the session that it works at
+  delete desk_;  // before its session
 }
 
 SignInPanel& MainWindow::signIn() const {
@@ -227,7 +227,7 @@ void MainWindow::watchIdleness() {
                watched && endsWhenLeft() ? IdleWarning::End::kSignOut : IdleWarning::End::kLock);
 }
 
-/// There is nothing to come back to at this desk, so that it is not locked.
+/// Returns whether leaving this desk signs out instead of locking, because there is nothing to return to.
 bool MainWindow::endsWhenLeft() const {
   return setup_.kiosk || record_.session()->actor().practiceOnly || lookRound_ || simulated_;
 }
@@ -251,8 +251,8 @@ void MainWindow::heartbeat() {
   }
 }
 
-/// The connection of the pages was lost with the server. False: it is away again; the next heartbeat that is
-/// answered tries anew.
+/// Reconnects the pages after the server was lost. False: it is away again; the next successful heartbeat
+/// retries.
 bool MainWindow::reconnect() {
   const bool back = record_.reconnect();
   if (back && desk_ != nullptr) {
@@ -289,7 +289,7 @@ void MainWindow::openDatabase() {
   }
 }
 
-/// Recordings that wait in files can take long to store; until then nobody signs in.
+/// Storing recordings that wait in files can take long; until then nobody may sign in.
 void MainWindow::settle() {
   const bool begins = !std::exchange(filesClosed_, true);
   background_.run(
@@ -328,7 +328,7 @@ void MainWindow::startLine() {
   heartbeat();
 }
 
-/// After the database was away: recordings of the meantime wait in files.
+/// Stores the recordings that went to files during a database outage.
 void MainWindow::settleAgain() {
   if (background_.working()) {
     return;
@@ -352,7 +352,7 @@ void MainWindow::settleAgain() {
 void MainWindow::changeRecord(const RecordChange& change) {
   leaveDesk();
   const std::optional<LeftHead> head = forgetActor();
-  record_.close();  // nobody has the record open now
+  record_.close();  // the record is closed now
   QString sentence = change.sentence;
   bool failed = false;
   try {
@@ -372,7 +372,7 @@ void MainWindow::changeRecord(const RecordChange& change) {
   signIn().say(sentence, failed);
 }
 
-/// Nothing is written before the last step, no setting of this station either.
+/// Stores nothing before the last step, not even settings of this station.
 void MainWindow::enterFirstRun() {
   preferences_.keep(false);
   founding_->panel().setLanguage(language_.present());
@@ -395,7 +395,7 @@ void MainWindow::begin(const FirstRunChoice& choice, const std::vector<StartAcco
     founding_->panel().showAccounts(accounts);
     return;
   }
-  // A visitor has no device, and nothing counts.
+  // A visitor has no device, and results do not count.
   setCentreSetting<kGradedWithMouse>(*record_.session(), true);
   lookRound_->visitor = record_.session()->actor();
   visit_->setSeen(VisitedDesk::kAdministrator);
@@ -420,7 +420,7 @@ void MainWindow::lookRound(VisitedDesk desk) {
 
 void MainWindow::endLookRound() {
   if (lookRound_) {
-    record_.close();  // nobody has the record open now
+    record_.close();  // the record is closed now
     record_.setLocator(lookRound_->before);
     lookRound_.reset();
   }
@@ -459,7 +459,7 @@ void MainWindow::tellKept() {
 void MainWindow::openDesk() {
   DeskSetup setup;
   setup.assets = setup_.assets;
-  setup.centre = lookRound_ ? QString() : centre_;  // the line of the look round says it
+  setup.centre = lookRound_ ? QString() : centre_;  // shown in the visitor's line instead
   setup.language = language_.present();
   setup.theme = theme_;
   setup.kiosk = setup_.kiosk;
@@ -476,7 +476,7 @@ void MainWindow::openDesk() {
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
   connect(desk_, &Desk::simulatedWanted, this, &MainWindow::enterAsSimulated);
   connect(desk_, &Desk::passwordChangeWanted, entrance_, &Entrance::changeOwnPassword);
-  // Later, since the page that asks for it dies with the desk.
+  // Deferred, because the requesting page is destroyed with the desk.
   connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
     QTimer::singleShot(0, this, [this, change] { changeRecord(change); });
   });
@@ -525,7 +525,7 @@ bool MainWindow::lock() {
     return false;
   }
   if (record_.session()->actor().practiceOnly || lookRound_ || simulated_) {
-    return signOut();  // nothing to come back to
+    return signOut();  // nothing to return to
   }
   lock_->close(*record_.session(), record_.key());
   show(lock_->panel());
@@ -535,7 +535,7 @@ bool MainWindow::lock() {
 void MainWindow::signOutBeyondDialogs(const QString& reason) {
   lock_->closeDialogs();
   if (QThread::currentThread()->loopLevel() > deskLevel_) {
-    // Whoever opened a dialog still waits in its event loop, and belongs to the desk: that returns first.
+    // The caller of an open dialog is still in its event loop and belongs to the desk: it must return first.
     QTimer::singleShot(0, this, [this, reason] { signOutBeyondDialogs(reason); });
     return;
   }
@@ -550,7 +550,7 @@ void MainWindow::signOutBeyondDialogs(const QString& reason) {
 
 std::optional<LeftHead> MainWindow::forgetActor() {
   if (lookRound_ && record_.session() != nullptr) {
-    record_.session()->setActor({});  // the audit trail goes with the folder
+    record_.session()->setActor({});  // the audit trail is deleted with the folder
     return std::nullopt;
   }
   return record_.signOut();
@@ -561,7 +561,7 @@ bool MainWindow::staysSilent(const LeftHead& head) {
     std::cerr << "torsio: the head of the audit trail was added to " << head.witness.string() << ": "
               << head.line << "\n";
   }
-  return head.trouble.empty() || qGuiApp->isSavingSession();  // a computer that goes off waits for nobody
+  return head.trouble.empty() || qGuiApp->isSavingSession();  // a shutdown cannot wait
 }
 
 void MainWindow::tellHead(const std::optional<LeftHead>& head) {
@@ -611,7 +611,7 @@ void MainWindow::visit(VisitedDesk desk) {
       return;
     }
   }
-  if (!simulated) {  // nobody knows the password of the visitor, and what is signed goes with the folder
+  if (!simulated) {  // the visitor has no known password, and signatures are deleted with the folder
     next.passwordShownUtc_us = record_.session()->now_us();
   }
   visit_->setSeen(desk);
@@ -619,7 +619,7 @@ void MainWindow::visit(VisitedDesk desk) {
 }
 
 void MainWindow::enterDeskAs(const Actor& actor, bool simulated, const QString& sentence) {
-  // Later, since the menu or page that asked dies with the desk.
+  // Deferred, because the requesting menu or page is destroyed with the desk.
   QTimer::singleShot(0, this, [this, actor, simulated, sentence] {
     leaveDesk();
     forgetActor();
@@ -640,7 +640,7 @@ void MainWindow::applyChoices(const QString& user) {
   if (language || stations) {
     language_.choose(language ? *language : *stations);
   }
-  // A kiosk stands in a dark room; other places follow the desktop, from the first page on.
+  // A kiosk is in a dark room; other places follow the desktop, from the first page on.
   const ThemeKind usual = setup_.kiosk || setup_.systemIsDark ? ThemeKind::kDark : ThemeKind::kLight;
   auto remembered = preferences_.themeKind(user);
   if (!remembered) {

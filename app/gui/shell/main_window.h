@@ -31,8 +31,8 @@ struct FirstRunChoice;
 struct LookRound;
 enum class VisitedDesk;
 
-/// The program's window. It shows one thing at a time: trouble with the record, the first run, the way in
-/// (Entrance), the desk of whoever signed in, or its lock (ScreenLock), and decides what follows what.
+/// The program's window. Shows one of: trouble with the record, first run, sign-in (Entrance), the actor's
+/// desk, or its lock (ScreenLock); decides what follows.
 class MainWindow : public QWidget {
   Q_OBJECT
 
@@ -47,18 +47,19 @@ class MainWindow : public QWidget {
   [[nodiscard]] Background& background() noexcept { return background_; }
   [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return language_; }
 
-  /// Refused while the desk is busy or a page has something unfinished.
+  /// Signs out. False: the desk is busy or a page is unfinished.
   bool signOut(const QString& reason = {});
-  /// Hides the desk until its owner's password is given; never while a run goes on.
+  /// Hides the desk until its owner's password is given; signs guests and visitors out instead. False during
+  /// a scored run.
   bool lock();
   void chooseLanguage(Language language);
   void chooseTheme(ThemeKind kind);
-  /// About once a second: warns of the idle lock, and locks. Tests call it themselves.
+  /// Called about once a second, and by tests: warns of the idle lock, and locks.
   void watchIdleness();
-  /// About once a second: tells the line to the database who is here, says calmly when it does not answer,
-  /// and puts in order what had to wait once it does. Waits for nothing.
+  /// Called about once a second: passes the presence to the database writer, shows an outage, and catches up
+  /// when the database answers again. Never blocks.
   void heartbeat();
-  /// Null until the recordings of earlier starts are settled.
+  /// Returns the writer; null until the recordings of earlier starts are settled.
   [[nodiscard]] StationWriter* line() noexcept { return record_.line(); }
 
  protected:
@@ -82,13 +83,13 @@ class MainWindow : public QWidget {
   void changeRecord(const RecordChange& change);
 
   void enterFirstRun();
-  /// A centre has been set up.
+  /// Enters a newly set up centre.
   void begin(const FirstRunChoice& choice, const std::vector<StartAccount>& accounts);
-  /// A centre is set up, or found, there: from now on this station remembers what is chosen.
+  /// Called when a centre has been set up or found there: this station remembers settings from now on.
   void keepFirstRun(const QString& locator);
-  /// A record of simulated people in a folder of its own, for whoever is only curious.
+  /// Opens a temporary record of simulated people, for a visitor.
   void lookRound(VisitedDesk desk);
-  /// Removes that record; nothing of it stays, nor of what was chosen meanwhile.
+  /// Deletes that record, and the settings chosen meanwhile.
   void endLookRound();
 
   void enterSignIn();
@@ -97,19 +98,20 @@ class MainWindow : public QWidget {
   void leaveDesk();
   void tellKept();
   [[nodiscard]] bool endsWhenLeft() const;
-  /// Signs out once the dialogs that stand open have been given up.
+  /// Signs out after the open dialogs have been rejected.
   void signOutBeyondDialogs(const QString& reason);
-  /// As OpenRecord::signOut(); whoever looked round leaves no head.
+  /// Like OpenRecord::signOut(), but a visitor leaves no head.
   std::optional<LeftHead> forgetActor();
   void tellHead(const std::optional<LeftHead>& head);
-  /// Whether the window may close on it. Says on standard error where the head was kept.
+  /// Returns whether the window may close without showing the head. Prints to standard error where it was
+  /// stored.
   [[nodiscard]] static bool staysSilent(const LeftHead& head);
 
-  /// In place of the administrator who is signed in; signing out leads to the sign-in.
+  /// Replaces the signed-in administrator by a simulated person; signing out leads to sign-in.
   void enterAsSimulated(SimulatedRole role);
-  /// Whoever looks round goes to another desk, as a simulated person or as themselves.
+  /// Takes a visitor to another desk, as a simulated person or as themselves.
   void visit(VisitedDesk desk);
-  /// The desk of an actor, once the events that led to it are over.
+  /// Opens an actor's desk after the present events have been processed.
   void enterDeskAs(const Actor& actor, bool simulated, const QString& sentence);
 
   void applyChoices(const QString& userId);
@@ -120,16 +122,16 @@ class MainWindow : public QWidget {
   LanguageSwitch language_;
   Background background_;
   QTimer second_;
-  std::unique_ptr<LookRound> lookRound_;      ///< its record outlives the session
-  std::optional<Language> firstRunLanguage_;  ///< that was chosen before a centre was set up
+  std::unique_ptr<LookRound> lookRound_;      ///< its record must outlive the session
+  std::optional<Language> firstRunLanguage_;  ///< chosen before a centre was set up
   OpenRecord record_;
-  bool simulated_ = false;    ///< an administrator looks at a simulated person's desk
-  bool filesClosed_ = false;  ///< files that others could read were looked for since the start
-  std::vector<Text> kept_;    ///< recordings that could not be stored; told until somebody signs in
+  bool simulated_ = false;    ///< an administrator is viewing a simulated person's desk
+  bool filesClosed_ = false;  ///< files readable by others have been searched since the start
+  std::vector<Text> kept_;    ///< recordings that could not be stored; shown until somebody signs in
   bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;
-  bool cardsOpen_ = false;  ///< the kiosk takes cards, as the centre chose when the record was opened
+  bool cardsOpen_ = false;  ///< the kiosk accepts cards (centre setting at opening)
   IdleWarning* idle_;
   AwayBanner* away_;
   VisitBar* visit_;
@@ -138,7 +140,7 @@ class MainWindow : public QWidget {
   Founding* founding_ = nullptr;
   Entrance* entrance_ = nullptr;
   ScreenLock* lock_ = nullptr;
-  int deskLevel_ = 0;  ///< of event loops, while no dialog waits for an answer
+  int deskLevel_ = 0;  ///< event loop level without open dialogs
   Desk* desk_ = nullptr;
 };
 

@@ -59,7 +59,7 @@ std::optional<LeftHead> OpenRecord::signOut() {
       torsio::signOut(*session_);
     }
   } catch (...) {
-    session_->setActor({});  // the audit trail cannot be written; nobody stays signed in for that
+    session_->setActor({});  // the audit trail cannot be written; that must not keep anybody signed in
     return std::nullopt;
   }
   if (!administrator) {

@@ -11,35 +11,35 @@
 
 namespace torsio::gui {
 
-/// The record that this station works with: the session of whoever signed in, the line for what nobody waits
-/// for, and the learning records that leave meanwhile. GUI thread.
+/// The record of this station: the session, the writer for data that nobody waits for, and the worker that
+/// sends learning records. GUI thread.
 class OpenRecord {
  public:
-  /// `setup` outlives it.
+  /// `setup` must outlive it.
   explicit OpenRecord(const ShellSetup& setup) : setup_(setup), locator_(setup.locator) {}
 
   [[nodiscard]] const QString& locator() const noexcept { return locator_; }
-  /// From the next open() on.
+  /// Takes effect with the next open().
   void setLocator(const QString& locator) { locator_ = locator; }
   [[nodiscard]] SessionKey key() const;
-  /// Null while the record is closed.
+  /// Returns the session; null while the record is closed.
   [[nodiscard]] SessionContext* session() const noexcept { return session_.get(); }
-  /// Null until startLine().
+  /// Returns the writer; null until startLine().
   [[nodiscard]] StationWriter* line() const noexcept { return line_.get(); }
 
-  /// A session for nobody yet. Throws DbError.
+  /// Opens a session without an actor. Throws DbError.
   void open();
   void startLine();
-  /// Stops what works beside the session.
+  /// Stops the writer and the worker of learning records.
   void stopLine();
-  /// The same, and tells the record that the station leaves.
+  /// Calls stopLine(), and records that the station leaves.
   void leave();
-  /// Leaves, and ends the session.
+  /// Calls leave(), and ends the session.
   void close();
-  /// Nobody is signed in any more. Returns the head of the audit trail when an administrator left; without a
-  /// line where it cannot be read, and then why.
+  /// Signs the actor out. Returns the head of the audit trail for an administrator; with an empty line and
+  /// the reason if it cannot be read.
   std::optional<LeftHead> signOut();
-  /// After the server was away. False: it is away again, or never was back.
+  /// Reconnects after the server was lost. False: still or again away.
   [[nodiscard]] bool reconnect();
 
  private:
@@ -47,7 +47,7 @@ class OpenRecord {
   QString locator_;
   std::unique_ptr<SessionContext> session_;
   std::unique_ptr<StationWriter> line_;
-  std::shared_ptr<void> lessons_;  ///< an LrsWorker, where that connector is built in
+  std::shared_ptr<void> lessons_;  ///< an LrsWorker, if that connector is built in
 };
 
 }  // namespace torsio::gui

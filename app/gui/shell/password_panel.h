@@ -10,15 +10,15 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// A new password for oneself: forced after the first sign-in and after a reset, or wished from the user
-/// menu. Length counts; the reason of a refusal is said while typing.
+/// Sets one's own new password: forced after the first sign-in and after a reset, or chosen in the user menu.
+/// Requires length; explains a refusal while typing.
 class PasswordPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit PasswordPanel(QWidget* parent = nullptr);
 
-  /// `oldPassword`: known already after a sign-in that forces the change; else empty, and asked for.
+  /// `oldPassword`: known after a sign-in that forces the change; otherwise empty, and asked for.
   void begin(const QString& login, const QString& oldPassword, bool forced);
   void say(const QString& sentence);
   void setWorking(bool working);
@@ -32,7 +32,7 @@ class PasswordPanel : public QWidget {
 
  private:
   void check();
-  void goOn();  // to the first field that is empty, else submits
+  void goOn();  // focuses the first empty field, or submits
   void submit();
   void retranslate();
 

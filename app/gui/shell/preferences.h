@@ -11,27 +11,27 @@
 
 namespace torsio::gui {
 
-/// What this station remembers for itself and, under an opaque user id, for each person who sits down at it:
-/// language, theme, layout, and which database is used. Never a name, never a secret.
+/// Settings of this station and, by opaque user id, of its users: language, theme, layout, and the database.
+/// Never contains names or secrets.
 class Preferences {
  public:
-  /// `remember` off (tests, pictures): nothing is read or written.
+  /// `remember` off (tests, screenshots): reads and writes nothing.
   explicit Preferences(bool remember) : remember_(remember) {}
 
-  /// Off: nothing is written until it is on again; what was written before is still read.
+  /// Off: stops writing; stored values are still read.
   void keep(bool on) noexcept { keep_ = on; }
 
-  /// Empty user id: the station's own choice, which everybody begins with.
+  /// Empty user id: the station's own setting, the default for everybody.
   [[nodiscard]] std::optional<Language> language(const QString& userId) const;
   void setLanguage(const QString& userId, Language language);
   [[nodiscard]] std::optional<ThemeKind> themeKind(const QString& userId) const;
   void setThemeKind(const QString& userId, ThemeKind kind);
 
-  /// Text of the page on which somebody signed out; empty: none is known.
+  /// Id of the page at a user's last sign-out; empty: unknown.
   [[nodiscard]] QString page(const QString& userId) const;
   void setPage(const QString& userId, const QString& text);
 
-  /// Locator of the database; empty: the default file.
+  /// Returns the database's locator; empty: the default file.
   [[nodiscard]] QString database() const;
   void setDatabase(const QString& locator);
 

@@ -73,7 +73,7 @@ void ProblemPanel::tell(const Problem& problem) {
 
 void ProblemPanel::say() {
   TranslatedError said = problem_();
-  // Errors begin in lower case: they also stand within lines of the command line.
+  // Errors begin in lower case, because they also appear within lines of the command line.
   if (!said.happened.isEmpty()) {
     said.happened[0] = said.happened[0].toUpper();
   }

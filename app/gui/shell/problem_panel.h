@@ -14,8 +14,8 @@ namespace torsio::gui {
 
 struct Theme;
 
-/// What went wrong, in one sentence, and what to do; details folded; a button that copies all of it. Stays
-/// until it is closed, follows the language, and never covers the work.
+/// What went wrong and what to do, with folded details and a copy button. Stays until closed, follows the
+/// language, and never covers the work.
 class ProblemPanel : public QFrame {
   Q_OBJECT
 
@@ -23,9 +23,9 @@ class ProblemPanel : public QFrame {
   explicit ProblemPanel(QWidget* parent = nullptr);
 
   void tell(const Problem& problem);
-  /// False on screens that have nothing else to show.
+  /// Off for screens that show nothing else.
   void setClosable(bool closable);
-  /// Everything, as the copy button gives it.
+  /// Returns the whole text, as copied by the button.
   [[nodiscard]] QString wholeText() const;
   void setTheme(const Theme& theme);
   void retranslate();

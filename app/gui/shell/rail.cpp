@@ -17,7 +17,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kNarrow = 64;
-constexpr int kLeastHeight = 40;  // a finger finds it
+constexpr int kLeastHeight = 40;  // fits a finger
 constexpr int kBesideName = 64;   // icon, gaps and padding of a line
 constexpr int kNumberedPages = 9;
 
@@ -85,7 +85,7 @@ void Rail::addLine(const RailItem& item, QVBoxLayout* column) {
   column->addWidget(button);
   lines_.push_back({item, button});
   connect(button, &QPushButton::clicked, this, [this, id = item.id] {
-    setCurrent(current_);  // the mark moves only when the page really opens
+    setCurrent(current_);  // the mark only moves when the page has opened
     Q_EMIT chosen(id);
   });
 }
@@ -118,11 +118,11 @@ void Rail::retranslate() {
     heading.label->setVisible(!narrow_);
   }
   for (const Line& line : lines_) {
-    const QKeySequence keys = line.button->shortcut();  // a new text takes the shortcut away
+    const QKeySequence keys = line.button->shortcut();  // setting the text clears the shortcut
     const QString title = pageTitle(line.item.id);
     line.button->setText(narrow_ ? QString() : title);
     line.button->setShortcut(keys);
-    // Marked lines are bolder: the rail must not clip them, nor move when the mark does.
+    // The current line is bold: reserves its width, so that nothing is clipped or moves.
     QFont bold = line.button->font();
     bold.setWeight(QFont::DemiBold);
     line.button->setMinimumWidth(narrow_ ? 0 : QFontMetrics(bold).horizontalAdvance(title) + kBesideName);

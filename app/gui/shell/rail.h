@@ -18,27 +18,27 @@ namespace torsio::gui {
 
 struct Theme;
 
-/// One line of the navigation.
+/// A line of the navigation.
 struct RailItem {
   PageId id;
   QString icon;
 };
 
-/// Lines that belong together; the heading is shown only when there are several groups.
+/// Lines of a group; the heading is shown only if there are several groups.
 struct RailGroup {
   std::function<QString()> title;
   std::vector<RailItem> items;
 };
 
-/// The navigation at the left edge: icon and name of every page that the user may open. Narrow, it shows
-/// icons only and keeps the names as tool tips.
+/// The navigation at the left edge: icon and name of every page that the user may open; when narrow, only
+/// icons with tool tips.
 class Rail : public QFrame {
   Q_OBJECT
 
  public:
   Rail(const std::vector<RailGroup>& groups, QWidget* parent = nullptr);
 
-  /// Marks where the user is; pages without a line mark nothing.
+  /// Marks the current page; pages without a line clear the mark.
   void setCurrent(std::optional<PageId> id);
   void setNarrow(bool narrow);
   [[nodiscard]] bool narrow() const noexcept { return narrow_; }

@@ -55,7 +55,7 @@ void ScreenLock::unlock(const QString& password) {
         const SignInAnswer answer = torsio::signIn(own, login, password.toStdString());
         return [this, answer] {
           if (answer.outcome == SignIn::kOk && answer.actor.userId == session_->actor().userId) {
-            session_->setActor(answer.actor);  // the password was shown again
+            session_->setActor(answer.actor);  // re-entered with the password
             dialogs_->uncover();
             Q_EMIT opened();
           } else if (answer.outcome == SignIn::kWait) {

@@ -11,26 +11,25 @@ namespace torsio::gui {
 class DialogLock;
 class LockPanel;
 
-/// The lock of a desk: one panel in place of the desk, and one over the dialogs that stand open. Only the
-/// owner's password opens it. GUI thread.
+/// The lock of a desk: one panel in place of the desk, and one over open dialogs. Only the owner's password
+/// opens it. GUI thread.
 class ScreenLock : public QObject {
   Q_OBJECT
 
  public:
-  /// Passwords are checked by `background`, which outlives it.
+  /// `background`: checks passwords; must outlive it.
   ScreenLock(Background& background, QWidget* window);
 
   [[nodiscard]] QWidget* panel() const noexcept;
-  /// Covers the dialogs; the panel is shown by the window. `session` belongs to the desk and outlives the
-  /// lock.
+  /// Covers open dialogs; the window shows the panel. `session`: the desk's; must outlive the lock.
   void close(SessionContext& session, const SessionKey& key);
-  /// Gives up the dialogs that stand open.
+  /// Rejects open dialogs.
   void closeDialogs();
   void say(const QString& sentence);
   void setWorking(bool working);
 
  Q_SIGNALS:
-  /// The session's actor showed the password again.
+  /// The actor has re-entered the password.
   void opened();
   void signOutWanted();
 

@@ -18,24 +18,24 @@
 
 namespace torsio::gui {
 
-/// What the program's window needs from outside.
+/// Configuration of the program's window.
 struct ShellSetup {
   std::filesystem::path assets;
   std::string station;
-  QString locator;  ///< of the database; the station's choice of the first run overrides it
+  QString locator;  ///< of the database; overridden by the station's choice in the first run
   std::function<std::vector<PageGroup>()> groups = [] { return std::vector<PageGroup>(); };
-  std::optional<ThemeKind> theme;  ///< given on the command line; nothing: the user's, else the role's
+  std::optional<ThemeKind> theme;  ///< from the command line; empty: the user's, else the role's
   bool systemIsDark = false;
   bool kiosk = false;
   bool remember = true;
-  std::optional<IdleLimits> idle;  ///< nothing: those of the centre
-  const Clock* clock = nullptr;    ///< of the idle lock; null: the machine's
+  std::optional<IdleLimits> idle;  ///< empty: the centre's
+  const Clock* clock = nullptr;    ///< of the idle lock; null: the system's
   PasswordCost passwordCost = PasswordCost::kModerate;
   LinePatience linePatience;
-  /// Fills a record with simulated people; empty: the demonstration of the paper's protocol.
+  /// Fills a record with simulated people; empty: the paper's protocol demonstration.
   std::function<std::vector<StartAccount>(SessionContext&, const ProgressCallback&)> simulatedPeople;
-  std::chrono::milliseconds lessonsAgain = std::chrono::minutes(1);  ///< between two looks into the outbox
-  std::filesystem::path unstored;  ///< where recordings wait for their database; empty: unstoredFolder()
+  std::chrono::milliseconds lessonsAgain = std::chrono::minutes(1);  ///< between checks of the outbox
+  std::filesystem::path unstored;  ///< recordings waiting for their database; empty: unstoredFolder()
 };
 
 }  // namespace torsio::gui

@@ -13,18 +13,18 @@ namespace torsio::gui {
 
 class Desk;
 
-/// What and with which key.
+/// Action and key.
 using KeyLine = std::pair<QString, QString>;
 
-/// Every key of a page that can be read off its commands, in the order in which they were made.
+/// Returns the keys found in a page's commands, in order of creation.
 [[nodiscard]] std::vector<KeyLine> keysOf(const QWidget& page);
 
-/// One sheet with the keys of the program and those of the page that is open. `?` and F1 show it.
+/// The keys of the program and the current page. Opened by `?` and F1.
 class ShortcutSheet : public QDialog {
   Q_OBJECT
 
  public:
-  /// `desk`: null before anybody signed in.
+  /// `desk`: null before sign-in.
   explicit ShortcutSheet(Desk* desk, QWidget* parent = nullptr);
 };
 

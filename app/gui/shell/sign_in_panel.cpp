@@ -135,7 +135,7 @@ void SignInPanel::countDown() {
 void SignInPanel::setWorking(bool working) {
   working_ = working;
   enableForm();
-  // The keyboard left the fields while they were shut.
+  // Focus left the fields while they were disabled.
   if (!working && isVisible()) {
     chooseField();
   }
@@ -203,7 +203,7 @@ void SignInPanel::enableForm() {
   enter_->setEnabled(open && !login_->text().trimmed().isEmpty() && !secret_->text().isEmpty());
   mode_->setEnabled(!working_);
   guest_->setEnabled(!working_);
-  language_->setEnabled(!working_);  // an impatient key would land there
+  language_->setEnabled(!working_);  // a hasty key press would end up there
 }
 
 void SignInPanel::retranslate() {

@@ -21,8 +21,8 @@ namespace torsio::gui {
 
 class HeadNotice;
 
-/// The first thing that anybody sees: who are you? With the password one reaches one's own work; with a
-/// station PIN, or as a guest, practice that is not recorded. Holds no secret longer than the try.
+/// The first screen: sign in with a password for one's own work, or with a station PIN or as a guest for
+/// unrecorded practice. Keeps no secret longer than the attempt.
 class SignInPanel : public QWidget {
   Q_OBJECT
 
@@ -30,25 +30,24 @@ class SignInPanel : public QWidget {
   explicit SignInPanel(QWidget* parent = nullptr);
 
   void setCentre(const QString& name);
-  /// A quiet sentence under the button: wrong, disabled, signed out after idling. Empty: nothing.
+  /// Shows a message under the button: wrong password, account disabled, signed out when idle. Empty: none.
   void say(const QString& sentence, bool caution);
-  /// Too many wrong tries: says how long, counts down, and lets nobody try before. Microseconds since 1970
-  /// UTC.
+  /// After too many failures: counts down and blocks further attempts. Microseconds since 1970 UTC.
   void waitUntil(std::int64_t utc_us, std::int64_t now_us);
   void setWorking(bool working);
-  /// What an administrator who has just left should take along, until clear().
+  /// Shows the audit head that an administrator should take along after signing out, until clear().
   void tellHead(const LeftHead& head);
-  /// A quiet way out for administrators.
+  /// Shows an unobtrusive way out for administrators.
   void setKiosk(bool kiosk);
-  /// Whether a card can be held to a scanner here, or its code typed.
+  /// Sets whether cards can be scanned or their codes typed here.
   void setCards(bool cards);
-  /// For the next person: no name, no password, no sentence.
+  /// Clears name, password and message for the next person.
   void clear();
 
  Q_SIGNALS:
   void passwordGiven(const QString& login, const QString& password);
   void pinGiven(const QString& login, const QString& pin);
-  /// What a scanner typed, with Enter behind it, or a hand.
+  /// A code was entered, by scanner or by hand.
   void codeGiven(const QString& code);
   void guestChosen();
   void leaveKioskWanted();

@@ -6,7 +6,7 @@
 
 namespace torsio::gui {
 
-/// A sentence at the lower edge of its parent that goes away by itself. Takes no clicks and no focus.
+/// A message at the lower edge of its parent that disappears by itself. Takes no clicks and no focus.
 class Toast : public QLabel {
   Q_OBJECT
 

@@ -12,8 +12,7 @@ namespace torsio::gui {
 class ProblemPanel;
 struct Theme;
 
-/// When the database cannot be used there is nothing else to show: what happened, what to do, and two ways
-/// on.
+/// Shown when the database cannot be used: what happened, what to do, and two ways to continue.
 class TroublePanel : public QWidget {
   Q_OBJECT
 

@@ -10,10 +10,10 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// Whose desk somebody sees who looks round among simulated people.
+/// The desk shown to a visitor among simulated people.
 enum class VisitedDesk { kTrainee, kPhysician, kAdministrator };
 
-/// The line over the desk of a visitor: one button a desk, the one that is seen pressed in.
+/// The line above a visitor's desk: one button per desk, the current one pressed.
 class VisitBar : public QFrame {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class VisitBar : public QFrame {
   [[nodiscard]] VisitedDesk seen() const noexcept { return seen_; }
 
  Q_SIGNALS:
-  /// Another desk is wanted; which one is seen stays until setSeen().
+  /// Another desk was requested; the mark stays until setSeen().
   void wanted(VisitedDesk desk);
 
  protected:

@@ -9,8 +9,8 @@
 
 namespace torsio::gui {
 
-/// Lets the view of a scene draw what an asynchronous model makes of the organ; returns where that model
-/// puts it. Null where the servo answers alone: nothing has changed.
+/// Makes the scene's view draw the shapes of an asynchronous model; returns where that model stores them.
+/// Null if there is no such model: nothing has changed.
 [[nodiscard]] std::shared_ptr<LatestShape> showAsyncShape(const Scene& scene, ViewScene& view);
 
 }  // namespace torsio::gui

@@ -34,9 +34,9 @@ namespace {
 constexpr double kDegreesPerTurn = 360.0;
 constexpr double kOpenFrom = 0.8;
 constexpr int kBar = 1000;
-constexpr std::int64_t kAgeStep_s = 10;          // of the answer of a check
-constexpr double kWrongWay_rad = radians(10.0);  // beyond what a hand drifts while it holds
-constexpr double kNearEnd_rad = radians(1.0);    // of the turn of a hand
+constexpr std::int64_t kAgeStep_s = 10;          // step of the age shown of a check
+constexpr double kWrongWay_rad = radians(10.0);  // more than a hand drifts while holding
+constexpr double kNearEnd_rad = radians(1.0);    // of the hand's turn
 constexpr FlowCheck kChecks[] = {FlowCheck::kLook, FlowCheck::kTouch, FlowCheck::kDoppler};
 
 QString percent(double share) {
@@ -137,7 +137,7 @@ void DetorsionPanel::createButtons() {
   checking_->hide();
   card_->content()->addWidget(checking_);
 
-  // What is asked counts as done until the next frame tells, so that two quick presses undo each other.
+  // The requested state is assumed until the next frame reports, so that two quick presses undo each other.
   const auto hold = [this] {
     shown_.hollow.clipped = !shown_.hollow.clipped;
     Q_EMIT asked({.kind = ServoCommand::Kind::kHoldOrgan, .value = shown_.hollow.clipped ? 1.0 : 0.0});
@@ -333,13 +333,13 @@ void DetorsionPanel::showCheck() {
     const QString told =
         tr("%1: %2 % ± %3 %")
             .arg(checkName(check.done), percent(check.flow), percent(flowCheckCost(check.done).deviation));
-    // An old answer says nothing of the organ as it lies now.
+    // An old result says nothing about the organ's present state.
     const std::int64_t age_s = (shown_.time_us - check.done_us) / kSecond_us / kAgeStep_s * kAgeStep_s;
     setText(flow_.value, age_s > 0 ? tr("%1, %2 ago").arg(told, clockTime(age_s * kSecond_us)) : told);
   }
 }
 
-/// The flow is no condition of it: it would tell what only a check may tell.
+/// Flow is not a condition: it would reveal what only a check may.
 bool DetorsionPanel::liesWithinLimits() const {
   const HollowPose& pose = shown_.hollow;
   return pose.present && std::abs(shown_.response.angle_rad) <= detorsion_.limits.residual_rad &&
@@ -386,7 +386,7 @@ void DetorsionPanel::showRest() {
   }
   const double now_s = static_cast<double>(shown_.time_us) * 1e-6;
   if (pose.scaled_s <= 0.0 || now_s < restTaken_s_) {
-    stages_ = StagedTurn(detorsion_.stages, detorsion_.timeScale);  // a new trial, or a replay that goes back
+    stages_ = StagedTurn(detorsion_.stages, detorsion_.timeScale);  // new trial, or a replay seeks back
   }
   restTaken_s_ = now_s;
   stages_.take(now_s, shown_.response.angle_rad);

@@ -22,28 +22,28 @@ namespace torsio::gui {
 class Card;
 class SimulationController;
 
-/// Shows how an organ that came twisted lies while it is undone, and lets the hand set a clip, let gas out
-/// and check the blood flow: by buttons and by the keys C, V, 1, 2 and 3. The true flow is never shown, only
-/// what a check has told; nor is said which way round is the right one. Hidden for other scenes.
+/// Status of a twisted organ while it is untwisted, with buttons and keys (C, V, 1, 2, 3) to set a clip, vent
+/// gas and check blood flow. Never shows the true flow, only the result of a check, nor the correct
+/// direction. Hidden for other scenes.
 class DetorsionPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit DetorsionPanel(QWidget* parent = nullptr);
 
-  /// Takes the limits of a scene; null, or a scene that is not undone: hides the panel.
+  /// Takes the limits of a scene; hides the panel for null or a scene without untwisting.
   void setScene(const Scene* scene);
-  /// Sends what the buttons ask for to a controller, which must outlive the panel.
+  /// Connects the buttons to a controller, which must outlive the panel.
   void steer(SimulationController& controller);
-  /// Allows or forbids the buttons and their keys; they are forbidden while a recording is replayed.
+  /// Enables or disables buttons and keys; they are disabled during a replay.
   void setUsable(bool usable);
   void show(const LiveState& state);
   void retranslate();
 
-  /// Returns what to do next by what is shown; empty where any exercise says the same, and without an
+  /// Returns the next instruction for the state shown; empty if the general one applies, and without
   /// untwisting.
   [[nodiscard]] QString cue() const;
-  /// Returns the keys of an untwisting, what and how.
+  /// Returns the keys of an untwisting: effect and key.
   [[nodiscard]] static std::vector<std::pair<QString, QString>> keys();
   /// Names a check in the user's language.
   [[nodiscard]] static QString checkName(FlowCheck check);
@@ -77,9 +77,9 @@ class DetorsionPanel : public QWidget {
   LiveState shown_;
   std::int64_t handsOffSince_us_ = -1;
   StagedTurn stages_{{}, 1.0};
-  double restTaken_s_ = 0.0;    // when stages_ was last told
-  double heldFrom_rad_ = 0.0;   // how far the organ was turned when the jaw took hold of it
-  double heldLeast_rad_ = 0.0;  // and since then
+  double restTaken_s_ = 0.0;    // rest at the last update of stages_
+  double heldFrom_rad_ = 0.0;   // turn of the organ when it was gripped
+  double heldLeast_rad_ = 0.0;  // minimum since then
   double heldMost_rad_ = 0.0;
   Card* card_;
   Row angle_;

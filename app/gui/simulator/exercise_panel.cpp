@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kEnglishRole = Qt::UserRole + 1;
 constexpr double kLargestTarget_deg = 360.0;
-constexpr int kBesideItems = 16;  ///< items of the asynchronous models; below it the formulations
+constexpr int kBesideItems = 16;  ///< items of asynchronous models; formulations have smaller numbers
 
 int itemOf(TissueModel tissue) {
   return kBesideItems + static_cast<int>(tissue);
@@ -45,7 +45,7 @@ QLabel* addField(QGridLayout* grid, QWidget* field) {
 
 void name(QLabel* label, const QString& text) {
   label->setText(text);
-  // Chinese mnemonics stand in brackets at the end: they are no part of the name.
+  // Chinese mnemonics are in brackets at the end and not part of the name.
   static const QRegularExpression kMnemonic(QStringLiteral("\\(&.\\)|&"));
   QString plain = text;
   label->buddy()->setAccessibleName(plain.remove(kMnemonic));
@@ -57,9 +57,9 @@ void rename(QComboBox* box, int index, const QString& text) {
   }
 }
 
-/// The open list is as wide as its longest line, though the closed field is narrower.
+/// Makes an open list as wide as its longest line, even if the closed field is narrower.
 void showLinesWhole(QComboBox* box) {
-  constexpr int kRoundLine = 28;  // padding of a line and of the list
+  constexpr int kRoundLine = 28;  // padding of a line and the list
   box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + kRoundLine);
 }
 
@@ -114,7 +114,7 @@ ExercisePanel::ExercisePanel(QWidget* parent)
   connect(organ_, &QComboBox::activated, this, [this](int index) {
     const QString id = organ_->itemData(index).toString();
     if (!id.isEmpty()) {
-      Q_EMIT organChosen(id);  // empty: the user's own, shown already
+      Q_EMIT organChosen(id);  // empty: the user's own organ, already shown
     }
   });
   connect(pattern_, &QComboBox::activated, this,

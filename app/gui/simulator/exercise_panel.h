@@ -17,21 +17,21 @@ namespace torsio::gui {
 
 class Card;
 
-/// Choice of organ, pattern, model and target.
+/// Selection of organ, pattern, model and target.
 class ExercisePanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ExercisePanel(QWidget* parent = nullptr);
 
-  /// Offers the scenes of this folder of assets.
+  /// Lists the scenes of this assets folder.
   void setOrgans(const std::filesystem::path& assets);
-  /// What is loaded now; emits nothing. `ownOrgan`: a mesh of the user's stands in for the shipped one.
+  /// Shows what is loaded; emits nothing. `ownOrgan`: a user's mesh replaces the shipped one.
   void showScene(const Scene& scene, double target_rad, bool ownOrgan);
-  /// Says at which rate an asynchronous model answers, or that it does not (`late`). `rate_per_s`: 0
-  /// before its first answer; none: the servo answers alone, and nothing is said.
+  /// Shows the rate of an asynchronous model, or that it does not respond (`late`). `rate_per_s`: 0 before
+  /// its first response; empty: no such model, shows nothing.
   void showBeside(std::optional<double> rate_per_s, bool late);
-  /// Off while a trial is recorded or replayed: the exercise must not change under it.
+  /// Disabled while a trial is recorded or replayed, because the exercise must not change.
   void setChangeable(bool changeable);
 
   void retranslate();
@@ -40,12 +40,12 @@ class ExercisePanel : public QWidget {
   void organChosen(const QString& id);
   void patternChosen(const QString& id);
   void formulationChosen(torsio::Formulation formulation);
-  /// An asynchronous model.
+  /// An asynchronous model was chosen.
   void tissueChosen(torsio::TissueModel tissue);
   void targetChosen(double target_rad);
 
  private:
-  /// Says the whole title of the chosen organ, and shows those of the lists.
+  /// Shows the full title of the chosen organ, and the tool tips of the lists.
   void nameChosen();
 
   SceneTitles titles_{std::filesystem::path()};

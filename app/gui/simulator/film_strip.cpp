@@ -25,9 +25,9 @@ namespace {
 constexpr int kGap = 8;
 constexpr std::size_t kFramesInARow = 4;
 constexpr double kStep_rad = std::numbers::pi / 6.0;
-constexpr double kNear_rad = radians(0.5);  // a last step of half a degree shows nothing new
+constexpr double kNear_rad = radians(0.5);  // a last step of half a degree would look the same
 
-/// From where a sheet of sides looks.
+/// A viewpoint of a sheet of sides.
 struct Side {
   const char* name;
   float azimuth_deg;
@@ -42,9 +42,9 @@ constexpr std::array kSides{
     Side{QT_TRANSLATE_NOOP("torsio::gui::FilmStrip", "below"), 0.0F, -90.0F},
 };
 
-/// Puts the organ, as it lies, in the middle of the view.
+/// Centres the organ in its present shape.
 void frameOrgan(SceneView& view, const Scene& scene, const OrganState& state) {
-  constexpr float kNearer = 0.92F;  // the ball round the box of an organ has room at its sides
+  constexpr float kNearer = 0.92F;  // the bounding ball has spare room at the sides
   std::vector<Vec3> skin_m(scene.mesh.vertices_m.size());
   scene.deform(state, skin_m);
   QVector3D low = toView(skin_m.front());

@@ -10,7 +10,7 @@ namespace torsio::gui {
 LoadedScene loadSceneForView(const SceneRequest& request) {
   LoadedScene loaded;
   loaded.scene = std::make_shared<const Scene>(loadScene(request));
-  // A user's organ is not what the scene it borrows was drawn for.
+  // A user's organ does not look like the scene it borrows.
   const std::string tissue = request.organFile ? request.organFile->stem().string() : std::string();
   loaded.view = makeViewScene(loaded.scene, tissue);
   loaded.shape = showAsyncShape(*loaded.scene, loaded.view);

@@ -11,18 +11,18 @@
 
 namespace torsio::gui {
 
-/// A scene together with what the view draws of it.
+/// A scene with the data of its view.
 struct LoadedScene {
   std::shared_ptr<const Scene> scene;
   ViewScene view;
-  std::shared_ptr<LatestShape> shape{};  ///< where an asynchronous model answers; else null
+  std::shared_ptr<LatestShape> shape{};  ///< where an asynchronous model stores its shape; otherwise null
 };
 
-/// Reads a scene. Called in a worker thread; throws Error.
+/// Loads a scene in a worker thread; throws Error.
 using SceneLoader = std::function<LoadedScene(const SceneRequest&)>;
 [[nodiscard]] LoadedScene loadSceneForView(const SceneRequest& request);
-/// Reads the scene of a recording by `loader`, in the formulation whose hashes are the recorded ones. Throws
-/// Error{kVerifyFailed}: neither is.
+/// Loads the scene of a recording with `loader`, in the formulation with the recorded hashes. Throws
+/// Error{kVerifyFailed} if neither matches.
 [[nodiscard]] LoadedScene loadRecordedScene(const SceneLoader& loader, SceneRequest request,
                                             const TrialHeader& header);
 

@@ -15,10 +15,10 @@ constexpr double kParkingWay_m = 0.020;
 constexpr double kParkingStep_m = 0.002;
 constexpr double kFarthestParking_m = 0.300;
 constexpr int kParkingTurns = 12;
-constexpr double kInsideEnd = 0.04;  // a section at the very end is too small to be pointed at
+constexpr double kInsideEnd = 0.04;  // a section at the very end is too small to point at
 const Vec3 kTowardsViewer{0.0, -1.0, 0.0};
 
-/// How an organ may lie before anybody has touched it: an organ that came twisted by any angle.
+/// Returns the possible initial states of an organ; one that comes twisted may have any angle.
 std::vector<OrganState> waysItMayLie(const Scene& scene) {
   std::vector<OrganState> ways{OrganState{}};
   if (scene.hollow) {

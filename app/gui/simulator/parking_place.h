@@ -5,8 +5,8 @@
 
 namespace torsio::gui {
 
-/// Where the instrument waits before a run: in front of the section to grasp, on the side of the viewer, two
-/// centimetres clear of the organ however it may lie. World frame.
+/// Returns the instrument's waiting position: in front of the section to grasp, on the viewer's side, two
+/// centimetres clear of the organ in any initial state. World frame.
 [[nodiscard]] Vec3 parkingPoint_m(const Scene& scene);
 
 }  // namespace torsio::gui

@@ -22,14 +22,14 @@ namespace {
 constexpr double kKeyPixels_per_s = 140.0;
 constexpr double kKeyDepth_m_per_s = 0.05;
 constexpr double kKeyRoll_rad_per_s = radians(60.0);
-constexpr double kTapShare = 0.25;  // of full speed: a tap turns finely
+constexpr double kTapShare = 0.25;  // of full speed, so that a tap turns finely
 constexpr double kTap_s = 0.15;
 constexpr double kFullSpeed_s = 0.5;
-constexpr double kShortestTap_s = 0.05;  // a key that was down between two frames was down for so long
+constexpr double kShortestTap_s = 0.05;  // assumed time of a key pressed and released between two frames
 constexpr double kKeyTilt_rad_per_s = radians(40.0);
 constexpr double kKeyOrbit_px_per_s = 220.0;
 constexpr double kWheelDepth_m = 0.004;     // one notch
-constexpr double kFarthestAhead_m = 0.012;  // of a tip that the tissue holds
+constexpr double kFarthestAhead_m = 0.012;  // ahead of a tip that the tissue holds
 constexpr double kWheelRoll_rad = radians(5.0);
 constexpr double kDragRoll_rad_per_px = radians(0.5);
 constexpr double kSteepestTilt_rad = radians(80.0);
@@ -37,12 +37,12 @@ constexpr double kSteepestTilt_rad = radians(80.0);
 constexpr double kRestYaw_rad = radians(34.0);
 constexpr double kRestPitch_rad = radians(38.0);
 
-constexpr double kSettleTime_s = 0.12;  // of the tilt, as the tissue itself returns
+constexpr double kSettleTime_s = 0.12;  // of the tilt, equal to the tissue's own relaxation
 constexpr double kSettled_rad = radians(0.2);
-constexpr double kLean = 0.6;    // share of the surface's normal in the direction of the shaft
-constexpr float kEndOn = 0.25F;  // looking along the axis: no side of the tissue is the near one
+constexpr double kLean = 0.6;    // weight of the surface normal in the direction of the shaft
+constexpr float kEndOn = 0.25F;  // looking along the axis: no side of the tissue is nearer
 
-/// Share of the full speed of turning after a key has been down for so long.
+/// Returns the fraction of the full turning speed after a key has been held for this time.
 double turningShare(double held_s) {
   return std::clamp(kTapShare + (1.0 - kTapShare) * (held_s - kTap_s) / (kFullSpeed_s - kTap_s), kTapShare,
                     1.0);
@@ -129,7 +129,7 @@ void PointerControls::setHeldAxis(const std::optional<Vec3>& axis, double reach_
   gripped_ = orientation(heldView_);
   if (!axis) {
     rolledByHand_ = false;
-    mouseKnown_ = false;  // it has led the turn: where it is now the tip comes next
+    mouseKnown_ = false;  // the mouse has controlled the turn: the tip follows from its new position
   }
 }
 
@@ -311,12 +311,12 @@ void PointerControls::mouseMoved(const QMouseEvent& event) {
     view_.camera().pan(way, view_.height());
     view_.applyCamera();
   } else if (heldAxis_ || (event.modifiers() & Qt::ShiftModifier) != 0) {
-    // The tip stays where it holds: a hand that twists does not pull.
+    // The tip stays in place: a twisting hand does not pull.
     if (!way.isNull()) {
       turn(turnOf(way));
     }
   } else if (entered && input_.grip == 0.0) {
-    // Coming in from elsewhere: the tip goes under the mouse at its old depth.
+    // The mouse enters the view: the tip moves under it at its old depth.
     moveInPicture(here - view_.camera().pixel(toView(input_.onPlane_m), QSizeF(view_.size())));
   } else {
     moveInPicture(way);
@@ -339,7 +339,7 @@ void PointerControls::mouseReleased(const QMouseEvent& event) {
 }
 
 void PointerControls::wheelTurned(const QWheelEvent& event) {
-  // Some systems turn the wheel sideways while Shift is down.
+  // Some systems make the wheel horizontal while Shift is pressed.
   const QPoint angle = event.angleDelta();
   const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
   if ((event.modifiers() & Qt::ControlModifier) != 0) {

@@ -20,10 +20,10 @@ namespace torsio::gui {
 
 class SceneView;
 
-/// Turns mouse and keys over the scene view into what the pointer device understands, and into camera moves.
+/// Converts mouse and keys over the scene view into input of the pointer device and moves of the camera.
 /// The instrument's tip stays under the mouse: depth moves along the line of sight.
 ///
-/// | what            | mouse                      | keys                  |
+/// | action          | mouse                      | keys                  |
 /// |-----------------|----------------------------|-----------------------|
 /// | move in picture | move                       | arrows                |
 /// | depth           | wheel                      | Page Up, Page Down    |
@@ -35,39 +35,39 @@ class SceneView;
 /// | move the view   | middle drag                |                       |
 /// | zoom            | Ctrl + wheel               | + and -               |
 ///
-/// These are the usual keys; PointerKeys may put them elsewhere.
+/// These are the default keys; PointerKeys may change them. GUI thread.
 class PointerControls : public QObject {
   Q_OBJECT
 
  public:
-  /// Of what is turned without end.
+  /// Value for a turn without limit.
   static constexpr double kNoEnd_rad = std::numeric_limits<double>::infinity();
 
   explicit PointerControls(SceneView& view);
 
   void setKeys(const PointerKeys& keys);
-  /// Puts the tip to a point in front of the organ with the jaw open, as seen from the camera.
+  /// Moves the tip to a point in front of the organ with the jaw open, as seen from the camera.
   void park(const Vec3& tip_m);
-  /// What the jaw holds: the unit axis about which a turn twists it, or nothing; and how far a hand turns it
-  /// in one grip, rad, there and back together. Told once a frame.
+  /// Sets what the jaw holds, once per frame: the unit axis about which a turn twists it, or empty;
+  /// `reach_rad`: range of the hand in one grip, in total, rad.
   void setHeldAxis(const std::optional<Vec3>& axis, double reach_rad = kNoEnd_rad);
-  /// The surface that the free tip is near to, or nothing: the shaft leans away from it, so that it does not
-  /// lie across the tissue when the jaw closes. Told once a frame. Tilting by hand ends it until parked
-  /// again.
+  /// Sets the normal of the surface near the free tip, or empty, once per frame: the shaft leans away from
+  /// it, so that it does not lie across the tissue when the jaw closes. Manual tilting disables it until
+  /// parked again.
   void leanAwayFrom(const std::optional<Vec3>& normal) { leanTo_ = normal; }
-  /// Where the tissue holds the pressed tip: the wheel gathers no depth behind it that would have to be
-  /// turned back before the tip follows. Told once a frame in which it presses.
+  /// Sets where the tissue holds the pressed tip, in each frame in which it presses: limits the wheel's depth
+  /// behind it, which would have to be wound back before the tip follows.
   void holdAt(const Vec3& tip_m);
-  /// Moves what held keys move; called once a frame. `elapsed_s`: since the last call.
+  /// Applies the keys held; call once per frame. `elapsed_s`: since the last call.
   void advance(double elapsed_s);
-  /// The newest wish.
+  /// Returns the latest input.
   [[nodiscard]] const PointerInput& input() const noexcept { return input_; }
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  Q_SIGNALS:
   void changed();
-  /// The jaw opened because the keyboard went elsewhere.
+  /// The jaw opened because of a loss of focus.
   void gripLost();
 
  private:
@@ -84,7 +84,7 @@ class PointerControls : public QObject {
   void followTurn();
   void settle(double elapsed_s);
   [[nodiscard]] Quat orientation(const Quat& view) const;
-  /// How far a drag turns what is held: along the way on which the near side of the tissue moves.
+  /// Returns how far a drag turns what is held: in the direction in which the near side of the tissue moves.
   [[nodiscard]] double turnOf(const QPointF& drag) const;
   void setGrip(bool closed);
   void publish();
@@ -94,19 +94,19 @@ class PointerControls : public QObject {
   PointerInput input_;
   QPointF lastMouse_;
   bool mouseKnown_ = false;
-  std::set<int> held_;       // keys that move something while they are down
+  std::set<int> held_;       // keys held that move something
   std::set<int> unseen_;     // of these, pressed since the last frame
-  std::set<int> tapped_;     // of these, let go again already: they move something in the next frame
+  std::set<int> tapped_;     // of these, already released: they take effect in the next frame
   double rollHeld_s_ = 0.0;  // how long a key has turned the tool
   bool gripKept_ = false;
   std::optional<Vec3> heldAxis_;  // world frame
-  Quat heldView_;            // the camera when the jaw closed: the device keeps it while the jaw is closed
-  Quat gripped_;             // orientation of the tool when the tissue was gripped
-  double turned_rad_ = 0.0;  // since then, about the axis
+  Quat heldView_;                 // the camera when the jaw closed, which the device keeps while it is closed
+  Quat gripped_;                  // orientation of the tool when it gripped the tissue
+  double turned_rad_ = 0.0;       // turn since then about the axis
   double leastTurned_rad_ = 0.0;
   double mostTurned_rad_ = 0.0;
   double reach_rad_ = kNoEnd_rad;
-  std::optional<Vec3> leanTo_;  // outwards from the surface nearby, world frame
+  std::optional<Vec3> leanTo_;  // outward normal of the nearby surface, world frame
   bool tiltedByHand_ = false;
   bool rolledByHand_ = false;
 };

@@ -11,15 +11,15 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Which key moves what. The controls know the usual keys only; this turns a pressed key into the usual one
-/// of its movement, so that any movement may lie on any key.
+/// User-defined keys of movements. The controls only know the default keys; this maps a pressed key to the
+/// default key of its movement.
 class PointerKeys {
   Q_DECLARE_TR_FUNCTIONS(PointerKeys)
 
  public:
   struct Movement {
     const char* id;  ///< in the settings: "twist-left"
-    int usual;       ///< Qt::Key
+    int usual;       ///< default, Qt::Key
   };
   static constexpr std::size_t kMovements = 15;
   [[nodiscard]] static const std::array<Movement, kMovements>& movements();
@@ -28,13 +28,13 @@ class PointerKeys {
 
   PointerKeys();
   [[nodiscard]] int keyOf(std::size_t movement) const { return keys_[movement]; }
-  /// False, and nothing changes, when another movement has the key already.
+  /// Assigns a key. False, without a change, if another movement has it.
   [[nodiscard]] bool assign(std::size_t movement, int key);
-  /// The usual key of the movement that lies on `pressed`. A key without a movement is itself, unless it is
-  /// the usual key of one that was put elsewhere: then 0.
+  /// Returns the default key of the movement assigned to `pressed`. An unassigned key is returned unchanged,
+  /// or as 0 if it is the default key of a reassigned movement.
   [[nodiscard]] int usualFor(int pressed) const;
 
-  /// From and to this user's settings. What cannot be read there stays usual.
+  /// Reads from the user's settings; invalid values get the defaults.
   [[nodiscard]] static PointerKeys stored();
   void store() const;
 
@@ -42,7 +42,7 @@ class PointerKeys {
   std::array<int, kMovements> keys_;
 };
 
-/// Asks for the keys, one a movement; keeps them when the user says so. True when they changed.
+/// Asks for the keys, one per movement, and stores them if accepted. True if they have changed.
 bool askPointerKeys(QWidget* parent);
 
 }  // namespace torsio::gui

@@ -23,14 +23,14 @@ namespace {
 
 constexpr auto kTickBudget_us = static_cast<double>(kTickPeriod_us);
 
-/// A new text only when it differs: labels lay themselves out anew otherwise, at every frame.
+/// Sets the text only if different: labels would otherwise lay themselves out in every frame.
 void setIfNew(QLabel* label, const QString& text) {
   if (label->text() != text) {
     label->setText(text);
   }
 }
 
-/// A quiet name and its value beside it.
+/// Adds a muted name with its value.
 std::pair<QLabel*, QLabel*> addRow(QGridLayout* grid, QWidget* parent) {
   const int row = grid->rowCount();
   auto* title = new QLabel(parent);
@@ -79,7 +79,7 @@ ReadoutPanel::ReadoutPanel(QWidget* parent) : QWidget(parent), theme_(&theme(The
   std::tie(framesName_, frames_) = addRow(grid, timing_);
   timing_->content()->addLayout(grid);
   column->addWidget(timing_);
-  // A card is as tall as what it shows, also when the panel gets more room than that.
+  // A card keeps the height of its content even if the panel has more room.
   for (Card* card : {twist_, load_, timing_}) {
     card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
   }
@@ -144,7 +144,7 @@ QString ReadoutPanel::releaseText(const LiveState& state) {
 }
 
 void ReadoutPanel::showPhase(ExercisePhase phase) {
-  // The sign changes with the phase as well, not only the word: it is read from the corner of the eye.
+  // The symbol also changes with the phase, because it is noticed peripherally.
   static const QChar kSigns[] = {QChar(0x25CB), QChar(0x25D0), QChar(0x25CF), QChar(0x25CC)};
   setIfNew(phase_, kSigns[static_cast<int>(phase)] + QStringLiteral("  ") + phaseName(phase));
 }
@@ -166,7 +166,7 @@ void ReadoutPanel::showTiming(const LiveState& state, double framesPerSecond) {
 void ReadoutPanel::show(const LiveState& state, double framesPerSecond) {
   shown_ = state;
   rate_ = framesPerSecond;
-  dial_->setVisible(!state.hollow.present);  // an organ that came twisted has no target but to lie at rest
+  dial_->setVisible(!state.hollow.present);  // the target of a twisted organ is always the untwisted state
   dial_->setTarget(state.targetAngle_rad, limits_.tolerance_rad);
   dial_->setAngle(state.response.angle_rad);
   torque_->setValue(std::abs(state.response.torque_Nm));

@@ -15,14 +15,14 @@ class Card;
 class LevelBar;
 struct Theme;
 
-/// What cannot be read off the tissue's state but belongs beside it.
+/// Limits shown beside the tissue's state.
 struct ReadoutLimits {
   double tolerance_rad = 0.0;
-  double force_N = 0.0;    ///< 0: none known
-  double torque_Nm = 0.0;  ///< 0: none known
+  double force_N = 0.0;    ///< 0: unknown
+  double torque_Nm = 0.0;  ///< 0: unknown
 };
 
-/// Angle, torque, force, phase and timing as figures, quiet until something asks for attention.
+/// Angle, torque, force, phase and timing as numbers, unobtrusive until something needs attention.
 class ReadoutPanel : public QWidget {
   Q_OBJECT
 
@@ -31,15 +31,15 @@ class ReadoutPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   void setLimits(const ReadoutLimits& limits);
-  /// `framesPerSecond`: 0 while not known.
+  /// `framesPerSecond`: 0 if unknown.
   void show(const LiveState& state, double framesPerSecond);
 
   void retranslate();
 
   /// Name of a phase in the user's language.
   [[nodiscard]] static QString phaseName(ExercisePhase phase);
-  /// Says why the organ was let go, in a sentence: the hand opened, the jaw slipped, the tissue would have
-  /// folded.
+  /// Explains in a sentence why the organ was released: the hand opened, the jaw slipped, the tissue would
+  /// have folded.
   [[nodiscard]] static QString releaseText(const LiveState& state);
 
  private:

@@ -25,7 +25,7 @@ class ReplayBar : public QWidget {
 
   void setTheme(const Theme& theme);
   void retranslate();
-  /// Follows the playback; null clears the bar.
+  /// Shows this playback; null clears the bar.
   void show(const TrialPlayback* playback);
 
  Q_SIGNALS:

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLongestTrial_s = 30.0;
 constexpr double kLeastTarget_rad = 1e-3;
-// An instructor's hand: nothing left to learn.
+// An instructor's hand, with nothing left to learn.
 const HandProfile kPractised{.initialSkill = 1.0, .finalSkill = 1.0, .learningTime_min = 1.0};
 
 }  // namespace
@@ -32,7 +32,7 @@ LiveState scriptedTwist(const Scene& scene, double target_rad) {
   const double ends_s = hand->cycles() > 0 ? hand->span_s(0)[1] : kLongestTrial_s;
   RecordedRun run(borrowed(scene), std::move(hand), {.targetAngle_rad = target_rad}, nullptr);
 
-  if (scene.hollow) {  // came twisted: as it lies at this angle, the hand not yet there
+  if (scene.hollow) {  // comes twisted: returned at this angle, without the hand
     run.step();
     LiveState state = run.latest();
     const OrganState organ = scene.stateAt(target_rad);

@@ -14,7 +14,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kLeanWithin_m = 0.040;
-constexpr double kLag_rad = radians(10.0);  // the organ lies so far behind the keys at most
+constexpr double kLag_rad = radians(10.0);  // maximum lag of the organ behind the keys
 
 }  // namespace
 
@@ -25,7 +25,7 @@ LiveState ShownTool::show(const LiveState& state) {
   if (holds && rides && controller_.playback() == nullptr) {
     axis = controller_.scene()->graspFrame(state.response.graspArc_m, state.tool.position_m).tangent;
   }
-  // Beyond what a hand turns an organ that came twisted its shaft would swing through the tissue.
+  // Beyond the hand's turn on a twisted organ, the shaft would swing through the tissue.
   const bool undone = axis && controller_.scene()->comesTwisted();
   pointer_.setHeldAxis(axis, undone ? kHandTurn_rad + kLag_rad : PointerControls::kNoEnd_rad);
   const std::optional<SurfacePoint> near = controller_.nearby(state);
@@ -46,7 +46,7 @@ LiveState ShownTool::show(const LiveState& state) {
 LiveState ShownTool::carried(const LiveState& state) const {
   const Scene& scene = *controller_.scene();
   const AxisFrame frame = scene.graspFrame(state.response.graspArc_m, state.tool.position_m);
-  // An organ that came twisted: only what it turned since the jaw took hold of it carries the tool round.
+  // For a twisted organ, only the turn since gripping carries the tool round.
   const double turn_rad = state.response.angle_rad - (scene.comesTwisted() ? heldFrom_rad_ : 0.0);
   LiveState drawn = state;
   drawn.response.force_N = rotateAbout(state.response.force_N, frame.tangent, turn_rad);

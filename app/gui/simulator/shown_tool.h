@@ -9,16 +9,16 @@ namespace torsio::gui {
 
 class SceneView;
 
-/// Draws the instrument where it holds the tissue, and tells the pointer what it holds and what it is near
-/// to. A hand that twists by turning stays in place; what is drawn goes round with the tissue that it holds.
-/// GUI thread; the three outlive it.
+/// Draws the instrument where it holds the tissue, and tells the pointer what it holds and what is near. A
+/// hand that twists by turning stays in place; the drawn tool moves with the tissue. GUI thread; view,
+/// pointer and controller must outlive it.
 class ShownTool {
  public:
   ShownTool(SimulationController& controller, PointerControls& pointer, SceneView& view)
       : controller_(controller), pointer_(pointer), view_(view) {}
 
-  /// Shows one state and returns it as it is drawn, with tool and force where the tissue has carried them.
-  /// Called once a frame, in the order of time.
+  /// Shows a state and returns it as drawn, with tool and force moved by the tissue. Call once per frame, in
+  /// chronological order.
   LiveState show(const LiveState& state);
 
  private:
@@ -27,7 +27,7 @@ class ShownTool {
   SimulationController& controller_;
   PointerControls& pointer_;
   SceneView& view_;
-  double heldFrom_rad_ = 0.0;  // how far the organ was turned when the jaw took hold of it
+  double heldFrom_rad_ = 0.0;  // turn of the organ when it was gripped
 };
 
 }  // namespace torsio::gui

@@ -24,7 +24,7 @@ SimulationController::SimulationController(SceneLoader loader, TrialRecording re
 }
 
 SimulationController::~SimulationController() {
-  ++hapticWanted_;  // what is being opened is not wanted any more
+  ++hapticWanted_;  // cancels the attempt in progress
   workers_.clear();
   workers_.waitForDone();
 }
@@ -71,7 +71,7 @@ void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<
   if (!wasLoading) {
     Q_EMIT loadingChanged(true);
   }
-  workers_.clear();  // what has not begun yet is overtaken
+  workers_.clear();  // cancels loads that have not started
   workers_.start([this, ticket, request, trial, loader = loader_] {
     auto loaded = std::make_shared<LoadedScene>();
     auto poses = std::make_shared<PoseTrack>();
@@ -119,7 +119,7 @@ void SimulationController::freeze(const LiveState& state) {
 
 void SimulationController::replace(const SceneRequest& request, LoadedScene loaded,
                                    std::optional<TrialPlayback> playback) {
-  retireHaptic(takeHaptic());  // its workspace lies about the old scene
+  retireHaptic(takeHaptic());  // its workspace is centred on the old scene
   request_ = request;
   request_.formulation = loaded.scene->model.options().formulation;
   loaded_ = std::move(loaded);
@@ -152,7 +152,7 @@ void SimulationController::enter(SimulationStage next) {
   TORSIO_EXPECTS(mayFollow(stage(), kindOf(next)));
   const Mode before = mode();
   const QString model = hapticModel();
-  stage_ = std::move(next);  // a run that went on has stopped here
+  stage_ = std::move(next);  // destroys the previous stage, and with it a running run
   if (stage::Running* now = running(); now != nullptr && realTime_) {
     now->run->start();
   }
@@ -220,12 +220,12 @@ stage::Running SimulationController::newRun(std::unique_ptr<HapticDevice> device
   return running;
 }
 
-/// `device` null: with the pointer.
+/// `device`: null for the pointer.
 void SimulationController::practise(std::unique_ptr<HapticDevice> device) {
   enter(stage::Practising{newRun(std::move(device), {.targetAngle_rad = target_rad_}, nullptr)});
 }
 
-/// Closes the recording that goes on. Empty: it could not be kept (failed() has said so).
+/// Closes the running recording. Empty: it could not be stored (failed() has been emitted).
 std::optional<RecordingResult> SimulationController::finishRun(TrialOutcome outcome) {
   std::optional<RecordingResult> result;
   attempt([&] { result = running()->run->finish(outcome); });

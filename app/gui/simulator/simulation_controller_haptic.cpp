@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of SimulationController: the haptic device, and what happens without it.
+// The haptic device of SimulationController, and what happens without it.
 #include <utility>
 
 #include "app/gui/base/translated_text.h"
@@ -14,7 +14,7 @@ void SimulationController::useHapticDevice(HapticOpener opener) {
   if (was && !opener) {
     ++hapticWanted_;
     if (stage() == StageKind::kPractising) {
-      takeHaptic().reset();  // another page may open it right away
+      takeHaptic().reset();  // immediately, because another page may open it next
       practise(nullptr);
     }
   }
@@ -27,7 +27,7 @@ void SimulationController::openHaptic() {
     return;
   }
   workers_.start([this, ticket = ++hapticWanted_, open = openHaptic_, scene = loaded_.scene] {
-    // In a box, because a queued call must be copyable.
+    // Shared pointer, because a queued call must be copyable.
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
     QString problem;
     const WhileWanted wanted([this, ticket] { return ticket != hapticWanted_; });
@@ -58,15 +58,15 @@ void SimulationController::tookHaptic(std::unique_ptr<HapticDevice> device, cons
   const QString model = toQString(device->capabilities().model);
   const bool felt = device->capabilities().rendersForce;
   if (stage() != StageKind::kPractising) {
-    return;  // it is given back, and asked for again with the next scene
+    return;  // released, and requested again with the next scene
   }
   practise(std::move(device));
   Q_EMIT noticed(felt ? tr("You practise with %1. The force is felt").arg(model)
                       : tr("You practise with %1. The force is shown, not felt").arg(model));
 }
 
-/// Stops a run of free practice that goes on with the haptic device, and hands that out: it outlives the
-/// runs, because opening it takes seconds. Null: there is none, or nobody wants it any more.
+/// Stops free practice with the haptic device, and returns the device, which is reused because opening it
+/// takes seconds. Null: there is none, or it is no longer wanted.
 std::unique_ptr<HapticDevice> SimulationController::takeHaptic() {
   stage::Running* now = stage() == StageKind::kTraining ? nullptr : running();
   if (now == nullptr || !now->usesHaptic()) {
@@ -76,7 +76,7 @@ std::unique_ptr<HapticDevice> SimulationController::takeHaptic() {
   return openHaptic_ ? std::move(device) : nullptr;
 }
 
-/// Closes it in the background: that may take as long as opening it.
+/// Closes the device in the background, which may take as long as opening it.
 void SimulationController::retireHaptic(std::unique_ptr<HapticDevice> device) {
   ++hapticWanted_;
   if (!device) {
@@ -103,7 +103,7 @@ void SimulationController::watchDevice() {
   }
 }
 
-/// The servo has set the force to zero already: a lost device gets none.
+/// Handles the loss of the device. The servo has already set the force to zero: a lost device gets none.
 void SimulationController::loseHaptic() {
   const bool recorded = stage() == StageKind::kRecording;
   if (recorded) {

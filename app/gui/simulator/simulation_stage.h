@@ -14,40 +14,40 @@
 
 namespace torsio::gui {
 
-/// What a simulator can be at; each stage holds all that only it needs.
+/// Stages of a simulator, each with the data only it needs.
 namespace stage {
 
-/// No scene was loaded yet.
+/// No scene has been loaded yet.
 struct Empty {};
 
-/// A run and who leads the instrument.
+/// A run and the device that moves the instrument.
 struct Running {
   std::unique_ptr<RecordedRun> run;  ///< never null
-  PointerDevice* pointer = nullptr;  ///< of `run`; null: a haptic device
+  PointerDevice* pointer = nullptr;  ///< of `run`; null for a haptic device
 
   [[nodiscard]] bool usesHaptic() const noexcept { return pointer == nullptr; }
 };
 
-/// Free practice: nothing is kept.
+/// Free practice, not stored.
 struct Practising : Running {};
 
-/// Free practice that is recorded.
+/// Recorded free practice.
 struct Recording : Running {};
 
-/// A trainee's run; it belongs to the page that began it.
+/// A trainee's run, controlled by the page that started it.
 struct Training : Running {
-  bool lossTold = false;  ///< that its haptic device was lost
+  bool lossTold = false;  ///< the loss of its haptic device was reported
 };
 
-/// One instant is shown and nothing moves: a picture, between two runs of a trainee, after the end.
+/// A still state: a screenshot, between two runs of a trainee, after the end.
 struct Still {
   LiveState shown;
 };
 
-/// A recording is played.
+/// A replay of a recording.
 struct Replaying {
   TrialPlayback playback;
-  std::unique_ptr<AsyncModelPlayback> async{};  ///< null: the recording needs none
+  std::unique_ptr<AsyncModelPlayback> async{};  ///< null: not needed by the recording
 };
 
 }  // namespace stage
@@ -55,17 +55,17 @@ struct Replaying {
 using SimulationStage = std::variant<stage::Empty, stage::Practising, stage::Recording, stage::Training,
                                      stage::Still, stage::Replaying>;
 
-/// The stages by name, in the order of the variant.
+/// The stages, in the order of the variant.
 enum class StageKind : std::size_t { kEmpty, kPractising, kRecording, kTraining, kStill, kReplaying };
 inline constexpr std::size_t kStageKinds = std::variant_size_v<SimulationStage>;
 
-/// Names the stage.
+/// Returns the kind of a stage.
 [[nodiscard]] inline StageKind kindOf(const SimulationStage& stage) noexcept {
   return static_cast<StageKind>(stage.index());
 }
 
-/// Tells whether a stage may come right after another. What is recorded never changes its scene: it must end
-/// first, and a trainee's run ends in stillness.
+/// Returns whether a stage may directly follow another. A recording never changes its scene: it must end
+/// first, and a trainee's run ends in kStill.
 [[nodiscard]] constexpr bool mayFollow(StageKind before, StageKind after) noexcept {
   constexpr std::array<std::array<bool, kStageKinds>, kStageKinds> kMay{{
       // empty, practising, recording, training, still, replaying

@@ -10,7 +10,7 @@
 
 namespace torsio::gui {
 
-// The orientation of an instrument as the angles that mouse and keys change. Pure; any thread.
+// The orientation of an instrument as the angles that mouse and keys change. Pure functions; thread-safe.
 
 /// Angles of view * turn(y, yaw) * turn(x, pitch) * turn(z, roll).
 struct Tilt {
@@ -19,18 +19,18 @@ struct Tilt {
   double roll_rad = 0.0;
 };
 
-/// Sum of the differences, rad.
+/// Returns the sum of the absolute differences of yaw, pitch and roll, rad.
 inline double distance(const Tilt& a, const Tilt& b) {
   return std::abs(a.yaw_rad - b.yaw_rad) + std::abs(a.pitch_rad - b.pitch_rad) +
          std::abs(a.roll_rad - b.roll_rad);
 }
 
-/// The same angle, within half a turn of the reference.
+/// Returns the equivalent angle within half a turn of the reference.
 inline double nearTo(double angle_rad, double reference_rad) {
   return reference_rad + std::remainder(angle_rad - reference_rad, 2.0 * std::numbers::pi);
 }
 
-/// Of a turn. Two triples of angles mean the same turn; the one that continues `before` is taken.
+/// Returns the angles of a rotation. Of the two equivalent triples, returns the one that continues `before`.
 inline Tilt tiltOf(const Quat& turn, const Tilt& before) {
   const Vec3 x = rotate(turn, {1.0, 0.0, 0.0});
   const Vec3 y = rotate(turn, {0.0, 1.0, 0.0});

@@ -37,7 +37,7 @@ std::vector<RecordedTrial> listFolder(const std::string& folder) {
                         .startedUtc_us = trial.header.startedUtc_us,
                         .duration_s = static_cast<double>(trial.summary.samples) * tick_s});
     } catch (const Error&) {
-      // A damaged file is no trial; the others are still offered.
+      // Skips a damaged file; the others are still listed.
     }
   }
   std::sort(trials.begin(), trials.end(),

@@ -13,7 +13,7 @@
 
 namespace torsio::gui {
 
-/// One line of the list from which a recording is chosen.
+/// A recording in the list to choose from.
 struct RecordedTrial {
   TrialId id;
   SceneId sceneId;
@@ -22,21 +22,20 @@ struct RecordedTrial {
   double duration_s = 0.0;
 };
 
-/// Where the window keeps trials and takes them from. Every function throws Error with a reason that can be
-/// shown. The window calls them from the GUI thread; the sink itself is then called from the recorder's
-/// thread only (sim/record/recorder.h).
+/// Storage of the window's trials. All functions throw Error with a displayable reason. Called in the GUI
+/// thread; the sink is then called only in the recorder's thread (sim/record/recorder.h).
 struct TrialRecording {
-  /// A sink for a new trial: the recorder hands it header, chunks and summary. Null while nothing can be
-  /// kept.
+  /// Returns a sink for a new trial: the recorder passes it header, chunks and summary. Null if nothing can
+  /// be stored.
   std::function<std::unique_ptr<TrialSink>(const RecordingSpec&)> open;
   /// Newest first.
   std::function<std::vector<RecordedTrial>()> list;
   std::function<Trial(const std::string& id)> load;
-  /// Where that is, for people: the name of a database or folder.
+  /// Name of the database or folder, for display.
   std::string place;
 };
 
-/// Trials as files in one folder, made when needed: what the window uses when it was given nothing else.
+/// Stores trials as files in a folder, created on demand: the window's default.
 [[nodiscard]] TrialRecording trialFiles(const std::string& folder);
 
 }  // namespace torsio::gui

@@ -11,11 +11,11 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kNearlyLost = 0.95;  // dose
+constexpr double kNearlyLost = 0.95;  // ischaemic dose
 constexpr double kLongest_s = 12.0 * 3600.0;
 constexpr double kStep_s = 600.0;
 
-/// Blood, and how long the organ has lain so.
+/// Blood of an organ, and how long it has been twisted.
 struct Lain {
   PerfusionState blood;
   double since_s = 0.0;
@@ -39,7 +39,8 @@ double angleOf(const HollowOrgan& organ, UntwistingState state) {
   return 0.0;
 }
 
-/// Blood of an organ that has lain twisted until it is nearly lost, or for long where that harms it little.
+/// Returns the blood of an organ that has been twisted until it is nearly lost, or for long if that harms it
+/// little.
 Lain starved(const HollowOrgan& organ) {
   const Detorsion& detorsion = organ.detorsion();
   const double pressure_mmHg = detorsion.wall.pressure_Pa / kPascalsPerMmHg;

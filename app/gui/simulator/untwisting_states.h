@@ -10,13 +10,13 @@
 
 namespace torsio::gui {
 
-/// What an organ that comes twisted goes through, for pictures.
+/// States of an organ that comes twisted, for screenshots.
 enum class UntwistingState : std::uint8_t {
-  kRest,       ///< untwisted and sound
-  kOnset,      ///< the wall begins to fold; of a cord a quarter of its largest twist
-  kClosed,     ///< the narrowest place is shut; of a cord half of its largest twist
-  kIschaemic,  ///< as far as it may come twisted, and long so; of a scene that never starves: dammed up
-  kRecovered,  ///< undone after that, flow come back
+  kRest,       ///< untwisted and healthy
+  kOnset,      ///< the wall begins to fold; for a cord, a quarter of its largest twist
+  kClosed,     ///< the narrowest place is closed; for a cord, half of its largest twist
+  kIschaemic,  ///< maximum initial twist, for a long time; in a scene without ischaemia, congested
+  kRecovered,  ///< untwisted afterwards, with restored flow
 };
 inline constexpr std::array<std::pair<UntwistingState, const char*>, 5> kUntwistingStates{
     {{UntwistingState::kRest, "rest"},
@@ -25,7 +25,8 @@ inline constexpr std::array<std::pair<UntwistingState, const char*>, 5> kUntwist
      {UntwistingState::kIschaemic, "ischaemic"},
      {UntwistingState::kRecovered, "recovered"}}};
 
-/// Returns the organ in a state, twisted the usual way, nobody's hand on it. `scene` has a hollow organ.
+/// Returns the organ in a state, twisted in the usual direction, without a hand. `scene` must have a hollow
+/// organ.
 [[nodiscard]] LiveState untwistingState(const Scene& scene, UntwistingState state);
 
 }  // namespace torsio::gui

@@ -9,22 +9,22 @@
 
 namespace torsio::gui {
 
-/// A "?" beside the title of a scene: opens what of an untwisting is measured, sourced and assumed. Hidden
-/// for other scenes.
+/// A "?" beside a scene's title: shows what is measured, sourced and assumed in an untwisting. Hidden for
+/// other scenes.
 class ValidityButton : public QToolButton {
   Q_OBJECT
 
  public:
   explicit ValidityButton(QWidget* parent = nullptr);
 
-  /// Takes the words of a scene; null: none.
+  /// Takes the text of a scene; null: none.
   void setScene(const Scene* scene);
   void retranslate();
 
  private:
   void tell();
 
-  std::string words_;  // as the scene file has them
+  std::string words_;  // as in the scene file
 };
 
 }  // namespace torsio::gui

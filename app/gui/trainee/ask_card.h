@@ -18,25 +18,25 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// Under the trace of a debrief: sends the moment that is shown to a chief physician, and shows what was
-/// asked, how long it has waited, and the answers. Hidden where nobody may be asked.
+/// Below a debrief's trace: sends the moment shown to a chief physician, and shows questions, waiting times
+/// and answers. Hidden if nobody can be asked.
 class AskCard : public Card {
   Q_OBJECT
 
  public:
   explicit AskCard(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Reads what may be asked about this own run; empty: none.
+  /// Reads the questions allowed about one's own run; empty: no run.
   void setRun(const TrialId& trialId);
-  /// The moment that would be asked about, seconds.
+  /// Sets the moment to ask about, s.
   void setMoment(double at_s);
-  /// Sends it.
+  /// Sends the question.
   void ask();
   [[nodiscard]] const QuestionDesk& questions() const noexcept { return desk_; }
   void retranslate();
 
  Q_SIGNALS:
-  /// Was sent: the bookmarks of the run are other ones.
+  /// A question was sent: the run's bookmarks have changed.
   void asked(double at_s);
 
  private:

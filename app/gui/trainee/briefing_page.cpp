@@ -33,7 +33,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// The untwisting that a module asks for; null: a twist to a target.
+/// Returns the untwisting of a module; null: a twist to a target.
 std::shared_ptr<const Detorsion> untwistingOf(const std::filesystem::path& assets,
                                               const TrainingModule& module) {
   try {
@@ -43,7 +43,7 @@ std::shared_ptr<const Detorsion> untwistingOf(const std::filesystem::path& asset
       }
     }
   } catch (const Error&) {
-    // Another installation's scene: the view beside the text says what is wrong with it.
+    // A scene of another installation: the view beside the text reports the problem.
   }
   return nullptr;
 }
@@ -65,7 +65,7 @@ QStringList twist(const TrainingModule& module) {
 constexpr int kBriefingWidth = 340;
 constexpr double kSlowMotion = 0.25;
 
-/// What a hand does at this moment, as an onlooker says it.
+/// Describes the hand's present action, for a viewer.
 QString doneNow(const LiveState& state, const TrainingModule& module, bool undone) {
   switch (state.phase) {
     case ExercisePhase::kTracking:
@@ -87,7 +87,7 @@ QString doneNow(const LiveState& state, const TrainingModule& module, bool undon
   return {};
 }
 
-/// Says what an untwisting begins with and when it is done. The angle of the start is drawn at its beginning.
+/// Describes the start and the goal of an untwisting. The initial angle is drawn when it starts.
 QStringList untwistingTask(const Detorsion& detorsion) {
   const DetorsionLimits& limits = detorsion.limits;
   const auto figure = [](double value) { return numberText(value, 0); };
@@ -153,7 +153,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   start_ = primaryButton(panel);
   start_->setObjectName(QStringLiteral("start"));
   back_ = new QPushButton(panel);
-  // What must always be in reach stands below; what is taller than a small screen scrolls.
+  // The buttons below are always visible; longer text scrolls on a small screen.
   auto* words = new QWidget(panel);
   auto* reading = new QVBoxLayout(words);
   reading->setContentsMargins(0, 0, 0, 0);
@@ -179,7 +179,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   connect(slow_, &QPushButton::toggled, this, [this](bool slow) {
     const TrialPlayback* expert = scene_->controller().playback();
     if (slow && expert != nullptr && expert->position_us() >= expert->duration_us()) {
-      showExpert();  // there is nothing left to be slowed down
+      showExpert();  // nothing left to slow down
     }
   });
   connect(scene_, &LiveScene::shown, this, &BriefingPage::follow);
@@ -220,7 +220,7 @@ void BriefingPage::enter(const QVariant& argument) {
     const NextSteps steps = nextSteps(shell().session(), shell().session().actor().personId);
     step_ = stepOf(steps, desk_.moduleId);
     competence_ = trend(shell().session(), steps.personId, desk_.moduleId).competence;
-    // Before the first attempt only the scene tells what is asked for.
+    // Before the first attempt, only the scene tells the task.
     competence_.untwisting =
         competence_.untwisting || untwistingOf(shell().assets(), step_.module) != nullptr;
     asked_ = false;
@@ -261,7 +261,7 @@ void BriefingPage::follow(const LiveState& state) {
     return;
   }
   if (!seen_ && scene_->pictured()) {
-    seen_ = true;  // what has played meanwhile was seen by nobody
+    seen_ = true;  // nobody saw what was played meanwhile
     expert->seek_us(0);
     expert->setPlaying(true);
   }

@@ -16,16 +16,16 @@ class StationDesk;
 class Card;
 class LiveScene;
 
-/// What is asked for, and an expert's run of the same pattern to watch.
+/// The task, with an expert's run of the same pattern to watch.
 class BriefingPage : public Page {
   Q_OBJECT
 
  public:
-  /// `desk` outlives the page.
+  /// `desk` must outlive the page.
   BriefingPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
   ~BriefingPage() override;
 
-  /// Of StationDesk::moduleId; with the argument "later" it waits for the next call.
+  /// For StationDesk::moduleId; argument "later": waits for the next call.
   void enter(const QVariant& argument) override;
   [[nodiscard]] bool leave() override;
   void retranslate() override;
@@ -36,18 +36,18 @@ class BriefingPage : public Page {
  private:
   StationDesk& desk_;
 
-  /// What stands below the picture.
+  /// Creates the controls below the picture.
   QLayout* createBar();
   void showExpert();
-  /// Says below the picture what the expert does at this moment, and plays as slowly as is wanted.
+  /// Describes the expert's present action below the picture, and applies the slow-down.
   void follow(const LiveState& state);
   void fill();
 
   ModuleStep step_;
   CompetenceVerdict competence_{};
-  bool asked_ = false;   // the expert's run was asked for
-  bool seen_ = false;    // and began to play, with a picture of the organ
-  bool undone_ = false;  // the module undoes an organ that came twisted
+  bool asked_ = false;   // the expert's run was requested
+  bool seen_ = false;    // the expert's run has started to play, with a picture of the organ
+  bool undone_ = false;  // the module untwists an organ
   LiveScene* scene_;
   QLabel* title_;
   QLabel* task_;

@@ -84,7 +84,7 @@ void ConsentPage::enter(const QVariant& argument) {
   others_.clear();
   retranslate();
   ownRecord_->read();
-  understood_->setFocus();  // never a button that decides: Enter may still be on its way
+  understood_->setFocus();  // never a deciding button, because a late Enter would press it
 }
 
 void ConsentPage::readTexts() {
@@ -101,7 +101,7 @@ void ConsentPage::readTexts() {
 }
 
 void ConsentPage::showOthers(const ConsentWords& words) {
-  std::map<std::string, bool> chosen;  // what was ticked stays when the language changes
+  std::map<std::string, bool> chosen;  // keeps the ticks when the language changes
   for (const Choice& other : others_) {
     chosen[other.purpose] = other.agreed->isChecked();
   }

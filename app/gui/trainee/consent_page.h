@@ -17,20 +17,20 @@ class Card;
 class OwnRecordCard;
 class PageHeading;
 
-/// Shows every text that the centre asks about and takes the trainee's own decision about each before
-/// anything is recorded. The training record decides whether they can begin; the others are free to choose.
+/// Shows all consent texts of the centre and asks for the trainee's decision about each before anything is
+/// recorded. The training record is required to begin; the others are optional.
 class ConsentPage : public Page {
   Q_OBJECT
 
  public:
   explicit ConsentPage(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// `argument`: the page to go to after the decision; the first one without.
+  /// `argument`: the page to open after the decision; default: the first one.
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
  private:
-  /// A purpose besides the training record.
+  /// A purpose other than the training record.
   struct Choice {
     std::string purpose;
     QCheckBox* agreed;

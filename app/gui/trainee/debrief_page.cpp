@@ -93,7 +93,7 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   looks_->addWidget(trace_, 3);
   page.column->addLayout(looks_, 2);
   untwisting_ = new DetorsionCard(this);
-  page.column->addWidget(untwisting_, 3);  // four curves below each other
+  page.column->addWidget(untwisting_, 3);  // four stacked curves
   ask_ = new AskCard(context, this);
   page.column->addWidget(ask_);
   page.column->addStretch(0);
@@ -129,7 +129,7 @@ void DebriefPage::connectParts() {
 
 void DebriefPage::seek(double at_s) {
   if (haveReplay_) {
-    replay_->seek(at_s);  // and says where it came to
+    replay_->seek(at_s);  // reports the resulting position
   } else {
     setMoment(std::clamp(at_s, 0.0, debrief_.duration_s));
   }
@@ -161,7 +161,7 @@ void DebriefPage::enter(const QVariant& argument) {
     if (trialId != debrief_.trialId) {
       compute(trialId);
     } else {
-      readQuestions();  // an answer may have come
+      readQuestions();  // there may be an answer
     }
   });
 }
@@ -200,7 +200,7 @@ void DebriefPage::tellStory() {
   if (!desk_.story.add(debrief_) || !haveReplay_) {
     return;
   }
-  // The window has to lay the view out before it can be drawn in its size.
+  // The view must be laid out before it can be drawn at its size.
   QTimer::singleShot(kLaidOut_ms, this, [this, trialId = debrief_.trialId] {
     const std::optional<BestTwist>& best = desk_.story.best();
     if (best && best->trialId == trialId && debrief_.trialId == trialId) {
@@ -236,7 +236,7 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding)
   }
   auto* look = linkButton(this);
   look->setObjectName(QStringLiteral("look"));
-  look->setStyleSheet(QStringLiteral("padding: 1px 0;"));  // stands in line with the sentence above it
+  look->setStyleSheet(QStringLiteral("padding: 1px 0;"));  // aligned with the sentence above
   look->setText(tr("Look at %1 to %2").arg(clockTenths(finding.when.from_s), clockTenths(finding.when.to_s)));
   const Seconds when = finding.when;
   connect(look, &QPushButton::clicked, this, [this, when] {
@@ -284,7 +284,7 @@ void DebriefPage::fillTexts(bool any) {
   again_->setEnabled(any && !debrief_.moduleId.empty());
   trend_->setEnabled(any && !debrief_.moduleId.empty());
   const QString mode = debrief_.mode == AttemptMode::kGraded ? tr("Graded run") : tr("Practice");
-  // A module of another enrolment is known by the label of its trial.
+  // A module of another enrolment is named by its trial's label.
   const std::string& title = debrief_.moduleTitle.empty() ? debrief_.phaseLabel : debrief_.moduleTitle;
   heading_->setTexts(
       any && !title.empty() ? toQString(Text(title)) : tr("Your run"),
@@ -307,7 +307,7 @@ void DebriefPage::resizeEvent(QResizeEvent* event) {
   arrangeLooks();
 }
 
-/// What stands below the checks: how the numbers above are to be read.
+/// Adds the notes below the checks: how to read the numbers above.
 void DebriefPage::fillNotes() {
   const auto add = [this](const char* name, const QString& text) {
     auto* words = plainLabel(targets_, "quiet");

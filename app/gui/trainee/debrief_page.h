@@ -22,16 +22,16 @@ class DebriefReplay;
 class DetorsionCard;
 class PageHeading;
 
-/// What a trainee is told right after a run: every target, two strengths, two weaknesses with the seconds to
-/// look at, the trace, the expert's curve.
+/// Feedback right after a run: all targets, two strengths, two weaknesses with the seconds to look at, the
+/// trace, the expert's curve.
 class DebriefPage : public Page {
   Q_OBJECT
 
  public:
-  /// `desk` outlives the page.
+  /// `desk` must outlive the page.
   DebriefPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
 
-  /// `argument`: id of the trial; without one the newest.
+  /// `argument`: id of the trial; default: the latest.
   void enter(const QVariant& argument) override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
@@ -46,12 +46,12 @@ class DebriefPage : public Page {
   void readQuestions();
   void showBookmark(double at_s);
   void compute(const TrialId& trialId);
-  /// Takes the run into what the session tells, with a picture when its best twist is in it.
+  /// Adds the run to the session's story, with a picture if it contains the best twist.
   void tellStory();
   void connectParts();
   void fill();
   void fillNotes();
-  /// The run in three dimensions beside its trace, or above it where the page is too narrow for both.
+  /// Arranges the 3D view beside its trace, or above it if the page is too narrow.
   void arrangeLooks();
   void fillTexts(bool any);
   void addFinding(QVBoxLayout* column, const DebriefFinding& finding);
@@ -74,8 +74,8 @@ class DebriefPage : public Page {
   QVBoxLayout* weaknesses_;
   Card* trace_;
   DetorsionCard* untwisting_;
-  QBoxLayout* looks_;  // at the run
-  Card* inThree_;      // the run in three dimensions
+  QBoxLayout* looks_;  // 3D view and trace
+  Card* inThree_;      // 3D view of the run
   DebriefReplay* replay_;
   DebriefPlot* plot_;
   AskCard* ask_;
@@ -85,7 +85,7 @@ class DebriefPage : public Page {
   QPushButton* again_;
   QPushButton* trend_;
   QPushButton* next_;
-  double moment_s_ = 0.0;  ///< where replay and plot stand, that a question or a bookmark is about
+  double moment_s_ = 0.0;  ///< position of replay and plot, used for questions and bookmarks
 };
 
 }  // namespace torsio::gui

@@ -29,7 +29,7 @@ constexpr double kBetween = 26.0;
 constexpr double kRoomRound_s = 1.5;
 constexpr double kShortest_s = 0.5;
 
-/// 1, 2 or 5 times a power of ten, at least `least`.
+/// Returns 1, 2 or 5 times a power of ten, at least `least`.
 double niceStep(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(std::max(least, 1e-9))));
   for (const double factor : {1.0, 2.0, 5.0}) {
@@ -81,7 +81,7 @@ QString DebriefPlot::reading() const {
   if (own.empty()) {
     return {};
   }
-  // The point that the playhead is at: the last that begins no later.
+  // The sample at the playhead: the last one that is not later.
   const auto after = std::upper_bound(own.time_s.begin(), own.time_s.end(), position_s_);
   const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - own.time_s.begin() - 1, 0));
   return tr("%1   %2\u00b0   %3 N")
@@ -192,7 +192,7 @@ void DebriefPlot::drawAxes(QPainter& painter, const Lane& angle, const Lane& for
   const double step = niceStep((range_.to_s - range_.from_s) / 8.0);
   painter.setPen(theme_->quietText);
   for (double t = std::ceil(range_.from_s / step) * step; t <= range_.to_s; t += step) {
-    // Centred below its time, and whole where that is the end of the run.
+    // Centred below its time, but not clipped at the end of the run.
     const QString time = clockTenths(t);
     const double wide = painter.fontMetrics().horizontalAdvance(time) + 2.0;
     const double left = std::min(xOf(t) - 0.5 * wide, width() - wide);

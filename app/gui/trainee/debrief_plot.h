@@ -10,9 +10,9 @@
 
 namespace torsio::gui {
 
-/// Angle and force of a run over time: target band, expert's curve at each grip, bookmarks, and the seconds
-/// that somebody asked to see. Wheel or + and - zoom, dragging or arrows move; a double click asks for a
-/// bookmark. Says the same in its accessible description.
+/// Angle and force of a run over time: target band, expert's curve at each grip, bookmarks, and a highlighted
+/// range of seconds. Wheel or + and - zoom, dragging or arrows move; a double click requests a bookmark. The
+/// accessible description says the same.
 class DebriefPlot : public QWidget {
   Q_OBJECT
 
@@ -20,15 +20,15 @@ class DebriefPlot : public QWidget {
   explicit DebriefPlot(QWidget* parent = nullptr);
 
   void setDebrief(Debrief debrief);
-  /// Another mark; what is shown stays.
+  /// Adds a mark without changing the visible range.
   void addBookmark(const DebriefBookmark& mark);
   void setTheme(const Theme& theme);
   void setExpertVisible(bool visible);
-  /// Moves the playhead; what is written beside it are the values at that moment.
+  /// Moves the playhead, with the values at that moment.
   void setPosition(double at_s);
-  /// Returns time, angle and force at the playhead, as they are written.
+  /// Returns time, angle and force at the playhead as displayed.
   [[nodiscard]] QString reading() const;
-  /// Shows these seconds with some room round them.
+  /// Shows this range with a margin.
   void show(const Seconds& when);
   void showAll();
   [[nodiscard]] const Seconds& range() const noexcept { return range_; }
@@ -38,7 +38,7 @@ class DebriefPlot : public QWidget {
 
  Q_SIGNALS:
   void bookmarkWanted(double at_s);
-  /// Somebody chose a moment of the run.
+  /// The user chose a moment of the run.
   void soughtTo(double at_s);
 
  protected:

@@ -26,7 +26,7 @@ namespace {
 constexpr int kReplayFrame_ms = 33;
 constexpr double kLongestReplayFrame_s = 0.25;
 constexpr double kSliderSteps_per_s = 100.0;
-constexpr int kSliderPage = 100;  // a second
+constexpr int kSliderPage = 100;  // one second
 constexpr int kLeastReplayHeight = 260;
 
 std::int64_t inMicroseconds(double time_s) noexcept {
@@ -82,7 +82,7 @@ std::shared_ptr<DebriefRecordings> loadForDebrief(const Debrief& debrief, const 
     loaded->scene = std::move(scene);
     return loaded;
   } catch (const Error&) {
-    return nullptr;  // a user's own organ: the curves tell what can be told
+    return nullptr;  // a user's own organ: only curves are shown
   }
 }
 

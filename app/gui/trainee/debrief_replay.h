@@ -24,50 +24,49 @@ namespace torsio::gui {
 
 struct Theme;
 
-/// A run and the expert's, ready to be shown in three dimensions.
+/// A run and the expert's, prepared for the 3D view.
 struct DebriefRecordings {
   explicit DebriefRecordings(TrialPlayback run) : own(std::move(run)) {}
 
   TrialPlayback own;
   std::optional<TrialPlayback> expert{};
-  std::vector<double> grips_s{};  ///< of the run: at each the expert's twist begins
+  std::vector<double> grips_s{};  ///< of the run: the expert's twist starts at each
   double expertGrip_s = 0.0;      ///< in the expert's recording
   double expertLasts_s = 0.0;     ///< from there to the end of its twist
   std::shared_ptr<const Scene> scene{};
   ViewScene view{};
   std::unique_ptr<AsyncModelPlayback> async{};
 
-  /// Returns where in the expert's recording a moment of the run lies; empty outside the twists.
+  /// Returns the time in the expert's recording for a moment of the run; empty outside the twists.
   [[nodiscard]] std::optional<double> expertTime_s(double at_s) const noexcept;
 };
 
-/// Builds the recordings of a debrief; null when the organ is not here any more. `scene`: that of the run
-/// when it is loaded already. Seconds: worker thread.
+/// Builds the recordings of a debrief; null if the organ is no longer here. `scene`: that of the run, if
+/// already loaded. Takes seconds: worker thread.
 [[nodiscard]] std::shared_ptr<DebriefRecordings> loadForDebrief(const Debrief& debrief,
                                                                 const std::filesystem::path& assets,
                                                                 std::shared_ptr<const Scene> scene);
 
-/// One's own run in three dimensions with the expert's organ as a ghost in it, and one slider for both.
-/// Space plays, arrows step.
+/// One's own run in 3D with the expert's organ as a ghost, and one slider for both. Space plays, arrows step.
 class DebriefReplay : public QWidget {
   Q_OBJECT
 
  public:
   explicit DebriefReplay(const std::filesystem::path& assets, QWidget* parent = nullptr);
 
-  /// Null: nothing to show.
+  /// Shows the recordings; null: nothing.
   void show(std::shared_ptr<DebriefRecordings> recordings);
   void setExpertVisible(bool visible);
   void setTheme(const Theme& theme);
   void retranslate();
   void seek(double at_s);
-  /// The organ at a moment of the run, without the expert's; null where nothing can be drawn. The view stands
-  /// where it stood.
+  /// Returns a picture of the organ at a moment of the run, without the expert's; null if nothing can be
+  /// drawn. Restores the view.
   [[nodiscard]] QImage pictureAt(double at_s);
   [[nodiscard]] double position_s() const noexcept;
-  /// Whether the expert's organ is in the picture at this moment.
+  /// Returns whether the expert's organ is visible now.
   [[nodiscard]] bool ghostShown() const noexcept { return ghost_; }
-  /// Moves a playing run on; the timer calls it, and tests.
+  /// Advances playback; called by the timer and by tests.
   void frame(double elapsed_s);
   void togglePlay();
 

@@ -15,7 +15,7 @@ class Card;
 class DetorsionPlot;
 struct Theme;
 
-/// The debrief of an untwisting: time line, where the seconds went, and the measures, in plain sentences.
+/// The debrief of an untwisting: time line, time spent, and measures, in plain sentences.
 class DetorsionCard : public QWidget {
   Q_OBJECT
 
@@ -26,9 +26,10 @@ class DetorsionCard : public QWidget {
   void setTheme(const Theme& theme);
   void retranslate();
 
-  /// Says where the seconds went, longest first, in the user's language; what took none is left out.
+  /// Returns how the time was spent, longest first, in the user's language, without activities that took
+  /// none.
   [[nodiscard]] static QStringList secondsText(const DetorsionStory& story);
-  /// Says what the numbers come to, in sentences.
+  /// Returns the conclusions in sentences.
   [[nodiscard]] static QStringList findings(const DetorsionStory& story);
 
  private:

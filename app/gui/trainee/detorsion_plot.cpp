@@ -30,12 +30,12 @@ constexpr double kLegendBelow = 20.0;
 constexpr double kLegendHeight = 34.0;  // two lines
 constexpr double kSignRoom = 13.0;
 constexpr double kTipWithin = 6.0;
-constexpr double kAir = 7.0;  // of a lane above and below its marks: a curve at zero is no part of the frame
+constexpr double kAir = 7.0;  // around the marks, so that zero is distinct from the frame
 constexpr double kLegendGap = 16.0;
 constexpr int kTimeMarks = 7;
 constexpr double kPressureStep_mmHg = 5.0;
 
-/// The smallest round step of a clock that needs no more than kTimeMarks steps.
+/// Returns the smallest round clock step that needs no more than kTimeMarks steps.
 double timeStep_s(double whole_s) {
   constexpr std::array kMinutes{1, 2, 5, 10, 15, 30, 60, 120};
   double step_s = 60.0;
@@ -187,7 +187,7 @@ bool DetorsionPlot::presses() const {
 }
 
 double DetorsionPlot::signsBottom() const {
-  // What was done, below it what went wrong.
+  // Actions, and mishaps below them.
   const bool mishaps = std::any_of(story_.events.begin(), story_.events.end(),
                                    [](const DetorsionStory::Event& event) { return isMishap(event.what); });
   return (mishaps ? 2.0 : 1.0) * kSignRow + 2.0;
@@ -245,7 +245,7 @@ void DetorsionPlot::drawLane(QPainter& painter, const Lane& lane, const QString&
 
 void DetorsionPlot::drawTime(QPainter& painter, double bottom) const {
   painter.setPen(theme_->quietText);
-  const double whole_s = story_.time_s.back() * story_.timeScale;  // of the tissue
+  const double whole_s = story_.time_s.back() * story_.timeScale;  // of the tissue's time
   const double step_s = timeStep_s(whole_s);
   for (double at_s = 0.0; at_s <= whole_s; at_s += step_s) {
     const double x = xOf(at_s / story_.timeScale);
@@ -281,7 +281,7 @@ QColor DetorsionPlot::signColour(DetorsionMoment moment) const {
   return isMishap(moment) ? theme_->caution : theme_->text;
 }
 
-/// Each sign in the colour it has above.
+/// Draws each symbol in the colour it has above.
 void DetorsionPlot::drawLegend(QPainter& painter, const std::vector<DetorsionMoment>& told,
                                double top) const {
   const QFontMetricsF metrics(painter.font());
@@ -314,9 +314,9 @@ void DetorsionPlot::drawSigns(QPainter& painter, bool mishaps) const {
     double x = xOf(event.at_s);
     if (x < free) {
       if (!mishaps) {
-        continue;  // signs would lie over each other; the line remains
+        continue;  // symbols would overlap; the line remains
       }
-      x = free;  // what went wrong is never left out
+      x = free;  // mishaps are never omitted
     }
     free = x + kSignRoom;
     painter.setPen(signColour(event.what));

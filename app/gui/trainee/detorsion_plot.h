@@ -12,10 +12,10 @@
 
 namespace torsio::gui {
 
-/// Angle, blood flow, ischaemic dose and, where the content presses, the pressure of an untwisting over the
-/// tissue's time. Above them a row of signs for what was done and one for what went wrong, told apart by
-/// shape and place, with a legend below; a tip tells the instants under the pointer. Says the same in its
-/// accessible description.
+/// Angle, blood flow, ischaemic dose and, if the content has pressure, the pressure of an untwisting over the
+/// tissue's time. Above them, a row of symbols for actions and one for mishaps, distinct in shape and place,
+/// with a legend below; a tool tip lists the instants at the pointer. The accessible description says the
+/// same.
 class DetorsionPlot : public QWidget {
   Q_OBJECT
 
@@ -30,9 +30,9 @@ class DetorsionPlot : public QWidget {
 
   /// Names an instant in the user's language.
   [[nodiscard]] static QString momentName(DetorsionMoment moment);
-  /// Returns one letter or sign that stands for an instant in the picture.
+  /// Returns the letter or symbol of an instant.
   [[nodiscard]] static QString momentSign(DetorsionMoment moment);
-  /// Returns what the tip says at `x`: the instants within a few pixels, a line each; empty: none.
+  /// Returns the tool tip at `x`: the instants within a few pixels, one per line; empty: none.
   [[nodiscard]] QString tipAt(double x) const;
 
  protected:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/device_check_page.h"
 
-
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -68,7 +67,7 @@ DeviceCheckPage::DeviceCheckPage(ShellContext& context, StationDesk& desk, QWidg
   connect(practise_, &QPushButton::clicked, this, [this] { goOn(false); });
   connect(mouse_, &QPushButton::clicked, this, [this] {
     desk_.openDevice = nullptr;
-    // The board goes on telling of the device that is not fit.
+    // The board still shows the unfit device.
     desk_.readiness = pointerReadiness(gradesWithMouse(shell().session()));
     goOn(false);
   });
@@ -148,7 +147,7 @@ void DeviceCheckPage::fill() {
   mouse_->setVisible(!checking_ && light == Light::kRed);
   practise_->setVisible(desk_.graded && light == Light::kAmber);
   goOn_->setEnabled(!checking_ && (light == Light::kGreen || (light == Light::kAmber && !desk_.graded)));
-  // Enter goes on with what is possible.
+  // Enter continues with what is possible.
   if (goOn_->isEnabled()) {
     goOn_->setFocus();
   } else if (!practise_->isHidden()) {

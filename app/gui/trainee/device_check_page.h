@@ -15,13 +15,12 @@ class StationDesk;
 class Card;
 class PageHeading;
 
-/// Looks at the device before a run: green lets everything begin, amber practice only, red nothing but the
-/// mouse.
+/// Checks the device before a run: green permits everything, amber only practice, red only the mouse.
 class DeviceCheckPage : public Page {
   Q_OBJECT
 
  public:
-  /// `desk` outlives the page.
+  /// `desk` must outlive the page.
   DeviceCheckPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
 
   void enter(const QVariant& argument) override;
@@ -34,7 +33,7 @@ class DeviceCheckPage : public Page {
   void check();
   void fill();
   void goOn(bool graded);
-  /// On the board of the day, too.
+  /// Stores the result, and reports it to the board of the day.
   void found(const DeviceReadiness& readiness);
 
   const Theme* theme_;

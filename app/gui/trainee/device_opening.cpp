@@ -23,7 +23,7 @@ void DeviceOpening::begin(std::function<std::unique_ptr<HapticDevice>()> open,
   going_ = true;
   worker_.start([this, attempt = ++attempt_, open = std::move(open), done = std::move(done),
                  failed = std::move(failed)] {
-    // In a box, because a queued call must be copyable.
+    // Shared pointer, because a queued call must be copyable.
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
     std::exception_ptr problem;
     const WhileWanted wanted([this, attempt] { return attempt != attempt_; });

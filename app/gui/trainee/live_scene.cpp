@@ -81,8 +81,8 @@ void LiveScene::frame(double elapsed_s) {
     return;
   }
   const LiveState state = controller_->state();
-  view_->setTissue(tool_.show(state));  // with its dents, and the force on the tool
-  tell();                               // of the round before, when nothing moved and nothing was drawn
+  view_->setTissue(tool_.show(state));  // with dents and the force on the tool
+  tell();                               // of the previous tick, in which nothing moved and nothing was drawn
   untold_ = state;
   if (!view_->draws()) {
     tell();

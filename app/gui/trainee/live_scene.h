@@ -20,8 +20,8 @@ class PointerControls;
 class SceneView;
 struct Theme;
 
-/// Organ and instrument with everything that moves them, without panels: what briefing and run show. Draws
-/// only while it is visible. Until there is a picture of the organ a sentence says that it comes.
+/// Organ and instrument with their simulation and controls, without panels; used by briefing and run. Draws
+/// only while visible. Shows a sentence until there is a picture of the organ.
 class LiveScene : public QWidget {
   Q_OBJECT
 
@@ -32,15 +32,15 @@ class LiveScene : public QWidget {
   [[nodiscard]] SimulationController& controller() noexcept { return *controller_; }
   [[nodiscard]] SceneView& view() noexcept { return *view_; }
   void setTheme(const Theme& theme);
-  /// One round of the frame timer; tests call it themselves.
+  /// One tick of the frame timer; tests call it directly.
   void frame(double elapsed_s);
-  /// Whether the organ is to be seen; on a display that draws nothing as soon as it is loaded.
+  /// Returns whether the organ is visible; on a display that draws nothing, as soon as it is loaded.
   [[nodiscard]] bool pictured() const;
 
  Q_SIGNALS:
-  /// After each frame, so that the gauges and the picture change together.
+  /// Emitted after each frame, so that gauges and picture change together.
   void shown(const torsio::LiveState& state);
-  /// The jaw opened because the keyboard went elsewhere.
+  /// The jaw opened because of a loss of focus.
   void gripLost();
 
  protected:
@@ -59,7 +59,7 @@ class LiveScene : public QWidget {
   ShownTool tool_;
   std::optional<LiveState> untold_;  // waits for its frame
   QLabel* waiting_;
-  std::int64_t framesBefore_ = 0;  // drawn before the organ came
+  std::int64_t framesBefore_ = 0;  // number drawn before the organ was loaded
   QTimer timer_;
   QElapsedTimer since_;
 };

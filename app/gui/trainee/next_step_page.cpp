@@ -30,7 +30,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kStepsWidest = 1080;
-constexpr int kFactsWidth = 32 * kSpace;  // of one line beside a module; what is longer takes several
+constexpr int kFactsWidth = 32 * kSpace;  // of one line beside a module; longer text takes several
 constexpr QSize kBestPicture{240, 150};
 
 const RunPhase* presentPhase(const RunPlan& plan) {
@@ -121,8 +121,7 @@ void NextStepPage::enter(const QVariant&) {
   });
 }
 
-/// The button is a new one and not shown before the layout has its turn; what is hidden takes no keyboard
-/// from a page that is seen.
+/// The new button is not visible before layout; hidden widgets take no focus from a visible page.
 void NextStepPage::focusStart() {
   if (QPushButton* start = startButton()) {
     start->show();
@@ -379,7 +378,7 @@ void NextStepPage::fill() {
   for (const ModuleStep& step : steps_.modules) {
     addModule(step);
   }
-  // The buttons are new ones: the keyboard stays where it was.
+  // The buttons are rebuilt: restores the focus.
   if (atStart) {
     focusStart();
   }

@@ -19,12 +19,12 @@ class StationDesk;
 class Card;
 class PageHeading;
 
-/// Home of a trainee: what comes next, what is open, what is locked and why.
+/// A trainee's home page: the next step, open modules, locked modules and why.
 class NextStepPage : public Page {
   Q_OBJECT
 
  public:
-  /// `desk` outlives the page.
+  /// `desk` must outlive the page.
   NextStepPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
 
   void enter(const QVariant& argument) override;
@@ -35,7 +35,7 @@ class NextStepPage : public Page {
   StationDesk& desk_;
 
   void fill();
-  /// What Enter presses: a visitor's first twist, or the next step; null when there is none.
+  /// Returns the button for Enter: a visitor's first twist, or the next step; null if there is none.
   [[nodiscard]] QPushButton* startButton() const;
   void focusStart();
   void fillNext();
@@ -43,7 +43,8 @@ class NextStepPage : public Page {
   void fillNotices();
   void addModule(const ModuleStep& step);
   void begin(const ModuleId& moduleId, bool graded, bool guided = false);
-  /// Whoever is at the desk of a simulated trainee has not done what the record of that trainee says.
+  /// Returns whether a visitor uses a simulated trainee's desk, and so has not done what that trainee's
+  /// record says.
   [[nodiscard]] bool forVisitor() const;
   void fillVisitor();
 

@@ -13,7 +13,7 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// What a trainee may ask for about their own record, and what became of it.
+/// Requests of a trainee about their own record, and the answers.
 class OwnRecordCard : public Card {
   Q_OBJECT
 

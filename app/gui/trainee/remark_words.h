@@ -14,22 +14,22 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// The newest words of a remark. Once they were edited, "edited" unfolds what stood there before; one's own
-/// can be edited in place (Ctrl+Enter saves, Esc leaves them as they are).
+/// The latest text of a remark. If it was edited, "edited" unfolds earlier versions; one's own can be edited
+/// in place (Ctrl+Enter saves, Esc discards).
 class RemarkWords : public QWidget {
   Q_OBJECT
 
  public:
   explicit RemarkWords(QWidget* parent = nullptr);
 
-  /// `editedUtc_us` 0: never edited. `own`: the reader wrote it and may edit it.
+  /// `editedUtc_us`: 0 if never edited. `own`: written by the reader, who may edit it.
   void setWords(const QString& text, std::int64_t editedUtc_us, const std::vector<RemarkWording>& earlier,
                 bool own);
-  /// What stands before the words, "You answered"; empty: nothing.
+  /// Sets the text before the remark, such as "You answered"; empty: none.
   void setLead(const QString& lead);
 
  Q_SIGNALS:
-  /// Other words, trimmed, never empty.
+  /// The text was changed; trimmed, never empty.
   void edited(const QString& text);
 
  protected:

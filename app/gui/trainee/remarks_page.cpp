@@ -37,7 +37,7 @@ QString points(double value) {
   return numberText(value, 1);
 }
 
-/// Adds own mark, mean of the physicians and their gap to a line of the grid.
+/// Adds one's own mark, the physicians' mean and the gap to a line of the grid.
 void addGapCells(QGridLayout& grid, int line, const ScoreGapRow& row, QWidget* parent) {
   const auto cell = [&](int column, const std::optional<double>& value, bool sign) {
     auto* label = new QLabel(parent);
@@ -53,7 +53,7 @@ void addGapCells(QGridLayout& grid, int line, const ScoreGapRow& row, QWidget* p
   cell(3, row.own && row.panel ? std::optional(*row.own - *row.panel) : std::nullopt, true);
 }
 
-/// A score between the bounds of its row; one step below the scale stands for "not given yet".
+/// Returns a field within the bounds of a row; one step below the scale means "not given yet".
 QDoubleSpinBox* scoreField(const ScoreGapRow& row, QWidget* parent) {
   auto* field = new QDoubleSpinBox(parent);
   field->setRange(row.lowest - std::max(row.step, 0.5), row.highest);

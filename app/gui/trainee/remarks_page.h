@@ -17,7 +17,7 @@ namespace torsio::gui {
 class Card;
 class PageHeading;
 
-/// What physicians wrote about one's runs, at its time; answers; one's own marks first, then the gap.
+/// Physicians' remarks on one's runs, at their moments; replies; one's own marks first, then the gap.
 class RemarksPage : public Page {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class RemarksPage : public Page {
   void fillRemarks();
   void fillMarks();
   void addRemark(const TraineeRemark& remark, bool reply);
-  /// Does something to the record and reads it anew.
+  /// Changes the record and rereads it.
   void change(const std::function<void(SessionContext&)>& action);
   [[nodiscard]] const TrialRemarks* chosen() const;
 

@@ -15,8 +15,8 @@ namespace torsio::gui {
 class ShellContext;
 class TrackerPanel;
 
-/// What stands in place of the organ: a rest, the way to the real arm and its timer, a device that gets
-/// ready, or that no run is in progress. Holds the panel of the tracker, which belongs to the real arm.
+/// Shown instead of the organ: a rest, the way to the real arm and its timer, a device being prepared, or no
+/// run. Contains the tracker's panel, which belongs to the real arm.
 class RunNotice : public QWidget {
   Q_OBJECT
 
@@ -26,9 +26,9 @@ class RunNotice : public QWidget {
   explicit RunNotice(ShellContext& shell, QWidget* parent = nullptr);
 
   [[nodiscard]] TrackerPanel& tracker() noexcept { return *tracker_; }
-  /// `inFile`: the recording of the run before waits for its database.
+  /// `inFile`: the previous run's recording is waiting for the database.
   void showNoRun(bool inFile);
-  /// Returns whether there is anything to say; otherwise the organ is shown.
+  /// Returns whether there is a notice; otherwise the organ is shown.
   bool showRun(const TrainingRun& run, Device device, bool tracked);
 
  Q_SIGNALS:

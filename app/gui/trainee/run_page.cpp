@@ -108,7 +108,7 @@ bool RunPage::askWhyUnscored(RunRequest& request) {
   dialog.setOkButtonText(tr("Begin anyway"));
   dialog.setCancelButtonText(tr("Back"));
   QPushButton* begin = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
-  begin->setEnabled(false);  // without a reason it would only lead back
+  begin->setEnabled(false);  // without a reason it would only return here
   connect(&dialog, &QInputDialog::textValueChanged, begin,
           [begin](const QString& text) { begin->setEnabled(!text.trimmed().isEmpty()); });
   if (dialog.exec() != QDialog::Accepted || dialog.textValue().trimmed().isEmpty()) {
@@ -130,7 +130,7 @@ void RunPage::enter(const QVariant& argument) {
         runSession_.emplace(shell().session(), request, *desk_.clock, shell().line());
       })) {
     inFile_ = false;
-    retranslate();  // nothing of the run before stays
+    retranslate();  // clears the previous run
     return;
   }
   if (!runSession_) {
@@ -156,7 +156,8 @@ void RunPage::enter(const QVariant& argument) {
   showState();
 }
 
-/// The scene is there. The device of the first recording comes before the clock: waiting is not training.
+/// Starts once the scene is there. The first recording's device is opened before the clock starts, because
+/// waiting is not training.
 void RunPage::begin() {
   const bool real = runSession_->run().phase().arm == PhaseKind::kReal;
   if (!real && desk_.openDevice) {
@@ -207,7 +208,7 @@ void RunPage::haveDevice() {
 }
 
 void RunPage::goOn() {
-  if (waiting_) {  // nothing has begun: the trainee does not want to wait for the device
+  if (waiting_) {  // nothing has started: the trainee does not want to wait for the device
     opening_.cancel();
     forgetRun();
     shell().open(PageId::kNextStep);
@@ -253,10 +254,11 @@ void RunPage::guide() {
   scene_->view().setFocus();
 }
 
-/// A graded run is not judged with another device than it began with; practice goes on with the mouse.
+/// Handles a lost device: a graded run is not judged with a different device; practice continues with the
+/// mouse.
 void RunPage::withoutDevice(const Problem& why) {
   endRecording(TrialOutcome::kInterrupted);
-  desk_.readiness.reset();  // the device is checked anew before the next graded run
+  desk_.readiness.reset();  // the device is checked again before the next graded run
   if (!runSession_->graded()) {
     desk_.openDevice = nullptr;
     shell().notify(tr("%1. Continue with mouse and keyboard").arg(why().happened));
@@ -329,7 +331,7 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
   if (!finished && !holdsButton(*this)) {
     showState();
     if (std::exchange(focusDue_, false)) {
-      scene_->view().setFocus();  // a button that loses the keyboard loses its press
+      scene_->view().setFocus();  // a button that loses focus loses its press
     }
   }
 }
@@ -403,19 +405,19 @@ void RunPage::askToEnd() {
   question.setText(tr("End this run now?"));
   question.setInformativeText(runSession_->graded() ? tr("What was recorded is kept, and the attempt counts.")
                                                     : tr("What was recorded is kept."));
-  // Go on is what Enter means: whoever holds it on the button ends nothing.
+  // Enter means continue: holding it on the button does not end the run.
   QPushButton* end = question.addButton(tr("&End the run"), QMessageBox::AcceptRole);
   question.setDefaultButton(question.addButton(tr("&Go on"), QMessageBox::RejectRole));
   question.exec();
   if (question.clickedButton() != end || !runSession_) {
-    focusDue_ = true;  // Space grips again and does not press the button
+    focusDue_ = true;  // Space grips again instead of pressing the button
     return;
   }
   attempt(shell(), [&] { runSession_->stop("ended by the trainee"); });
   finish();
 }
 
-/// A mouse that comes back to the organ brings the keyboard along.
+/// Focuses the organ when the mouse returns to it.
 bool RunPage::eventFilter(QObject* watched, QEvent* event) {
   if (watched == &scene_->view() && event->type() == QEvent::Enter && busy() && !holdsButton(*this)) {
     scene_->view().setFocus();

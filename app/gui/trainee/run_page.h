@@ -23,18 +23,17 @@ class RunPanel;
 class StationDesk;
 class TwistGuide;
 
-/// The run itself: it joins the session's clock, the device and the recordings to what is shown, which is the
-/// business of LiveScene, RunPanel and RunNotice. While the device gets ready, off the GUI thread, the clock
-/// stands.
+/// The run: connects the session's clock, device and recordings with the display, which consists of
+/// LiveScene, RunPanel and RunNotice. The clock stands still while the device is opened off the GUI thread.
 class RunPage : public Page {
   Q_OBJECT
 
  public:
-  /// `desk` outlives the page.
+  /// `desk` must outlive the page.
   RunPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
   ~RunPage() override;
 
-  /// Begins a run of StationDesk::moduleId; with the argument "later" it waits for the next call.
+  /// Starts a run of StationDesk::moduleId; argument "later": waits for the next call.
   void enter(const QVariant& argument) override;
   [[nodiscard]] bool leave() override;
   [[nodiscard]] bool busy() const override;
@@ -44,15 +43,15 @@ class RunPage : public Page {
 
   [[nodiscard]] ShellContext& context() const noexcept { return shell(); }
   [[nodiscard]] StationDesk& desk() const noexcept { return desk_; }
-  /// Null outside a run.
+  /// Returns the session; null outside a run.
   [[nodiscard]] RunSession* runSession() noexcept { return runSession_ ? &*runSession_ : nullptr; }
-  /// Whether the run waits for its device, its clock standing still.
+  /// Returns whether the run is waiting for its device, with the clock stopped.
   [[nodiscard]] bool fetchesDevice() const noexcept { return opening_.going(); }
-  /// One round of the clock; tests call it themselves.
+  /// One tick of the clock; tests call it directly.
   void tick();
 
  private:
-  /// Asks why training goes on while sheets of the real arm are missing; false: it does not.
+  /// Asks why training continues while sheets of the real arm are missing; false: it does not.
   [[nodiscard]] bool askWhyUnscored(RunRequest& request);
   void begin();
   void start();
@@ -63,7 +62,7 @@ class RunPage : public Page {
   void record();
   void follow(const std::vector<RunEvent>& events);
   void endRecording(TrialOutcome outcome);
-  /// On the real arm: records what the tracker sees, once it sees the instrument.
+  /// On the real arm: records the tracker once it sees the instrument.
   void track();
   void endTracked(TrialOutcome outcome);
   void finish();
@@ -72,19 +71,19 @@ class RunPage : public Page {
   void withoutDevice(const Problem& why);
   void showState();
   void showLive(const LiveState& state);
-  /// Shows a first twist movement by movement, in practice of a twist.
+  /// Guides a first twist movement by movement, in practice of a twist.
   void guide();
 
   StationDesk& desk_;
   std::optional<RunSession> runSession_;
   QString lastTrial_;
-  bool focusDue_ = false;  // the keyboard belongs to the instrument
-  bool waiting_ = false;   // for the scene and the device, before the clock starts
+  bool focusDue_ = false;                                // focus is to return to the instrument
+  bool waiting_ = false;                                 // for scene and device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
   bool haptic_ = false;                                  // the run's device renders force
-  std::unique_ptr<TrackedRecording> tracked_;            // of the real arm; null: none goes on
-  bool inFile_ = false;                                  // a recording of this run waits for its database
-  bool soundAtLimit_ = false;                            // the centre's choice
+  std::unique_ptr<TrackedRecording> tracked_;            // of the real arm; null: not recording
+  bool inFile_ = false;        // a recording of this run is waiting for the database
+  bool soundAtLimit_ = false;  // the centre's setting
   QTimer timer_;
   DeviceOpening opening_;
   QStackedWidget* stage_;

@@ -34,8 +34,7 @@ constexpr int kPanelWidth = 316;
 constexpr double kCountdown_pt = 30.0;
 constexpr std::int64_t kSoon_us = 30'000'000;
 
-/// As high as what it holds where there is room, so that what follows stands close below; lower where there
-/// is none.
+/// A scroll area as high as its content if there is room, so that what follows is close below.
 class ShrinkingArea : public QScrollArea {
  public:
   explicit ShrinkingArea(QWidget* parent) : QScrollArea(parent) {
@@ -66,7 +65,7 @@ QLabel* namedLabel(QWidget* parent, const char* name, const char* look = nullptr
 
 RunPanel::RunPanel(SimulationController& controller, QWidget* parent)
     : QWidget(parent), controller_(controller) {
-  // What must always be in reach stands below; what is taller than a small screen scrolls.
+  // The buttons below are always visible; longer content scrolls on a small screen.
   setFixedWidth(kPanelWidth);
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
@@ -125,7 +124,7 @@ QLayout* RunPanel::createHeading(QWidget* panel) {
   column->addLayout(heading);
   guideMe_ = linkButton(panel);
   guideMe_->setObjectName(QStringLiteral("guideMe"));
-  guideMe_->setStyleSheet(QStringLiteral("padding: 0;"));  // in line with the sentence beside it
+  guideMe_->setStyleSheet(QStringLiteral("padding: 0;"));  // aligned with the sentence beside it
   connect(guideMe_, &QPushButton::clicked, this, &RunPanel::guideWanted);
   auto* kind = new QHBoxLayout;
   kind->addWidget(mode_, 1);
@@ -212,7 +211,7 @@ void RunPanel::showTime(bool started, bool mayRest) {
   if (run_ == nullptr) {
     countdown_->setText(clockTimeLeft(0));
     for (QLabel* label : {warning_, verdict_, cue_}) {
-      label->hide();  // of the run before
+      label->hide();  // of the previous run
     }
     return;
   }
@@ -221,7 +220,7 @@ void RunPanel::showTime(bool started, bool mayRest) {
   const bool real = phase.arm == PhaseKind::kReal;
   countdown_->setText(clockTimeLeft(run.remainingInPhase_us()));
   setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
-  progress_->setValue(  // what is left, as the figure above it
+  progress_->setValue(  // the remaining part, like the number above
       static_cast<int>(run.remainingInPhase_us() * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
   const int number = static_cast<int>(run.phaseIndex()) + 1;
   const int all = static_cast<int>(run.plan().phases.size());
@@ -241,8 +240,8 @@ void RunPanel::showTime(bool started, bool mayRest) {
   guideMe_->setVisible(!real && !untwisted && !run_->graded());
 }
 
-/// One thing at a time: a warning takes the place of what else is said, and while a hand turns the gauges
-/// need the place.
+/// Shows one thing at a time: a warning replaces other messages, and the gauges need the space while a hand
+/// turns.
 void RunPanel::showTold(bool simulated) {
   simulated_ = simulated;
   const bool practice = simulated && !run_->graded();
@@ -301,7 +300,7 @@ void RunPanel::setTheme(const Theme& theme) {
 void RunPanel::retranslate() {
   time_->setAccessibleName(tr("Time left"));
   timeName_->setText(tr("Time left"));
-  // Their gauges say what they show; a title each would not fit a small screen.
+  // The gauges name their quantities; separate titles would not fit a small screen.
   angle_->setAccessibleName(tr("Angle"));
   load_->setAccessibleName(tr("Load on the tissue"));
   torque_->setName(tr("Torque"), tr("N m"));

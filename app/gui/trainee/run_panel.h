@@ -24,24 +24,25 @@ class SimulationController;
 class ValidityButton;
 struct Theme;
 
-/// The panel beside a run: module and phase, the time left, the gauges, what is said about the twists, and
-/// the buttons for a rest and for the end.
+/// The panel beside a run: module and phase, remaining time, gauges, feedback on the twists, and buttons for
+/// a rest and the end.
 class RunPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// `controller` outlives the panel.
+  /// `controller` must outlive the panel.
   explicit RunPanel(SimulationController& controller, QWidget* parent = nullptr);
 
-  /// Shows this run from the next retranslate() on; null: none. It stays valid until another one is set.
+  /// Sets the run to show from the next retranslate() on; null: none. It must stay valid until another is
+  /// set.
   void setRun(const RunSession* run);
-  /// The controller has another scene.
+  /// Called when the controller has another scene.
   void showScene();
-  /// A recording begins.
+  /// Called when a recording starts.
   void beginRecording(bool haptic);
-  /// Time and buttons as they are now. `started`: the clock runs; `mayRest`: a rest can be taken now.
+  /// Updates time and buttons. `started`: the clock runs; `mayRest`: a rest is possible now.
   void showTime(bool started, bool mayRest);
-  /// `simulated`: the organ is to be seen, not a notice in its place.
+  /// `simulated`: the organ is visible, not a notice.
   void showTold(bool simulated);
   void follow(const LiveState& state);
   [[nodiscard]] const TwistCoach& coach() const noexcept { return coach_; }
@@ -53,7 +54,7 @@ class RunPanel : public QWidget {
   void restWanted();
   void endWanted();
   void guideWanted();
-  /// Torque or force went above the limit of the module.
+  /// Torque or force exceeded the module's limit.
   void limitPassed();
 
  private:
@@ -68,8 +69,8 @@ class RunPanel : public QWidget {
   const RunSession* run_ = nullptr;
   TwistCoach coach_;
   bool simulated_ = false;
-  bool turning_ = false;  // a hand turns what it holds
-  bool wasOver_ = false;  // the limit, a frame ago
+  bool turning_ = false;  // a hand is turning what it holds
+  bool wasOver_ = false;  // above the limit in the previous frame
   QLabel* title_ = nullptr;
   QLabel* mode_ = nullptr;
   ValidityButton* validity_ = nullptr;

@@ -14,29 +14,29 @@
 
 namespace torsio::gui {
 
-/// The twist of a session that was let go nearest to its target.
+/// The twist of a session released nearest to its target.
 struct BestTwist {
   TrialId trialId{};
   std::string moduleTitle{};
   TwistResult twist{};
   double error_rad = 0.0;  ///< absolute
-  QImage picture{};        ///< of the organ before it was let go; null: not taken, or nothing can be drawn
+  QImage picture{};        ///< of the organ before its release; null: not taken, or nothing can be drawn
 };
 
-/// What a trainee has done since the sign-in, told from the debriefs. One thread.
+/// A trainee's work since sign-in, from the debriefs. Use from one thread.
 class SessionStory {
  public:
-  /// Runs that began earlier belong to another session. Only the first call counts.
+  /// Excludes runs that started earlier. Only the first call counts.
   void begin(std::int64_t now_us);
-  /// Takes a run in, once. True: the best twist of the session is in it now.
+  /// Adds a run, once. True: it contains the session's best twist.
   bool add(const Debrief& debrief);
-  /// Of the best twist; does nothing when there is none.
+  /// Sets the best twist's picture; no effect without one.
   void setPicture(QImage picture);
 
   [[nodiscard]] std::size_t runs() const noexcept { return seen_.size(); }
   [[nodiscard]] std::size_t twists() const noexcept { return twists_; }  ///< completed
   [[nodiscard]] std::size_t onTarget() const noexcept { return onTarget_; }
-  /// Empty until a twist was released on target.
+  /// Empty until a twist has been released on target.
   [[nodiscard]] const std::optional<BestTwist>& best() const noexcept { return best_; }
 
  private:

@@ -23,48 +23,46 @@ class StationWriter;
 
 namespace torsio::gui {
 
-/// The short sound that the desktop gives for "look here".
+/// Plays the desktop's short alert sound.
 void soundOfTheSystem();
 
-/// What the pages of one trainee at one station hand to each other, and what a test puts in place of the
-/// real world. Made with the pages of a sign-in, handed to those that need it, and gone with them. GUI
-/// thread.
+/// Data shared by a trainee's pages at one station, and the hooks with which tests replace the real world.
+/// Created with the pages at sign-in, passed to those that need it, and destroyed with them. GUI thread.
 class StationDesk {
  public:
-  /// Opens the device for one recording. Empty, or an answer of null: mouse and keyboard.
+  /// Opens the device for a recording. Empty, or a null result: mouse and keyboard.
   using DeviceOpener = std::function<std::unique_ptr<HapticDevice>(const Scene&, double target_rad)>;
 
   SceneLoader loader = loadSceneForView;
   bool realTime = true;
   std::shared_ptr<const Clock> clock = std::make_shared<MonotonicClock>();
   Text device;                ///< the station's device; empty: mouse and keyboard
-  bool rendersForce = false;  ///< that device does
+  bool rendersForce = false;  ///< for that device
   DeviceProbe probe;          ///< empty: mouse and keyboard
   DeviceOpener openDevice;
-  std::optional<TrackerPlace> tracker;             ///< of the real arm; empty: none is remembered
-  std::shared_ptr<InstrumentOutlet> outlet;        ///< where others watch the instrument; null: nowhere
-  std::function<void()> sound = soundOfTheSystem;  ///< when a limit is reached, where the centre wants it
+  std::optional<TrackerPlace> tracker;             ///< of the real arm; empty: none stored
+  std::shared_ptr<InstrumentOutlet> outlet;        ///< output of the instrument to other programs; null: none
+  std::function<void()> sound = soundOfTheSystem;  ///< played at a limit, if the centre wants it
 
-  /// Of the run that has just ended: the debrief need not load it again.
+  /// Scene of the last run, so that the debrief need not load it again.
   std::shared_ptr<const Scene> lastScene;
 
   SessionStory story;  ///< since the sign-in
 
-  std::optional<DeviceReadiness> readiness;  ///< of the last device check since the sign-in
-  bool chosen = false;                       ///< something was chosen on the first page
-  ModuleId moduleId;                         ///< what; empty: the real arm
+  std::optional<DeviceReadiness> readiness;  ///< last device check since sign-in
+  bool chosen = false;                       ///< something was chosen on the home page
+  ModuleId moduleId;                         ///< chosen module; empty: the real arm
   bool graded = false;
-  bool guided = false;  ///< movement by movement, whatever was done before
+  bool guided = false;  ///< movement by movement, regardless of experience
 
-  /// Tells the board of the day, once, that a device stands here which nobody has checked yet. `line` may be
-  /// null.
+  /// Reports once to the board of the day that this station has an unchecked device. `line` may be null.
   void announce(StationWriter* line);
 
  private:
   bool announced_ = false;
 };
 
-/// Makes the desk of this machine: with the device that it remembers or has, where there is one.
+/// Creates the desk of this machine, with its stored or detected device, if any.
 [[nodiscard]] std::shared_ptr<StationDesk> deskOfThisStation();
 
 }  // namespace torsio::gui

@@ -24,7 +24,7 @@ PageEntry entry(PageId id) {
   return {id, [](ShellContext& shell) -> Page* { return new P(shell); }};
 }
 
-/// Of a page that works at the desk of its station.
+/// Returns the entry of a page that uses the station's desk.
 template <typename P>
 PageEntry entry(PageId id, const std::shared_ptr<StationDesk>& desk) {
   return {id, [desk](ShellContext& shell) -> Page* {

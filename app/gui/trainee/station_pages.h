@@ -12,7 +12,7 @@ class StationDesk;
 
 /// The pages of the trainee, in the order of the navigation; the first one is home.
 [[nodiscard]] std::vector<PageEntry> stationPages(const std::shared_ptr<StationDesk>& desk);
-/// Their pictures for the user guide.
+/// Screens of these pages for the user guide.
 [[nodiscard]] std::vector<ScreenEntry> stationScreens();
 
 }  // namespace torsio::gui

@@ -47,7 +47,7 @@ void emptyLayout(QLayout* layout) {
       emptyLayout(item->layout());
     }
     if (item->widget() != nullptr) {
-      // The click that led here may still be in its slot.
+      // The widget's own click may still be in its slot.
       item->widget()->setParent(nullptr);
       item->widget()->deleteLater();
     }
@@ -64,7 +64,7 @@ QLabel* plainLabel(QWidget* parent, const char* look) {
 }
 
 void makeHuge(QLabel* label, double points) {
-  // The style sheet of the application wins over setFont(); a sheet of its own wins over both.
+  // The application's style sheet overrides setFont(); a widget's own style sheet overrides both.
   label->setStyleSheet(QStringLiteral("font-size: %1pt; font-weight: 600;").arg(points));
 }
 

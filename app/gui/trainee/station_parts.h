@@ -16,25 +16,25 @@ namespace torsio::gui {
 
 class PageHeading;
 
-/// Round the contents of a page.
+/// Margin of a page's content.
 inline constexpr int kPageMargin = 3 * kSpace;
 
-/// A page that scrolls when it is larger than the window: heading above, everything else in the column that
-/// is returned. Margins are those of all pages.
+/// A page that scrolls if larger than the window: a heading, and the column for everything else. Has the
+/// common margins.
 struct PageColumn {
   PageHeading* heading = nullptr;
   QVBoxLayout* column = nullptr;
 };
 [[nodiscard]] PageColumn pageColumn(QWidget* page, int widest = 0);
 
-/// Removes and deletes all that a layout holds.
+/// Removes and deletes all items of a layout.
 void emptyLayout(QLayout* layout);
 
 [[nodiscard]] QLabel* plainLabel(QWidget* parent, const char* look = nullptr);
-/// A large figure for a countdown.
+/// Enlarges a label for a countdown.
 void makeHuge(QLabel* label, double points);
 
-/// An icon of the theme as a label of text height.
+/// Shows a theme's icon in a label, at text height.
 void showIcon(QLabel* label, const QString& icon, const QColor& colour, int size = 20);
 
 }  // namespace torsio::gui

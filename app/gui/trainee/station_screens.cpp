@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pages in states that are worth a picture, on the demonstration cohort.
+// Pages in meaningful states for screenshots, with the demonstration cohort.
 #include <algorithm>
 #include <vector>
 
@@ -31,7 +31,7 @@ namespace {
 constexpr int kPatience_ms = 30'000;
 constexpr double kPartOfTheWay = 0.7;
 constexpr double kHand_s = 60.0;
-constexpr double kExpertAt = 0.45;  // of the replay
+constexpr double kExpertAt = 0.45;  // fraction of the replay
 
 DemonstrationStation laidOut(SessionContext& session) {
   return storeDemonstrationStation(session.connectionWithoutRight(), session.ids(), assetsFolder(),
@@ -57,7 +57,7 @@ QVariant later(SessionContext& session) {
   return QStringLiteral("later");
 }
 
-/// What the trainee would have chosen before.
+/// Makes the choice that a trainee would have made before.
 void choose(ShellContext& shell, StationDesk& desk) {
   const NextSteps steps = nextSteps(shell.session(), shell.session().actor().personId);
   if (steps.next) {
@@ -109,7 +109,7 @@ void showFinding(Page& page) {
   }
 }
 
-/// The last organ that the trainee undid; the demonstration gives everybody who signs in one.
+/// Returns the last organ that the trainee untwisted; in the demonstration, everybody who signs in has one.
 QVariant untwisting(SessionContext& session) {
   static_cast<void>(laidOut(session));
   const std::vector<Attempt> attempts = attemptsOf(session, session.actor().personId);

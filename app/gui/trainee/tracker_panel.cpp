@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kMillimetresPerMetre = 1e3;
 
-/// How far an instrument is turned against the reference of its tracker.
+/// Returns the instrument's rotation against its tracker's reference.
 double turnOf_deg(const Quat& orientation) {
   return degrees(2.0 * std::acos(std::clamp(std::abs(orientation.w), 0.0, 1.0)));
 }

@@ -19,24 +19,24 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// The tracker on the instrument of the real arm: where it is, whether its poses come, and what they came to.
-/// GUI thread; the connection has a thread of its own.
+/// The tracker on the real arm's instrument: its address, whether poses arrive, and their quality. GUI
+/// thread; the connection has its own thread.
 class TrackerPanel : public Card {
   Q_OBJECT
 
  public:
   explicit TrackerPanel(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Shows this place and connects; empty: the usual one, without connecting.
+  /// Shows this address and connects; empty: the default one, without connecting.
   void begin(const std::optional<TrackerPlace>& place);
-  /// Null: not connected.
+  /// Returns the link; null: not connected.
   [[nodiscard]] TrackerLink* link() const noexcept { return link_.get(); }
-  /// Shows how it stands now; call it a few times a second.
+  /// Updates the status; call it a few times per second.
   void follow(bool recording);
   void retranslate();
 
  Q_SIGNALS:
-  /// The link is about to go.
+  /// The link is about to be destroyed.
   void lettingGo();
 
  private:

@@ -11,27 +11,27 @@
 
 namespace torsio::gui {
 
-/// Sentences of the station, in the present language. Names, values and verdicts print themselves.
+/// Sentences of the station, in the present language. Names, values and verdicts format themselves.
 class StationLabels {
   Q_DECLARE_TR_FUNCTIONS(StationLabels)
 
  public:
   [[nodiscard]] static QString minutes(std::int64_t span_us);
-  /// How long something has waited: "3 h".
+  /// Formats a waiting time: "3 h".
   [[nodiscard]] static QString waited(std::int64_t span_us);
 
   [[nodiscard]] static QString state(StepState state);
-  /// Why it is locked, or what is missing for mastery.
+  /// Explains why a module is locked, or what mastery still needs.
   [[nodiscard]] static QString why(const ModuleStep& step);
   [[nodiscard]] static QString lastResult(const ModuleStep& step);
   [[nodiscard]] static QString unlocks(const ModuleStep& step);
 
-  /// What an older version of the definitions had measured of the same run.
+  /// Describes a result of the same run under an older version of the definitions.
   [[nodiscard]] static QString earlier(const EarlierMeasure& earlier);
 
   [[nodiscard]] static QString level(const CompetenceVerdict& verdict);
   [[nodiscard]] static QString levelMeaning(const CompetenceVerdict& verdict);
-  /// What counts as competent, and how often that is wrong.
+  /// Explains the rule of competence, and its error rates.
   [[nodiscard]] static QString competenceRule(const CompetenceVerdict& verdict);
   [[nodiscard]] static QString competenceErrors(const CompetenceVerdict& verdict);
   [[nodiscard]] static QString readiness(const ReadinessFinding& finding);

@@ -93,7 +93,7 @@ QString TranscriptPage::html(bool paper) const {
            .arg(t.virtual_min, 0, 'f', 1)
            .arg(t.real_min, 0, 'f', 1)
            .arg(t.rest_min, 0, 'f', 1));
-  std::map<QString, QString> judgedAs;  // the module that says it first
+  std::map<QString, QString> judgedAs;  // first module with this text
   for (const TranscriptModule& module : t.modules) {
     const QString title = toQString(Text(module.step.module.title));
     page += QStringLiteral("<h3 style='margin-top: %1px'>%2</h3>")

@@ -13,7 +13,7 @@ namespace torsio::gui {
 
 class PageHeading;
 
-/// What a trainee takes away: modules, every attempt, time spent; as PDF or on paper.
+/// A trainee's transcript: modules, all attempts, time spent; as PDF or printed.
 class TranscriptPage : public Page {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class TranscriptPage : public Page {
 
   void enter(const QVariant& argument) override;
   void retranslate() override;
-  /// Writes the PDF, whole or not at all. Throws Error{kFileUnwritable}.
+  /// Writes the PDF, completely or not at all. Throws Error{kFileUnwritable}.
   void writePdf(const std::filesystem::path& file) const;
 
  private:

@@ -17,18 +17,18 @@ class DataTable;
 class PageHeading;
 class TrendPlot;
 
-/// One's way at one module: attempts, learning curve, distance to the threshold, level.
+/// Progress at one module: attempts, learning curve, distance to the threshold, level.
 class TrendPage : public Page {
   Q_OBJECT
 
  public:
   explicit TrendPage(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// `argument`: id of the module; without one the last one practised.
+  /// `argument`: id of the module; default: the last one practised.
   void enter(const QVariant& argument) override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
-  /// One of the quantities of the list.
+  /// Selects one of the listed quantities.
   void chooseQuantity(Quantity quantity);
   [[nodiscard]] const Trend& trend() const noexcept { return trend_; }
 

@@ -68,7 +68,7 @@ void TrendPlot::findRange() {
     seen = {0.0, 1.0};
   }
   const auto [low, high] = std::minmax_element(seen.begin(), seen.end());
-  // Values that are all the same (no violation in any attempt) still get an axis that says something.
+  // Identical values (no violation in any attempt) still need a meaningful axis.
   const double flat = *high == 0.0 ? 1.0 : 0.05 * std::abs(*high);
   const double room = *high > *low ? std::max(0.12 * (*high - *low), 0.05 * std::abs(*high)) : flat;
   if (isAnswer(trend_.quantity)) {
@@ -196,7 +196,7 @@ void TrendPlot::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(theme_->text, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(kTrendLeft, y), QPointF(width() - kTrendRight, y));
     painter.setPen(theme_->text);
-    const bool answer = isAnswer(trend_.quantity);  // its points lie on the line
+    const bool answer = isAnswer(trend_.quantity);  // its points lie on grid lines
     painter.drawText(
         QRectF(kTrendLeft, y - (answer ? 26.0 : 18.0), width() - kTrendLeft - kTrendRight - 6.0, 16.0),
         Qt::AlignRight, tr("threshold"));

@@ -11,7 +11,7 @@
 namespace torsio::gui {
 
 /// Attempts over time with threshold, learning curve and its band; passed and failed differ in shape. Below
-/// it the evidence for the level. Says the same in its accessible description.
+/// them, the evidence for the level. The accessible description says the same.
 class TrendPlot : public QWidget {
   Q_OBJECT
 
@@ -21,8 +21,8 @@ class TrendPlot : public QWidget {
   void setTrend(const Trend& trend);
   void setTheme(const Theme& theme);
   void retranslate();
-  /// Values at the lines of the grid, rising, in the unit that is shown: what is counted, or answered by yes
-  /// or no, has whole ones only.
+  /// Returns the values of the grid lines, ascending, in the displayed unit: only whole ones for counts and
+  /// yes-or-no answers.
   [[nodiscard]] std::vector<double> marks() const;
   [[nodiscard]] QSize sizeHint() const override { return {640, 340}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
@@ -31,7 +31,7 @@ class TrendPlot : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// A stored value in the unit that is shown.
+  /// Returns a stored value in the displayed unit.
   [[nodiscard]] double shown(double value) const;
   [[nodiscard]] double xOf(double attempt) const;
   [[nodiscard]] double yOf(double value) const;

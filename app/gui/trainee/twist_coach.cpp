@@ -11,7 +11,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kTargetNear = 0.85;  // of the way: time to slow down
+constexpr double kTargetNear = 0.85;  // of the angle: time to slow down
 
 }  // namespace
 

@@ -17,7 +17,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kGuideWidth = 340;  // beside an upright arm in the smallest window
+constexpr int kGuideWidth = 340;  // fits beside an upright arm in the smallest window
 
 }  // namespace
 
@@ -31,7 +31,7 @@ TwistGuide::TwistGuide(QWidget* over)
   setAutoFillBackground(true);
   what_->setObjectName(QStringLiteral("movement"));
   skip_->setObjectName(QStringLiteral("skipGuide"));
-  skip_->setFocusPolicy(Qt::TabFocus);  // keys go on steering the instrument
+  skip_->setFocusPolicy(Qt::TabFocus);  // keys still steer the instrument
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * kSpace, kSpace + 4, 2 * kSpace, kSpace + 4);
   column->setSpacing(kSpace / 2);

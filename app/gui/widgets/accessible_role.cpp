@@ -59,7 +59,7 @@ QAccessibleInterface* withRole(const QString&, QObject* object) {
 }  // namespace
 
 void setAccessibleRole(QWidget* widget, QAccessible::Role role) {
-  QAccessible::installFactory(withRole);  // once, however often it is said
+  QAccessible::installFactory(withRole);  // only once, however often it is called
   widget->setProperty(kRole, static_cast<int>(role));
 }
 

@@ -18,10 +18,10 @@ namespace {
 constexpr int kDiameter = 146;
 constexpr double kRing = 10.0;
 constexpr double kHeldRing = 4.0;
-constexpr double kTargetReach = 5.0;  // the target's mark sticks out of the ring this far
+constexpr double kTargetReach = 5.0;  // length of the target's mark outside of the ring
 constexpr double kLeastTolerance_deg = 1.0;
 
-/// An arc from the top, clockwise for positive angles, as QPainter wants it.
+/// Draws an arc from the top, clockwise for positive angles.
 void drawArc(QPainter& painter, const QRectF& box, double from_deg, double span_deg) {
   painter.drawArc(box, static_cast<int>(std::lround((90.0 - from_deg) * 16.0)),
                   static_cast<int>(std::lround(-span_deg * 16.0)));
@@ -61,7 +61,7 @@ void AngleDial::setTarget(double target_rad, double tolerance_rad) {
 }
 
 void AngleDial::setAngle(double angle_rad) {
-  // A tenth of a degree is what the figure shows; finer changes would only repaint.
+  // The number shows tenths of a degree; finer changes would only repaint.
   if (std::lround(degrees(angle_rad) * 10.0) == std::lround(degrees(angle_rad_) * 10.0)) {
     return;
   }
@@ -129,7 +129,7 @@ void AngleDial::paintEvent(QPaintEvent*) {
   figure.setWeight(QFont::DemiBold);
   const QRectF inside = ring.adjusted(0.5 * kRing, kRing, -0.5 * kRing, -kRing);
   const QString text = numberText(angle_deg, 1) + QChar(0x00B0);
-  const double room = inside.width() - 2.0 * kRing;  // a wide font would run into the ring
+  const double room = inside.width() - 2.0 * kRing;  // a wide font would overlap the ring
   const double wide = QFontMetricsF(figure).horizontalAdvance(text);
   figure.setPointSizeF(kFigureText_pt * std::min(1.0, room / wide));
   painter.setFont(figure);

@@ -7,8 +7,8 @@
 
 namespace torsio::gui {
 
-/// The twist angle as a figure inside a ring; the ring shows way and target with its tolerance, so that the
-/// eye needs no reading. Custom drawn: says the same in its accessible description.
+/// The twist angle as a number inside a ring, which shows progress, target and tolerance at a glance. The
+/// accessible description says the same.
 class AngleDial : public QWidget {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class AngleDial : public QWidget {
   void setTheme(const Theme& theme);
   void setTarget(double target_rad, double tolerance_rad);
   void setAngle(double angle_rad);
-  /// How much of the time to be held on target is over, 0 to 1: a thin ring inside the other fills.
+  /// Sets the elapsed fraction of the holding time, 0 to 1: a thin inner ring fills.
   void setHeld(double share);
   [[nodiscard]] double held() const noexcept { return held_; }
 

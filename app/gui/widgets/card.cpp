@@ -11,7 +11,7 @@ namespace torsio::gui {
 Card::Card(const QString& title, QWidget* parent)
     : QFrame(parent), content_(new QVBoxLayout(this)), heading_(new QLabel(this)) {
   setObjectName(QStringLiteral("card"));
-  setProperty("card", true);  // looks like one also under another name
+  setProperty("card", true);  // keeps the style under another object name
   content_->setContentsMargins(2 * kSpace, kSpace + 2, 2 * kSpace, kSpace + 2);
   content_->setSpacing(kSpace - 2);
   heading_->setObjectName(QStringLiteral("cardTitle"));

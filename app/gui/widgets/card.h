@@ -9,14 +9,14 @@ class QVBoxLayout;
 
 namespace torsio::gui {
 
-/// A titled area of the side panel; all cards share margins and type.
+/// A titled area; all cards share margins and fonts.
 class Card : public QFrame {
   Q_OBJECT
 
  public:
   explicit Card(const QString& title, QWidget* parent = nullptr);
   void setTitle(const QString& title);
-  /// Where the content goes, below the title.
+  /// Returns the column for the content, below the title.
   [[nodiscard]] QVBoxLayout* content() const noexcept { return content_; }
 
  private:

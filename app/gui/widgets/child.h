@@ -8,9 +8,8 @@
 
 namespace torsio::gui {
 
-/// Finds the widget of a page or window that bears this object name: tests and the pictures of the user guide
-/// reach the parts of a page so, and the page need not hand them out. The caller knows that it exists:
-/// ContractError otherwise. GUI thread.
+/// Finds a child widget by object name: tests and screenshots reach parts of a page this way, so that the
+/// page need not expose them. Throws ContractError if there is none. GUI thread.
 template <typename Widget>
 [[nodiscard]] Widget& child(const QWidget& parent, const char* name) {
   auto* found = parent.findChild<Widget*>(QLatin1String(name));

@@ -6,13 +6,14 @@
 namespace torsio::gui {
 
 struct ColumnWidth {
-  int wanted_px = 0;  ///< shows all that is in it
-  int least_px = 0;   ///< to which it may give way
+  int wanted_px = 0;  ///< shows all content
+  int least_px = 0;   ///< minimum width
 };
 
-/// Where the columns are wider than the list, the widest give way, pixel by pixel and the first of several,
-/// so that nothing is scrolled sideways while it can be read. Where the list is wider they all grow alike, to
-/// three times their width at most: a row is read along. Returns px, one a column.
+/// Distributes widths: if the columns are wider than the list, the widest shrink, pixel by pixel and the
+/// first of several, to avoid horizontal scrolling as long as the list is legible. If the list is wider, all
+/// grow equally, at most to three times their width, so that rows stay easy to follow. Returns px, one per
+/// column.
 [[nodiscard]] std::vector<int> sharedWidths(const std::vector<ColumnWidth>& columns, int list_px);
 
 }  // namespace torsio::gui

@@ -29,8 +29,8 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kRowHeight = 32;
-constexpr int kToolHeight = 36;  // of a button: lists side by side begin at one height, with tools or without
-constexpr int kMeasuredRows = 200;  // for the widths of the columns: all of a long list would take too long
+constexpr int kToolHeight = 36;     // of a button, so that adjacent lists align with and without tools
+constexpr int kMeasuredRows = 200;  // for column widths: a long list would take too long
 
 }  // namespace
 
@@ -54,7 +54,7 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   proxy_->setSourceModel(model_);
   view_->setModel(proxy_);
   view_->setSortingEnabled(true);
-  view_->sortByColumn(-1, Qt::AscendingOrder);  // as given, until a header is pressed
+  view_->sortByColumn(-1, Qt::AscendingOrder);  // unsorted until a header is clicked
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
   view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -103,7 +103,8 @@ DataTable::DataTable(const QString& name, QWidget* parent)
     proxy_->setFilterFixedString(text);
     showCount();
   });
-  // Not the model's currentRowChanged: it comes before the row is selected or after, as the user moved.
+  // Not the model's currentRowChanged, which is emitted before or after the selection, depending on the
+  // input.
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { Q_EMIT currentChanged(currentId()); });
   connect(view_, &QTableView::doubleClicked, this,
@@ -261,7 +262,7 @@ QString DataTable::asText() const {
   QStringList lines{line(
       [this](int column) { return model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(); })};
   for (const QModelIndex& row : rows) {
-    lines << line([&row](int column) {  // another program shall read numbers as numbers
+    lines << line([&row](int column) {  // so that another program reads numbers as numbers
       return plainMinus(row.siblingAtColumn(column).data().toString());
     });
   }
@@ -347,7 +348,7 @@ bool DataTable::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    // Where a row opens nothing, Enter goes on to the button that a dialog answers with.
+    // If rows open nothing, Enter presses the dialog's default button.
     static const QMetaMethod kActivated = QMetaMethod::fromSignal(&DataTable::activated);
     if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !currentId().isEmpty() &&
         isSignalConnected(kActivated)) {

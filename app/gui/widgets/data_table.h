@@ -18,69 +18,68 @@ class QTableView;
 
 namespace torsio::gui {
 
-/// One cell: what is read, and what sorts.
+/// A cell: its text, and its sort key.
 struct Cell {
   QString text;
-  QVariant sortKey{};  ///< number or ISO text; invalid: the text itself, by the rules of the language
+  QVariant sortKey{};  ///< number or ISO text; invalid: the text itself, in locale order
   QString tip{};
-  bool time = false;  ///< `sortKey` is a time: put into words when it is looked at, a long list is not
+  bool time = false;  ///< `sortKey` is a time, formatted only when displayed, because lists are long
 };
 
-/// Date and time in the language of the list, sorted by time; a dash for 0.
+/// Makes a cell with date and time in the list's language, sorted by time; a dash for 0.
 [[nodiscard]] Cell timeCell(std::int64_t utc_us);
 
 struct Column {
   QString title;
   bool number = false;  ///< right-aligned
-  bool total = false;   ///< its positive sort keys are added up below the list, over the rows that are seen
+  bool total = false;   ///< shows the sum of the visible rows' positive sort keys below the list
 };
 
 struct Row {
-  QString id;  ///< what the caller knows the row by
+  QString id;  ///< the caller's id of the row
   std::vector<Cell> cells;
 };
 
-/// A list as people expect it: sorts by any column, filters while typing, hides and reorders columns
-/// (remembered under `name` for each role: the property "role" of the page it stands on), copies with its
-/// headers. Without the mouse: the context menu key sorts by the column one stands in and chooses columns.
-/// Holds 100,000 rows.
+/// A list with sorting by any column, filter as you type, hidden and reordered columns (stored under `name`
+/// for each role: the property "role" of its page), and copying with headers. Keyboard: the context menu key
+/// sorts by the current column and selects columns. Handles 100,000 rows.
 class DataTable : public QWidget {
   Q_OBJECT
 
  public:
-  /// `name`: under which column order and widths are remembered; empty: they are not.
+  /// `name`: settings key of column order and widths; empty: not stored.
   explicit DataTable(const QString& name, QWidget* parent = nullptr);
   ~DataTable() override;
 
-  /// Call again after a change of language: order, widths and selection stay.
+  /// Call again after a change of language: keeps order, widths and selection.
   void setColumns(const std::vector<Column>& columns);
-  /// Every row has one cell a column. Selection and sorting stay.
+  /// Each row needs one cell per column. Keeps selection and sorting.
   void setRows(std::vector<Row> rows);
   void setColumnHidden(int column, bool hidden);
-  /// Not shown unless somebody has chosen their columns; the filter looks into it all the same. Once the
-  /// columns are set.
+  /// Hides a column unless the user has chosen columns; the filter still searches it. Call after
+  /// setColumns().
   void hideAtFirst(int column);
-  /// Shown in place of rows when there are none: what this list will hold, and how it gets filled.
+  /// Sets the text for an empty list: what it will contain, and how to fill it.
   void setEmptyText(const QString& sentence);
-  /// Below the filter, to the right of the count: buttons that concern the list.
+  /// Adds a button for the list below the filter, right of the count.
   void addTool(QWidget* tool);
 
-  [[nodiscard]] QString currentId() const;  ///< empty: nothing selected
+  [[nodiscard]] QString currentId() const;  ///< empty: no selection
   [[nodiscard]] QStringList selectedIds() const;
   void select(const QString& id);
-  /// Selects the rows with these ids and no others.
+  /// Selects exactly the rows with these ids.
   void selectAll(const QStringList& ids);
   [[nodiscard]] int visibleRows() const;
-  /// Rows as they are shown, with a header line, tab-separated: the selection, or everything.
+  /// Returns the selection, or all rows, as displayed, tab-separated with a header line.
   [[nodiscard]] QString asText() const;
 
-  /// For a list of few rows with long names: where the list is too narrow they stand in several lines.
+  /// For a short list with long names: wraps them if the list is too narrow.
   void wrapWhatIsCut();
-  /// Width at which no cell of the columns that are shown is cut.
+  /// Returns the width at which no visible cell is clipped.
   [[nodiscard]] int wholeWidth() const;
   [[nodiscard]] QTableView& view() const noexcept { return *view_; }
   [[nodiscard]] QLineEdit& filter() const noexcept { return *filter_; }
-  /// What is added up, in words; empty: nothing is.
+  /// Returns the text of the sums; empty: none.
   [[nodiscard]] QString totals() const;
 
  Q_SIGNALS:
@@ -93,7 +92,7 @@ class DataTable : public QWidget {
 
  private:
   class Model;
-  /// Widths that fill the list, px; a crowded one keeps no room beside its titles for the arrow of a sorting.
+  /// Returns widths that fill the list, px; in a crowded one, titles have no room for the sort arrow.
   [[nodiscard]] std::vector<int> widthsOf(bool crowded) const;
   void makeRoomForArrow(int column);
   void createActions();
@@ -111,7 +110,7 @@ class DataTable : public QWidget {
   [[nodiscard]] QString idAt(const QModelIndex& proxied) const;
 
   QString name_;
-  QString key_;  // of the settings, once the table has its columns
+  QString key_;  // settings key, once the columns are set
   Model* model_;
   QSortFilterProxyModel* proxy_;
   QTableView* view_;
@@ -123,12 +122,12 @@ class DataTable : public QWidget {
   QAction* copyAction_ = nullptr;
   QAction* sortAction_ = nullptr;
   QAction* columnsAction_ = nullptr;
-  std::vector<int> cells_;   // width of each column that shows all its cells, px
-  std::vector<int> wanted_;  // and its title with the arrow of a sorting
+  std::vector<int> cells_;   // width of each column without clipping, px
+  std::vector<int> wanted_;  // width of its title with the sort arrow
   bool wraps_ = false;
-  bool sharing_ = false;  // the table sizes its columns, not somebody with the mouse
+  bool sharing_ = false;  // the table is resizing columns, not the user
   bool restored_ = false;
-  bool touched_ = false;  // somebody moved, sized, hid or sorted: only that is worth remembering
+  bool touched_ = false;  // the user has moved, resized, hidden or sorted columns, so that they are stored
 };
 
 }  // namespace torsio::gui

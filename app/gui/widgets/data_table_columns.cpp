@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of DataTable: how wide its columns are, and which are shown.
+// Column widths and visibility of DataTable.
 #include <algorithm>
 #include <numeric>
 
@@ -16,18 +16,18 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kLeastWidth = 12 * kSpace;  // a wider column gives way before a list scrolls sideways
+constexpr int kLeastWidth = 12 * kSpace;  // minimum of a wider column before the list scrolls horizontally
 
 }  // namespace
 
-/// As wide as what is in them; with new rows they only grow, so that a list that reads itself anew stands
-/// still.
+/// Fits columns to their content; with new rows they only grow, so that a list that refreshes itself does not
+/// move.
 void DataTable::fitColumns(bool first) {
   QHeaderView* header = view_->horizontalHeader();
   if (wraps_) {
-    view_->setWordWrap(false);  // while it is found out how wide the names are
+    view_->setWordWrap(false);  // while measuring the names
   }
-  header->setStretchLastSection(false);  // a last column that fills the list is wider than what is in it
+  header->setStretchLastSection(false);  // a stretched last column is wider than its content
   wanted_.resize(static_cast<std::size_t>(header->count()), 0);
   cells_.resize(wanted_.size(), 0);
   for (int column = 0; column < header->count(); ++column) {
@@ -42,8 +42,7 @@ void DataTable::fitColumns(bool first) {
   letLastFill();
 }
 
-/// The last column takes the rest of a wide list, but for a number, which would stand far from what it
-/// belongs to.
+/// Lets the last column fill a wide list, except for a number, which would be far from its context.
 void DataTable::letLastFill() {
   QHeaderView* header = view_->horizontalHeader();
   const std::vector<Column>& columns = model_->columns();
@@ -71,7 +70,7 @@ int DataTable::wholeWidth() const {
   return width;
 }
 
-/// A column gives way down to its title, which stays whole.
+/// Shrinks columns down to their titles, which are not clipped.
 std::vector<int> DataTable::widthsOf(bool crowded) const {
   const auto& titles = static_cast<const ColumnTitles&>(*view_->horizontalHeader());
   std::vector<ColumnWidth> columns;
@@ -86,7 +85,7 @@ std::vector<int> DataTable::widthsOf(bool crowded) const {
   return sharedWidths(columns, view_->viewport()->width());
 }
 
-/// In a crowded list; the widest of the others gives it.
+/// Makes room in a crowded list, taken from the widest other column.
 void DataTable::makeRoomForArrow(int column) {
   QHeaderView* header = view_->horizontalHeader();
   const int lacks = header->sectionSizeHint(column) - header->sectionSize(column);
@@ -132,7 +131,7 @@ void DataTable::setColumnHidden(int column, bool hidden) {
     return;
   }
   header->setSectionHidden(column, hidden);
-  // While it was hidden nobody gave it a width: at once, not when the list is filled the next time.
+  // It had no width while hidden: fits it now, not when the list is filled next.
   if (!touched_) {
     fitColumns(false);
   } else if (!hidden && header->sectionSize(column) < kLeastWidth) {

@@ -17,18 +17,18 @@ namespace torsio::gui {
 
 namespace {
 
-/// The "C" locale compares bytes and knows no numbers.
+/// The "C" locale compares bytes and does not sort numbers within text.
 QLocale collation() {
   const QLocale locale;
   return locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
 }
 
-/// Beyond the distance of every text from the edge of its column, px: a number ends where the next begins.
+/// Extra padding, px, right of a number, before the next column.
 int afterNumber(Qt::Alignment alignment) {
   return alignment.testFlag(Qt::AlignRight) ? kSpace : 0;
 }
 
-/// Where the text of a cell stands.
+/// Returns the rectangle of a cell's text.
 QRect textPlace(const QStyleOptionViewItem& cell) {
   return cell.rect.adjusted(kSpace, 0, -kSpace - afterNumber(cell.displayAlignment), 0);
 }
@@ -183,7 +183,7 @@ QSize PaddedCells::sizeHint(const QStyleOptionViewItem& option, const QModelInde
   const int after = afterNumber(inside.displayAlignment);
   if (inside.features.testFlag(QStyleOptionViewItem::WrapText)) {
     const int spare = QApplication::style()->pixelMetric(QStyle::PM_FocusFrameHMargin, &option) + 1;
-    inside.rect.adjust(kSpace - spare, 0, spare - kSpace - after, 0);  // the style keeps a margin of its own
+    inside.rect.adjust(kSpace - spare, 0, spare - kSpace - after, 0);  // the style has its own margin
   }
   return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kSpace + after, 0);
 }

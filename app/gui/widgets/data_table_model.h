@@ -13,18 +13,18 @@
 
 namespace torsio::gui {
 
-// What a DataTable shows its rows with; used by data_table.cpp alone.
+// Models and views of DataTable; used only by data_table.cpp.
 
-inline constexpr int kSortRole = Qt::UserRole;    ///< what sorts a cell
+inline constexpr int kSortRole = Qt::UserRole;    ///< sort key of a cell
 inline constexpr int kIdRole = Qt::UserRole + 1;  ///< Row::id
 
-/// Holds the columns and rows of a DataTable.
+/// The columns and rows of a DataTable.
 class DataTable::Model final : public QAbstractTableModel {
  public:
-  /// Times are put into words in the language of `table`.
+  /// Times are formatted in the language of `table`.
   explicit Model(DataTable* table);
 
-  /// Keeps the rows where the number of columns stays.
+  /// Keeps the rows if the number of columns does not change.
   void setColumns(const std::vector<Column>& columns);
   void setRows(std::vector<Row> rows);
   [[nodiscard]] const std::vector<Column>& columns() const noexcept { return columns_; }
@@ -40,7 +40,7 @@ class DataTable::Model final : public QAbstractTableModel {
   std::vector<Row> rows_;
 };
 
-/// Sorts numbers by size and texts by the rules of the language ("T-2" before "T-10").
+/// Sorts numbers by size and texts in locale order ("T-2" before "T-10").
 class SortedRows final : public QSortFilterProxyModel {
  public:
   explicit SortedRows(QObject* parent);
@@ -52,11 +52,11 @@ class SortedRows final : public QSortFilterProxyModel {
   QCollator collator_;
 };
 
-/// Titles of columns; that of a number keeps as far from what follows as the numbers below it.
+/// Column titles; a number's title has the same padding as the numbers below.
 class ColumnTitles final : public QHeaderView {
  public:
   explicit ColumnTitles(QWidget* parent);
-  /// Of a title that is whole as long as the list is not sorted by it, px.
+  /// Returns a title's unclipped width without the sort arrow, px.
   [[nodiscard]] int unsortedWidth(int column) const;
 
  protected:
@@ -67,8 +67,8 @@ class ColumnTitles final : public QHeaderView {
   [[nodiscard]] int afterNumber(int column) const;
 };
 
-/// Draws cells as far from their edges as the headers: a number never touches the text beside it. A text that
-/// is cut is told whole in its tooltip.
+/// Draws cells with the padding of the headers, so that a number never touches the next text. Clipped text is
+/// shown in the tool tip.
 class PaddedCells final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

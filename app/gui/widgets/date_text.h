@@ -11,16 +11,16 @@ class QDateEdit;
 
 namespace torsio::gui {
 
-// Days and times as every screen shows them, by this computer's clock, in the form of dayFormat(). Any
-// thread; fields on the GUI thread.
+// Dates and times as on all screens, in this computer's time zone, in the form of dayFormat(). Thread-safe;
+// fields in the GUI thread.
 
 [[nodiscard]] QString dateText(const QDate& day, const QLocale& locale = QLocale());
 /// `utc_us`: microseconds since 1970; 0: a dash.
 [[nodiscard]] QString dayText(std::int64_t utc_us, const QLocale& locale = QLocale());
-/// Day, hour and minute.
+/// Formats date, hour and minute.
 [[nodiscard]] QString shownTime(std::int64_t utc_us, const QLocale& locale = QLocale());
 
-/// Gives a field for a day the same form.
+/// Sets the same format for a date field.
 void showAsDate(QDateEdit* field);
 
 }  // namespace torsio::gui

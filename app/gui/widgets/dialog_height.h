@@ -5,8 +5,7 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Makes a dialog high enough for its wrapped sentences at its width; call when one of them has changed. It
-/// never shrinks under the hand.
+/// Makes a dialog high enough for its wrapped sentences; call when one has changed. Never shrinks it.
 void growToSentences(QWidget* dialog);
 
 }  // namespace torsio::gui

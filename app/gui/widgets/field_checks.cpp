@@ -73,7 +73,7 @@ void FieldChecks::watch(QWidget* field) {
     connect(list, &QComboBox::currentIndexChanged, this, changed);
     connect(list, &QComboBox::activated, this, typed);
   }
-  for (auto* box : field->findChildren<QAbstractButton*>()) {  // a group of boxes
+  for (auto* box : field->findChildren<QAbstractButton*>()) {  // group of boxes
     box->installEventFilter(this);
     connect(box, &QAbstractButton::toggled, this, changed);
     connect(box, &QAbstractButton::clicked, this, typed);
@@ -108,11 +108,11 @@ bool FieldChecks::eventFilter(QObject* watched, QEvent* event) {
     const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
     const bool stays = reason == Qt::ActiveWindowFocusReason || reason == Qt::PopupFocusReason;
     for (const Check& one : checks_) {
-      // Of a group, when the keyboard leaves its last box.
+      // For a group, when focus leaves its last box.
       if (!stays && (watched == one.field || one.field->isAncestorOf(qobject_cast<QWidget*>(watched)))) {
         if (reason == Qt::OtherFocusReason) {
-          // A form that is being destroyed takes the keyboard from its fields when what they are checked by
-          // is gone; then this is gone before the call.
+          // A form's destruction moves focus from its fields after the data of their checks is gone; by the
+          // time of the queued call, this is gone too.
           QMetaObject::invokeMethod(
               this, [this, field = one.field] { touch(field); }, Qt::QueuedConnection);
         } else {

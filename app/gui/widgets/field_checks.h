@@ -16,32 +16,31 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// A sentence beside a field that says what is wrong with it; hidden while nothing is.
+/// Creates an error message for a field; hidden if there is none.
 [[nodiscard]] QLabel* fieldHint(QWidget* parent = nullptr);
-/// Shows what is wrong; empty: nothing.
+/// Shows an error; empty: none.
 void sayHint(QLabel* hint, const QString& wrong);
 
-/// What keeps a form from being accepted, said below the field that is meant and at the button that waits for
-/// it. A field that nobody has touched says nothing yet: an empty form is not wrong. Lives as long as its
-/// form. GUI thread.
+/// Validates a form: shows errors below the fields and at the button that waits for them. An untouched field
+/// shows no error: an empty form is not wrong. Lives as long as its form. GUI thread.
 class FieldChecks : public QObject {
  public:
   explicit FieldChecks(QWidget* form);
 
-  /// `wrong`: what is wrong with the field and what to do; empty: nothing. It is asked after each change of
-  /// any field. The hint goes into the next row of the form, or the next place of the column.
+  /// `wrong`: returns the field's error and remedy; empty: none. Called after each change of any field. The
+  /// message goes into the next row of the form or column.
   void add(QFormLayout* form, QWidget* field, std::function<QString()> wrong);
   void add(QBoxLayout* column, QWidget* field, std::function<QString()> wrong);
-  /// A field whose hint stands elsewhere already.
+  /// Adds a field whose message is already placed elsewhere.
   void add(QLabel* hint, QWidget* field, std::function<QString()> wrong);
-  /// For one line of text that must not stay empty: `missing` says so.
+  /// Adds a required line edit; `missing`: its message.
   void addNeeded(QFormLayout* form, QLineEdit* field, const QString& missing);
-  /// The button that needs everything to be right, and `also`; while it waits, its tool tip says for what.
+  /// Sets the button that needs all fields to be valid, and `also`; while disabled, its tool tip says why.
   void decide(QPushButton* accept, std::function<bool()> also = {});
 
-  /// Asks each field anew. True: nothing is wrong.
+  /// Validates all fields. True: valid.
   bool check();
-  /// Says from now on what is wrong with this field, as if somebody had left it.
+  /// Shows this field's errors from now on, as if the user had left it.
   void touch(const QWidget* field);
 
  protected:

@@ -7,16 +7,17 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Where to save: the dialog begins in the folder that was used last at this station (at first in Documents)
-/// with `name` proposed; characters that no file system takes become dashes. `chosenFilter`:
-/// which of several filters (";;" between them) is chosen at first, and then was. Empty: given up.
+/// Asks where to save, starting in this station's last folder (at first Documents) and proposing `name`, with
+/// characters that file systems reject replaced by dashes. `chosenFilter`: initially selected one of several
+/// filters (separated by ";;"), and then the final one. Empty: cancelled.
 [[nodiscard]] QString askFileToSave(QWidget* parent, const QString& title, const QString& name,
                                     const QString& filter, QString* chosenFilter = nullptr);
-/// What to open; begins in the same folder, or at the file `begin` when there is one. Empty: given up.
+/// Asks for a file to open, starting in the same folder, or at the file `begin` if it exists. Empty:
+/// cancelled.
 [[nodiscard]] QString askFileToOpen(QWidget* parent, const QString& title, const QString& filter,
                                     const QString& begin = {});
 
-/// A folder to write into, which the dialog can make; begins in the same folder. Empty: given up.
+/// Asks for an output folder, which the dialog can create, starting in the same folder. Empty: cancelled.
 [[nodiscard]] QString askFolder(QWidget* parent, const QString& title);
 
 }  // namespace torsio::gui

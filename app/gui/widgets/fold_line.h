@@ -9,8 +9,8 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// One line that stands for a list, with a button that shows the list and takes it away again. What the line
-/// has no room for ends with an ellipsis and stands in its tip.
+/// One line that summarises a list, with a button to show or hide it. Overlong text ends with an ellipsis and
+/// is in the tool tip.
 class FoldLine : public QWidget {
   Q_OBJECT
 
@@ -18,16 +18,16 @@ class FoldLine : public QWidget {
   explicit FoldLine(QWidget* parent);
 
   void setText(const QString& text);
-  /// Without a list there is no button.
+  /// Shows the button if there is a list.
   void setFoldable(bool foldable);
   void setOpen(bool open);
   [[nodiscard]] bool isOpen() const noexcept { return open_; }
-  /// Where the text stands, for its look and name.
+  /// Returns the label, for style and name.
   [[nodiscard]] QLabel* label() const noexcept { return label_; }
   void retranslate();
 
  Q_SIGNALS:
-  /// Somebody pressed the button.
+  /// The button was pressed.
   void toggled(bool open);
 
  protected:

@@ -19,7 +19,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// A card of a given width, wider where a button or a long word of the present language would be cut.
+/// A card of a given width, wider if a button or long word of the present language would be clipped.
 class FittingCard : public QFrame {
  public:
   FittingCard(int width, QWidget* parent) : QFrame(parent), width_(width) {
@@ -33,10 +33,10 @@ class FittingCard : public QFrame {
   int width_;
 };
 
-/// Signs of a line that the eye still finds its way back from.
+/// Maximum line length, characters, that is easy to read.
 constexpr int kLongestLine = 120;
 
-/// Wraps before its lines get too long to be read, however wide the window is.
+/// Wraps at a readable line length, however wide the window is.
 class Sentence : public QLabel {
  public:
   using QLabel::QLabel;
@@ -72,7 +72,7 @@ class Sentence : public QLabel {
 QVBoxLayout* centredCard(QWidget* ground, int width) {
   auto* outer = new QVBoxLayout(ground);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea(ground);  // at 200 % a card may be taller than a small screen
+  auto* scroll = new QScrollArea(ground);  // at 200 %, a card may be taller than a small screen
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
   outer->addWidget(scroll);
@@ -102,7 +102,7 @@ QLabel* addField(QBoxLayout* layout, QWidget* field) {
 }
 
 void nameField(QLabel* label, const QString& text) {
-  // Chinese mnemonics stand in brackets at the end: they are no part of the name.
+  // Chinese mnemonics are in brackets at the end and not part of the name.
   static const QRegularExpression kMnemonic(QStringLiteral("\\(&.\\)|&"));
   label->setText(text);
   QString plain = text;

@@ -8,8 +8,8 @@
 
 namespace torsio::gui {
 
-/// Whether a button on `page` is pressed and not let go yet. A page that brings itself up to date by a clock
-/// waits meanwhile: a button that moves, goes or is switched off under the pointer would lose its press.
+/// Returns whether a button on `page` is pressed. A page that refreshes itself must wait: a button that
+/// moves, disappears or is disabled under the pointer loses its click.
 [[nodiscard]] inline bool holdsButton(const QWidget& page) {
   const auto buttons = page.findChildren<QAbstractButton*>();
   return std::any_of(buttons.begin(), buttons.end(),

@@ -9,7 +9,7 @@
 #include "app/gui/widgets/theme.h"
 #include "sim/core/contracts.h"
 
-/// The linker drops resources of a static library that nothing names.
+/// Names the resources, which the linker would otherwise drop from a static library.
 static void initIconResources() {
   Q_INIT_RESOURCE(torsio_icons);
 }

@@ -14,7 +14,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kBar = 8.0;
-constexpr double kRoomBeyondLimit = 1.25;  // the limit stands at four fifths of the bar
+constexpr double kRoomBeyondLimit = 1.25;  // the limit is at four fifths of the bar
 
 }  // namespace
 

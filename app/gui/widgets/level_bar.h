@@ -8,19 +8,18 @@
 
 namespace torsio::gui {
 
-/// A quantity with its name, its figure and a bar up to a limit. Above the limit the bar turns amber and says
-/// so in words.
+/// A quantity with name, number and a bar up to a limit. Above the limit, the bar turns amber with a text.
 class LevelBar : public QWidget {
   Q_OBJECT
 
  public:
-  /// `decimals`: of the figure.
+  /// `decimals`: of the number.
   LevelBar(const QString& name, const QString& unit, int decimals, QWidget* parent = nullptr);
 
-  /// In the present language.
+  /// Call with texts in the present language.
   void setName(const QString& name, const QString& unit);
   void setTheme(const Theme& theme);
-  /// The bar ends a little beyond the limit; a limit of 0 means none is known.
+  /// The bar extends slightly beyond the limit; 0: no known limit.
   void setLimit(double limit);
   void setValue(double value);
 

@@ -7,8 +7,8 @@
 
 namespace torsio::gui {
 
-// Numbers as every screen shows them: grouped as QLocale() groups, with the minus of print and no minus
-// before a zero. What is typed, copied or written to a file keeps the plain form (plainMinus()). Any thread.
+// Numbers as on all screens: grouped by QLocale(), with a typographic minus, and none before zero. Input,
+// clipboard and files use the plain form (plainMinus()). Thread-safe.
 
 [[nodiscard]] QString numberText(double value, int decimals);
 template <std::integral Count>
@@ -16,8 +16,8 @@ template <std::integral Count>
   return numberText(static_cast<double>(value), 0);
 }
 
-/// A number that was written in the form of files ("-1808.50", "7666"), with its decimals; empty: it is none,
-/// or it has an exponent.
+/// Formats a number from a file's notation ("-1808.50", "7666"), keeping its decimals; empty if it is not a
+/// number, or has an exponent.
 [[nodiscard]] QString numberText(const QString& plain);
 
 }  // namespace torsio::gui

@@ -9,16 +9,16 @@ class QLabel;
 
 namespace torsio::gui {
 
-/// Head of a page: its title, one quiet sentence on what it is for, and its main actions at the right.
+/// A page's heading: title, an unobtrusive sentence on its purpose, and main actions at the right.
 class PageHeading : public QWidget {
   Q_OBJECT
 
  public:
   explicit PageHeading(QWidget* parent = nullptr);
 
-  /// `title`: empty where the header of the window bears the only one.
+  /// `title`: empty if the window's header has the only one.
   void setTexts(const QString& title, const QString& sentence);
-  /// To the right, in the order of the calls.
+  /// Adds a widget at the right, in the order of calls.
   void addAction(QWidget* button);
 
  private:

@@ -7,8 +7,8 @@ class QImage;
 
 namespace torsio::gui {
 
-/// Writes a picture as PNG, whole or not at all. Throws Error{kDevice} for an empty picture (a display that
-/// cannot draw the scene) and {kFileUnwritable}.
+/// Writes a picture as PNG, completely or not at all. Throws Error{kDevice} for an empty picture (a display
+/// that cannot draw the scene) and Error{kFileUnwritable}.
 void writePicture(const QImage& picture, const std::filesystem::path& file);
 
 }  // namespace torsio::gui

@@ -11,7 +11,7 @@ namespace torsio::gui {
 
 void paintRowFocus(QPainter& painter, const QRect& row, const QPalette& palette, bool selected) {
   constexpr int kWidth_px = 1;
-  const int inset = selected ? 2 : 0;  // within the ground of the selection
+  const int inset = selected ? 2 : 0;  // within the selection's background
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setBrush(Qt::NoBrush);
@@ -22,7 +22,7 @@ void paintRowFocus(QPainter& painter, const QRect& row, const QPalette& palette,
 
 void RowView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
   QTableView::currentChanged(current, previous);
-  viewport()->update();  // the outline goes through every cell of the row
+  viewport()->update();  // the outline spans every cell of the row
 }
 
 void RowView::paintEvent(QPaintEvent* event) {
@@ -51,7 +51,7 @@ void RowView::paintEvent(QPaintEvent* event) {
   }
   const bool selected = selectionModel()->isRowSelected(current.row(), rootIndex());
   if (selected && selectionModel()->selectedRows().size() == 1) {
-    return;  // the selection says where the keys are
+    return;  // the selection shows the current row
   }
   QPainter painter(viewport());
   paintRowFocus(painter,

@@ -9,11 +9,11 @@ class QRect;
 
 namespace torsio::gui {
 
-/// Outlines the row where the keys are, from edge to edge. `row` in pixels of the list.
+/// Outlines the current row, from edge to edge. `row`: in pixels of the list.
 void paintRowFocus(QPainter& painter, const QRect& row, const QPalette& palette, bool selected);
 
-/// A list whose rows go on, in their colours, to the edge of the list where its columns end before: a table
-/// of numbers beside their names does not look torn off. The keys are at a row, never at a cell of it.
+/// A list whose row colours extend to the list's edge beyond the last column, so that narrow tables do not
+/// look cut off. Focus is on a row, never on a cell.
 class RowView final : public QTableView {
  public:
   using QTableView::QTableView;

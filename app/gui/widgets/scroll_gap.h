@@ -6,8 +6,8 @@ class QScrollArea;
 
 namespace torsio::gui {
 
-/// Keeps what stands in `content`, the layout of the area's widget, off the vertical scroll bar while there
-/// is one. Without one it reaches as far to the right as what stands above and below the area.
+/// Keeps `content`, the layout of the area's widget, clear of the vertical scroll bar if there is one;
+/// otherwise it is as wide as what is above and below the area.
 void keepOffScrollBar(QScrollArea& area, QLayout& content);
 
 }  // namespace torsio::gui

@@ -6,8 +6,7 @@
 
 namespace torsio::gui {
 
-/// A field for a number that may be negative: shows the minus of print, as everything round it does, and
-/// takes both signs. GUI thread.
+/// A number field that shows a typographic minus, like its surroundings, and accepts both signs. GUI thread.
 class SignedBox : public QDoubleSpinBox {
  public:
   using QDoubleSpinBox::QDoubleSpinBox;

@@ -101,7 +101,7 @@ QPalette paletteOf(const Theme& t) {
   return palette;
 }
 
-/// `%name` becomes the theme's colour of that name.
+/// Replaces `%name` by the theme's colour of that name.
 // NOLINTNEXTLINE(readability-function-size): one long text
 QString styleSheetOf(const Theme& t) {
   QString sheet = QStringLiteral(R"(
@@ -294,8 +294,8 @@ const Theme& theme(ThemeKind kind) {
 
 namespace {
 
-/// Draws entries of a list as far from its edges as cells of a table. The style sheet's padding would widen
-/// an entry without moving what is in it.
+/// Draws list entries with the padding of table cells. Padding in the style sheet would widen an entry
+/// without moving its content.
 class PaddedEntries final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -317,7 +317,7 @@ class PaddedEntries final : public QStyledItemDelegate {
   }
 
  private:
-  static constexpr int kBeside = kSpace - 3;  // the style leaves three pixels itself
+  static constexpr int kBeside = kSpace - 3;  // the style itself leaves three pixels
 
   static QStyleOptionViewItem inside(const QStyleOptionViewItem& option) {
     QStyleOptionViewItem narrower = option;
@@ -328,8 +328,8 @@ class PaddedEntries final : public QStyledItemDelegate {
   }
 };
 
-/// Makes the lists of choices what the style sheet says: the usual delegate of a combo box paints the text of
-/// the current entry, but not its ground. No entry is cut off. Entries of other lists keep off the edges.
+/// Makes the lists of combo boxes follow the style sheet: their default delegate paints the current entry's
+/// text, but not its background. Entries are not clipped. Entries of other lists get padding.
 class ChoiceLists final : public QObject {
  public:
   using QObject::QObject;

@@ -38,7 +38,7 @@ QVBoxLayout* scrolledColumn(QWidget* page) {
 
 QPushButton* listButton(DataTable* table) {
   auto* button = new QPushButton(table);
-  button->setAutoDefault(false);  // Enter means the dialog's own answer, never what is done to a row
+  button->setAutoDefault(false);  // Enter presses the dialog's default button, never a row's
   table->addTool(button);
   return button;
 }

@@ -27,26 +27,26 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The column in which the parts of an administrator's page stand, with the margins all of them share.
+/// Adds the column layout of an administrator's page, with the common margins.
 QVBoxLayout* pageColumn(QWidget* page);
-/// The same for pages whose content may be taller than the window.
+/// Like pageColumn(), in a scroll area.
 QVBoxLayout* scrolledColumn(QWidget* page);
-/// A button among the tools of a list.
+/// Adds a button to the tools of a list.
 QPushButton* listButton(DataTable* table);
-/// The cohorts of the record without the archived ones, newest last; keeps the choice when filled anew.
-/// Chosen first: cohortShownFirst(), or the study that runs whatever is done today.
+/// Fills a chooser with the cohorts that are not archived, newest last; keeps the choice when refilled.
+/// Initial choice: cohortShownFirst(), or the running study regardless of today's sessions.
 enum class CohortFirst { kOfToday, kStudy };
 void fillCohorts(QComboBox* chooser, SessionContext& session, CohortFirst first);
-/// The evaluation campaigns and "none". Chosen first: the newest that somebody has scored in.
+/// Fills a chooser with the evaluation campaigns and `none`. Initial choice: the newest one with marks.
 void fillCampaigns(QComboBox* chooser, SessionContext& session, const QString& none);
-/// Id of what is chosen; empty: nothing.
+/// Returns the id of the current choice; empty: none.
 [[nodiscard]] std::string chosenId(const QComboBox* chooser);
 void chooseId(QComboBox* chooser, const std::string& id);
 
-/// The text, or a dash when there is none.
+/// Returns the text, or a dash if it is empty.
 [[nodiscard]] QString orDash(const std::string& text);
 [[nodiscard]] QStringList listOf(const std::vector<std::string>& texts);
-/// The first three of some names and how many more there are: "T-01, T-02, T-03 and 5 more".
+/// Returns the first three names and the number of the others: "T-01, T-02, T-03 and 5 more".
 [[nodiscard]] QString firstFew(const QStringList& names);
 
 }  // namespace torsio::gui

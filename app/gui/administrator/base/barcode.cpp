@@ -11,7 +11,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kWide = 2.5;
-constexpr std::string_view kBorder = "nwnnwnwnn";  // the sign *
+constexpr std::string_view kBorder = "nwnnwnwnn";  // the character *
 // Five bars and four gaps, bar first; w: wide.
 constexpr std::array<std::string_view, 10> kDigits{"nnnwwnwnn", "wnnwnnnnw", "nnwwnnnnw", "wnwwnnnnn",
                                                    "nnnwwnnnw", "wnnwwnnnn", "nnwwwnnnn", "nnnwnnwnw",
@@ -27,7 +27,7 @@ void addSign(std::string_view pattern, double& at, std::vector<BarcodeStripe>& b
     at += wide;
     dark = !dark;
   }
-  at += 1.0;  // between two signs
+  at += 1.0;  // gap between characters
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ std::vector<BarcodeStripe> code39(const std::string& digits) {
 }
 
 double code39Width(std::size_t digits) noexcept {
-  constexpr double kSign = 6.0 + 3.0 * kWide;  // of nine stripes three are wide
+  constexpr double kSign = 6.0 + 3.0 * kWide;  // three of nine stripes are wide
   return static_cast<double>(digits + 2) * (kSign + 1.0) - 1.0;
 }
 

@@ -5,7 +5,7 @@
 
 namespace torsio::gui {
 
-/// What stands above a printed card or form: the centre's name, or the program's while the centre has none.
+/// Returns the heading of a printed card or form: the centre's name, or "Torsio" if it has none.
 [[nodiscard]] inline QString centreHeadline(const QString& centre) {
   return centre.isEmpty() ? QStringLiteral("Torsio") : centre;
 }

@@ -8,8 +8,8 @@
 
 namespace torsio::gui {
 
-/// Those of `all` that are chosen in a list, in the order of `all`; the list knows each by `idOf(one)`. Valid
-/// as long as `all`.
+/// Returns the elements of `all` whose `idOf(one)` is selected in a list, in the order of `all`. The pointers
+/// are valid as long as `all`.
 template <typename One, typename IdOf>
 [[nodiscard]] std::vector<const One*> chosenRows(const DataTable& table, const std::vector<One>& all,
                                                  IdOf idOf) {
@@ -23,7 +23,7 @@ template <typename One, typename IdOf>
   return chosen;
 }
 
-/// What somebody is told of chosen rows: `nameOf(one)` of each.
+/// Returns `nameOf(one)` of each selected row.
 template <typename One, typename NameOf>
 [[nodiscard]] QStringList namesOf(const std::vector<const One*>& chosen, NameOf nameOf) {
   QStringList names;

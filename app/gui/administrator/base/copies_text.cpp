@@ -17,7 +17,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::size_t kShown = 5;  // a year of daily backups fits no screen
+constexpr std::size_t kShown = 5;  // a year of daily backups does not fit on a screen
 
 struct CopiesText {
   Q_DECLARE_TR_FUNCTIONS(CopiesText)

@@ -14,8 +14,8 @@ class SessionContext;
 
 namespace torsio::gui {
 
-/// The places that still hold people whom somebody is about to erase, each with the day by which it should
-/// be gone, as a paragraph to be put below the question; empty: none is known. Needs the right to erase.
+/// Returns a paragraph for the erasure question: the copies that still contain these people, each with the
+/// date by which it should be gone; empty: none known. Needs the right to erase.
 [[nodiscard]] QString copiesText(SessionContext& session, std::span<const PersonId> people,
                                  const QLocale& locale);
 

@@ -17,7 +17,7 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// Moves an element up (-1) or down (+1). Returns where it is then.
+/// Moves an element up (-1) or down (+1). Returns its new index.
 template <typename T>
 int moved(std::vector<T>& list, int row, int by) {
   const int to = row + by;
@@ -28,35 +28,35 @@ int moved(std::vector<T>& list, int row, int by) {
   return to;
 }
 
-/// Things in an order: a list with buttons that add, remove and move them on the left, a form that scrolls
-/// for the chosen one on the right. The page keeps the things and does what is wanted. GUI thread.
+/// Editor of an ordered list: on the left the list with buttons to add, remove and move, on the right a
+/// scrolling form for the selected element. The page owns the elements and carries out the requests. GUI
+/// thread.
 class OrderedList : public QWidget {
   Q_OBJECT
 
  public:
-  /// `name`: object name of the list. Takes the form.
+  /// `name`: object name of the list. Takes ownership of the form.
   OrderedList(const QString& name, QWidget* form, QWidget* parent = nullptr);
 
-  /// Shows these lines with one of them chosen; the last one where there are fewer. Emits nothing.
+  /// Shows these lines and selects `row`, or the last one if there are fewer. Emits nothing.
   void setLines(const QStringList& lines, int row);
-  /// Writes the chosen line anew.
+  /// Replaces the text of the selected line.
   void setCurrentLine(const QString& line);
-  /// -1: none.
+  /// Returns the selected row; -1: none.
   [[nodiscard]] int row() const;
-  /// Nothing can be added, removed or moved.
+  /// Disables adding, removing and moving.
   void setReadOnly(bool readOnly);
-  /// What the list is called where it is read aloud.
+  /// Sets the accessible name of the list.
   void setListName(const QString& name);
   void retranslate();
 
-  /// The chosen element of the things that the lines stand for; null: none.
+  /// Returns the selected element of the things listed; null: none.
   template <typename T>
   [[nodiscard]] T* chosenOf(std::vector<T>& things) const {
     const int at = row();
     return at >= 0 && at < std::ssize(things) ? &things[static_cast<std::size_t>(at)] : nullptr;
   }
-  /// Takes the chosen element out of the things that the lines stand for. Gives the row to choose then;
-  /// empty: nothing is chosen.
+  /// Removes the selected element. Returns the row to select next; empty: nothing was selected.
   template <typename T>
   std::optional<int> removeChosen(std::vector<T>& things) const {
     if (chosenOf(things) == nullptr) {
@@ -65,7 +65,7 @@ class OrderedList : public QWidget {
     things.erase(things.begin() + row());
     return row();
   }
-  /// Moves the chosen element up (-1) or down (+1). Gives the row where it is then; empty: it stays.
+  /// Moves the selected element up (-1) or down (+1). Returns its new row; empty: it did not move.
   template <typename T>
   std::optional<int> moveChosen(std::vector<T>& things, int by) const {
     const int to = moved(things, row(), by);
@@ -89,16 +89,16 @@ class OrderedList : public QWidget {
   bool readOnly_ = false;
 };
 
-/// The field for a code that must be there and be its own, with the sentence that says when it is not.
+/// A field for a required, unique code, with its error message.
 class CodeField {
  public:
   CodeField();
   [[nodiscard]] QLineEdit* field() const noexcept { return field_; }
   [[nodiscard]] QLabel* problem() const noexcept { return problem_; }
-  /// Shows a code, and no problem.
+  /// Shows a code without an error.
   void show(const std::string& code);
-  /// What was typed in place of `before`; empty where nothing changes. A code that is missing, or among
-  /// `taken`, is refused with the sentence for it, and `before` is shown again.
+  /// Returns the code typed instead of `before`; empty if unchanged. Refuses a missing code or one in `taken`
+  /// with its message, and shows `before` again.
   [[nodiscard]] std::optional<std::string> changed(const std::string& before,
                                                    const std::vector<std::string>& taken,
                                                    const QString& missing, const QString& used);

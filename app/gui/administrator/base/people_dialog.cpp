@@ -45,7 +45,7 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
   };
   connect(table_, &DataTable::currentChanged, this, sayHowMany);
   sayHowMany();
-  take->setFocus();  // Enter takes everybody; the list is for the exceptions
+  take->setFocus();  // Enter accepts everybody; the list is for exceptions
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   QVBoxLayout* column = pageColumn(this);

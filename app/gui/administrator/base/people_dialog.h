@@ -12,7 +12,7 @@ namespace torsio::gui {
 
 class DataTable;
 
-/// Chooses people out of a list; all of them are chosen to begin with.
+/// Selects people from a list; initially all are selected.
 class PeopleDialog : public QDialog {
   Q_OBJECT
 

@@ -27,7 +27,7 @@ namespace {
 constexpr int kDotsPerInch = 150;
 constexpr double kMargin_mm = 12.0;
 constexpr int kCardsOnPage = 4;
-constexpr double kSafety = 0.97;                      // hinting at another size
+constexpr double kSafety = 0.97;                      // printers hint fonts at another size
 constexpr std::array kLineHeights{0.25, 0.55, 0.78};  // of a strip's height
 constexpr std::array kLinesRoundCode{0.13, 0.74, 0.88};
 
@@ -41,15 +41,15 @@ struct CardLine {
   bool bold = false;
 };
 
-/// One strip of a page: what stands on the envelope, and what goes into it.
+/// One strip of a page: the label of the envelope and the card that goes into it.
 struct PrintedCard {
   std::array<CardLine, 3> label;
   std::array<CardLine, 3> inside;
   std::string barcode{};   ///< digits; empty: none
-  std::string forPhone{};  ///< a QR code between the lines, which a camera opens; empty: none
+  std::string forPhone{};  ///< shown as a QR code between the lines, for a phone's camera; empty: none
 };
 
-/// Nothing on a card is cut off, in whatever font the machine has: a line that is too wide is set smaller.
+/// Draws the lines of a half; shrinks lines that are too wide, so that nothing is cut off in any font.
 void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 3>& lines,
               const std::array<double, 3>& heights = kLineHeights) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -65,7 +65,7 @@ void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 
   }
 }
 
-/// In the middle of a half, with ten narrow bars of white at either side.
+/// Draws a centred barcode with quiet zones of ten narrow bars.
 void drawBarcode(QPainter& painter, const QRectF& half, const std::string& digits) {
   constexpr double kQuiet = 10.0;
   const double narrow = half.width() / (code39Width(digits.size()) + 2.0 * kQuiet);
@@ -76,9 +76,9 @@ void drawBarcode(QPainter& painter, const QRectF& half, const std::string& digit
   }
 }
 
-/// In the middle of a half, between its first line and the others.
+/// Draws a centred QR code between the first line and the others.
 void drawForPhone(QPainter& painter, const QRectF& half, const std::string& text) {
-  constexpr double kShare = 0.45;  // of the height of a half: some 30 mm
+  constexpr double kShare = 0.45;  // of the height of a half: about 30 mm
   constexpr double kMiddle = 0.43;
   constexpr double kQuiet = 4.0;
   const auto dark = qrCode(text).dark;

@@ -11,36 +11,36 @@
 
 namespace torsio::gui {
 
-/// PDFs to print on A4 and to cut: in each strip on the left the label of an envelope (whose it is), on the
-/// right the card that goes into it. Throw Error{kFileUnwritable}.
+/// Writers of PDFs to print on A4 and cut: each strip has an envelope's label on the left and the card for it
+/// on the right. Throw Error{kFileUnwritable}.
 
-/// The card tells the group.
+/// The card names the group.
 void writeSealedCards(const std::vector<SealedCard>& cards, const std::string& cohort,
                       const std::filesystem::path& file);
-/// The envelope names the person, where the caller may see names; the card tells sign-in name and start
+/// The envelope shows the person's name, if the caller may see names; the card shows sign-in name and start
 /// password.
 void writeAccountCards(const std::vector<StartAccount>& accounts, const std::string& centre,
                        const std::filesystem::path& file);
 
-/// A card that opens a kiosk: whose it is, the code in digits and as a barcode.
+/// A card that signs in at a kiosk: its owner, and the code in digits and as a barcode.
 struct KioskCardText {
   std::string personCode{};
   std::string login{};
   std::string code{};
 };
-/// The label names the person's code and sign-in name; the card bears the barcode.
+/// The label shows the person's code and sign-in name; the card shows the barcode.
 void writeKioskCards(const std::vector<KioskCardText>& cards, const std::string& centre,
                      const std::filesystem::path& file);
 
-/// A link to the review desk in a browser, or the code that goes with a link of another administrator.
+/// A link to the review desk for browsers, or the code that goes with another administrator's link.
 struct InvitationCardText {
   std::string personCode{};
   std::string login{};
-  std::string link{};  ///< empty: somebody else hands it over
-  std::string code{};  ///< empty: none is needed, or somebody else hands it over
+  std::string link{};  ///< empty: handed over by somebody else
+  std::string code{};  ///< empty: not needed, or handed over by somebody else
   std::int64_t expiresUtc_us = 0;
 };
-/// The label names the person's code and sign-in name; the card bears the link or the code.
+/// The label shows the person's code and sign-in name; the card shows the link or the code.
 void writeInvitationCards(const std::vector<InvitationCardText>& cards, const std::string& centre,
                           const std::filesystem::path& file);
 

@@ -11,8 +11,8 @@
 
 namespace torsio::gui {
 
-/// PDF to print on A4 and to sign: a form a code, with the purposes of this version in `words`, a box for
-/// each answer, and room for name, day and signature. An empty code leaves a line to write on. Throws
+/// Writes a PDF of consent forms for A4, one form per code, with this version's purposes in `words`, a box
+/// for each answer, and space for name, date and signature. An empty code leaves a blank line. Throws
 /// Error{kFileUnwritable}.
 void writeConsentForms(const ConsentVersion& version, const ConsentWords& words,
                        const std::vector<std::string>& codes, const QString& centre,

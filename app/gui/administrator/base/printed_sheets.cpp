@@ -39,7 +39,7 @@ QString safe(const std::string& text) {
   return toQString(text).toHtmlEscaped();
 }
 
-/// In the language of the window, as far as the words ship with the program.
+/// Returns the text in the window's language if it has a translation, HTML-escaped.
 QString safeTranslated(const std::string& text) {
   return toQString(Text(text)).toHtmlEscaped();
 }
@@ -48,7 +48,7 @@ QString pointsText(std::int64_t steps, const ScoreScale& scale) {
   return QLocale().toString(pointsFromSteps(steps, scale), 'g', 6);
 }
 
-/// The whole points of a scale as boxes to mark, and a line for what lies between.
+/// Returns boxes to mark for the whole points of a scale, and a blank line for values between.
 QString boxes(const ScoreScale& scale) {
   QString row;
   const bool narrow = (scale.hi - scale.lo) / scale.stepsPerPoint < kMaxBoxes;

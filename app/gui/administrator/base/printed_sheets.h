@@ -11,25 +11,25 @@
 
 namespace torsio::gui {
 
-/// PDF to print on A4, in the typeface of the reports. Throws Error{kFileUnwritable}.
+/// Writes a PDF for A4, in the typeface of the reports. Throws Error{kFileUnwritable}.
 void printHtml(const QString& html, const QString& title, QPageLayout::Orientation orientation,
                const std::filesystem::path& file);
 
-/// One line of a call list: who is to be called for what; written on by hand.
+/// One line of a call list to be filled in by hand: the trainee and the occasion.
 struct CallLine {
   QString trainee;
   QString group;
-  QString now;       ///< where the trainee stands
-  QString occasion;  ///< that is due
-  int missing = 0;   ///< sheets
+  QString now;       ///< the trainee's present activity
+  QString occasion;  ///< the occasion that is due
+  int missing = 0;   ///< missing sheets
 };
 
-/// PDF to print on A4, for administrators: the trainees in the order of the board with room for time and
-/// remarks. Throws Error{kFileUnwritable}.
+/// Writes the administrators' call list as a PDF for A4: the trainees in the order of the board, with space
+/// for time and remarks. Throws Error{kFileUnwritable}.
 void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, const QString& room,
                    const std::filesystem::path& file);
-/// PDF to print on A4, for the raters: a page a sheet with the rows, scales and anchors of the rubric;
-/// nothing says who is scored, of which group, at which stage. Throws Error{kFileUnwritable}.
+/// Writes the raters' sheets as a PDF for A4, one page per sheet with rows, scales and anchors of the rubric.
+/// Blinded: shows no name, group or stage. Throws Error{kFileUnwritable}.
 void writePaperSheets(const std::vector<PaperSheet>& sheets, const QString& centre,
                       const std::filesystem::path& file);
 

@@ -13,19 +13,19 @@ class QVBoxLayout;
 
 namespace torsio::gui {
 
-/// Asks something: a sentence, the content that the caller puts into the column, and two buttons. GUI thread.
+/// Dialog with a sentence, the caller's content and two buttons. GUI thread.
 class QuestionDialog : public QDialog {
  public:
-  /// `question`: the sentence above the content; empty: none. It is plain text, since it may hold names.
+  /// `question`: plain text above the content, since it may contain names; empty: none.
   QuestionDialog(QWidget* parent, const QString& title, const QString& question = {});
 
-  /// Where the content goes, below the sentence.
+  /// Returns the column for the content, below the sentence.
   [[nodiscard]] QVBoxLayout* column() const noexcept { return column_; }
-  /// Adds a quiet sentence to the column.
+  /// Adds an unobtrusive note to the column.
   void addNote(const QString& text);
-  /// Adds the buttons below the content. Returns the one that accepts, called `accept`, which Enter presses.
+  /// Adds the buttons below the content. Returns the default button, named `accept`.
   QPushButton* finish(const QString& accept);
-  /// Adds a single button below the content, for what is only shown. It accepts.
+  /// Adds a single button below the content, for dialogs that only show something. It accepts.
   QPushButton* finishWithoutCancel(const QString& accept);
 
  private:
@@ -34,17 +34,17 @@ class QuestionDialog : public QDialog {
   QVBoxLayout* column_;
 };
 
-/// The hint at a reason that is missing.
+/// Returns the hint for a missing reason.
 [[nodiscard]] QString reasonWanted();
 
-/// Asks for one sentence on why; `title` is the name of the accepting button as well. Empty: given up.
+/// Asks for a one-sentence reason; `title` also labels the accepting button. Empty: cancelled.
 [[nodiscard]] std::optional<std::string> askReason(QWidget* parent, const QString& title,
                                                    const QString& question);
 
-/// Asks, where a form with what is not published is about to be closed, whether that may be lost.
+/// Asks whether unpublished changes in a form may be discarded. True: yes.
 [[nodiscard]] bool mayLoseChanges(QWidget* parent);
 
-/// Enter ends an input in `dialog` and presses none of the buttons that it has now.
+/// Makes Enter finish an input in `dialog` without pressing any of its present buttons.
 void pressNothingByEnter(QDialog& dialog);
 
 }  // namespace torsio::gui

@@ -13,11 +13,11 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// Plain text to paste into messages, a rater a line: whom, which cases, since when. No trainee, no stage.
+/// Returns plain text for messages, one line per rater: name, cases, waiting since. No trainee, no stage.
 [[nodiscard]] QString reminderText(const std::vector<Reminder>& owed, const QLocale& locale);
 
-/// Puts that text of a cohort on the clipboard, notes it in the audit trail and says so. GUI thread. Throws
-/// Error.
+/// Copies the reminders of a cohort to the clipboard, records it in the audit trail and notifies the user.
+/// GUI thread. Throws Error.
 void copyReminders(ShellContext& shell, const CohortId& cohortId, const QLocale& locale);
 
 }  // namespace torsio::gui

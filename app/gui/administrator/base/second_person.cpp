@@ -72,7 +72,7 @@ void showStartPassword(QWidget* parent, const QString& login, const QString& pas
     copy->setText(SecondPerson::tr("Copied"));
   });
   dialog.column()->addWidget(copy, 0, Qt::AlignLeft);
-  // Another Enter, typed in haste, must not close what is shown only once.
+  // A second, hasty Enter must not close what is shown only once.
   dialog.finishWithoutCancel(SecondPerson::tr("Done"))->setAutoDefault(false);
   copy->setDefault(true);
   copy->setFocus();

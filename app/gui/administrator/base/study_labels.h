@@ -13,13 +13,13 @@
 
 namespace torsio::gui {
 
-// Codes of the record in the user's language; an unknown code is shown as it is, an empty one as a dash.
+// Codes of the record in the user's language; an unknown code is shown unchanged, an empty one as a dash.
 
-/// "half-way"; occasions that a centre added are called as it named them.
+/// "half-way"; occasions that a centre added have the centre's names.
 [[nodiscard]] QString occasionName(const Occasion& occasion);
 [[nodiscard]] QString factorName(const std::string& code);
 [[nodiscard]] QString levelName(const std::string& code);
-/// "chief physician"; classes of a centre's own keep their code.
+/// "chief physician"; a centre's own classes are shown by their code.
 [[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString methodName(AllocationMethod method);
 [[nodiscard]] QString sheetStateName(SheetState state);

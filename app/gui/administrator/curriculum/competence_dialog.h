@@ -20,8 +20,8 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// By what trainees are held to be able at the exercises of a published version: shows the design in force,
-/// previews both error rates of another one, registers it. GUI thread.
+/// Competence rules of the exercises of a published version: shows the present design, previews both error
+/// rates of another one, and registers it. GUI thread.
 class CompetenceDialog : public QDialog {
   Q_OBJECT
 
@@ -29,9 +29,9 @@ class CompetenceDialog : public QDialog {
   /// Reads the designs. Throws Error, DbError.
   CompetenceDialog(ShellContext& shell, const CurriculumVersionId& versionId, QWidget* parent);
 
-  /// Takes the tolerance from the people of the chosen cohort.
+  /// Sets the tolerance from the people of the chosen cohort.
   bool takeFromExperts();
-  /// Stores what is previewed as the next version of the chosen exercise's design.
+  /// Stores the previewed design as the next version for the chosen exercise.
   bool registerDesign();
 
  private:
@@ -45,7 +45,7 @@ class CompetenceDialog : public QDialog {
   ShellContext& shell_;
   CurriculumVersionId versionId_;
   std::vector<ExerciseDesigns> exercises_;
-  std::int64_t experts_ = 0;  // behind the tolerance that is entered
+  std::int64_t experts_ = 0;  // number of experts behind the tolerance entered
   bool filling_ = false;
   QComboBox* exercise_;
   QLabel* inForce_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of CurriculaPage: what is done to a curriculum and its versions.
+// Actions of CurriculaPage on a curriculum and its versions.
 #include <optional>
 
 #include <QComboBox>
@@ -60,7 +60,7 @@ bool CurriculaPage::publish(const std::string& note) {
   }
   return attempt(shell(), [&] {
     const CurriculumId id = shownId_;
-    // A curriculum that was never saved as a draft is published from what stands in the editor.
+    // A curriculum without a saved draft is published from the editor's content.
     if (draft_.revision == 0) {
       draft_.content = editor_->content();
       draft_.revision = saveCurriculumDraft(shell().session(), id, draft_);

@@ -34,7 +34,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kListWidth = 236;
-constexpr int kEditorWidth = 920;  // its forms need no scrolling
+constexpr int kEditorWidth = 920;  // its forms fit without scrolling
 
 }  // namespace
 
@@ -120,7 +120,7 @@ void CurriculaPage::enter(const QVariant& argument) {
 }
 
 bool CurriculaPage::leave() {
-  return !dirty_ || save();  // a draft is kept: nothing typed is ever lost
+  return !dirty_ || save();  // saving a draft first, so that no input is lost
 }
 
 void CurriculaPage::resizeEvent(QResizeEvent* event) {
@@ -128,8 +128,8 @@ void CurriculaPage::resizeEvent(QResizeEvent* event) {
   shareWidth();
 }
 
-/// The list shows its names whole: in one line where a third of the page is enough for that and the editor
-/// keeps its room, else in several.
+/// Shares the width: the list shows its names on one line if a third of the page suffices and the editor
+/// keeps its width, otherwise on several.
 void CurriculaPage::shareWidth() {
   if (moved_) {
     return;
@@ -186,7 +186,7 @@ void CurriculaPage::showDraft() {
     return;
   }
   if (dirty_ && !save()) {
-    table_->select(toQString(shownId_));  // what was typed is not lost to a look at another one
+    table_->select(toQString(shownId_));  // keeps unsaved input when another one is selected
     return;
   }
   CurriculumDraft draft;
@@ -205,7 +205,7 @@ void CurriculaPage::showDraft() {
   draft_ = std::move(draft);
   shownId_ = row->curriculum.id;
   dirty_ = false;
-  if (sameAsShown) {  // just saved: the place where somebody works stays
+  if (sameAsShown) {  // just saved: keeps the user's place
     fillVersions();
     showButtons();
     return;
@@ -298,7 +298,7 @@ void CurriculaPage::showButtons() {
   publish_->setEnabled(may && editor_->problems().empty());
   take_->setEnabled(may);
   begin_->setEnabled(may && !versionsAtHand(CurriculumState::kDraft).empty());
-  // Closes what runs; where nothing of it runs, the same button takes it back.
+  // Closes the running versions; if none is running, the same button reopens closed ones.
   const bool running = !versionsAtHand(CurriculumState::kRunning).empty();
   const bool again = !running && !versionsAtHand(CurriculumState::kClosed).empty();
   close_->setEnabled(may && (running || again));

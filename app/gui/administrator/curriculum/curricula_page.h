@@ -19,7 +19,7 @@ class CurriculumEditor;
 class DataTable;
 class PageHeading;
 
-/// Curricula: from a template to a version that never changes, which cohorts can follow.
+/// Curricula, from a template to a published, immutable version that cohorts can follow.
 class CurriculaPage : public Page {
   Q_OBJECT
 
@@ -30,16 +30,17 @@ class CurriculaPage : public Page {
   [[nodiscard]] bool leave() override;
   void retranslate() override;
 
-  /// From a template of the assets, under a name of the centre's own. Empty `templateId`: nothing in it yet.
+  /// Adds a curriculum under the centre's own name from a template of the assets; empty `templateId`: without
+  /// content.
   bool add(const std::string& name, const std::string& templateId);
   bool save();
   bool publish(const std::string& note);
-  /// Begins the version that is shown (with the draft shown: the newest; of several curricula the newest of
-  /// each), so that cohorts can follow it.
+  /// Starts the shown version (for a draft, the newest one; for several curricula, the newest of each), so
+  /// that cohorts can follow it.
   bool begin();
-  /// What is shown of the chosen curriculum: a published version, or with an empty id the draft.
+  /// Selects what is shown of the chosen curriculum: a published version, or the draft for an empty id.
   void showVersion(const CurriculumVersionId& versionId);
-  /// What the shown version contains becomes the draft; the draft before is asked for first when it differs.
+  /// Copies the shown version into the draft; asks first if the draft differs.
   bool takeAsDraft();
 
  protected:
@@ -60,24 +61,23 @@ class CurriculaPage : public Page {
   void askClose();
   void showCompetence();
   [[nodiscard]] const CurriculumRow* current() const;
-  /// The published version that is shown; null: the draft is.
+  /// Returns the published version shown; null: the draft is shown.
   [[nodiscard]] const CurriculumVersionRow* shownVersion() const;
-  /// The one that Begin and Close are about: the shown one, or the newest.
+  /// Returns the target of Begin and Close: the shown version, or the newest.
   [[nodiscard]] const CurriculumVersionRow* versionAtHand() const;
-  /// Those that Begin and Close are about when several curricula are chosen: the newest version of each that
-  /// is in this state.
+  /// Returns the targets of Begin and Close for several curricula: the newest version of each in this state.
   [[nodiscard]] std::vector<const CurriculumVersionRow*> versionsAtHand(CurriculumState state) const;
 
   std::vector<CurriculumRow> rows_;
   CurriculumDraft draft_;
-  CurriculumId shownId_;  // whose draft stands in the editor
+  CurriculumId shownId_;  // curriculum whose draft is in the editor
   bool dirty_ = false;
   PageHeading* heading_;
   QPushButton* add_;
   QPushButton* standard_;
   DataTable* table_;
   QSplitter* halves_ = nullptr;
-  bool moved_ = false;  // the border between the halves, by hand
+  bool moved_ = false;  // the user has moved the splitter
   QLabel* showing_;
   QComboBox* versions_;
   QLabel* state_;

@@ -35,7 +35,7 @@ std::vector<PlannedOccasion>::iterator pointOf(CurriculumVersion& content, const
                       [&](const PlannedOccasion& point) { return point.code == code; });
 }
 
-/// Finds where an occasion belongs among those that are there: before all that come later in the study.
+/// Finds the position for an occasion: before all later ones of the study.
 std::vector<PlannedOccasion>::iterator placeOf(CurriculumVersion& content, const Occasions& occasions,
                                                std::size_t point) {
   for (std::size_t later = point + 1; later < occasions.size(); ++later) {
@@ -47,7 +47,7 @@ std::vector<PlannedOccasion>::iterator placeOf(CurriculumVersion& content, const
   return content.plannedOccasions.end();
 }
 
-/// Gives how long the longest arm trains; without arms more than anybody does.
+/// Returns the training time of the longest arm; without arms, more than anybody trains.
 double longestTraining_min(const CurriculumVersion& content) {
   double longest_min = content.arms.empty() ? kMaxMinutes : 0.0;
   for (const StudyArm& arm : content.arms) {
@@ -79,7 +79,7 @@ CurriculumEditor::CurriculumEditor(std::filesystem::path assets, QWidget* parent
     part->layout()->setContentsMargins(0, kSpace, 0, 0);
   }
   connect(exercises_, &ExerciseEditor::edited, this, [this] {
-    groups_->fill();  // phases name exercises
+    groups_->fill();  // refreshes the exercise names in phases
     changed();
   });
   connect(groups_, &GroupEditor::edited, this, &CurriculumEditor::changed);

@@ -21,16 +21,15 @@ namespace torsio::gui {
 class ExerciseEditor;
 class GroupEditor;
 
-/// The parts of a curriculum to fill in: exercises with targets and mastery, groups with phases and rest,
-/// occasions, and in words what still keeps it from being published. What is shown and not touched comes
-/// out as it went in.
+/// Editor of a curriculum: exercises with targets and mastery, groups with phases and rest, occasions, and
+/// what still prevents publication. Content that is not edited is returned unchanged.
 class CurriculumEditor : public QTabWidget {
   Q_OBJECT
 
  public:
   CurriculumEditor(std::filesystem::path assets, QWidget* parent = nullptr);
 
-  /// Offers these occasions; call it before setContent().
+  /// Sets the occasions to offer; call before setContent().
   void setOccasions(Occasions occasions);
   void setContent(const CurriculumVersion& content);
   [[nodiscard]] const CurriculumVersion& content() const noexcept { return content_; }
@@ -40,14 +39,14 @@ class CurriculumEditor : public QTabWidget {
 
  Q_SIGNALS:
   void edited();
-  /// Somebody wants an occasion that the record does not know yet.
+  /// The user wants an occasion that does not exist yet.
   void occasionWanted();
 
  private:
   struct PointRow {
     QCheckBox* wanted;
     QDoubleSpinBox* after;
-    QLabel* hint;  // what is wrong with it
+    QLabel* hint;  // error message
   };
 
   QWidget* pointsTab();
@@ -69,7 +68,7 @@ class CurriculumEditor : public QTabWidget {
   GroupEditor* groups_;
   QLabel* pointsText_;
   QGridLayout* pointGrid_ = nullptr;
-  std::vector<PointRow> points_;  // one an occasion
+  std::vector<PointRow> points_;  // one per occasion
   QPushButton* addOccasion_;
   QListWidget* problemList_;
 };

@@ -36,7 +36,7 @@ QDoubleSpinBox* numberField(double least, double most, int decimals, QWidget* pa
   field->setRange(least, most);
   field->setDecimals(decimals);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field->setMinimumWidth(kFieldWidth);  // not that of the largest number it would take
+  field->setMinimumWidth(kFieldWidth);  // otherwise as wide as its largest possible number
   return field;
 }
 
@@ -65,7 +65,7 @@ void setFieldRows(QTableWidget* table, int rows) {
   for (int row = 0; row < table->rowCount(); ++row) {
     for (int column = 0; column < table->columnCount(); ++column) {
       if (QWidget* before = table->cellWidget(row, column)) {
-        before->hide();  // it goes a moment later
+        before->hide();  // deleteLater() takes effect later
       }
     }
   }

@@ -24,43 +24,42 @@ class QWidget;
 
 namespace torsio::gui {
 
-// What the parts of the curriculum editor share.
+// Shared by the parts of the curriculum editor.
 
 inline constexpr double kMicrosecondsOfMinute = 60e6;
 inline constexpr double kMicrosecondsOfSecond = 1e6;
 
-/// A number that is typed; without the arrows that a wheel turns by accident.
+/// Returns a number field without arrows, which the mouse wheel would turn by accident.
 [[nodiscard]] QDoubleSpinBox* numberField(double least, double most, int decimals, QWidget* parent = nullptr);
 
-/// Buttons in a row, as narrow as their texts.
+/// Lays out buttons in a row, at their minimum widths.
 [[nodiscard]] QBoxLayout* buttonRow(std::initializer_list<QPushButton*> buttons);
-/// Makes a table one of few rows whose cells are fields.
+/// Configures a short table whose cells are fields.
 void prepareFieldTable(QTableWidget* table);
-/// Hides the fields of a table and gives it so many rows, whose fields the caller sets anew.
+/// Hides the fields of a table and sets the number of rows; the caller sets new fields.
 void setFieldRows(QTableWidget* table, int rows);
-/// Makes a table of fields as high as its rows, at least `leastRows` of them.
+/// Fits the height of a table of fields to its rows, at least `leastRows`.
 void fitRows(QTableWidget* table, int leastRows);
 
-/// Chooses the entry with this data; one that is not among them is added, so that nothing is ever changed by
-/// being shown.
+/// Selects the entry with this data; adds a missing one, so that showing a value never changes it.
 void chooseOrAdd(QComboBox* box, const std::string& value);
 
-/// The row of a table in which this cell widget stands; -1: in none.
+/// Returns the row of a cell widget; -1: not in the table.
 [[nodiscard]] int rowOf(const QTableWidget* table, const QWidget* cell);
 
-/// "V7": the first number that no code of `taken` has.
+/// Returns prefix and first unused number, such as "V7".
 [[nodiscard]] std::string freeCode(const std::string& prefix, const std::vector<std::string>& taken);
 
-/// The labels of a form, with the English text each gets translated from.
+/// The labels of a form with their English source texts, for retranslation.
 class FormTexts {
  public:
-  /// A label above or beside `field`; `source` is marked with QT_TR_NOOP in the context of the form.
+  /// Creates a label above or beside `field`; `source` is marked with QT_TR_NOOP in the context of the form.
   QLabel* add(QWidget* field, const char* source);
-  /// A row of the form: label and field.
+  /// Adds a row with label and field.
   void row(QFormLayout* form, QWidget* field, const char* source);
-  /// A row of several fields, each after its own label but the first.
+  /// Adds a row of several fields, each but the first behind its own label.
   void row(QFormLayout* form, std::initializer_list<std::pair<QWidget*, const char*>> fields);
-  /// Puts a title over a part of the form; `beside`: what stands at its right, such as buttons.
+  /// Adds a section title; `beside`: layout at its right, such as buttons.
   void title(QFormLayout* form, const char* source, QLayout* beside = nullptr);
   void retranslate(const char* context);
 
@@ -68,15 +67,15 @@ class FormTexts {
   std::vector<std::pair<QLabel*, const char*>> labels_;
 };
 
-/// What is wrong and what to do, in one line.
+/// Returns the problem and its remedy in one line.
 [[nodiscard]] QString problemSentence(const CurriculumProblem& problem);
 
-/// Sentences under the fields of a form that say what is wrong with them; hidden while nothing is.
+/// Error messages under the fields of a form; hidden if there is no error.
 class FieldHints {
  public:
-  /// The next row of the form is for what is wrong with the field above it.
+  /// Adds a row for the errors of the field above it.
   void add(QFormLayout* form, CurriculumField field);
-  /// Says what is wrong with one module or arm of the draft.
+  /// Shows the errors of one module or arm of the draft.
   void show(const std::vector<CurriculumProblem>& problems, CurriculumSpot::Part part, std::size_t row);
 
  private:

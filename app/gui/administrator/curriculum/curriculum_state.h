@@ -8,10 +8,11 @@
 
 namespace torsio::gui {
 
-/// Says what a draft is: saved when, to become which version, after which newest one. `changed`: it has been
-/// edited and is not saved.
+/// Returns the status line of a draft: when it was saved, its next version number, the latest published
+/// version. `changed`: it has unsaved edits.
 [[nodiscard]] QString draftText(const CurriculumRow& row, bool changed, const QLocale& locale);
-/// Says what a published version is: since when, in which state, followed by whom, superseded by which.
+/// Returns the status line of a published version: date, state, cohorts that follow it, version that
+/// superseded it.
 [[nodiscard]] QString versionText(const CurriculumRow& row, const CurriculumVersionRow& version,
                                   const QLocale& locale);
 

@@ -69,7 +69,7 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, CurriculumVersion& 
       after_(new QListWidget),
       mastery_(new MasteryTable) {
   after_->setObjectName(QStringLiteral("prerequisites"));
-  after_->setProperty("checkable", true);  // the look: a check mark stands at the item's very edge
+  after_->setProperty("checkable", true);  // style: aligns the check marks with the item's edge
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   list_ = new OrderedList(QStringLiteral("exercises"), form(), this);
@@ -120,7 +120,7 @@ QWidget* ExerciseEditor::form() {
   texts_.title(form, QT_TR_NOOP("Mastered when all of these are reached"), mastery_->buttons());
   form->addRow(mastery_);
   hints_.add(form, CurriculumField::kMastery);
-  fields->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);  // rows stay together on a high screen
+  fields->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);  // groups rows on a high screen
   return fields;
 }
 
@@ -215,7 +215,7 @@ void ExerciseEditor::showContent() {
   }
   filling_ = true;
   code_.show(module->code);
-  title_->setText(toQString(Text(module->title)));  // stored as it is until somebody types
+  title_->setText(toQString(Text(module->title)));  // stored unchanged until edited
   showPlaces(*module);
   target_->setValue(degrees(module->targetAngle_rad));
   tolerance_->setValue(degrees(module->tolerance_rad));
@@ -251,7 +251,7 @@ void ExerciseEditor::showPlaces(const TrainingModule& module) {
       pattern_->addItem(titles.pattern(module.sceneId, id), toQString(id));
     }
   } catch (const Error&) {
-    // The scene belongs to another installation: its own pattern is offered alone, the check says the rest.
+    // The scene is from another installation: offers only its own pattern; validation explains the rest.
   }
   chooseOrAdd(pattern_, module.patternId);
   chooseOrAdd(mode_, std::string(storedText(module.mode)));
@@ -272,14 +272,14 @@ void ExerciseEditor::showPrerequisites(const TrainingModule& module) {
             std::find(required.begin(), required.end(), other.code) != required.end());
     }
   }
-  // One that was removed meanwhile stays in sight until somebody takes its mark away.
+  // A requirement that has been removed stays listed until it is unchecked.
   const std::vector<std::string> known = codesOf(content_);
   for (const std::string& code : required) {
     if (code == module.code || std::find(known.begin(), known.end(), code) == known.end()) {
       offer(tr("%1  (no such exercise any more)").arg(toQString(code)), code, true);
     }
   }
-  constexpr int kMaxRows = 3;  // in a low window; a high one shows more, but no empty lines
+  constexpr int kMaxRows = 3;  // in a low window; a high one shows more rows, but no empty ones
   const int high = std::max(after_->sizeHintForRow(0), 3 * kSpace);
   const int frames = 2 * after_->frameWidth();
   after_->setMinimumHeight(std::clamp(after_->count(), 1, kMaxRows) * high + frames);
@@ -345,7 +345,7 @@ void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
 }
 
 void ExerciseEditor::add() {
-  // The next exercise is most often like the one before it, but harder.
+  // The next exercise is usually a harder version of the previous one.
   TrainingModule module = exercise() != nullptr ? *exercise() : TrainingModule{};
   module.code = freeCode("V", codesOf(content_));
   module.id = module.code;

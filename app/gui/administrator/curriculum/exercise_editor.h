@@ -25,20 +25,20 @@ namespace torsio::gui {
 
 class MasteryTable;
 
-/// The exercises of a curriculum, in their order: what is twisted and how far, limits, which exercises must
-/// be mastered first and when this one is. A field writes only what it shows: opening changes nothing.
+/// Editor of a curriculum's ordered exercises: organ and target angle, limits, prerequisites, and mastery
+/// rules. A field writes only what it shows: opening changes nothing.
 class ExerciseEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// `content` outlives this.
+  /// `content` must outlive this.
   ExerciseEditor(std::filesystem::path assets, CurriculumVersion& content, QWidget* parent = nullptr);
 
   void select(int row);
-  /// Everything can be looked at and nothing changed.
+  /// Makes everything read-only.
   void setReadOnly(bool readOnly);
   void retranslate();
-  /// Says beside its fields what is wrong with the chosen exercise.
+  /// Shows the errors of the chosen exercise beside its fields.
   void showProblems(const std::vector<CurriculumProblem>& problems);
 
  Q_SIGNALS:

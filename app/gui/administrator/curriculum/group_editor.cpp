@@ -159,7 +159,7 @@ void GroupEditor::showContent() {
   }
   filling_ = true;
   code_.show(arm->code);
-  label_->setText(toQString(Text(arm->label)));  // stored as it is until somebody types
+  label_->setText(toQString(Text(arm->label)));  // stored unchanged until edited
   rest_->setValue(minutes(arm->restAllowance_us));
   splittable_->setChecked(arm->restSplittable);
   splittable_->setEnabled(change && arm->restAllowance_us > 0);
@@ -222,7 +222,7 @@ void GroupEditor::addPhaseRow(int row, const TrainingPhase& phase) {
     takePhase(where, [&](TrainingPhase& changed) {
       changed.kind = fromStoredText<PhaseKind>(chosenId(where)).value_or(changed.kind);
       if (changed.kind == PhaseKind::kReal) {
-        changed.moduleId = {};  // exercises belong to the simulator
+        changed.moduleId = {};  // only simulator phases have exercises
       }
       module->setCurrentIndex(module->findData(toQString(changed.moduleId)));
       module->setEnabled(changed.kind != PhaseKind::kReal);

@@ -22,22 +22,22 @@ class QTableWidget;
 
 namespace torsio::gui {
 
-/// What each group of a study goes through: timed phases on the simulator or the real arm, in their order,
-/// and the rest it may take. A field writes only what it shows: opening changes nothing.
+/// Editor of a study's groups: their ordered timed phases on the simulator or the real arm, and the rest
+/// allowed. A field writes only what it shows: opening changes nothing.
 class GroupEditor : public QWidget {
   Q_OBJECT
 
  public:
-  /// `content` outlives this.
+  /// `content` must outlive this.
   explicit GroupEditor(CurriculumVersion& content, QWidget* parent = nullptr);
 
-  /// The content was replaced, or its exercises changed.
+  /// Refills the fields after the content or its exercises changed.
   void fill();
   void select(int row);
-  /// Everything can be looked at and nothing changed.
+  /// Makes everything read-only.
   void setReadOnly(bool readOnly);
   void retranslate();
-  /// Says beside its fields what is wrong with the chosen group.
+  /// Shows the errors of the chosen group beside its fields.
   void showProblems(const std::vector<CurriculumProblem>& problems);
 
  Q_SIGNALS:

@@ -27,10 +27,10 @@ constexpr int kMaxInARow = 1'000'000;
 
 enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
 
-/// Takes finer values than it shows by itself: the decimals of the metric, and further ones that a value has.
+/// Accepts more decimals than it shows by default: those of the metric, and any further ones of the value.
 class ThresholdBox : public SignedBox {
  public:
-  /// `quantity` may be null: a later version of Torsio measures it.
+  /// `quantity`: null if it is measured by a later version of Torsio.
   explicit ThresholdBox(const QuantityRow* quantity) {
     constexpr double kFarthest = 1e9;
     const ShownUnit shown = quantity != nullptr ? quantity->shown : ShownUnit{"", 1.0, 2};
@@ -62,7 +62,7 @@ class ThresholdBox : public SignedBox {
   int least_ = 0;
 };
 
-/// A rule about another quantity, in the direction that is better and the unit that is stored.
+/// Changes a rule to another quantity, with its better direction and stored unit.
 MasteryCriterion ruleAbout(const QuantityRow& row, MasteryCriterion rule) {
   rule.metric = row.id;
   rule.comparison = row.direction == Direction::kLowerIsBetter ? "at_most" : "at_least";
@@ -191,7 +191,7 @@ void MasteryTable::addRule() {
     rules_.push_back(ruleAbout(row, {}));
     Q_EMIT edited();
     fill();
-    break;  // where every metric has its rule, none is added
+    break;  // every metric has its rule: nothing to add
   }
   if (rowCount() > 0) {
     cellWidget(rowCount() - 1, kMetric)->setFocus();

@@ -14,20 +14,20 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// The rules by which an exercise is mastered: a row of fields a rule. It writes nothing but its own copy of
-/// the rules, which the editor takes when they were edited. GUI thread.
+/// Table of mastery rules, one row of fields per rule. It changes only its own copy of the rules, which the
+/// editor takes after an edit. GUI thread.
 class MasteryTable : public QTableWidget {
   Q_OBJECT
 
  public:
   explicit MasteryTable(QWidget* parent = nullptr);
 
-  /// Shows these rules in place of those before. Emits nothing.
+  /// Replaces the rules. Emits nothing.
   void setRules(const std::vector<MasteryCriterion>& rules);
   [[nodiscard]] const std::vector<MasteryCriterion>& rules() const noexcept { return rules_; }
-  /// Lets rules be added, changed and removed, or not.
+  /// Enables or disables adding, changing and removing rules.
   void setEditable(bool editable);
-  /// The buttons that add and remove a rule, in a row; the caller puts it somewhere, once.
+  /// Creates the row of buttons that add and remove a rule; the caller places it. Call once.
   [[nodiscard]] QBoxLayout* buttons();
   void retranslate();
 

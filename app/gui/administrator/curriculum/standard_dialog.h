@@ -11,8 +11,8 @@ class QPlainTextEdit;
 
 namespace torsio::gui {
 
-/// Where to draw the line between pass and fail: a table of judges or scores is pasted, and the cut stands
-/// below it at once (torsio standard-setting). Nothing is stored. GUI thread.
+/// Standard setting: calculates the cut score from a pasted table of judges or scores at once (like torsio
+/// standard-setting). Stores nothing. GUI thread.
 class StandardDialog : public QDialog {
   Q_OBJECT
 

@@ -10,12 +10,12 @@
 
 namespace torsio::gui {
 
-/// The start passwords of new accounts.
+/// Start passwords of new accounts.
 class AccountsDialog : public ShownOnceDialog {
   Q_OBJECT
 
  public:
-  /// `centre` stands on the cards.
+  /// `centre`: printed on the cards.
   AccountsDialog(const std::vector<StartAccount>& accounts, const std::string& centre, QWidget* parent);
 
  private:

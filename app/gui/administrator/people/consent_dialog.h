@@ -19,13 +19,12 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// Every decision of the chosen people about what may be kept and used, what they signed on paper since, and
-/// the forms to sign.
+/// All consent decisions of the chosen people, entry of what they have signed on paper, and forms to sign.
 class ConsentDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Ids and pseudonyms, at least one. What is entered is entered for all of them.
+  /// Ids and pseudonyms, at least one. Entries apply to all of them.
   using People = std::vector<std::pair<PersonId, QString>>;
   ConsentDialog(ShellContext& shell, People people, QWidget* parent = nullptr);
 

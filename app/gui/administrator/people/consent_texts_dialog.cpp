@@ -37,7 +37,7 @@ constexpr int kTextsWidth = 960;
 constexpr int kTextsHeight = 600;
 constexpr int kListWidth = 240;
 
-/// A language in the words of its speakers; its code where Torsio does not know it.
+/// Returns a language's own name; its code if unknown.
 QString nameOfLanguage(const std::string& code) {
   if (const auto known = languageOf(toQString(code))) {
     return languageName(*known);
@@ -356,7 +356,7 @@ void ConsentTextsDialog::print() {
         codes.push_back(row.person.code);
       }
     }
-    codes.emplace_back();  // a blank one for whoever comes later
+    codes.emplace_back();  // a blank form for latecomers
     writeConsentForms(shown_, *present, codes,
                       toQString(centreSign(shell_.session().connectionWithoutRight()).name), toPath(file));
     shell_.notify(

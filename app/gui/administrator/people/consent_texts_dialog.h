@@ -19,8 +19,8 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// What people are asked to agree to: every version with its purposes and languages; the newest can be edited
-/// and published as the next version, and printed as forms to sign.
+/// Consent texts: all versions with purposes and languages; the newest can be edited, published as the next
+/// version, and printed as forms to sign.
 class ConsentTextsDialog : public QDialog {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class ConsentTextsDialog : public QDialog {
   void showPurposes();
   void showText();
   void showButtons();
-  /// Says at each field what is missing. True: nothing is.
+  /// Shows an error at each incomplete field. True: complete.
   bool showHints();
   void takeText();
   void addPurpose();
@@ -51,7 +51,7 @@ class ConsentTextsDialog : public QDialog {
 
   ShellContext& shell_;
   std::vector<ConsentVersion> versions_;
-  ConsentVersion shown_;  // the newest one as it is edited, or an earlier one
+  ConsentVersion shown_;  // the newest version with its edits, or an earlier one
   bool filling_ = false;
   QComboBox* version_;
   QComboBox* language_;

@@ -11,8 +11,7 @@
 
 namespace torsio::gui {
 
-/// Links that were just made, and codes that go with links of somebody else: as cards, or as the text of a
-/// mail for each person.
+/// New links, and codes for other people's links: as cards, or as the text of a mail for each person.
 class InvitationsDialog : public ShownOnceDialog {
   Q_OBJECT
 
@@ -27,12 +26,12 @@ class InvitationsDialog : public ShownOnceDialog {
   std::string centre_;
 };
 
-/// What an administrator says before people are invited.
+/// An administrator's input for invitations.
 struct InvitationWish {
-  std::string address{};  ///< where browsers find the review desk
-  std::string reason{};   ///< where two people are needed
+  std::string address{};  ///< address of the review desk for browsers
+  std::string reason{};   ///< required if two people are needed
 };
-/// Asks for it. Empty: given up.
+/// Asks for address and reason. Empty: cancelled.
 [[nodiscard]] std::optional<InvitationWish> askInvitation(QWidget* parent, const QString& logins,
                                                           const std::string& address, bool byTwo);
 

@@ -10,7 +10,7 @@
 
 namespace torsio::gui {
 
-/// The codes of cards that were just made.
+/// Codes of new kiosk cards.
 class KioskCardsDialog : public ShownOnceDialog {
   Q_OBJECT
 

@@ -25,7 +25,7 @@ namespace {
 constexpr int kOldestAge = 100;
 constexpr int kDialogWidth = 460;
 
-/// The fields of the dialog; only alive while it is open.
+/// The fields of askPerson().
 class PersonDialog : public QDialog {
   Q_DECLARE_TR_FUNCTIONS(PersonDialog)
 
@@ -96,7 +96,7 @@ class PersonDialog : public QDialog {
     experience_->setText(toQString(entry.experience));
     age_->setValue(static_cast<int>(entry.age_years.value_or(0)));
     trainee_->setChecked(entry.trainee);
-    trainee_->setEnabled(!entry.trainee);  // a part can be added, not taken away
+    trainee_->setEnabled(!entry.trainee);  // roles can be added, but not removed
     handedness_->setCurrentIndex(handedness_->findData(toQString(entry.handedness)));
     raterClass_->setCurrentIndex(raterClass_->findData(toQString(entry.raterClass)));
   }

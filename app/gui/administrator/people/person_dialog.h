@@ -19,7 +19,8 @@ struct PersonEdit {
   std::string reason{};  ///< of a change; empty for a new person
 };
 
-/// Asks for everything about one person. `present`: the person to change; empty: a new one. Empty: given up.
+/// Asks for all data of a person. `present`: the person to edit; empty: a new one. Returns nothing if
+/// cancelled.
 [[nodiscard]] std::optional<PersonEdit> askPerson(QWidget* parent, const std::optional<PersonEntry>& present,
                                                   const std::vector<SeniorityClass>& classes);
 

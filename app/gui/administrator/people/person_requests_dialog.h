@@ -15,14 +15,14 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// What people asked for about their own records, and what became of it. GUI thread.
+/// Requests of people about their own records, and the answers. GUI thread.
 class PersonRequestsDialog : public QDialog {
   Q_OBJECT
 
  public:
   PersonRequestsDialog(ShellContext& shell, QWidget* parent);
 
-  /// Whom to go to in the roster; empty: nobody was chosen.
+  /// Returns the person to show in the roster; empty: none.
   [[nodiscard]] const PersonId& person() const noexcept { return person_; }
 
  private:
@@ -30,7 +30,7 @@ class PersonRequestsDialog : public QDialog {
   void showButtons();
   void answer(bool done);
   [[nodiscard]] const PersonRequest* current() const;
-  /// Those of the chosen that nobody has answered.
+  /// Returns the selected unanswered requests.
   [[nodiscard]] std::vector<const PersonRequest*> waiting() const;
 
   ShellContext& shell_;

@@ -32,7 +32,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Second halves of start passwords, as they are made.
+/// Second halves of start passwords, collected as they are made.
 struct SecondHalves {
   std::vector<StartAccount> made{};
   std::exception_ptr problem{};
@@ -196,7 +196,7 @@ void RequestsDialog::confirm() {
   }
 }
 
-/// Another page confirms it, and says so there: this window would hide what passes by.
+/// Another page confirms this request and reports there: this dialog would hide its notification.
 void RequestsDialog::goTo(PageId page, const QString& sentence) {
   accept();
   shell_.open(page);
@@ -274,7 +274,7 @@ void RequestsDialog::confirmAccounts(const std::vector<OpenRequest>& requests) {
           if (halves.made.empty()) {
             throw;
           }
-          halves.problem = std::current_exception();  // what was made is shown first: it is shown only once
+          halves.problem = std::current_exception();  // shows first what was made: it is shown only once
         }
         return halves;
       },

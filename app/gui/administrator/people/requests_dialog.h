@@ -15,7 +15,7 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// What waits for a second person: who asks for what, and why; confirm or decline.
+/// Requests for a second person: who asks for what, and why; to confirm or decline.
 class RequestsDialog : public QDialog {
   Q_OBJECT
 
@@ -30,13 +30,13 @@ class RequestsDialog : public QDialog {
   void goTo(PageId page, const QString& sentence);
   void erase(const OpenRequest& request);
   void confirmAccount(const OpenRequest& request);
-  /// Several at once; shows the second halves of their start passwords together.
+  /// Confirms several requests; shows the second halves of their start passwords together.
   void confirmAccounts(const std::vector<OpenRequest>& requests);
-  /// Shows the links that go with the codes of whoever asked.
+  /// Confirms invitations; shows the links for the requesters' codes.
   void confirmInvitations(const std::vector<OpenRequest>& requests);
-  /// Of the chosen requests those for invitations that somebody else has asked for.
+  /// Returns the selected requests of others for invitations.
   [[nodiscard]] std::vector<OpenRequest> chosenInvitations() const;
-  /// Of the chosen requests those about accounts that somebody else has asked for.
+  /// Returns the selected requests of others about accounts.
   [[nodiscard]] std::vector<OpenRequest> chosenAccounts() const;
   [[nodiscard]] const OpenRequest* current() const;
 

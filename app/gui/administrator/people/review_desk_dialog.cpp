@@ -31,7 +31,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr QSize kReviewDeskSize(720, 560);
-constexpr int kLowestPort = 1024;  // those below belong to the system
+constexpr int kLowestPort = 1024;  // lower ports are reserved for the system
 constexpr int kHighestPort = 65535;
 constexpr int kDefaultPort = 8443;
 

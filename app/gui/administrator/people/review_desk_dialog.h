@@ -24,7 +24,7 @@ class ReviewDeskDialog : public QDialog {
  public:
   ReviewDeskDialog(ShellContext& shell, DeskPlace place, QWidget* parent);
 
-  /// What of this machine opens a desk: the running program, and a folder of this account.
+  /// Returns what opens a desk on this machine: the running program and a folder of this account.
   [[nodiscard]] static DeskPlace ownPlace();
 
  private:
@@ -33,7 +33,7 @@ class ReviewDeskDialog : public QDialog {
   void showChoices();
   void openDesk();
   void closeDesk();
-  /// Done away from the window's thread; then what is so now is shown, or what went wrong.
+  /// Runs work in the background; then shows the new state, or the error.
   void act(const QString& title, std::function<void(SessionContext&)> work);
   void copyAddress();
   void chooseFile(QLineEdit* field, const QString& title);

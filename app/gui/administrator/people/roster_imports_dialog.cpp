@@ -54,7 +54,7 @@ RosterImportsDialog::RosterImportsDialog(ShellContext& shell, QWidget* parent)
                       {tr("People")},
                       {tr("State")},
                       {tr("Everybody")}});
-  table_->hideAtFirst(kImportedPeople);  // whoever looks for one code finds the import
+  table_->hideAtFirst(kImportedPeople);  // a search for a code finds its import
   table_->setEmptyText(tr("No roster has been imported yet."));
   connect(buttons, &QDialogButtonBox::rejected, this, &RosterImportsDialog::reject);
   connect(takeBack_, &QPushButton::clicked, this, &RosterImportsDialog::takeBack);
@@ -101,7 +101,7 @@ std::vector<const ImportedRoster*> RosterImportsDialog::chosen() const {
 
 void RosterImportsDialog::showButtons() {
   const std::vector<const ImportedRoster*> rows = chosen();
-  // One import may hold another one back, and both are chosen: what takes them back sees to the order.
+  // Selected imports may depend on each other; undoing them takes care of the order.
   takeBack_->setEnabled(std::any_of(rows.begin(), rows.end(),
                                     [](const ImportedRoster* one) { return one->hindrance.empty(); }));
 }

@@ -14,7 +14,7 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The rosters that were imported; a wrong one is taken back. GUI thread.
+/// Imported rosters; wrong imports can be undone. GUI thread.
 class RosterImportsDialog : public QDialog {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class RosterImportsDialog : public QDialog {
   void showButtons();
   void takeBack();
   [[nodiscard]] QString stateText(const ImportedRoster& one) const;
-  /// Of the chosen ones those that are not taken back yet.
+  /// Returns the selected imports that have not been undone.
   [[nodiscard]] std::vector<const ImportedRoster*> chosen() const;
 
   ShellContext& shell_;

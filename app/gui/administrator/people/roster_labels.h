@@ -10,11 +10,11 @@ namespace torsio::gui {
 
 /// Names a field of a roster in the user's language.
 [[nodiscard]] QString rosterFieldName(RosterField field);
-/// Names what would happen to a line, with its sign: "+ new".
+/// Names the effect on a line, with its sign: "+ new".
 [[nodiscard]] QString rosterStatusName(RosterStatus status);
-/// Says what the user should read about one line: its error, its changes, what is peculiar about it.
+/// Returns the note for a line: its error, changes or peculiarities.
 [[nodiscard]] QString rosterNote(const RosterRow& row);
-/// Says in sentences what happened, and what may help.
+/// Returns error and remedy in sentences.
 [[nodiscard]] QString rosterProblem(const Error& error);
 
 }  // namespace torsio::gui

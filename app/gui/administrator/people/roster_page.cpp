@@ -272,7 +272,7 @@ void RosterPage::switchState() {
   if (person == people_.end()) {
     return;
   }
-  // All that are chosen and stand as the current one does.
+  // All selected people with the same state as the current one.
   const PersonState state = person->row.person.state;
   std::vector<const NamedPersonRow*> alike = chosen();
   std::erase_if(alike, [state](const NamedPersonRow* one) { return one->row.person.state != state; });

@@ -16,7 +16,7 @@ namespace torsio::gui {
 class DataTable;
 class PageHeading;
 
-/// The people of the centre: who trains, who scores, what they agreed to. Names are shown only on request.
+/// The people of the centre: trainees, raters and their consents. Names are shown only on request.
 class RosterPage : public Page {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class RosterPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  /// Writes everything about the chosen person into a new folder; of several into a folder each in it.
+  /// Exports all data of the selected people into a new folder, with a subfolder each if there are several.
   void exportRecords(const std::filesystem::path& folder, const std::string& reason);
 
  private:
@@ -44,8 +44,8 @@ class RosterPage : public Page {
   [[nodiscard]] std::vector<const NamedPersonRow*> chosen() const;
   [[nodiscard]] static QString codesOf(const std::vector<const NamedPersonRow*>& people);
 
-  std::size_t waiting_ = 0;             // requests of people about their own record
-  std::vector<NamedPersonRow> people_;  // identities empty while names are hidden
+  std::size_t waiting_ = 0;             // open requests of people about their own records
+  std::vector<NamedPersonRow> people_;  // without identities while names are hidden
   PageHeading* heading_;
   QPushButton* import_;
   QPushButton* undo_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last step of the roster wizard: what would happen, and the import itself.
+// The last step of the roster wizard: preview and import.
 #include <utility>
 
 #include <QLabel>
@@ -81,7 +81,7 @@ void RosterPreviewPage::initializePage() {
       [file = *import_.file, kind = import_.kind, columns = import_.columns](
           SessionContext& session, const ProgressCallback& progress) {
         RosterPreview preview = previewRoster(session, file, kind, columns, progress);
-        // Proves before the last button that the database would take it.
+        // Ensures, before the last button is enabled, that the database would accept the import.
         if (preview.importable()) {
           static_cast<void>(
               importRoster(session, file, kind, columns, preview.fingerprint, RosterMode::kDryRun, progress));
@@ -114,7 +114,7 @@ void RosterPreviewPage::showPreview() {
          tr("The file was read as %1: check letters with accents.").arg(toQString(import_.file->encoding))});
   }
   summary_->setText(summary);
-  // Every column that the file fills, so that what is taken can be read before it is.
+  // All columns that the file fills, so that the data can be checked before the import.
   std::vector<RosterField> fields;
   std::vector<Column> columns{{tr("Line"), true}, {tr("Status")}, {tr("Note")}};
   for (const RosterField field : rosterFields(preview.kind)) {

@@ -32,7 +32,7 @@ namespace {
 
 constexpr std::size_t kSampleRows = 5;
 
-/// Where this station keeps the choices for files with these headings: headings are no data of anybody.
+/// Settings key of the column choices for files with these headings, which contain no personal data.
 QString columnsKey(const RosterFile& file, RosterKind kind) {
   QStringList headings;
   for (const std::string& name : file.header) {
@@ -49,7 +49,7 @@ void keepColumns(const RosterFile& file, RosterKind kind, const RosterColumns& c
   QSettings().setValue(columnsKey(file, kind), chosen);
 }
 
-/// Those that were chosen before for the same headings, else what the headings suggest.
+/// Returns the previous choices for the same headings, or those suggested by the headings.
 RosterColumns columnsFor(const RosterFile& file, RosterKind kind) {
   RosterColumns columns = suggestColumns(file, kind);
   const QStringList kept = QSettings().value(columnsKey(file, kind)).toStringList();
@@ -79,7 +79,7 @@ RosterWizard::RosterWizard(ShellContext& shell, QWidget* parent) : QWizard(paren
   addPage(new RosterColumnsPage(import_, this));
   preview_ = new RosterPreviewPage(import_, shell, this);
   addPage(preview_);
-  // After the job and whatever followed it.
+  // After the job and its continuation.
   connect(
       &shell, &ShellContext::jobEnded, this,
       [this] {
@@ -159,7 +159,7 @@ void RosterFilePage::initializePage() {
   path_->setFocus();
 }
 
-/// Which columns the file may have, so that nobody needs the guide for it.
+/// Lists the possible columns of the file, so that nobody needs the guide.
 void RosterFilePage::sayColumns() {
   const RosterKind kind = raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees;
   QStringList needed;
@@ -183,7 +183,7 @@ bool RosterFilePage::validatePage() {
     const RosterKind kindBefore = import_.kind;
     import_.kind = raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees;
     import_.file = readRoster(toPath(path_->text().trimmed()));
-    // A mended file with the same headings keeps the choices that were made for it.
+    // A corrected file with the same headings keeps its column choices.
     if (import_.file->header != headerBefore || import_.kind != kindBefore) {
       import_.columns = columnsFor(*import_.file, import_.kind);
     }
@@ -245,7 +245,7 @@ RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
 RosterColumnsPage::~RosterColumnsPage() = default;
 
 void RosterColumnsPage::initializePage() {
-  checks_.reset();  // before its fields
+  checks_.reset();  // destroyed before its fields
   while (QLayoutItem* item = form_->takeAt(0)) {
     delete item->widget();
     delete item;
@@ -259,7 +259,7 @@ void RosterColumnsPage::initializePage() {
   showHint();
 }
 
-/// Two fields a row, each with its hint below.
+/// Adds a choice, two per row, with its hint below.
 void RosterColumnsPage::addChoice(RosterField field) {
   auto* choice = new QComboBox(this);
   choice->setObjectName(QString::fromLatin1(rosterFieldCode(field).data()));
@@ -288,11 +288,11 @@ void RosterColumnsPage::addChoice(RosterField field) {
       return choice->currentData().toInt() < 0 ? tr("Required: choose its column, or add one to the file.")
                                                : QString();
     });
-    checks_->touch(choice);  // the headings told nothing: it waits for an answer
+    checks_->touch(choice);  // not inferred from the headings: marked as needing an answer
   }
 }
 
-/// A file of raters is noticed before they become trainees.
+/// Warns of a file of raters before they become trainees.
 void RosterColumnsPage::showHint() {
   const std::optional<std::size_t> raterClass =
       import_.kind == RosterKind::kTrainees

@@ -23,7 +23,7 @@ class DataTable;
 class FieldChecks;
 class ShellContext;
 
-/// What the pages of the wizard share.
+/// State shared by the pages of the wizard.
 struct RosterImport {
   RosterKind kind = RosterKind::kTrainees;
   std::optional<RosterFile> file{};
@@ -34,20 +34,20 @@ struct RosterImport {
 
 class RosterPreviewPage;
 
-/// From a file to people, in three steps: the file, which column is what, and what would happen line by line.
-/// Nothing is stored before the last button, and then all or nothing.
+/// Imports people from a file in three steps: file, columns, preview line by line. Nothing is stored before
+/// the last button, and then all or nothing.
 class RosterWizard : public QWizard {
   Q_OBJECT
 
  public:
   explicit RosterWizard(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// What was done; empty while nothing was.
+  /// Returns the result of the import; empty if nothing was imported.
   [[nodiscard]] const std::optional<RosterOutcome>& outcome() const noexcept { return import_.outcome; }
 
  protected:
   void accept() override;
-  /// While something runs: stops it, and closes when it has stopped. Nothing is stored then.
+  /// Stops running work and then closes. Nothing is stored.
   void reject() override;
 
  private:
@@ -57,7 +57,7 @@ class RosterWizard : public QWizard {
   bool closing_ = false;
 };
 
-/// First step: whose roster, and where it is.
+/// First step: kind of roster and file.
 class RosterFilePage : public QWizardPage {
   Q_OBJECT
 
@@ -80,10 +80,10 @@ class RosterFilePage : public QWizardPage {
   QLabel* problem_;
   QLabel* templateProblem_;
   FieldChecks* checks_;
-  QString unreadable_;  // what is wrong with the file
+  QString unreadable_;  // error of the file
 };
 
-/// Second step: which column holds what.
+/// Second step: assigns columns.
 class RosterColumnsPage : public QWizardPage {
   Q_OBJECT
 
@@ -107,7 +107,7 @@ class RosterColumnsPage : public QWizardPage {
   std::unique_ptr<FieldChecks> checks_;
 };
 
-/// Third step: what would happen. Compares and tries out away from the window's thread.
+/// Third step: preview. Compares and validates in the background.
 class RosterPreviewPage : public QWizardPage {
   Q_OBJECT
 
@@ -115,7 +115,7 @@ class RosterPreviewPage : public QWizardPage {
   RosterPreviewPage(RosterImport& import, ShellContext& shell, QWidget* parent);
   void initializePage() override;
   [[nodiscard]] bool isComplete() const override;
-  /// The import itself; `done` follows when everything is stored.
+  /// Imports; calls `done` when everything is stored.
   void commit(std::function<void()> done);
   [[nodiscard]] bool busy() const noexcept { return busy_; }
 

@@ -13,8 +13,8 @@ class QPushButton;
 
 namespace torsio::gui {
 
-/// What is told only once, one line for each person: to be copied, or saved as cards to print. Does not close
-/// without a question before one of the two was done. GUI thread.
+/// Secrets shown once, one row per person, to copy or to save as cards. Asks before closing if neither was
+/// done. GUI thread.
 class ShownOnceDialog : public QDialog {
   Q_OBJECT
 
@@ -25,13 +25,13 @@ class ShownOnceDialog : public QDialog {
   void reject() override;
 
  protected:
-  /// `fileName`: what the cards' file is called at first.
+  /// `fileName`: suggested name of the cards' file.
   ShownOnceDialog(const QString& title, const QString& words, const QString& fileName, QWidget* parent);
   void setLines(const std::vector<Column>& columns, std::vector<Row> rows);
   [[nodiscard]] QString linesAsText() const;
 
   virtual void writeCards(const std::filesystem::path& file) const = 0;
-  /// What "Copy" copies: the lines, where nothing else is said.
+  /// Returns the text for "Copy"; by default the lines.
   [[nodiscard]] virtual QString copied() const { return linesAsText(); }
 
  private:

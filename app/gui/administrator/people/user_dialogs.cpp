@@ -31,7 +31,7 @@ struct UserDialogs {
   Q_DECLARE_TR_FUNCTIONS(UserDialogs)
 };
 
-/// One box a role.
+/// One check box per role.
 class RoleBoxes : public QGroupBox {
  public:
   explicit RoleBoxes(QWidget* parent) : QGroupBox(UserDialogs::tr("May work as"), parent) {
@@ -58,7 +58,7 @@ class RoleBoxes : public QGroupBox {
     }
     return roles;
   }
-  /// Whether a chosen role is that of a person of the record.
+  /// Returns whether a chosen role needs a person of the record.
   [[nodiscard]] bool needPerson() const {
     const std::vector<std::string> roles = get();
     return std::any_of(roles.begin(), roles.end(),

@@ -15,16 +15,16 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Name of a role in the user's language; the code for an unknown one.
+/// Returns the name of a role in the user's language; the code of an unknown one.
 [[nodiscard]] QString roleName(const std::string& code);
 
-/// A person of the record whom a user may be.
+/// A person of the record to link to an account.
 struct PersonChoice {
   PersonId personId{};
-  QString label;  ///< "T-07 · Li Na", or the code alone
+  QString label;  ///< "T-07 · Li Na", or only the code
 };
 
-/// Asks for sign-in name, roles and person. Empty: given up.
+/// Asks for sign-in name, roles and person. Empty: cancelled.
 [[nodiscard]] std::optional<NewUser> askNewUser(QWidget* parent, const std::vector<PersonChoice>& people);
 
 struct RolesChange {

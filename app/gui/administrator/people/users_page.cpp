@@ -31,7 +31,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Everybody of the record, with names where the actor may see them.
+/// Returns all people of the record, with names if the actor may see them.
 std::vector<PersonChoice> peopleToChoose(ShellContext& shell) {
   std::vector<PersonChoice> choices;
   SessionContext& session = shell.session();
@@ -50,7 +50,7 @@ std::vector<PersonChoice> peopleToChoose(ShellContext& shell) {
   return choices;
 }
 
-/// The accounts made so far, and what kept the others from being made.
+/// Accounts made so far, and the error that stopped the others.
 struct IssuedAccounts {
   std::vector<StartAccount> made;
   std::exception_ptr problem;
@@ -274,7 +274,7 @@ void UsersPage::sayWhyNotAll(const std::exception_ptr& problem) {
 }
 
 void UsersPage::storeAndShow(const std::function<MadeUser(SessionContext&)>& store, const QString& login) {
-  // Sealing a password takes a second on purpose: not in the window's thread.
+  // Hashing a password takes a second by design: not in the GUI thread.
   const PasswordCost cost = shell().session().passwordCost();
   shell().run(
       this, tr("Sealing the start password"),
@@ -346,7 +346,7 @@ void UsersPage::switchActive() {
   if (user == nullptr) {
     return;
   }
-  // All that are chosen and stand as the current one does.
+  // All selected users with the same state as the current one.
   const bool active = user->active;
   const std::vector<UserId> chosen = chosenUsers();
   std::vector<UserId> ids;

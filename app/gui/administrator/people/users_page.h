@@ -22,7 +22,7 @@ class DataTable;
 class PageHeading;
 class ReviewDeskDialog;
 
-/// Who may sign in, with which roles. Everything done here is audited by the service.
+/// Accounts and their roles. The service audits every action.
 class UsersPage : public Page {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class UsersPage : public Page {
 
   void enter(const QVariant& argument) override;
   void retranslate() override;
-  /// The dialog that opens the review desk for browsers, over the window's content.
+  /// Shows the dialog of the review desk over the window's content.
   ReviewDeskDialog& placeReviewDesk(const DeskPlace& place);
 
  private:
@@ -43,7 +43,7 @@ class UsersPage : public Page {
   void sayWhyNotAll(const std::exception_ptr& problem);
   void changeRoles();
   void newPassword();
-  /// Stores away from the window's thread, then shows the start password of the user `id`.
+  /// Stores in the background, then shows the user's start password.
   void storeAndShow(const std::function<MadeUser(SessionContext&)>& store, const QString& login);
   void showRequests();
   void switchActive();
@@ -59,10 +59,10 @@ class UsersPage : public Page {
   [[nodiscard]] std::vector<UserId> chosenUsers() const;
 
   std::vector<UserAccount> users_;
-  std::size_t waiting_ = 0;                         // requests for a second person
-  std::map<std::string, std::string> personCodes_;  // by id
-  std::map<UserId, std::int64_t> kioskCodes_;       // since when
-  std::map<UserId, std::int64_t> invitations_;      // until when
+  std::size_t waiting_ = 0;                         // open requests for a second person
+  std::map<std::string, std::string> personCodes_;  // by person id
+  std::map<UserId, std::int64_t> kioskCodes_;       // creation time
+  std::map<UserId, std::int64_t> invitations_;      // expiry
   PageHeading* heading_;
   DataTable* table_;
   QPushButton* add_;

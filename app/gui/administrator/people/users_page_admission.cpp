@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other ways in than a password that is typed at a station: cards for kiosks, links for browsers.
+// Ways to sign in without a password at a station: kiosk cards and browser links.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -21,7 +21,7 @@ namespace torsio::gui {
 
 void UsersPage::makeKioskCards() {
   std::vector<UserId> ids = chosenUsers();
-  if (ids.empty()) {  // all who train and may come in
+  if (ids.empty()) {  // without a selection: all active trainees
     for (const UserAccount& user : users_) {
       if (user.active && user.roles == std::vector<std::string>{"trainee"}) {
         ids.push_back(user.id);

@@ -34,7 +34,7 @@ namespace {
 constexpr int kDialogWidth = 936;
 constexpr int kWidestDialog = 1240;
 constexpr int kFirstRows = 8;
-constexpr int kTableHeight = 130;  // beside the fields of a data set it must fit 768 pixels
+constexpr int kTableHeight = 130;  // must fit into 768 pixels together with the fields of a data set
 
 }  // namespace
 
@@ -138,8 +138,7 @@ void ExportDialog::build() {
   connect(freeText_, &QCheckBox::toggled, this, &ExportDialog::read);
 }
 
-/// The window behind cannot be reached while this one is open: progress, a way to give up and what went wrong
-/// stand here.
+/// Adds progress, cancel button and errors to this dialog: it blocks the window behind.
 void ExportDialog::followJobs(QVBoxLayout& column) {
   job_ = new JobPanel(this);
   column.addWidget(job_);
@@ -158,7 +157,7 @@ void ExportDialog::followJobs(QVBoxLayout& column) {
   connect(
       &shell_, &ShellContext::jobEnded, this,
       [this] {
-        if (closing_ && !busy_) {  // after whatever followed the job
+        if (closing_ && !busy_) {  // after the job's continuation
           QDialog::reject();
         }
       },
@@ -263,7 +262,7 @@ void ExportDialog::read() {
       [this](std::shared_ptr<ExchangeData> fresh) {
         data_ = std::move(fresh);
         save_->setEnabled(true);
-        if (!title_->isModified()) {  // without names the cohort has another title
+        if (!title_->isModified()) {  // without names the cohort has a different title
           title_->setText(toQString(data_->inputs.title));
         }
         const QSignalBlocker quiet(table_);
@@ -304,7 +303,7 @@ void ExportDialog::showTable() {
                  (column.unit.empty() ? QString() : QStringLiteral(", ") + toQString(column.unit));
   }
   rows_->setHorizontalHeaderLabels(heads);
-  for (int c = 0; c < heads.size(); ++c) {  // a title stands over its values
+  for (int c = 0; c < heads.size(); ++c) {  // aligns headings with their values
     const bool number =
         count > 0 && !std::holds_alternative<std::string>(shown.rows[0][static_cast<std::size_t>(c)]);
     rows_->horizontalHeaderItem(c)->setTextAlignment((number ? Qt::AlignRight : Qt::AlignLeft) |

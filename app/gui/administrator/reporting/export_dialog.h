@@ -22,24 +22,24 @@ namespace torsio::gui {
 class JobPanel;
 class ShellContext;
 
-/// A cohort's data for other programs: which one, how people appear, a look at what will be in it, where it
-/// goes. What left is kept in the audit trail. GUI thread.
+/// Exports a cohort's data for other programs: cohort, identities, preview of the content, target. Exports
+/// are recorded in the audit trail. GUI thread.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Entries of the list of formats, in their order.
+  /// In the order of the list of formats.
   enum class Form { kWorkbook, kSpss, kR, kCsv, kFrictionless, kRoCrate, kBids, kGradebook };
 
   /// `language`: of the workbook, one of reportLanguages().
   ExportDialog(ShellContext& shell, const ReportRequest& request, std::shared_ptr<TrialDigests> digests,
                std::string language, QWidget* parent);
 
-  /// Writes in the chosen form, beside the window; what went wrong is said. Does nothing while data are read.
+  /// Writes in the chosen format in the background; reports errors. No effect while data are being read.
   void writeTo(const std::filesystem::path& place);
-  /// Shows a format.
+  /// Selects a format.
   void choose(Form form);
-  /// While something is read or written: gives it up first.
+  /// Cancels running work first.
   void reject() override;
 
  private:
@@ -52,14 +52,14 @@ class ExportDialog : public QDialog {
   [[nodiscard]] Form chosen() const;
   [[nodiscard]] bool isDataset() const;
   [[nodiscard]] DatasetRequest dataset() const;
-  /// What the chosen form holds and what it never does, as sentences.
+  /// Returns sentences about what the chosen format contains and never contains.
   [[nodiscard]] QStringList contents() const;
 
   ShellContext& shell_;
   ExchangeRequest request_;
   std::shared_ptr<TrialDigests> digests_;
   std::string language_;
-  std::shared_ptr<ExchangeData> data_;  // empty while it is read
+  std::shared_ptr<ExchangeData> data_;  // empty while being read
   QComboBox* form_;
   QCheckBox* pseudonymised_;
   QCheckBox* freeText_;

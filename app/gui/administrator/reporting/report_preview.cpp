@@ -31,11 +31,11 @@ namespace {
 constexpr QSize kFigure(640, 300);
 constexpr char kNumber[] = "number:";
 constexpr char kRows[] = "rows:";
-constexpr std::size_t kRowsShown = 15;      // of a long table, until all are asked for
-constexpr std::size_t kDefaultColumns = 9;  // more of them need smaller letters
-constexpr int kTableRoom = 1000;            // pixels that a wide table keeps
-constexpr int kSheet = 1120;                // the widest sheet; beside it is the desk
-constexpr int kLine = 86;  // average signs, some 95 of running text: the eye finds its way back from there
+constexpr std::size_t kRowsShown = 15;      // of a long table, until all rows are requested
+constexpr std::size_t kDefaultColumns = 9;  // more columns need a smaller font
+constexpr int kTableRoom = 1000;            // minimum width for a wide table, px
+constexpr int kSheet = 1120;                // widest page, px; the rest shows the background
+constexpr int kLine = 86;  // in average characters, about 95 of running text: longer lines are hard to follow
 
 QImage drawn(const ReportFigure& figure, const Wording& wording) {
   const bool tall = figure.kind == FigureKind::kHeatMap || figure.kind == FigureKind::kForest;
@@ -56,12 +56,12 @@ QImage drawn(const ReportFigure& figure, const Wording& wording) {
   return image;
 }
 
-/// A hash breaks where its cell is narrow: a table would else be as wide as all of its hashes.
+/// Allows line breaks in hashes, which would otherwise widen their table.
 QString breaking(QString html) {
   static const QRegularExpression kSixteen(
       QStringLiteral("((?:(?<=\u200B)|(?<![0-9a-f]))[0-9a-f]{16})(?=[0-9a-f])"));
   qsizetype length = 0;
-  while (length != html.size()) {  // each break makes place for the next
+  while (length != html.size()) {  // each replacement makes room for the next
     length = html.size();
     html.replace(kSixteen, QStringLiteral("\\1\u200B"));
   }
@@ -188,7 +188,7 @@ void ReportPreview::showReport() {
       text += tableHtml(table, QString::number(tables++), wording);
     }
   }
-  // setHtml() would forget the pictures: they belong to the document that is there.
+  // setHtml() would discard the pictures: they belong to the present document.
   QTextCursor(document()).insertHtml(text);
   besideText_ = 0;
   keepLinesShort();
@@ -200,14 +200,14 @@ void ReportPreview::resizeEvent(QResizeEvent* event) {
   const int desk = contentsRect().width() - bar;
   const int beside = std::max(0, (desk - kSheet) / 2);
   if (beside != viewportMargins().left()) {
-    setViewportMargins(beside, 0, beside, 0);  // comes back here where that changes the width
+    setViewportMargins(beside, 0, beside, 0);  // re-enters here if that changes the width
   }
   QTextBrowser::resizeEvent(event);
   keepLinesShort();
   showBarIfNeeded();
 }
 
-/// The layout counts room beside the tables that nothing stands in: the bar is for tables that are cut.
+/// Shows the scroll bar only if a table is cut: the layout also counts empty space beside tables.
 void ReportPreview::showBarIfNeeded() {
   double right = 0.0;
   for (QTextFrame* table : document()->rootFrame()->childFrames()) {
@@ -216,7 +216,7 @@ void ReportPreview::showBarIfNeeded() {
   setHorizontalScrollBarPolicy(right > viewport()->width() ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
 }
 
-/// What is copied has no breaks.
+/// Removes the inserted breaks from copied text.
 QMimeData* ReportPreview::createMimeDataFromSelection() const {
   auto* copied = new QMimeData;
   copied->setText(textCursor().selection().toPlainText().remove(QChar(0x200B)));
@@ -228,8 +228,7 @@ void ReportPreview::paintEvent(QPaintEvent* event) {
   QTextBrowser::paintEvent(event);
 }
 
-/// Paragraphs wrap before their lines get too long to be read and stand in the middle of a wide page; tables
-/// may go on to its right edge.
+/// Limits the line length of paragraphs and centres them on a wide page; tables may extend to its right edge.
 void ReportPreview::keepLinesShort() {
   const int margin = static_cast<int>(document()->documentMargin());
   const int page = viewport()->width() - 2 * margin;
@@ -248,7 +247,7 @@ void ReportPreview::keepLinesShort() {
   narrow.setRightMargin(beside - left);
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
     cursor.setPosition(block.position());
-    if (cursor.currentTable() == nullptr && block.length() > 1) {  // not what follows a table
+    if (cursor.currentTable() == nullptr && block.length() > 1) {  // not the empty block after a table
       cursor.mergeBlockFormat(narrow);
     }
   }

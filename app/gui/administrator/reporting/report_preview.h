@@ -13,19 +13,19 @@
 
 namespace torsio::gui {
 
-/// The whole report to scroll through before it is written: the same words, tables and figures, on paper
-/// white whatever the theme. Of a long table the first rows are shown, and all on request.
+/// Preview of the whole report with the same texts, tables and figures as the file, on white in every theme.
+/// Long tables show their first rows, and all on request.
 class ReportPreview : public QTextBrowser {
   Q_OBJECT
 
  public:
   explicit ReportPreview(QWidget* parent = nullptr);
 
-  /// The words are those of `wording`: the language of the report, whatever that of the window.
+  /// `wording`: the language of the report, independent of the window's.
   void setReport(const ReportModel& model, const Wording& wording);
 
  Q_SIGNALS:
-  /// A number was pressed: its line of the table of numbers, as keyAddress() names it.
+  /// A number was clicked: its address in the table of numbers, as given by keyAddress().
   void numberPressed(const QString& address);
 
  protected:
@@ -37,7 +37,7 @@ class ReportPreview : public QTextBrowser {
   void showReport();
   void keepLinesShort();
   void showBarIfNeeded();
-  /// Shows all rows of a long table, or the first ones again.
+  /// Shows all rows of a long table, or only the first ones again.
   void toggleRows(const QString& name);
   [[nodiscard]] QString tableHtml(const ReportTable& table, const QString& name,
                                   const Wording& wording) const;
@@ -45,8 +45,8 @@ class ReportPreview : public QTextBrowser {
   ReportModel model_;
   Wording wording_;
   std::map<QString, QImage> pictures_;
-  int besideText_ = 0;       // free of text, px, where the page is wider than a line should be
-  std::set<QString> whole_;  // tables of which all rows are shown, by their number
+  int besideText_ = 0;       // margin beside the text, px, if the page is wider than a line should be
+  std::set<QString> whole_;  // tables shown in full, by number
 };
 
 }  // namespace torsio::gui

@@ -112,7 +112,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
   connect(origin_, &QPushButton::clicked, this, [this] { askOrigin({}); });
   connect(preview_, &ReportPreview::numberPressed, this, &ReportsPage::askOrigin);
   const QSignalBlocker quietLanguage(language_);
-  language_->addItem(QString(), QString());  // that of the window
+  language_->addItem(QString(), QString());  // the window's language
   for (const Language language : {Language::kEnglish, Language::kSimplifiedChinese}) {
     language_->addItem(languageName(language), languageCode(language));
   }
@@ -333,7 +333,7 @@ bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& fil
   QProgressDialog wait(tr("Writing the report\u2026"), tr("Cancel"), 0, 0, this);
   wait.setWindowModality(Qt::WindowModal);
   wait.setMinimumDuration(400);
-  // Charts belong to the GUI thread: pages are drawn here, and between two of them the window answers.
+  // Charts must be drawn in the GUI thread, so the window processes events between pages.
   const auto oneMore = [&wait](std::size_t page, std::size_t pages) {
     wait.setMaximum(static_cast<int>(pages));
     wait.setValue(static_cast<int>(page));

@@ -16,8 +16,8 @@ class ExportDialog;
 class PageHeading;
 class ReportPreview;
 
-/// From a cohort to a report that may leave the house: choose, freeze, look, write. What left, and in which
-/// form, is kept in the audit trail.
+/// Creates a report of a cohort to publish: choose, freeze, preview, write. Exports and their format are
+/// recorded in the audit trail.
 class ReportsPage : public Page {
   Q_OBJECT
 
@@ -27,17 +27,17 @@ class ReportsPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  /// Freezes the data of the chosen cohort and evaluation under a name, and chooses the set.
+  /// Freezes the data of the chosen cohort and evaluation as a named set, and selects it.
   bool freeze(const std::string& name);
-  /// Writes the file. False: it was given up or went wrong, which has been said.
+  /// Writes the file. False: cancelled or failed; the user has been told.
   bool exportTo(ReportFormat format, const std::filesystem::path& file, const CsvStyle& look = {});
-  /// Writes recordings and single marks of the chosen cohort under their codes into a new folder, as far as
-  /// the user may see them. False: it went wrong, which has been said.
+  /// Writes recordings and individual marks of the chosen cohort with codes into a new folder, as far as the
+  /// user may see them. False: failed; the user has been told.
   bool exportTables(const std::filesystem::path& folder);
 
-  /// Waits until the report is prepared: pictures and tests.
+  /// Waits until the report is ready (for screenshots and tests).
   void settle();
-  /// Puts the dialog of exports on the page, for pictures.
+  /// Shows the export dialog on the page (for screenshots).
   ExportDialog& placeExport();
 
   [[nodiscard]] const std::shared_ptr<CohortInputs>& inputs() const noexcept { return inputs_; }
@@ -50,15 +50,15 @@ class ReportsPage : public Page {
   void askExport(ReportFormat format);
   void askTables();
   void askOther();
-  /// Opens what a number comes from; empty: to choose one there.
+  /// Opens the origin of a number; empty: the user chooses one there.
   void askOrigin(const QString& address);
   void showButtons();
   [[nodiscard]] ReportRequest request() const;
-  /// Chosen, or that of the window.
+  /// Returns the chosen language, or the window's.
   [[nodiscard]] std::string reportLanguage() const;
 
   std::shared_ptr<TrialDigests> digests_;
-  std::shared_ptr<CohortInputs> inputs_;  // of what is shown; empty while it is computed
+  std::shared_ptr<CohortInputs> inputs_;  // for the report shown; empty while being computed
   std::shared_ptr<ReportModel> model_;
   std::string shownLanguage_;
   PageHeading* heading_;

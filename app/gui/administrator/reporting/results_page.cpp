@@ -136,7 +136,7 @@ void ResultsPage::fill() {
   const QString wanted = before != nullptr ? before->data(kFigureIdRole).toString() : QString();
   const QSignalBlocker quiet(contents_);
   contents_->clear();
-  QPixmap indent(kSpace, 1);  // also of the second line of a long title
+  QPixmap indent(kSpace, 1);  // also indents the second line of a long title
   indent.fill(Qt::transparent);
   if (model_) {
     for (const ReportSection& section : model_->sections) {

@@ -17,8 +17,7 @@ namespace torsio::gui {
 class FigureCard;
 class PageHeading;
 
-/// Every figure and table of the cohort report on the screen, each with its values: what the report will say,
-/// before it is made.
+/// All figures and tables of the cohort report with their values: a preview of the report.
 class ResultsPage : public Page {
   Q_OBJECT
 
@@ -31,7 +30,7 @@ class ResultsPage : public Page {
 
   /// Shows the figure or table with this id of the report ("figure-22").
   void showItem(const QString& id);
-  /// Waits until what was chosen is computed: pictures and tests.
+  /// Waits until the chosen item is computed (for screenshots and tests).
   void settle();
 
  private:

@@ -25,7 +25,7 @@ namespace {
 
 constexpr QSize kDialogSize(1100, 640);
 constexpr int kStepWidth = 380;
-constexpr int kOpened = 1;  // levels that are open at first
+constexpr int kOpened = 1;  // levels initially expanded
 
 void addStep(const TraceStep& step, QTreeWidgetItem* item, int depth) {
   item->setText(0, toQString(step.what));
@@ -74,13 +74,13 @@ TraceDialog::TraceDialog(ShellContext& shell, const CohortId& cohortId,
     wanted_ = id;
     start();
   });
-  // Another one may have been chosen meanwhile.
+  // Another number may have been chosen meanwhile.
   connect(&shell_, &ShellContext::jobEnded, this, [this] {
     running_ = false;
     start();
   });
   fill();
-  numbers_->filter().setFocus();  // whoever types a code types it there
+  numbers_->filter().setFocus();  // so that a code can be typed at once
 }
 
 void TraceDialog::fill() {

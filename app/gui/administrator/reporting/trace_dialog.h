@@ -15,17 +15,17 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// Every number of a report, and for the chosen one what it was made of, step after step back to marks,
-/// criteria, recording and program. GUI thread.
+/// All numbers of a report; traces the chosen one step by step to marks, criteria, recording and program
+/// version. GUI thread.
 class TraceDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `inputs`: what the report was made of.
+  /// `inputs`: the report's data.
   TraceDialog(ShellContext& shell, const CohortId& cohortId, std::shared_ptr<const CohortInputs> inputs,
               QWidget* parent);
 
-  /// Chooses the number with this address and follows it.
+  /// Selects the number with this address and traces it.
   void follow(const QString& address);
 
  private:

@@ -59,7 +59,7 @@ QDoubleSpinBox* weightField(std::int64_t weight_milli, QWidget* parent) {
   return field;
 }
 
-/// The code of a model in an evaluation, as the paper has it.
+/// Returns a model's code in an evaluation, following the paper.
 QString codeOf(TissueModel model) {
   switch (model) {
     case TissueModel::kTwist:
@@ -201,7 +201,7 @@ void CampaignDialog::addChecks(QFormLayout* form, QVBoxLayout* left) {
   };
   addSum(indexSum_, indexWeights_);
   addSum(classSum_, classWeights_);
-  for (const QDoubleSpinBox* field : classWeights_) {  // a class that gets a weight wants its raters
+  for (const QDoubleSpinBox* field : classWeights_) {  // a class with a weight needs raters
     connect(field, &QDoubleSpinBox::valueChanged, this, [this] { checks_->touch(raters_); });
   }
   connect(models_, &QPlainTextEdit::textChanged, this, [this] { checks_->touch(models_); });
@@ -211,7 +211,7 @@ void CampaignDialog::addChecks(QFormLayout* form, QVBoxLayout* left) {
   });
   countRaters();
   checks_->decide(buttons_->button(QDialogButtonBox::Ok));
-  checks_->touch(raters_);  // who is missing among all raters cannot be chosen here
+  checks_->touch(raters_);  // with all raters listed, a missing one cannot be chosen here
 }
 
 QString CampaignDialog::wrongModels() const {

@@ -25,12 +25,12 @@ namespace torsio::gui {
 class DataTable;
 class FieldChecks;
 
-/// A new evaluation: name, models, the weights of indices and classes (the paper's to begin with), raters.
+/// A new evaluation: name, models, weights of indices and classes (initially the paper's), raters.
 class CampaignDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `recordings`: those that may be shown to the raters. `assets`: folder of the scenes, for their titles.
+  /// `recordings`: those that raters may see. `assets`: folder of the scenes, for their titles.
   CampaignDialog(const std::vector<PersonRow>& raters, std::vector<EvaluationRecording> recordings,
                  const std::filesystem::path& assets, QWidget* parent);
 
@@ -44,7 +44,7 @@ class CampaignDialog : public QDialog {
   [[nodiscard]] QString wrongModels() const;
   [[nodiscard]] QString wrongRaters() const;
   void countRaters();
-  /// Writes the models of the chosen recordings, each with its recording.
+  /// Lists the models of the chosen recordings, each with its recording.
   void takeRecordings();
   [[nodiscard]] static QString modelName(TissueModel model);
 
@@ -56,7 +56,7 @@ class CampaignDialog : public QDialog {
   QLabel* indexSum_;
   QLabel* classSum_;
   QLabel* chosen_;
-  std::map<QString, std::string> classOf_;  // of a rater's id
+  std::map<QString, std::string> classOf_;  // rater class by rater id
   DataTable* raters_;
   std::vector<EvaluationRecording> choice_;
   DataTable* recordings_;

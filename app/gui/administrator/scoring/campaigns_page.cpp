@@ -143,7 +143,7 @@ void CampaignsPage::retranslate() {
                       {tr("Since")},
                       {tr("Models")},
                       {tr("Everybody")}});
-  table_->hideAtFirst(kRatersOfRow);  // whoever looks for one rater finds the evaluation
+  table_->hideAtFirst(kRatersOfRow);  // a search for a rater finds the evaluation
   table_->setEmptyText(
       tr("No evaluation yet. An evaluation asks raters of three classes to score models on nine indices."));
   raters_->setColumns({{tr("Rater")}, {tr("Class")}, {tr("Marks"), true}, {tr("State")}});

@@ -14,7 +14,7 @@ namespace torsio::gui {
 class DataTable;
 class PageHeading;
 
-/// Nine-index evaluations of tissue models: who was asked, and how far it has come.
+/// Nine-index evaluations of tissue models: raters and progress.
 class CampaignsPage : public Page {
   Q_OBJECT
 

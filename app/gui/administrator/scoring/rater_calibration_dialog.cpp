@@ -32,7 +32,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kLargestPanel = 99;
-constexpr std::ptrdiff_t kUsual = 2;  // reference runs of rater calibration
+constexpr std::ptrdiff_t kUsual = 2;  // usual number of reference runs
 
 }  // namespace
 
@@ -124,7 +124,7 @@ const RubricRevision& RaterCalibrationDialog::revision() const {
 
 void RaterCalibrationDialog::showScale() {
   const ScoreScale& scale = revision().overall;
-  mark_->setDecimals(1);  // a mean of a panel
+  mark_->setDecimals(1);  // the mean of a panel
   mark_->setRange(pointsFromSteps(scale.lo, scale), pointsFromSteps(scale.hi, scale));
   mark_->setSingleStep(0.5);
 }

@@ -23,8 +23,8 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The reference runs of rater calibration: which there are, one more with the mark that a panel gave
-/// it, and one less with a reason. Each change is stored at once.
+/// Reference runs of rater calibration: lists them, adds one with its panel's mark, withdraws one with a
+/// reason. Each change is stored at once.
 class RaterCalibrationDialog : public QDialog {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class RaterCalibrationDialog : public QDialog {
   void read();
   void check();
   void add();
-  /// What is chosen and not withdrawn yet.
+  /// Returns the selected runs that are not withdrawn.
   [[nodiscard]] QStringList chosenRuns() const;
   void withdraw();
   void showScale();
@@ -47,7 +47,7 @@ class RaterCalibrationDialog : public QDialog {
   std::vector<RubricRow> rubrics_;
   QLabel* state_;
   DataTable* present_;
-  std::set<QString> withdrawn_;  // of the runs that are listed
+  std::set<QString> withdrawn_;  // listed runs that are withdrawn
   DataTable* candidates_;
   QComboBox* rubric_;
   QDoubleSpinBox* mark_;

@@ -28,10 +28,10 @@ struct Reassignment {
   Q_DECLARE_TR_FUNCTIONS(Reassignment)
 };
 
-/// Sheets of one rater that can change hands together.
+/// Sheets of one rater that can be reassigned together.
 struct SheetsOf {
   std::size_t rater = 0;   // column of the matrix
-  bool takenBack = false;  // else open or begun
+  bool takenBack = false;  // false: open or begun
   std::vector<std::size_t> lines{};
 };
 
@@ -55,7 +55,7 @@ std::vector<SheetsOf> movableSheets(const ScoringMatrix& matrix, const std::vect
   return all;
 }
 
-/// The dialog and what is chosen in it.
+/// The fields of askReassignment().
 class ReassignDialog {
  public:
   ReassignDialog(QWidget* parent, const ScoringMatrix& matrix, const std::vector<std::size_t>& lines,
@@ -103,7 +103,7 @@ class ReassignDialog {
     QObject::connect(from_, &QComboBox::currentIndexChanged, &dialog_, [this] { fillTo(); });
     QObject::connect(to_, &QComboBox::currentIndexChanged, &dialog_, [this] { tell(); });
     fillTo();
-    checks_.touch(from_);  // nobody can choose where there is nothing
+    checks_.touch(from_);  // nothing to choose
   }
 
   std::optional<SheetsChosen> ask() {
@@ -142,7 +142,7 @@ class ReassignDialog {
     checks_.check();
   }
 
-  /// Of the chosen sheets: those whose case the other rater scores already.
+  /// Counts the selected sheets whose case the other rater already scores.
   [[nodiscard]] std::size_t askedAlready() const {
     const auto rater = std::find_if(matrix_.raters.begin(), matrix_.raters.end(),
                                     [&](const ScoringMatrix::Rater& one) { return one.id == chosenId(to_); });

@@ -14,15 +14,15 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Which sheets change hands.
+/// Sheets to reassign.
 struct SheetsChosen {
   std::vector<AssignmentId> sheets{};
-  RaterId newRaterId{};  ///< empty: taken back only
+  RaterId newRaterId{};  ///< empty: only revoked
   std::string reason{};
 };
-/// Whose sheets of these lines of `matrix` go to whom: the open ones of a rater to another one or to nobody,
-/// or those that were taken back from a rater to the same one again. `raters`: who can be asked. Fields are
-/// called "from", "to", "reason" and "what". Empty: given up.
+/// Asks which sheets of `matrix` to reassign: a rater's open sheets to another rater or nobody, or revoked
+/// ones back to the same rater. `raters`: possible raters. Object names of fields: "from", "to", "reason" and
+/// "what". Empty: cancelled.
 [[nodiscard]] std::optional<SheetsChosen> askReassignment(QWidget* parent, const ScoringMatrix& matrix,
                                                           const std::vector<std::size_t>& lines,
                                                           const std::vector<PersonRow>& raters);

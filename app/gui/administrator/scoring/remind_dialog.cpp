@@ -55,7 +55,7 @@ std::optional<MailSettings> askMailServer(QWidget* parent, const std::optional<M
   host->setPlaceholderText(QStringLiteral("mail.example.org"));
   from->setPlaceholderText(QStringLiteral("skills-laboratory@example.org"));
   port->setRange(1, kLargestPort);
-  encryption->addItem(MailServerDialog::tr("STARTTLS (port 587)"));  // as MailEncryption
+  encryption->addItem(MailServerDialog::tr("STARTTLS (port 587)"));  // in the order of MailEncryption
   encryption->addItem(MailServerDialog::tr("TLS from the beginning (port 465)"));
   encryption->addItem(MailServerDialog::tr("none: a server on this computer"));
   encryption->setCurrentIndex(static_cast<int>(known.server.encryption));

@@ -23,7 +23,7 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// Who owes which sheet, and messages to all who are chosen, by the mail server of the centre.
+/// Overdue sheets by rater, and reminders to the selected raters through the centre's mail server.
 class RemindDialog : public QDialog {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class RemindDialog : public QDialog {
   void showButtons();
   void askServer();
   void send();
-  /// What is sent to whom, of the chosen who have an address.
+  /// Returns the messages for the selected raters with an address.
   [[nodiscard]] std::vector<MailedReminder> messages() const;
   void showRefusals(const std::vector<MailedReminder>& sent, const std::vector<Text>& refusals);
 
@@ -52,8 +52,8 @@ class RemindDialog : public QDialog {
   QPushButton* send_;
 };
 
-/// Asks for the mail server; an empty name takes it away. Fields are called "mailHost", "mailPort",
-/// "mailEncryption", "mailUser" and "mailFrom". Empty: given up.
+/// Asks for the mail server; an empty name removes it. Object names of fields: "mailHost", "mailPort",
+/// "mailEncryption", "mailUser" and "mailFrom". Empty: cancelled.
 [[nodiscard]] std::optional<MailSettings> askMailServer(QWidget* parent,
                                                         const std::optional<MailSettings>& before);
 

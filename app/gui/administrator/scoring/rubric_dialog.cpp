@@ -156,7 +156,7 @@ void RubricDialog::changed() {
   } catch (const Error&) {
     sound = false;
   }
-  // What is wrong with another criterion than the shown one is named with it.
+  // Errors in other criteria than the one shown are listed with the criterion's name.
   QString said;
   if (!elsewhere.empty()) {
     const RubricProblem& first = elsewhere.front();

@@ -18,17 +18,17 @@ class RubricForm;
 class SheetEditorPanel;
 class ShellContext;
 
-/// The scoring sheet: every revision of it, the newest to be edited beside what the rater will see, published
-/// as the next revision, read from a file and written to one.
+/// The scoring sheet: all revisions; the newest can be edited with a preview of the rater's sheet, published
+/// as the next revision, imported and exported.
 class RubricDialog : public QDialog {
   Q_OBJECT
 
  public:
   explicit RubricDialog(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Puts a file in place of what is edited. False: it was refused, and said why.
+  /// Replaces the edited sheet by a file. False: refused, with the reason shown.
   bool importFrom(const std::filesystem::path& file);
-  /// Writes the revision that is shown.
+  /// Writes the revision shown.
   bool exportTo(const std::filesystem::path& file);
 
   void reject() override;

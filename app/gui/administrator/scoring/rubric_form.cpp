@@ -29,7 +29,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::array<int, 4> kDefaultSteps{1, 2, 4, 10};  // a point
+constexpr std::array<int, 4> kDefaultSteps{1, 2, 4, 10};  // steps per point
 constexpr double kMaxPoints = 1000.0;
 constexpr double kMaxWeight = 100.0;
 constexpr double kMilli = 1000.0;

@@ -21,16 +21,16 @@ namespace torsio::gui {
 
 class OrderedList;
 
-/// The fields of one scale: from, to, and how fine.
+/// The fields of a scale: from, to, step.
 class ScaleFields : public QWidget {
   Q_OBJECT
 
  public:
-  /// `name`: begins the object names of its fields: "row" gives "row.from", "row.to", "row.step".
+  /// `name`: prefix of the object names of its fields: "row" gives "row.from", "row.to", "row.step".
   explicit ScaleFields(const QString& name, QWidget* parent = nullptr);
 
   void setScale(const ScoreScale& scale);
-  /// What is entered; it may be no scale (see validateScale).
+  /// Returns the input, which may be an invalid scale (see validateScale).
   [[nodiscard]] ScoreScale scale() const;
   void setReadOnly(bool readOnly);
   void retranslate();
@@ -47,8 +47,8 @@ class ScaleFields : public QWidget {
   QLabel* stepLabel_;
 };
 
-/// The criteria of a scoring sheet in their order, each with name, scale, weight and anchors, and the scale
-/// of the overall mark. GUI thread.
+/// Ordered criteria of a scoring sheet, each with name, scale, weight and anchors, and the scale of the
+/// overall mark. GUI thread.
 class RubricForm : public QWidget {
   Q_OBJECT
 
@@ -58,12 +58,12 @@ class RubricForm : public QWidget {
   void setRevision(const RubricRevision& revision);
   [[nodiscard]] const RubricRevision& revision() const noexcept { return revision_; }
   void setReadOnly(bool readOnly);
-  /// Says beside the fields what is wrong with them. Returns what is wrong elsewhere: with other criteria.
+  /// Shows the errors beside the fields. Returns the errors of other criteria.
   std::vector<RubricProblem> showProblems();
 
  Q_SIGNALS:
   void edited();
-  /// Another criterion is shown.
+  /// Another criterion is now shown.
   void shown();
 
  private:

@@ -178,7 +178,7 @@ std::vector<const AdjudicatorRequest*> chosenRequests(const std::vector<Adjudica
   return chosen;
 }
 
-/// Who may be asked about all of these; of several cases first "the freest for each".
+/// Lists the raters who may adjudicate all these cases; for several cases, first "the freest for each".
 void fillAdjudicators(QComboBox* box, const std::vector<const AdjudicatorRequest*>& chosen) {
   box->clear();
   if (chosen.empty()) {
@@ -202,7 +202,7 @@ void fillAdjudicators(QComboBox* box, const std::vector<const AdjudicatorRequest
   }
 }
 
-/// The first of the class that comes first, with what was given out meanwhile counted.
+/// Returns the freest rater of the first class, including cases assigned meanwhile.
 RaterId freestFor(const AdjudicatorRequest& request, const std::map<RaterId, std::size_t>& given) {
   const Adjudicator* freest = &request.free.front();
   const auto load = [&](const Adjudicator& one) {

@@ -20,15 +20,15 @@ struct RatersInvited {
   std::vector<std::string> occasionCodes{};
   std::optional<std::int64_t> dueUtc_us{};  ///< end of the chosen day; empty: no deadline
 };
-/// Who is asked, at which occasions and until when. Chosen already: those of `matrix` who have open sheets;
-/// nobody when nothing is open. Empty: given up.
+/// Asks for raters, occasions and deadline. Preselected: raters of `matrix` with open sheets; nobody if
+/// nothing is open. Empty: cancelled.
 [[nodiscard]] std::optional<RatersInvited> chooseInvitedRaters(QWidget* parent,
                                                                const std::vector<PersonRow>& raters,
                                                                const ScoringMatrix& matrix);
 
 struct ReleaseChange {
   std::string occasionCode{};
-  bool release = true;  ///< false: taken back
+  bool release = true;  ///< false: withdrawn
   std::string reason{};
 };
 [[nodiscard]] std::optional<ReleaseChange> askRelease(QWidget* parent,
@@ -38,8 +38,8 @@ struct AdjudicatorChosen {
   AssignmentId assignmentId{};
   RaterId raterId{};
 };
-/// Which of the cases go to whom; the oldest request and the freest rater are chosen already. Of several
-/// cases each goes to the freest, unless one rater is chosen for all. Empty: given up.
+/// Asks for the adjudicator of each case; the oldest request and the freest rater are preselected. Several
+/// cases go to the freest rater each, unless one rater is chosen for all. Empty: cancelled.
 [[nodiscard]] std::vector<AdjudicatorChosen> chooseAdjudicators(
     QWidget* parent, const std::vector<AdjudicatorRequest>& requests);
 

@@ -33,7 +33,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// A sign that differs in shape, not in colour alone; the tip says it in words.
+/// Returns a symbol distinguishable by shape as well as colour; the tool tip explains it.
 QString stateSign(const ScoringCell& cell) {
   if (cell.assignmentId.empty()) {
     return QString();
@@ -180,7 +180,7 @@ void ScoringPage::showButtons() {
   release_->setEnabled(!releases_.empty());
   revise_->setEnabled(shell().may(Operation::kCurriculumEdit));
   calibration_->setEnabled(shell().may(Operation::kStudySetup));
-  // A number that is not 0 calls; without requests there is nothing to press.
+  // Visible only with open requests; its number attracts attention.
   adjudicator_->setVisible(!adjudicatorRequests_.empty());
   adjudicator_->setText(tr("Ad&judicator (%1)\u2026").arg(adjudicatorRequests_.size()));
 }
@@ -200,7 +200,7 @@ std::string ScoringPage::rubricRevision() {
 
 void ScoringPage::showSheet() {
   attempt(shell(), [&] {
-    static_cast<void>(rubricRevision());  // the shipped one, when there is none yet
+    static_cast<void>(rubricRevision());  // stores the shipped one if there is none
     RubricDialog(shell(), this).exec();
   });
 }
@@ -244,7 +244,7 @@ void ScoringPage::reassignSheets() {
     return;
   }
   const QStringList ids = table_->selectedIds();
-  std::vector<std::size_t> lines;  // without a choice all of them
+  std::vector<std::size_t> lines;  // without a selection, all of them
   for (std::size_t i = 0; i < matrix_->lines.size(); ++i) {
     if (ids.isEmpty() || ids.contains(QString::number(i))) {
       lines.push_back(i);
@@ -299,7 +299,7 @@ void ScoringPage::assignAdjudicators() {
 
 void ScoringPage::showCalibration() {
   attempt(shell(), [&] {
-    static_cast<void>(rubricRevision());  // the first one comes from the shipped files
+    static_cast<void>(rubricRevision());  // the first revision is the shipped one
     RaterCalibrationDialog dialog(shell(), rubrics(shell().session()), this);
     dialog.exec();
   });

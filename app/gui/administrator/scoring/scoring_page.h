@@ -20,8 +20,7 @@ namespace torsio::gui {
 class DataTable;
 class PageHeading;
 
-/// Who scores whom and how far it has come: trainees and occasions against raters. No marks are shown
-/// here.
+/// Scoring progress: trainees and occasions against raters. Shows no marks.
 class ScoringPage : public Page {
   Q_OBJECT
 
@@ -31,7 +30,7 @@ class ScoringPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  /// Asks the raters for every trainee of the cohort at these occasions.
+  /// Asks raters to score every trainee of the cohort at these occasions.
   bool ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes,
            std::optional<std::int64_t> dueUtc_us = std::nullopt);
 

@@ -28,9 +28,9 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::int64_t kFirstEntries = 1'000;  // on the screen at once, however long the record is
-constexpr int kBetween = -1;                   // of the choice of days: two dates
-constexpr int kCode = 7;                       // column: hidden until somebody asks for it, always searched
+constexpr std::int64_t kFirstEntries = 1'000;  // initially shown, however long the record is
+constexpr int kBetween = -1;                   // value of the choice of days: between two dates
+constexpr int kCode = 7;                       // column: initially hidden, always searched
 
 QDateTime timeOf(const AuditEntry& entry) {
   return QDateTime::fromMSecsSinceEpoch(entry.atUtc_us / 1000);
@@ -121,8 +121,7 @@ void AuditPage::enter(const QVariant&) {
   read();
 }
 
-/// Counted from the newest again: stations' clocks differ, so the time of the oldest entry shown is no
-/// border.
+/// Rereads from the newest entry: stations' clocks differ, so the oldest time shown is not a safe boundary.
 void AuditPage::readMore() {
   most_ *= 2;
   read();
@@ -192,7 +191,7 @@ void AuditPage::askExport() {
 void AuditPage::read() {
   attempt(shell(), [&] {
     AuditFilter filter = chosenTime();
-    filter.limit = most_ + 1;  // one more tells whether there are older ones
+    filter.limit = most_ + 1;  // one more shows whether there are older entries
     entries_ = auditEntries(shell().session(), filter);
     const bool older = std::ssize(entries_) > most_;
     if (older) {
@@ -257,7 +256,7 @@ void AuditPage::showEntry(const QString& id) {
   add(tr("Object"),
       QStringLiteral("%1 %2").arg(withCode(auditObjectLabel(found->objectKind), found->objectKind),
                                   toQString(found->objectId)));
-  const auto told = [this](const std::string& json) {  // a user's id says nothing to anybody
+  const auto told = [this](const std::string& json) {  // user ids mean nothing to readers
     QString text = indented(json);
     for (const auto& [user, login] : logins_) {
       text.replace(toQString(user), QStringLiteral("%1 (%2)").arg(toQString(login), toQString(user)));

@@ -25,7 +25,7 @@ namespace torsio::gui {
 class DataTable;
 class PageHeading;
 
-/// Who did what when, and whether anything was changed behind the program's back.
+/// The audit trail, and the check for manipulation outside the program.
 class AuditPage : public Page {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class AuditPage : public Page {
 
   void enter(const QVariant& argument) override;
   void retranslate() override;
-  /// Writes what the chosen time holds.
+  /// Exports the entries of the chosen period.
   bool exportTo(const std::filesystem::path& file, const CsvStyle& look = {});
 
  private:
@@ -44,18 +44,18 @@ class AuditPage : public Page {
   void showEntry(const QString& id);
   void verify();
   void showVerdict();
-  /// "person T-30"; without a code, the kind alone.
+  /// Returns "person T-30"; only the kind if there is no code.
   [[nodiscard]] QString objectText(const AuditEntry& entry) const;
   void askExport();
-  /// The time that is chosen, without a limit.
+  /// Returns the chosen period, without a limit.
   [[nodiscard]] AuditFilter chosenTime() const;
 
   std::vector<AuditEntry> entries_;
-  std::int64_t most_;     // of them are read
-  std::int64_t all_ = 0;  // of the chosen time are there
+  std::int64_t most_;     // maximum number of entries to read
+  std::int64_t all_ = 0;  // number of entries in the chosen period
   std::map<std::string, std::string> logins_;
-  std::map<std::string, std::string> subjects_;        // codes by ids of objects
-  std::optional<std::vector<AuditFinding>> findings_;  // empty: not looked for yet
+  std::map<std::string, std::string> subjects_;        // codes by object ids
+  std::optional<std::vector<AuditFinding>> findings_;  // empty: not checked yet
   PageHeading* heading_;
   QPushButton* verify_;
   QPushButton* heads_;

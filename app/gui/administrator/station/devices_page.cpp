@@ -131,7 +131,7 @@ void DevicesPage::showContent() {
   std::vector<Row> rows;
   if (result_) {
     for (const DeviceFinding& finding : result_->findings) {
-      // Sign and word: never colour alone.
+      // Symbol and word: never colour alone.
       const QString grade = finding.grade == FindingGrade::kGood   ? tr("\u2713 good")
                             : finding.grade == FindingGrade::kNote ? tr("! note")
                                                                    : tr("\u2717 not usable");

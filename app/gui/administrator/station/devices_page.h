@@ -20,7 +20,7 @@ class DataTable;
 class PageHeading;
 class StationSettingsCard;
 
-/// Is the haptic device of this station fit for a scored run, and if not, what is to be done.
+/// Checks whether this station's haptic device is fit for scored runs, and shows remedies.
 class DevicesPage : public Page {
   Q_OBJECT
 

@@ -41,7 +41,7 @@ constexpr int kHeadLines = 4;
 constexpr int kCompareLines = 6;
 constexpr std::size_t kShownFindings = 10;
 
-/// A field for heads, which are long words.
+/// Returns a field for heads, which are long words.
 QPlainTextEdit* lineField(QWidget* parent, const char* name, int lines) {
   auto* field = new QPlainTextEdit(parent);
   field->setObjectName(QString::fromLatin1(name));
@@ -170,7 +170,7 @@ void HeadsPage::layOut() {
   compare_->content()->addWidget(verdict_);
 }
 
-/// After the page's own connections: a hint is asked when the page knows of the change.
+/// Called after the page's own connections, so that hints see the updated state.
 void HeadsPage::addChecks() {
   QVBoxLayout* column = compare_->content();
   const auto hintBelow = [this, column](int place, QWidget* field, std::function<QString()> wrong) {

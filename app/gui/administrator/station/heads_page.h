@@ -20,8 +20,8 @@ class Card;
 class FieldChecks;
 class PageHeading;
 
-/// Heads of the audit trail that are kept elsewhere: with which key this station signs and where it keeps
-/// them, the head now to be copied or printed, and what kept heads say of the record.
+/// Audit heads stored externally: this station's signing key and target folder, the present head to copy or
+/// print, and the comparison of stored heads with the record.
 class HeadsPage : public Page {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class HeadsPage : public Page {
   void makeKey(const std::filesystem::path& file);
   void useKey(const std::filesystem::path& file);
   void keepIn(const std::filesystem::path& witness);
-  /// Compares with the lines of the field.
+  /// Compares the record with the lines of the field.
   void verify();
 
  private:
@@ -79,7 +79,7 @@ class HeadsPage : public Page {
   QPushButton* verify_;
   QLabel* verdict_;
   FieldChecks* checks_;
-  std::optional<Error> unreadable_;  ///< what is wrong with the lines
+  std::optional<Error> unreadable_;  ///< error of the lines
 };
 
 }  // namespace torsio::gui

@@ -18,8 +18,8 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// Whether other programs (Slicer) may follow this station's instrument by OpenIGTLink, where, and whether
-/// one does now. Offers it while it is open, so that the other program can be tried.
+/// Settings of the OpenIGTLink output of this station's instrument to other programs (Slicer), and its
+/// connection state. Open for connections while the dialog is open, for a trial.
 class InstrumentOutletDialog : public QDialog {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class InstrumentOutletDialog : public QDialog {
   void showState();
 
   ShellContext& shell_;
-  std::shared_ptr<InstrumentOutlet> outlet_;  // null: nothing is offered
+  std::shared_ptr<InstrumentOutlet> outlet_;  // null: output is off
   QCheckBox* on_;
   QComboBox* who_;
   QSpinBox* port_;

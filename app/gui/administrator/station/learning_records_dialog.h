@@ -15,8 +15,8 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// Where learning records go, the key of this station, what waits, and what was refused for good. For those
-/// who may change settings.
+/// Settings of learning records: target, this station's key, waiting and rejected records. Needs the right to
+/// change settings.
 class LearningRecordsDialog : public QDialog {
   Q_OBJECT
 

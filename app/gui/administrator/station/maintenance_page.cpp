@@ -129,7 +129,7 @@ void MaintenancePage::showRecord() {
   QStringList lines;
   if (isFile(locator)) {
     const QFileInfo file(toQString(locator));
-    // Asks the folder itself: a list of mounts does not know the disk of a changed root.
+    // Queries the folder itself: the list of mounts misses the disk of a changed root.
     std::error_code failed;
     const std::filesystem::space_info disk = std::filesystem::space(toPath(file.absolutePath()), failed);
     const bool known = !failed && disk.capacity > 0;

@@ -20,8 +20,7 @@ class Card;
 class PageHeading;
 class RetentionQueue;
 
-/// Care of the record: backup and its test, check of the database, room on the disk, simulated data, and
-/// whose record is due for review.
+/// Maintenance: backup and its test, database check, disk space, simulated data, and records due for review.
 class MaintenancePage : public Page {
   Q_OBJECT
 

@@ -17,9 +17,8 @@ namespace torsio::gui {
 class Card;
 class PageHeading;
 
-/// Moves the record to a PostgreSQL server in three steps: the address, which is tried; the copy, which is
-/// compared; this station, which turns to the server. A typed password is used for this only and kept
-/// nowhere.
+/// Moves the record to a PostgreSQL server in three steps: address with a test connection, copy with
+/// comparison, switching this station. The password typed is not stored.
 class MovePage : public Page {
   Q_OBJECT
 

@@ -33,7 +33,7 @@ namespace {
 constexpr int kWordWidth = 220;
 constexpr int kNumberColumns = 4;
 
-/// Whether the file is at fault, and not the record or who is at work.
+/// Returns whether the error is about the file, and not about the record or the user.
 bool isAboutFile(const Error& error, const std::filesystem::path& file) {
   return error.where() == file.string();
 }

@@ -19,8 +19,8 @@ class Card;
 class FieldChecks;
 class PageHeading;
 
-/// Puts a backup in the place of the record, in three steps one below the other: the file, which is verified;
-/// what is lost and what is kept, in numbers; a typed word. Then the program goes back to sign-in.
+/// Replaces the record by a backup, in three steps one below the other: file and its verification; what is
+/// lost and kept, in numbers; confirmation by a typed word. Afterwards the program returns to sign-in.
 class RestorePage : public Page {
   Q_OBJECT
 
@@ -39,7 +39,7 @@ class RestorePage : public Page {
   void fileChanged();
   void showPlan();
   void showButtons();
-  /// What has to be typed: for the backup of another centre that centre's name.
+  /// Returns the word to type; for another centre's backup, that centre's name.
   [[nodiscard]] QString wantedWord() const;
   void nameWord();
 
@@ -61,7 +61,7 @@ class RestorePage : public Page {
   QLineEdit* word_;
   QPushButton* restore_;
   FieldChecks* checks_;
-  std::optional<Error> unusable_;  ///< what is wrong with the file
+  std::optional<Error> unusable_;  ///< error of the file
 };
 
 }  // namespace torsio::gui

@@ -29,7 +29,7 @@ struct RetentionDialog {
   Q_DECLARE_TR_FUNCTIONS(RetentionDialog)
 };
 
-/// The fields of one category.
+/// The fields of a category.
 struct RuleRow {
   RetentionRule before;
   bool existed = false;

@@ -14,16 +14,16 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Names a category of records in the user's language; the code for an unknown one.
+/// Names a category of records in the user's language; the code of an unknown one.
 [[nodiscard]] QString retentionCategoryName(const std::string& code);
 
-/// What an administrator decided about the rules for keeping records.
+/// An administrator's changes to the retention rules.
 struct RetentionRulesEdit {
   std::vector<RetentionRule> set{};    ///< new or changed
-  std::vector<std::string> removed{};  ///< categories whose records are kept without limit from now on
+  std::vector<std::string> removed{};  ///< categories now kept without limit
 };
-/// Asks how long the records of each category are kept and on what lawful basis. Fields are called by their
-/// category: "trainee" (whether), "trainee.days", "trainee.basis". Empty: given up.
+/// Asks for retention period and lawful basis of each category. Object names of fields: "trainee" (enabled),
+/// "trainee.days", "trainee.basis". Empty: cancelled.
 [[nodiscard]] std::optional<RetentionRulesEdit> askRetentionRules(QWidget* parent,
                                                                   const std::vector<RetentionRule>& rules);
 

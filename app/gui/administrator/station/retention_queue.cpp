@@ -110,7 +110,7 @@ void RetentionQueue::showButtons() {
   rules_->setEnabled(shell_.may(Operation::kRetentionManage));
   keep_->setEnabled(!chosen().empty());
   lock_->setEnabled(!chosen().empty());
-  // All who are chosen are held: then the same button takes it back.
+  // If all selected people are locked, the same button releases them.
   lock_->setText(!chosen().empty() && chosen(false).empty() ? tr("&Release\u2026") : tr("&Lock\u2026"));
   erase_->setEnabled(!chosen(false).empty() && shell_.may(Operation::kPersonErase));
 }

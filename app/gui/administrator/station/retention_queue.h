@@ -17,14 +17,14 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// Whose record the rules make due for review; what is decided is decided for all who are chosen.
+/// Records due for review; a decision applies to all selected people.
 class RetentionQueue : public QWidget {
   Q_OBJECT
 
  public:
   RetentionQueue(ShellContext& shell, QWidget* parent);
 
-  /// Reads the queue anew, where the actor may. Throws Error.
+  /// Rereads the queue, if the actor may. Throws Error.
   void read();
   void retranslate();
 
@@ -35,7 +35,7 @@ class RetentionQueue : public QWidget {
   void keepLonger();
   void lock();
   void erase();
-  /// Who of the chosen is held, or is not.
+  /// Returns the selected people who are held, or who are not.
   [[nodiscard]] std::vector<const RetentionItem*> chosen(bool held) const;
   [[nodiscard]] std::vector<const RetentionItem*> chosen() const;
 

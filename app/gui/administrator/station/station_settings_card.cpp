@@ -28,7 +28,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// A field takes what its setting takes.
+/// Sets a field's range to that of its setting.
 void bound(auto* box, const CentreSetting& setting) {
   using Value = decltype(box->value());
   box->setRange(static_cast<Value>(setting.least), static_cast<Value>(setting.most));
@@ -121,7 +121,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   signing->addWidget(keep_);
   content()->addLayout(signing);
   content()->addWidget(note_);
-  // Whichever was set last stands, and the other one makes room for it.
+  // The field edited last wins; the other one is adjusted.
   connect(lock_, &QSpinBox::editingFinished, this,
           [this] { warn_->setValue(std::min(warn_->value(), lock_->value() - 1)); });
   connect(warn_, &QSpinBox::editingFinished, this,

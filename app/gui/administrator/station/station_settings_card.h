@@ -15,16 +15,16 @@ namespace torsio::gui {
 class FieldChecks;
 class ShellContext;
 
-/// What holds at every station of the centre: its name, after how many minutes an empty place warns and
-/// locks, what raters must watch and when they review a discrepancy, whether runs with the mouse are graded,
-/// what needs two people, and for how long a password signs. For those who may change settings.
+/// Settings of all stations of the centre: name, idle minutes before warning and lock, what raters must watch
+/// and when they review a discrepancy, grading of mouse runs, two-person rules, and how long a password is
+/// valid for signing. Needs the right to change settings.
 class StationSettingsCard : public Card {
   Q_OBJECT
 
  public:
   explicit StationSettingsCard(ShellContext& shell, QWidget* parent = nullptr);
 
-  /// Reads the settings anew.
+  /// Rereads the settings.
   void read();
   void retranslate();
 

@@ -24,13 +24,13 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr qsizetype kAlertsSeen = 4;  // lines before the list scrolls
+constexpr qsizetype kAlertsSeen = 4;  // before the list scrolls
 
 struct AlertWords {
   Q_DECLARE_TR_FUNCTIONS(AlertPanel)
 };
 
-/// How many there are of a kind, most urgent first.
+/// Returns the number of alerts of a kind, in words; kinds in order of urgency.
 QString countText(DayAlert::Kind kind, std::size_t count) {
   using Kind = DayAlert::Kind;
   switch (kind) {
@@ -105,7 +105,7 @@ void AlertPanel::showAlerts(const std::vector<DayAlert>& alerts) {
   line_->setFoldable(lines.size() > 1);
   scroll_->setVisible(line_->isOpen() && lines.size() > 1);
   if (const QString text = lines.join(QLatin1Char('\n')); text != lines_->text()) {
-    lines_->setText(text);  // where it was scrolled to stays while nothing changes
+    lines_->setText(text);  // keeps the scroll position while nothing changes
   }
   scroll_->setFocusPolicy(lines.size() > kAlertsSeen ? Qt::StrongFocus : Qt::NoFocus);
   scroll_->setAccessibleName(AlertWords::tr("What needs attention"));

@@ -14,8 +14,8 @@ namespace torsio::gui {
 
 class FoldLine;
 
-/// Everything that needs attention on the board of the day: one line that says how many of each kind there
-/// are, and each of them behind it, to be scrolled when there are many. Hidden when there is nothing.
+/// Alerts of the day: one line with the number of each kind, which expands to a scrolling list. Hidden if
+/// there are none.
 class AlertPanel : public QWidget {
  public:
   explicit AlertPanel(QWidget* parent);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page of the allocation does: lock, draw, move, open the seal, print, check.
+// Actions of AllocationPage: lock, draw, move, open the seal, print, check.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -61,7 +61,7 @@ bool AllocationPage::allocateEverybody() {
 }
 
 void AllocationPage::askMove() {
-  // Where the newest record puts each trainee of the chosen records.
+  // The present group of each trainee of the selected records.
   std::map<EnrolmentId, GroupId> present;
   for (const AllocationEntry* record :
        chosenRows(*records_, drawn_, [](const AllocationEntry& one) { return one.id; })) {

@@ -280,7 +280,7 @@ void AllocationPage::showDesign() {
          "moment.");
   if (!designs_.empty()) {
     const AllocationDesignRow& row = designs_.back();
-    constexpr qsizetype kDigits = 32;  // in a line
+    constexpr qsizetype kDigits = 32;  // per line
     const QString commitment = toQString(row.stored.seedCommitment);
     text = tr("Locked %1 \u00B7 %2 allocated, %3 moved by hand\n%4\nCommitment: %5\nSeed: %6")
                .arg(shownTime(row.stored.lockedUtc_us, locale()))

@@ -25,8 +25,8 @@ class Card;
 class DataTable;
 class PageHeading;
 
-/// Random allocation to groups: design, a balance preview, the lock, the draw, and the proof
-/// afterwards. The real seed is drawn when the design is locked: nobody can choose among outcomes.
+/// Random allocation to groups: design, balance preview, lock, draw, and verification. The real seed is drawn
+/// when the design is locked, so that nobody can choose among outcomes.
 class AllocationPage : public Page {
   Q_OBJECT
 
@@ -38,10 +38,10 @@ class AllocationPage : public Page {
 
   [[nodiscard]] AllocationPlan plan() const;
   bool preview();
-  /// Locks the plan that is set; an earlier design that somebody was allocated by needs a reason.
+  /// Locks the plan; needs a reason if trainees were allocated by an earlier design.
   bool lock(const std::string& supersedeReason = {});
   bool allocateEverybody();
-  /// The sealed cards as a PDF to print.
+  /// Writes the sealed cards as a PDF.
   bool writeCards(const std::filesystem::path& file);
   bool reveal(const std::string& reason = {});
 
@@ -51,7 +51,7 @@ class AllocationPage : public Page {
   void showDesign();
   void showBalance();
   void showFields();
-  /// What is wrong with the block sizes as they are typed; empty: nothing, or none are used.
+  /// Returns the error in the block sizes typed; empty: none, or no blocks used.
   [[nodiscard]] QString flawOfBlocks() const;
   void askLock();
   void askReveal();
@@ -60,7 +60,7 @@ class AllocationPage : public Page {
   void check();
 
   std::vector<AllocationDesignRow> designs_;
-  std::vector<AllocationEntry> drawn_;  // of the design that counts
+  std::vector<AllocationEntry> drawn_;  // of the design in force
   std::optional<BalancePreview> preview_;
   std::map<std::string, QCheckBox*> factors_;
   PageHeading* heading_;
@@ -73,7 +73,7 @@ class AllocationPage : public Page {
   QLabel* blocksLabel_;
   QLineEdit* blocks_;
   QLabel* blocksHint_ = nullptr;
-  std::size_t arms_ = 0;  // groups of the cohort
+  std::size_t arms_ = 0;  // number of groups of the cohort
   QPushButton* previewButton_;
   QPushButton* lock_;
   Card* state_;

@@ -228,7 +228,7 @@ void CallBar::showCalls(const std::vector<CalledCase>& calls) {
     lines << toQString(called.call.id) + lineText(called, joined(called.missing));
   }
   if (lines == lineTexts_) {
-    return;  // no button is made anew under a finger
+    return;  // buttons are not rebuilt under a finger
   }
   calls_ = calls;
   lineTexts_ = lines;
@@ -265,7 +265,7 @@ void CallBar::retranslate() {
   if (occasion_->count() > 0) {
     occasion_->setItemText(0, tr("what is due"));
   }
-  lineTexts_.clear();  // the buttons have texts, too
+  lineTexts_.clear();  // includes the buttons' texts
   showCalls(std::vector<CalledCase>(calls_));
 }
 

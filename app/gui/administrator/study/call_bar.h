@@ -20,15 +20,15 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// Calls one trainee after the other to the real arm, by code or by what a scanner types, and shows whom the
-/// raters score now and whose sheets are late: one line, the others behind it.
+/// Calls trainees to the real arm, by code or scanner, and shows the cases being scored and the late sheets:
+/// one line that expands.
 class CallBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit CallBar(ShellContext& shell, QWidget* parent);
 
-  /// `occasions` of the cohort, for calls that are not due.
+  /// `occasions`: of the cohort, for calls that are not due.
   void setCohort(const CohortId& cohortId, const Occasions& occasions);
   void showCalls(const std::vector<CalledCase>& calls);
   /// Calls this trainee as if the code had been typed.
@@ -44,7 +44,7 @@ class CallBar : public QWidget {
   void copyReminder(const CalledCase& called);
   void addLine(int row, const CalledCase& called);
   [[nodiscard]] QString lineText(const CalledCase& called, const QString& missing) const;
-  /// One line, or as many as the board can spare.
+  /// Shows one line, or up to kLinesSeen when unfolded.
   void fold();
 
   ShellContext& shell_;
@@ -61,7 +61,7 @@ class CallBar : public QWidget {
   QScrollArea* scroll_;
   QPushButton* more_;
   std::vector<QWidget*> shown_;
-  QStringList lineTexts_;  // what stands in the lines now
+  QStringList lineTexts_;  // present texts of the lines
   bool open_ = false;
 };
 

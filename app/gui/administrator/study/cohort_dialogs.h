@@ -21,8 +21,8 @@ namespace torsio::gui {
 
 class FieldChecks;
 
-/// Asks for a new cohort: name, words, and the running curriculum whose arms become its groups; without one,
-/// the groups by name; and what difference of scores the plan takes for none.
+/// Asks for a new cohort: name, description, the running curriculum whose arms become its groups, or else the
+/// names of groups; and the equivalence margin of scores.
 class CohortDialog : public QDialog {
   Q_OBJECT
 
@@ -44,23 +44,22 @@ class CohortDialog : public QDialog {
   FieldChecks* checks_;
 };
 
-/// Asks for another name of a cohort. Empty: given up.
+/// Asks for a cohort's new name. Empty: cancelled.
 [[nodiscard]] std::optional<std::string> askCohortName(QWidget* parent, const std::string& name);
 
-/// A step in the life of a cohort, and why.
+/// A change of a cohort's state, with its reason.
 struct CohortStateChange {
   CohortState state = CohortState::kClosed;
   std::string reason{};
 };
-/// Asks for the next step: to close what runs; to archive what is closed, or to open it again. Empty: given
-/// up.
+/// Asks for the next state: close a running cohort; archive or reopen a closed one. Empty: cancelled.
 [[nodiscard]] std::optional<CohortStateChange> askCohortState(QWidget* parent, const QString& names,
                                                               CohortState state);
 
-/// Running versions, newest first: id and "Name, version 2".
+/// Returns running versions, newest first: id and "Name, version 2".
 [[nodiscard]] std::vector<std::pair<std::string, QString>> runningVersions(
     const std::vector<CurriculumRow>& curricula);
-/// Asks which running curriculum to follow. Empty: given up.
+/// Asks for a running curriculum to follow. Empty: cancelled.
 [[nodiscard]] std::optional<std::string> askCurriculum(QWidget* parent, const QString& names,
                                                        const std::vector<CurriculumRow>& curricula);
 

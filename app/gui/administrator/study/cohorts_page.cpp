@@ -258,7 +258,7 @@ void CohortsPage::changeState() {
   if (row == nullptr || enrolment == enrolments_.end()) {
     return;
   }
-  // All that are chosen and stand as the current one does.
+  // All selected enrolments with the same state as the current one.
   const bool back = enrolment->state == EnrolmentState::kWithdrawn;
   std::vector<const Enrolment*> alike =
       chosenRows(*members_, enrolments_, [](const Enrolment& one) { return one.id; });
@@ -302,7 +302,7 @@ void CohortsPage::changeLife() {
   if (row == nullptr) {
     return;
   }
-  // All that are chosen and stand as the current one does.
+  // All selected cohorts with the same state as the current one.
   const CohortState now = row->cohort.state;
   const std::vector<const CohortRow*> alike =
       chosen([now](const CohortRow& one) { return one.cohort.state == now; });
@@ -337,7 +337,7 @@ void CohortsPage::retranslate() {
                       {tr("Kind")},
                       {tr("Since")},
                       {tr("Everybody")}});
-  table_->hideAtFirst(kCohortPeople);  // whoever looks for one code finds the cohort
+  table_->hideAtFirst(kCohortPeople);  // a search for a code finds the cohort
   table_->setEmptyText(tr("No cohort yet. A cohort is a group of trainees who go through one study."));
   members_->setColumns(
       {{tr("Trainee")}, {tr("Group")}, {tr("Number"), true}, {tr("State")}, {tr("Enrolled on")}});

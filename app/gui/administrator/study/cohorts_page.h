@@ -17,7 +17,7 @@ namespace torsio::gui {
 class DataTable;
 class PageHeading;
 
-/// Cohorts, the curriculum they follow, and who is enrolled.
+/// Cohorts, their curricula and enrolments.
 class CohortsPage : public Page {
   Q_OBJECT
 

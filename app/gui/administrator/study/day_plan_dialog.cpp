@@ -38,7 +38,7 @@ constexpr int kDefaultSlot_min = 60;
 constexpr int kLongestSlot_min = 600;
 constexpr int kLongestPause_min = 240;
 constexpr int kFirstHour = 9;
-constexpr int kStep_min = 15;  // slots begin at whole quarters of an hour
+constexpr int kStep_min = 15;  // slots begin at quarters of an hour
 
 std::int64_t utcOf(const QDateTime& time) {
   return time.toMSecsSinceEpoch() * 1000;
@@ -48,8 +48,8 @@ QDateTime timeOf(std::int64_t utc_us) {
   return QDateTime::fromMSecsSinceEpoch(utc_us / 1000);
 }
 
-/// When the first slot of a day begins, unless somebody says otherwise: in the morning, and of a day that has
-/// begun at the next quarter of an hour, as long as there is one.
+/// Returns the default start of the first slot: in the morning, or today at the next quarter of an hour if
+/// there is one.
 QTime usualFirst(QDate day, const QDateTime& now) {
   const QTime morning(kFirstHour, 0);
   if (day != now.date() || now.time() <= morning) {
@@ -162,13 +162,13 @@ void DayPlanDialog::build(const QStringList& places, const QStringList& others) 
   showOutlook();
 }
 
-/// The field of the places, and beside it those that may be added.
+/// Returns the field of places with buttons for further ones.
 QLayout* DayPlanDialog::placesRow(const QStringList& places, const QStringList& others) {
   places_->setText(places.join(QStringLiteral(", ")));
   places_->setPlaceholderText(tr("Station 1, Station 2, Room 3"));
   more_->setText(tr("Add a&nother"));
   more_->setMenu(offered_);
-  more_->setAutoDefault(false);  // Enter in a field plans
+  more_->setAutoDefault(false);  // Enter in a field plans the day
   for (const QString& place : places + others) {
     QAction* action = offered_->addAction(QString(place).replace(QLatin1Char('&'), QStringLiteral("&&")));
     action->setData(place);
@@ -205,7 +205,7 @@ void DayPlanDialog::offerPlaces() {
 
 void DayPlanDialog::suggestFirst() {
   if (first_->time() != suggested_) {
-    return;  // somebody has said when
+    return;  // the user has set the time
   }
   suggested_ = usualFirst(day_->date(), timeOf(shell_.session().now_us()));
   first_->setTime(suggested_);

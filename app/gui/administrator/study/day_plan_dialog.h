@@ -28,22 +28,22 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The time of a slot in words: the hour, with the date unless it is today.
+/// Returns the time of a slot, with the date unless it is today.
 [[nodiscard]] QString slotTime(std::int64_t utc_us, const QLocale& locale);
 
-/// The plan of a day: who comes when to which station or room. Adds, removes and prints. GUI thread.
+/// The plan of a day: trainees by time and station or room. Adds, removes and prints slots. GUI thread.
 class DayPlanDialog : public QDialog {
   Q_OBJECT
 
  public:
   using Trainees = std::vector<std::pair<EnrolmentId, QString>>;  ///< with their codes
 
-  /// `trainees`: who is to be planned, in this order; `places`: where trainees train, which are named
-  /// already; `others`: further places that may be added by a click.
+  /// `trainees`: to be planned in this order; `places`: known training places, already entered; `others`:
+  /// further places to add by a click.
   DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trainees trainees, const QStringList& places,
                 const QStringList& others, QWidget* parent);
 
-  /// The slots of the day that is shown, by place. Throws Error{kFileUnwritable}.
+  /// Prints the slots of the day shown, by place. Throws Error{kFileUnwritable}.
   void print(const std::filesystem::path& file) const;
 
  private:
@@ -51,9 +51,9 @@ class DayPlanDialog : public QDialog {
   [[nodiscard]] QLayout* placesRow(const QStringList& places, const QStringList& others);
   void read();
   [[nodiscard]] QStringList namedPlaces() const;
-  /// Offers the places that are not named yet.
+  /// Offers the places not entered yet.
   void offerPlaces();
-  /// When the last slot would end, and whether that is still this day.
+  /// Shows when the last slot would end, and whether that is the same day.
   void showOutlook();
   void suggestFirst();
   void plan();

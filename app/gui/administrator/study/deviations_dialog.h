@@ -14,8 +14,8 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The deviations from the protocol that were noted in a cohort, newest first. They are sealed: what was
-/// entered in error gets a correction beside it, for all that are chosen at once.
+/// Protocol deviations of a cohort, newest first. They are immutable: errors get a correction, for all
+/// selected ones at once.
 class DeviationsDialog : public QDialog {
   Q_OBJECT
 

@@ -15,12 +15,12 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// A trainee who is moved to another group by hand.
+/// A trainee's manual move to another group.
 struct GroupMove {
   GroupId groupId{};
   std::string reason{};
 };
-/// Asks where trainees go and why. `groups`: those that can be chosen. Empty: given up.
+/// Asks for target group and reason. `groups`: possible targets. Empty: cancelled.
 [[nodiscard]] std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& codes,
                                                     const std::vector<StudyGroup>& groups);
 

@@ -155,7 +155,7 @@ void PaperDialog::showForm() {
   auto* inside = new QWidget(scroll_);
   auto* grid = new QGridLayout(inside);
   grid->setColumnStretch(0, 1);
-  scroll_->setWidget(inside);  // the one before goes
+  scroll_->setWidget(inside);  // deletes the previous widget
   if (!chosen_.empty()) {
     attempt(shell_, [&] { form_ = paperForm(shell_.session(), chosen_); });
   }

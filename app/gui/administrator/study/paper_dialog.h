@@ -23,8 +23,7 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// Marks that were given on paper: two people type each sheet, neither sees what the other typed, and it
-/// counts when both are alike.
+/// Marks from paper sheets: two people enter each sheet blindly, and it counts if both entries agree.
 class PaperDialog : public QDialog {
   Q_OBJECT
 
@@ -32,11 +31,11 @@ class PaperDialog : public QDialog {
   PaperDialog(ShellContext& shell, CohortId cohortId, QWidget* parent);
 
  private:
-  /// The answer to one row as it is typed.
+  /// The entry of one row.
   struct Field {
     std::string code;
     ScoreScale scale;
-    QDoubleSpinBox* mark;  // one step below the scale: empty
+    QDoubleSpinBox* mark;  // one step below the scale means empty
     QCheckBox* none;
     QLineEdit* reason;
   };

@@ -11,8 +11,7 @@ class QSpinBox;
 
 namespace torsio::gui {
 
-/// How many trainees or raters a study needs, and what a number of trainees can show (torsio power). GUI
-/// thread.
+/// Sample size calculation of a study, and the power of a given number (torsio power). GUI thread.
 class PowerDialog : public QDialog {
   Q_OBJECT
 

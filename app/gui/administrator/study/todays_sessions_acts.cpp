@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of TodaysSessionsPage: what is done to the chosen trainees.
+// Actions of TodaysSessionsPage on the selected trainees.
 #include <cstdint>
 #include <map>
 
@@ -43,8 +43,8 @@ void TodaysSessionsPage::planDay() {
       some.push_back(everybody.back());
     }
   }
-  // A station at which nobody has trained yet looks like the desk of a rater: it is offered, not named. So
-  // are the places of earlier plans.
+  // A station without any training looks like a rater's desk: it is only offered, as are places of earlier
+  // plans.
   QStringList places;
   QStringList others;
   for (const StationState& station : board_->stations) {
@@ -86,7 +86,7 @@ void TodaysSessionsPage::swap() {
 }
 
 void TodaysSessionsPage::logTime() {
-  // Whoever trained together is chosen together; who has withdrawn trains no more.
+  // People who trained together are selected together; withdrawn ones are skipped.
   std::vector<EnrolmentId> ids;
   QStringList codes;
   std::map<ExposureKind, QStringList> unplanned;
@@ -149,7 +149,7 @@ void TodaysSessionsPage::changeState() {
   if (row == nullptr) {
     return;
   }
-  // All that are chosen and stand as the current one does.
+  // All selected trainees with the same state as the current one.
   const bool back = row->state == EnrolmentState::kWithdrawn;
   std::vector<EnrolmentId> ids;
   QStringList codes;

@@ -24,7 +24,7 @@ QString translated(const char* text) {
   return QCoreApplication::translate("DayBoard", text);
 }
 
-/// A form that opens with the trainee's code.
+/// A form that starts with the trainee's code.
 class FormDialog : public QuestionDialog {
  public:
   FormDialog(QWidget* parent, const QString& title, const QString& trainee) : QuestionDialog(parent, title) {

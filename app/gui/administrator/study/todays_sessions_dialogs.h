@@ -14,22 +14,21 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Name of a kind of deviation in the user's language.
+/// Returns the name of a kind of deviation in the user's language.
 
-/// Minutes on the real arm, on the simulator or resting; `unplanned`: codes of those among the trainees whose
-/// arm spends no time on it, which needs a reason. Cohort, enrolment and start are the caller's. Empty: given
-/// up.
+/// Asks for minutes on the real arm, on the simulator or resting; `unplanned`: codes of the trainees whose
+/// arm has no such time, which needs a reason. The caller sets cohort, enrolment and start. Empty: cancelled.
 [[nodiscard]] std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee,
                                                      const std::map<ExposureKind, QStringList>& unplanned);
-/// What did not go by the protocol. The same.
+/// Asks for a deviation from the protocol. The caller sets cohort, enrolment and start. Empty: cancelled.
 [[nodiscard]] std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee);
 
-/// Who takes whose turn, and why.
+/// A swap of turns, with its reason.
 struct Swap {
-  EnrolmentId enrolmentId{};  ///< of the other
+  EnrolmentId enrolmentId{};  ///< of the other trainee
   std::string reason{};
 };
-/// `others`: enrolments and codes to choose from. Empty: given up.
+/// `others`: enrolments and codes to choose from. Empty: cancelled.
 [[nodiscard]] std::optional<Swap> askSwap(QWidget* parent, const QString& trainee,
                                           const std::vector<std::pair<std::string, QString>>& others);
 

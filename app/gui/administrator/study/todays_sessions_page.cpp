@@ -38,8 +38,8 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kReadAgain_ms = 10'000;
-constexpr int kReadCalls_ms = 2'000;   // while somebody stands at the arm
-constexpr int kRoomForStations = 860;  // a page that high shows them and enough of the board
+constexpr int kReadCalls_ms = 2'000;   // while a trainee is at the arm
+constexpr int kRoomForStations = 860;  // page height that fits the stations and enough of the board
 const QString kStationsKey = QStringLiteral("today/stations");
 
 }  // namespace
@@ -141,7 +141,7 @@ bool TodaysSessionsPage::leave() {
 
 void TodaysSessionsPage::read() {
   if (shell().databaseAway()) {
-    return;  // the window has said so
+    return;  // the window has shown the error
   }
   const bool good = attempt(shell(), [&] {
     const std::string cohort = chosenId(cohort_);
@@ -151,7 +151,7 @@ void TodaysSessionsPage::read() {
     showContent();
   });
   if (!good) {
-    clock_->stop();  // one message, not one every few seconds
+    clock_->stop();  // a single message instead of one every few seconds
   }
 }
 
@@ -167,7 +167,7 @@ void TodaysSessionsPage::refresh() {
         own.beginCall();
         return [this, cohort, board = std::move(board), calls = calledCases(own, cohort)] {
           if (cohort != chosenId(cohort_) || holdsButton(*this)) {
-            return;  // another one was chosen meanwhile, or the next look shows it
+            return;  // another cohort was chosen meanwhile, or the next refresh shows it
           }
           board_ = board;
           calls_ = calls;
@@ -176,9 +176,9 @@ void TodaysSessionsPage::refresh() {
       },
       [this](const std::exception_ptr& problem) {
         if (saysDatabaseAway(problem)) {
-          return;  // the window says so, and the next look tries again
+          return;  // the window shows the error; the next refresh tries again
         }
-        clock_->stop();  // one message, not one every few seconds
+        clock_->stop();  // a single message instead of one every few seconds
         shell().report(problem);
       });
 }

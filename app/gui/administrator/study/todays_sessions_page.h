@@ -24,8 +24,8 @@ class FoldLine;
 struct Cell;
 class PageHeading;
 
-/// The board of the day: who is at what, how much time is left, where a recording runs, which sheets are
-/// still missing. Reads itself anew every few seconds while it is shown.
+/// The board of the day: activities, remaining time, running recordings, missing sheets. Refreshes itself
+/// every few seconds while visible.
 class TodaysSessionsPage : public Page {
   Q_OBJECT
 
@@ -41,30 +41,30 @@ class TodaysSessionsPage : public Page {
 
  private:
   void read();
-  /// Reads anew away from the window's thread, as the clock asks.
+  /// Rereads in the background, on the timer.
   void refresh();
   void showContent();
   void showStations();
   void swap();
-  /// Plans slots for the chosen trainees; for all of them without a choice of several.
+  /// Plans slots for the selected trainees; for all if fewer than two are selected.
   void planDay();
   void showButtons();
   void logTime();
   void reportDeviation();
   void changeState();
   void printCallList();
-  /// Of the chosen trainee, or of everybody whose scoring is due.
+  /// For the selected trainee, or everybody whose scoring is due.
   void printSheets();
   void typeSheets();
   void copyReminders();
   [[nodiscard]] const DayBoardRow* current() const;
-  /// All that are chosen, in the order of the board.
+  /// Returns the selected rows, in the order of the board.
   [[nodiscard]] std::vector<const DayBoardRow*> chosen() const;
-  /// How many are missing; the tip: of which other occasions the trainee was called to.
+  /// Returns the number of missing sheets; the tool tip lists other occasions the trainee was called to.
   [[nodiscard]] Cell sheetsCell(const DayBoardRow& row) const;
   [[nodiscard]] Cell slotCell(const DayBoardRow& row) const;
   [[nodiscard]] QString nowText(const DayBoardRow& row) const;
-  /// What the last check of a station's device found: sign and word, never colour alone.
+  /// Returns the result of the last device check of a station: symbol and word, never colour alone.
   [[nodiscard]] QString checkText(const StationDevice& device) const;
 
   std::optional<DayBoard> board_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Today's sessions on paper: lists and sheets to print, reminders to copy.
+// Actions of TodaysSessionsPage on paper: lists and sheets to print, reminders to copy.
 #include <QComboBox>
 #include <QLineEdit>
 

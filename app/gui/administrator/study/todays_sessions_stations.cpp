@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of TodaysSessionsPage: the stations.
+// The stations of TodaysSessionsPage.
 #include <algorithm>
 
 #include <QDateTime>
@@ -17,7 +17,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kStationsFrame = 74;  // count of rows, headings, borders
+constexpr int kStationsFrame = 74;  // height of summary, headings, borders
 constexpr int kStationHeight = 32;
 constexpr std::size_t kMaxStations = 4;
 
