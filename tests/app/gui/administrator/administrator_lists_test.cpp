@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists of administrators that may be long: what is shown, what the search finds, what is kept for later.
+// Long lists of administrators: what is displayed, found by the search, and remembered.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDateEdit>
@@ -42,7 +42,7 @@ int rowOf(const QTableView& view, int column, const QString& text) {
   return -1;
 }
 
-TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
+TEST(AuditPage, DescribesActionsInWordsAndAlsoFindsThemByCode) {
   AdministratorDesk office;
   office.centre.as("administrator");
   addPerson(office.centre.session(), {.fullName = "Li Na"});
@@ -72,7 +72,7 @@ TEST(AuditPage, TellsWhatWasDoneInWordsAndFindsItByItsCodeToo) {
   EXPECT_TRUE(table.asText().contains(QStringLiteral("person.add")));
 }
 
-TEST(AuditPage, FindsAPersonByTheCodeAndExportsAChosenTime) {
+TEST(AuditPage, FindsAPersonByCodeAndExportsAChosenPeriod) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(30);
   office.centre.runPaperCurriculum();
@@ -94,7 +94,7 @@ TEST(AuditPage, FindsAPersonByTheCodeAndExportsAChosenTime) {
   EXPECT_EQ(exported.cell(exported.rows() - 1, "sequence"), std::to_string(acts.back().sequence));
   EXPECT_EQ(office.centre.audited("audit.export"), 1);
 
-  // Two days on which nothing happened: the clock of this centre stands in 2025.
+  // Two days without events: this centre's clock is in 2025.
   auto& span = child<QComboBox>(*page, "span");
   span.setCurrentIndex(span.findData(-1));
   child<QDateEdit>(*page, "from").setDate(QDate(2025, 1, 1));
@@ -104,7 +104,7 @@ TEST(AuditPage, FindsAPersonByTheCodeAndExportsAChosenTime) {
   EXPECT_GE(table.visibleRows(), 30);
 }
 
-TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
+TEST(AuditPage, ShowsTheNewestThousandAndTheTotalNumber) {
   AdministratorDesk office;
   office.centre.as("administrator");
   const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
@@ -132,7 +132,7 @@ TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
   EXPECT_TRUE(more.isHidden());
 }
 
-TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
+TEST(MaintenancePage, SortsTheQueueByTimeAlthoughTimesAreOnlyFormattedWhenDisplayed) {
   AdministratorDesk office;
   office.centre.as("administrator");
   setRetentionRule(office.centre.session(), kRetainTrainee, 1, "contract");
@@ -148,7 +148,7 @@ TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLooke
 
   view.sortByColumn(kDueSince, Qt::DescendingOrder);
 
-  // The person who was entered last has the highest code.
+  // The person entered last has the highest code.
   EXPECT_GT(view.model()->index(0, 0).data().toString(), view.model()->index(11, 0).data().toString());
   const QString when = view.model()->index(0, kDueSince).data().toString();
   EXPECT_FALSE(when.isEmpty());
@@ -156,7 +156,7 @@ TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLooke
   EXPECT_GE(child<DataTable>(*page, "queue").visibleRows(), 1);
 }
 
-TEST(RosterPage, ShowsTheNamesAtOnce) {
+TEST(RosterPage, ShowsNamesImmediately) {
   AdministratorDesk office;
   office.centre.addTrainees(3);
   auto page = office.open<RosterPage>("administrator");

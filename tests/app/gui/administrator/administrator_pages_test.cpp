@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Single pages of administrators, and the figures of reports.
+// Individual pages of administrators, and the figures of reports.
 #include "app/gui/administrator/administrator_pages.h"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ TEST(AdministratorPages, EveryPageOpensOnAnEmptyRecordInBothThemes) {
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 
-TEST(FigureCard, SpeaksTheLanguageOfTheWindowAndFollowsIt) {
+TEST(FigureCard, IsInTheWindowsLanguageAndFollowsItsChange) {
   const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
   const auto figures = [&report](const std::string& id) {
     for (const ReportSection& section : report.sections) {
@@ -108,7 +108,7 @@ TEST(FigureCard, SpeaksTheLanguageOfTheWindowAndFollowsIt) {
   EXPECT_EQ(child<DataTable>(card, "table").asText(), values);
 }
 
-TEST(ReportPreview, ShowsTheReportInTheLanguageItWillBeWrittenIn) {
+TEST(ReportPreview, ShowsTheReportInTheLanguageInWhichItWillBeWritten) {
   const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
   ReportPreview preview;
 
@@ -122,9 +122,8 @@ TEST(ReportPreview, ShowsTheReportInTheLanguageItWillBeWrittenIn) {
   EXPECT_TRUE(english.contains(QStringLiteral("Methods and limits")));
 }
 
-/// A page as wide as a window of 4K: tables use it, running text keeps lines that the eye finds its way back
-/// from.
-TEST(ReportPreview, KeepsLinesOfTextShortHoweverWideThePageIs) {
+/// On a page as wide as a 4K window, tables use the width, but running text keeps a readable line length.
+TEST(ReportPreview, KeepsLinesOfTextShortHoweverWideThePage) {
   const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
   ReportPreview preview;
   preview.show();
@@ -148,7 +147,7 @@ TEST(ReportPreview, KeepsLinesOfTextShortHoweverWideThePageIs) {
   }
 }
 
-/// The first cells of tables that reach beyond the sheet.
+/// Returns the first cells of tables that extend beyond the page.
 std::string tooWide(const ReportPreview& preview) {
   std::string names;
   const double edge = preview.viewport()->width();
@@ -167,7 +166,7 @@ std::string tooWide(const ReportPreview& preview) {
   return names;
 }
 
-TEST(ReportPreview, IsASheetOfReadableWidthAndNeverNeedsTheBarBelow) {
+TEST(ReportPreview, HasAPageOfReadableWidthAndNeverNeedsTheHorizontalScrollBar) {
   const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
   ReportPreview preview;
   preview.show();
@@ -186,7 +185,7 @@ TEST(ReportPreview, IsASheetOfReadableWidthAndNeverNeedsTheBarBelow) {
   }
 }
 
-/// Longest stretch of one colour within the hatched bar in the middle of a canvas `width` wide, px.
+/// Returns the longest run of one colour within the hatched bar in the middle of a canvas `width` wide, px.
 int widestStripe(int width) {
   ReportFigure figure;
   figure.categories = {Text::verbatim("a")};
@@ -213,7 +212,7 @@ int widestStripe(int width) {
   return widest;
 }
 
-TEST(FigureCanvas, HatchesOfAChartAcrossA4kScreenAreTwiceAsWide) {
+TEST(FigureCanvas, HatchesOfAChartOnA4kScreenAreTwiceAsWide) {
   const int usual = widestStripe(900);
   const int wide = widestStripe(3600);
 
@@ -222,7 +221,7 @@ TEST(FigureCanvas, HatchesOfAChartAcrossA4kScreenAreTwiceAsWide) {
   EXPECT_LE(wide, 40) << "the bar is not hatched";
 }
 
-TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {
+TEST(FigureCanvas, CopiesPictureAndTableAndDescribesItsValues) {
   ReportFigure figure;
   figure.title = Text::verbatim("Scores");
   figure.categories = {Text::verbatim("a"), Text::verbatim("b")};
@@ -245,7 +244,7 @@ TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {
   EXPECT_TRUE(canvas.accessibleDescription().contains(QStringLiteral("Group 1 1.25")));
 }
 
-TEST(MaintenancePage, BacksUpTestsTheBackupAndChecksTheRecord) {
+TEST(MaintenancePage, MakesABackupTestsItAndChecksTheRecord) {
   AdministratorDesk office;
   office.centre.addTrainees(3);
   auto page = office.open<MaintenancePage>("administrator");
@@ -265,7 +264,7 @@ TEST(MaintenancePage, BacksUpTestsTheBackupAndChecksTheRecord) {
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 
-TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
+TEST(UsersPage, CreatesAccountsForTheWholeRosterAndShowsTheirPasswordsOnce) {
   AdministratorDesk office;
   office.centre.addTrainees(3);
   auto page = office.open<UsersPage>("administrator");
@@ -278,7 +277,7 @@ TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
       return;
     }
     waiting.stop();
-    QTimer::singleShot(0, [] {  // closing at once is asked about
+    QTimer::singleShot(0, [] {  // asks before closing immediately
       auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
       ASSERT_NE(question, nullptr);
       question->button(QMessageBox::No)->click();
@@ -306,7 +305,7 @@ TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
   EXPECT_EQ(signIn(office.centre.session(), "t-01", first[2].toStdString()).outcome, SignIn::kMustChange);
 }
 
-TEST(AuditPage, ShowsTheNewestThousandAtOnceAndTheOthersOnRequest) {
+TEST(AuditPage, ShowsTheNewestThousandFirstAndTheOthersOnRequest) {
   AdministratorDesk office;
   const NewAuditEntry one{.atUtc_us = office.centre.session().now_us(),
                           .actor = "u",

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The office through its real widgets: a whole study from the roster file to the report that leaves the
-// house.
+// The administrator's pages with real widgets: a whole study from the roster file to the exported report.
 #include <filesystem>
 #include <map>
 
@@ -60,7 +59,7 @@ using testing::press;
 using testing::StudyCentre;
 using testing::type;
 
-/// 30 made-up trainees as a hospital's spreadsheet has them.
+/// 30 invented trainees in a hospital's spreadsheet.
 fs::path rosterFile(const fs::path& folder, bool raters) {
   std::string text = raters ? "staff no;name;class\r\n" : "staff no;name;sex;level\r\n";
   for (int i = 1; i <= (raters ? 10 : 30); ++i) {
@@ -75,7 +74,7 @@ fs::path rosterFile(const fs::path& folder, bool raters) {
   return file;
 }
 
-/// Through the three steps of the wizard, the columns chosen by hand where the headers do not tell.
+/// Runs the three steps of the wizard, choosing columns by hand where headings do not suffice.
 std::size_t importFile(AdministratorDesk& office, const fs::path& file, RosterKind kind) {
   office.centre.as("administrator");
   RosterImport import;
@@ -96,7 +95,7 @@ std::size_t importFile(AdministratorDesk& office, const fs::path& file, RosterKi
       .added;
 }
 
-/// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
+/// Fills in every open sheet of the cohort by the demonstration's rule.
 void submitSimulatedMarks(StudyCentre& centre, const CohortId& cohortId) {
   SheetRepository sheets(centre.connection());
   DemonstrationPeople people;
@@ -150,7 +149,7 @@ std::string setUpCohort(AdministratorDesk& office) {
   auto page = office.open<CohortsPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("Interns 2026")); });
   press(*page, QStringLiteral("New cohort"));
-  answer([](QDialog& dialog) { dialog.accept(); });  // everybody is chosen to begin with
+  answer([](QDialog& dialog) { dialog.accept(); });  // initially everybody is selected
   press(*page, QStringLiteral("Enrol trainees"));
   EXPECT_EQ(child<DataTable>(*page, "members").visibleRows(), 30);
   return child<DataTable>(*page, "cohorts").currentId().toStdString();
@@ -183,14 +182,14 @@ void askAllRaters(AdministratorDesk& office, const CohortId& cohortId) {
   press(*page, QStringLiteral("Invite raters"));
   answer([](QDialog& dialog) {
     auto& raters = *dialog.findChild<DataTable*>();
-    EXPECT_EQ(raters.selectedIds().size(), raters.visibleRows());  // all have open sheets by now
+    EXPECT_EQ(raters.selectedIds().size(), raters.visibleRows());  // by now, all have open sheets
     dialog.reject();
   });
   press(*page, QStringLiteral("Invite raters"));
   EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);
 }
 
-/// What is listed and shown follows the language of the window; what was chosen stays chosen.
+/// Contents follow the window's language; the selection stays.
 void expectResultsFollowTheLanguage(ResultsPage& results) {
   const QString english = child<QListWidget>(results, "contents").currentItem()->text();
   LanguageSwitch language;
@@ -205,8 +204,8 @@ void expectResultsFollowTheLanguage(ResultsPage& results) {
   EXPECT_EQ(child<QListWidget>(results, "contents").currentItem()->text(), english);
 }
 
-/// The report in the language chosen beside it, whatever that of the window.
-/// Shows what will leave, and writes a workbook, pseudonymised tables and a gradebook.
+/// The report in the language chosen on the page, whatever the window's. Shows a preview of the export, and
+/// writes a workbook, pseudonymised tables and a gradebook.
 void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& folder) {
   answer([&](QDialog& dialog) {
     auto& exported = dynamic_cast<ExportDialog&>(dialog);
@@ -235,10 +234,10 @@ void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& fo
     exported.writeTo(folder / "grades.csv");
     shell.waitForJobs();
     EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("grades.csv")));
-    child<QCheckBox>(dialog, "pseudonymised").setChecked(false);  // all is read anew
+    child<QCheckBox>(dialog, "pseudonymised").setChecked(false);  // rereads everything
     EXPECT_TRUE(child<JobPanel>(dialog, "job").isVisibleTo(&dialog));
     dialog.setResult(QDialog::Accepted);
-    dialog.reject();  // the reading is given up first
+    dialog.reject();  // cancels reading first
     EXPECT_EQ(dialog.result(), QDialog::Accepted);
     shell.waitForJobs();
     QCoreApplication::processEvents();
@@ -267,7 +266,7 @@ void expectReportInChinese(ReportsPage& reports, const fs::path& file) {
   EXPECT_NE(readFile(file).find("NotoSansCJK"), std::string::npos);
 }
 
-/// How deep a step of this kind stands below; 0: it is none.
+/// Returns the depth of a step of this kind below the item; 0: none.
 int depthOf(const QTreeWidgetItem& item, const QString& kind) {
   for (int i = 0; i < item.childCount(); ++i) {
     if (item.child(i)->text(0).startsWith(kind)) {
@@ -280,7 +279,7 @@ int depthOf(const QTreeWidgetItem& item, const QString& kind) {
   return 0;
 }
 
-/// Presses a group's mean in the preview and goes back to marks and program, then finds a person's numbers.
+/// Clicks a group's mean in the preview and traces it to marks and program, then finds a person's numbers.
 void expectNumbersLeadBack(ReportsPage& reports, ShellContext& shell) {
   auto& preview = child<ReportPreview>(reports, "preview");
   const QString page = preview.toHtml();
@@ -352,7 +351,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 
-TEST(AdministratorPages, NamedReportsNeedTheRightAndLeaveAnEntryOfTheirOwn) {
+TEST(AdministratorPages, NamedReportsNeedTheRightAndAreAudited) {
   AdministratorDesk office;
   office.centre.addTrainees(6);
   office.centre.runPaperCurriculum();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an administrator does to several at once, and takes back where nothing is sealed.
+// Administrators' actions on several items at once, and undoing them as long as nothing is sealed.
 #include <array>
 #include <functional>
 
@@ -68,7 +68,7 @@ void chooseRows(DataTable& table, int count) {
   }
 }
 
-/// Three trainees in a cohort, and two chiefs who are asked for the live sheets of all three occasions.
+/// Three trainees in a cohort, and two chiefs asked for the live sheets of all three occasions.
 class SeveralAtOnce : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -91,7 +91,7 @@ class SeveralAtOnce : public ::testing::Test {
   CohortId cohort_;
 };
 
-TEST_F(SeveralAtOnce, OpenSheetsOfARaterGoToAnotherOneAndComeBackAsTheyWereLeft) {
+TEST_F(SeveralAtOnce, OpenSheetsOfARaterGoToAnotherOneAndReturnUnchanged) {
   SheetRepository sheets(office_.centre.connection());
   const AssignmentId begun = sheets.queue(chiefs_[0]).at(4).assignmentId;
   sheets.saveDraft(begun, {.overall_steps = 70});
@@ -110,12 +110,12 @@ TEST_F(SeveralAtOnce, OpenSheetsOfARaterGoToAnotherOneAndComeBackAsTheyWereLeft)
     press(*page, QStringLiteral("Reassign"));
   };
 
-  move("R-01", "R-03", "9 sheet(s) change hands.");  // without a choice of rows: all
+  move("R-01", "R-03", "9 sheet(s) change hands.");  // all, if no rows are selected
 
   EXPECT_TRUE(sheets.queue(chiefs_[0]).empty());
   EXPECT_EQ(sheets.queue(chiefs_[2]).size(), 9U);
 
-  move("R-03", "R-01", "9 sheet(s) change hands.");  // nothing is sealed: all of it goes back
+  move("R-03", "R-01", "9 sheet(s) change hands.");  // nothing is sealed: everything returns
 
   EXPECT_TRUE(sheets.queue(chiefs_[2]).empty());
   ASSERT_EQ(sheets.queue(chiefs_[0]).size(), 9U);
@@ -127,7 +127,7 @@ TEST_F(SeveralAtOnce, OpenSheetsOfARaterGoToAnotherOneAndComeBackAsTheyWereLeft)
   EXPECT_EQ(sheets.queue(chiefs_[0]).size(), 9U);
 }
 
-TEST_F(SeveralAtOnce, RemindersGoByTheMailServerOfTheCentreToAllWhoOweASheet) {
+TEST_F(SeveralAtOnce, RemindersGoThroughTheCentresMailServerToAllWhoOweASheet) {
   if constexpr (!kMailBuiltIn) {
     GTEST_SKIP() << "built without mail";
   }
@@ -173,7 +173,7 @@ TEST_F(SeveralAtOnce, RemindersGoByTheMailServerOfTheCentreToAllWhoOweASheet) {
   EXPECT_EQ(centre.audited("reminder.mail"), 2);
 }
 
-TEST_F(SeveralAtOnce, SheetsOfCasesThatTheOtherRaterScoresAlreadyStay) {
+TEST_F(SeveralAtOnce, SheetsOfCasesThatTheOtherRaterAlreadyScoresStay) {
   auto page = office_.open<ScoringPage>("administrator");
   answer([](QDialog& dialog) {
     auto& whom = child<QComboBox>(dialog, "to");
@@ -194,7 +194,7 @@ TEST_F(SeveralAtOnce, SheetsOfCasesThatTheOtherRaterScoresAlreadyStay) {
   press(*page, QStringLiteral("Reassign"));
 }
 
-TEST_F(SeveralAtOnce, EveryAlertIsThereToBeReadWithTheirNumber) {
+TEST_F(SeveralAtOnce, EveryAlertIsListedAndTheLineCountsThem) {
   StudyCentre& centre = office_.centre;
   auto page = office_.open<TodaysSessionsPage>("administrator");
   std::vector<TraineeId> more;
@@ -229,7 +229,7 @@ TEST_F(SeveralAtOnce, EveryAlertIsThereToBeReadWithTheirNumber) {
   EXPECT_GT(scroll->verticalScrollBar()->maximum(), 0);
 }
 
-TEST_F(SeveralAtOnce, AWrongRosterIsTakenBackWhole) {
+TEST_F(SeveralAtOnce, AWrongRosterIsUndoneCompletely) {
   StudyCentre& centre = office_.centre;
   const RosterFile file = parseRoster("Staff ID,Name\nC-901,Ann Chief\nC-902,Bo Chief\n", "chiefs.csv");
   const RosterColumns columns = suggestColumns(file, RosterKind::kTrainees);
@@ -256,7 +256,7 @@ TEST_F(SeveralAtOnce, AWrongRosterIsTakenBackWhole) {
   EXPECT_EQ(child<DataTable>(*page, "table").visibleRows(), static_cast<int>(before - 2));
 }
 
-TEST_F(SeveralAtOnce, WhatHappenedToSeveralIsNotedAtOnceAndCorrectedBeside) {
+TEST_F(SeveralAtOnce, DeviationsOfSeveralAreNotedAndCorrectedTogether) {
   auto page = office_.open<TodaysSessionsPage>("administrator");
   auto& table = child<DataTable>(*page, "table");
   table.view().selectAll();
@@ -300,7 +300,7 @@ TEST_F(SeveralAtOnce, WhatHappenedToSeveralIsNotedAtOnceAndCorrectedBeside) {
   }
 }
 
-TEST_F(SeveralAtOnce, TimeThatSomebodysPlanDoesNotHaveIsLoggedWithAReasonOnly) {
+TEST_F(SeveralAtOnce, UnplannedTimeIsOnlyLoggedWithAReason) {
   AllocationPlan plan;
   plan.cohortId = cohort_;
   lockAllocation(office_.centre.as("allocator"), plan);
@@ -330,7 +330,7 @@ TEST_F(SeveralAtOnce, TimeThatSomebodysPlanDoesNotHaveIsLoggedWithAReasonOnly) {
   EXPECT_EQ(beside, 1);
 }
 
-TEST(RetentionQueue, DecidesAboutAllWhoAreChosenAndTakesItBack) {
+TEST(RetentionQueue, DecidesForAllSelectedPeopleAndUndoesIt) {
   AdministratorDesk office;
   setRetentionRule(office.centre.as("administrator"), kRetainTrainee, 1, "contract");
   office.centre.addTrainees(4);
@@ -353,7 +353,7 @@ TEST(RetentionQueue, DecidesAboutAllWhoAreChosenAndTakesItBack) {
   EXPECT_TRUE(pressable(*page, "retentionLock").text().contains(QStringLiteral("Release")));
   EXPECT_FALSE(pressable(*page, "retentionErase").isEnabled()) << "who is held is not erased";
   answer(sayWhy);
-  pressable(*page, "retentionLock").click();  // the same button takes it back
+  pressable(*page, "retentionLock").click();  // the same button undoes it
   EXPECT_EQ(held(), 0U);
   answer(sayWhy);
   pressable(*page, "retentionErase").click();
@@ -363,7 +363,7 @@ TEST(RetentionQueue, DecidesAboutAllWhoAreChosenAndTakesItBack) {
   EXPECT_EQ(office.centre.audited("retention.lock"), 3);
 }
 
-TEST(RetentionQueue, AsksOnceForASecondPersonWhenSeveralAreErased) {
+TEST(RetentionQueue, AsksOnceForASecondPersonToEraseSeveral) {
   AdministratorDesk office;
   setRetentionRule(office.centre.as("administrator"), kRetainTrainee, 1, "contract");
   setCentreSetting<kTwoPeople>(office.centre.session(), true);
@@ -385,7 +385,7 @@ TEST(RetentionQueue, AsksOnceForASecondPersonWhenSeveralAreErased) {
   EXPECT_EQ(office.centre.audited("duty.request"), 2);
 }
 
-TEST(ReportPreview, SaysHowManyRowsALongTableHasAndShowsThemAll) {
+TEST(ReportPreview, ShowsTheNumberOfRowsOfALongTableAndAllRowsOnRequest) {
   ReportModel report;
   report.sections.emplace_back();
   ReportTable& table = report.sections.back().tables.emplace_back();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cohorts, curricula, moves, imports and records of people: several at once, all of them or none, and back
-// again. One code finds them in their lists.
+// Cohorts, curricula, moves, imports and records of people: several at once, all or none, and back again. One
+// code finds them in their lists.
 #include <filesystem>
 #include <map>
 
@@ -97,7 +97,7 @@ class SeveralCohorts : public ::testing::Test {
   std::vector<CohortId> cohorts_;
 };
 
-TEST_F(SeveralCohorts, AreClosedArchivedAndOpenedAgainTogether) {
+TEST_F(SeveralCohorts, AreClosedArchivedAndReopenedTogether) {
   for (const CohortId& cohort : cohorts_) {
     allocate(cohort);
   }
@@ -146,7 +146,7 @@ TEST_F(SeveralCohorts, FollowACurriculumTogether) {
   EXPECT_TRUE(stored(2).cohort.curriculumVersionId.empty());
 }
 
-TEST_F(SeveralCohorts, AreFoundByOneWhoIsEnrolled) {
+TEST_F(SeveralCohorts, AreFoundByTheCodeOfATrainee) {
   auto page = office_.open<CohortsPage>("administrator");
   auto& table = child<DataTable>(*page, "cohorts");
 
@@ -157,7 +157,7 @@ TEST_F(SeveralCohorts, AreFoundByOneWhoIsEnrolled) {
   EXPECT_EQ(table.currentId(), toQString(cohorts_[1]));
 }
 
-TEST_F(SeveralCohorts, TraineesAreMovedByHandTogetherAndBack) {
+TEST_F(SeveralCohorts, TraineesAreMovedTogetherByHandAndBack) {
   allocate(cohorts_[0]);
   auto page = office_.open<AllocationPage>("allocator", toQString(cohorts_[0]));
   auto& records = child<DataTable>(*page, "records");
@@ -178,7 +178,7 @@ TEST_F(SeveralCohorts, TraineesAreMovedByHandTogetherAndBack) {
   };
   records.view().selectAll();
 
-  moveTo("G2");  // one of the three is there already, and stays
+  moveTo("G2");  // one of the three is already there, and stays
 
   EXPECT_EQ(groups()["G2"], 3);
   EXPECT_EQ(records.visibleRows(), 5);
@@ -192,7 +192,7 @@ TEST_F(SeveralCohorts, TraineesAreMovedByHandTogetherAndBack) {
                   .sound);
 }
 
-TEST(SeveralCurricula, BeginCloseAndRunAgainTogether) {
+TEST(SeveralCurricula, AreStartedClosedAndReopenedTogether) {
   AdministratorDesk office;
   SessionContext& session = office.centre.as("administrator");
   const CurriculumVersion content = curriculumTemplates(office.centre.assets()).front().content;
@@ -226,7 +226,7 @@ TEST(SeveralCurricula, BeginCloseAndRunAgainTogether) {
   EXPECT_EQ(office.centre.audited("curriculum.running"), 4);
 }
 
-TEST(SeveralPeople, GetAFolderEachOfTheirOwnRecord) {
+TEST(SeveralPeople, GetAFolderEachWithTheirOwnRecord) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(3);
   auto page = office.open<RosterPage>("administrator");
@@ -258,7 +258,7 @@ TEST(SeveralPeople, AreErasedOnRequestTogether) {
   }
 }
 
-TEST(SeveralPeople, AreAskedForOnceWhereErasingNeedsTwo) {
+TEST(SeveralPeople, AreRequestedOnceIfErasingNeedsTwoPeople) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(2);
   setCentreSetting<kTwoPeople>(office.centre.as("administrator"), true);
@@ -278,7 +278,7 @@ TEST(SeveralPeople, AreAskedForOnceWhereErasingNeedsTwo) {
   EXPECT_EQ(openRequests(office.centre.as("administrator")).size(), 2U);
 }
 
-TEST(SeveralRaters, AreAskedByEnterInTheirList) {
+TEST(SeveralRaters, AreAskedByPressingEnterInTheirList) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(3);
   office.centre.addChiefs(3);
@@ -294,7 +294,7 @@ TEST(SeveralRaters, AreAskedByEnterInTheirList) {
     QTest::keyClick(&table->view(), Qt::Key_Return);
     EXPECT_FALSE(dialog.isVisible()) << "Enter answered it";
     if (dialog.isVisible()) {
-      dialog.reject();  // or the test would wait for ever
+      dialog.reject();  // or the test would wait forever
     }
   });
 
@@ -303,7 +303,7 @@ TEST(SeveralRaters, AreAskedByEnterInTheirList) {
   EXPECT_EQ(scoringMatrix(office.centre.as("administrator"), cohort).raters.size(), 3U);
 }
 
-TEST(SeveralImports, AreTakenBackTogetherAndFoundByOneOfTheirPeople) {
+TEST(SeveralImports, AreUndoneTogetherAndFoundByTheCodeOfAPerson) {
   AdministratorDesk office;
   commitRoster(office.centre.as("administrator"), "Staff ID,Name\nS-1,A\nS-2,B\nS-3,C\nS-4,D\nS-5,E\n");
   commitRoster(office.centre.as("administrator"), "Staff ID,Name\nS-6,F\n");

@@ -10,15 +10,15 @@
 
 namespace torsio::gui::testing {
 
-/// What somebody does with mouse and keys, and how long it takes them: keystroke-level model (Card, Moran and
-/// Newell 1980) and silent reading of 238 words a minute (Brysbaert 2019).
+/// Estimates the time of a user's actions with mouse and keys: keystroke-level model (Card, Moran and Newell
+/// 1980), and silent reading at 238 words per minute (Brysbaert 2019).
 class ByHand {
  public:
   /// Decide, point, press.
   void press(int times = 1) { needed_s_ += times * (kDecide_s + kPoint_s + kKey_s), presses_ += times; }
   void type(std::size_t keys) { needed_s_ += static_cast<double>(keys) * kKey_s, keys_ += keys; }
   void wait_s(double seconds) { needed_s_ += seconds; }
-  /// Reads a part of a page of the guide, from one text to another, once.
+  /// Reads a part of a page of the guide once, from one text to another.
   void read(const std::filesystem::path& page, const std::string& from, const std::string& to) {
     const std::string text = readFile(page);
     const std::size_t begin = text.find(from);

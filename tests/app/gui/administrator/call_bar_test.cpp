@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The office calls trainees from the board of the day.
+// Calling trainees from the board of the day.
 #include <utility>
 
 #include <QAction>
@@ -100,7 +100,7 @@ class CallsFromTheBoard : public ::testing::Test {
   std::unique_ptr<TodaysSessionsPage> page_;
 };
 
-TEST_F(CallsFromTheBoard, AScannedCodeCallsAndTheLineSaysWhoIsMissing) {
+TEST_F(CallsFromTheBoard, AScannedCodeCallsATraineeAndTheLineShowsWhoIsMissing) {
   typeCode(QStringLiteral("t-02"));
 
   ASSERT_EQ(calls().size(), 1U);
@@ -120,9 +120,9 @@ TEST_F(CallsFromTheBoard, AScannedCodeCallsAndTheLineSaysWhoIsMissing) {
   EXPECT_TRUE(lines()[0].startsWith(QStringLiteral("! Late"))) << lines()[0].toStdString();
 }
 
-// Somebody else calls while a button is held: neither a look that begins then nor one that is under way moves
-// the button.
-TEST_F(CallsFromTheBoard, TheClockMovesNoButtonThatIsHeld) {
+// Somebody else calls a trainee while a button is pressed: neither a new refresh nor one under way moves the
+// button.
+TEST_F(CallsFromTheBoard, TheTimerDoesNotMoveAPressedButton) {
   constexpr int kLongest_ms = 20'000;
   page_->resize(1146, 700);
   page_->show();
@@ -145,7 +145,7 @@ TEST_F(CallsFromTheBoard, TheClockMovesNoButtonThatIsHeld) {
     const int before = rings;
     return QTest::qWaitFor(
         [&] {
-          clock->setInterval(1);  // what is shown sets its own
+          clock->setInterval(1);  // showing sets its own interval
           return rings >= before + times && !reader->working();
         },
         kLongest_ms);
@@ -182,7 +182,7 @@ TEST_F(CallsFromTheBoard, TheClockMovesNoButtonThatIsHeld) {
   }
 }
 
-TEST_F(CallsFromTheBoard, SixRowsOfTheBoardAreSeenWhileCallsAlertsAndStationsStand) {
+TEST_F(CallsFromTheBoard, SixRowsOfTheBoardAreVisibleWithCallsAlertsAndStations) {
   StudyCentre& centre = office_.centre;
   std::vector<TraineeId> more;
   for (int i = 1; i <= 9; ++i) {
@@ -224,7 +224,7 @@ TEST_F(CallsFromTheBoard, SixRowsOfTheBoardAreSeenWhileCallsAlertsAndStationsSta
   EXPECT_GE(calls.height(), 3 * one);
 }
 
-TEST_F(CallsFromTheBoard, TheDayIsPlannedAndPrintedAndTheOverdueAreShown) {
+TEST_F(CallsFromTheBoard, TheDayIsPlannedAndPrintedAndOverdueTraineesAreShown) {
   StudyCentre& centre = office_.centre;
   const QDateTime now = QDateTime::fromMSecsSinceEpoch(centre.as("administrator").now_us() / 1000);
   const std::filesystem::path file = centre.folder() / "plan.pdf";
@@ -260,10 +260,10 @@ TEST_F(CallsFromTheBoard, TheDayIsPlannedAndPrintedAndTheOverdueAreShown) {
       << child<QLabel>(*page_, "alerts").text().toStdString();
 }
 
-TEST_F(CallsFromTheBoard, APlanBeginsAtTheNextQuarterOfAnHourAtTheStationsOfTrainees) {
+TEST_F(CallsFromTheBoard, APlanStartsAtTheNextQuarterOfAnHourAtTheTraineesStations) {
   StudyCentre& centre = office_.centre;
   const QDateTime morning = QDateTime::fromMSecsSinceEpoch(centre.as("administrator").now_us() / 1000);
-  const QDateTime seen(morning.date(), QTime(14, 7));  // whichever the time zone of this machine
+  const QDateTime seen(morning.date(), QTime(14, 7));  // in any time zone of this machine
   centre.passTime_us((morning.msecsTo(seen) + (seen < morning ? 24LL * 3600 * 1000 : 0)) * 1000);
   StationRepository stations(centre.connection());
   stations.heartbeat({.station = "simulator-1",
@@ -288,7 +288,7 @@ TEST_F(CallsFromTheBoard, APlanBeginsAtTheNextQuarterOfAnHourAtTheStationsOfTrai
   press(*page_, QStringLiteral("Plan the day"));
 }
 
-TEST_F(CallsFromTheBoard, AStationAtWhichNobodyHasTrainedIsOfferedForThePlan) {
+TEST_F(CallsFromTheBoard, AStationWithoutAnyTrainingIsOfferedForThePlan) {
   StudyCentre& centre = office_.centre;
   StationRepository stations(centre.connection());
   stations.heartbeat({.station = "simulator-1",
@@ -324,7 +324,7 @@ TEST_F(CallsFromTheBoard, AStationAtWhichNobodyHasTrainedIsOfferedForThePlan) {
   press(*page_, QStringLiteral("Plan the day"));
 }
 
-TEST_F(CallsFromTheBoard, TheBoardIsReadAnewWhenTheDatabaseAnswersAgain) {
+TEST_F(CallsFromTheBoard, TheBoardIsRereadWhenTheDatabaseAnswersAgain) {
   (void)callTrainee(office_.centre.as("administrator"),
                     {.cohortId = cohort_,
                      .enrolmentId = enrolments(office_.centre.session(), cohort_).front().id,
@@ -337,7 +337,7 @@ TEST_F(CallsFromTheBoard, TheBoardIsReadAnewWhenTheDatabaseAnswersAgain) {
   EXPECT_EQ(lines().size(), 1);
 }
 
-TEST_F(CallsFromTheBoard, TheChosenTraineeIsCalledByTheButtonAndNotDueNeedsAReason) {
+TEST_F(CallsFromTheBoard, TheButtonCallsTheSelectedTraineeAndNeedsAReasonIfNotDue) {
   child<QLineEdit>(*page_, "callRoom").setText(QStringLiteral("Room 2"));
   child<DataTable>(*page_, "table").view().selectRow(0);
   auto& occasion = child<QComboBox>(*page_, "callOccasion");
@@ -357,7 +357,7 @@ TEST_F(CallsFromTheBoard, TheChosenTraineeIsCalledByTheButtonAndNotDueNeedsAReas
   EXPECT_EQ(deviations(office_.centre.session(), cohort_).size(), 1U);
 }
 
-TEST_F(CallsFromTheBoard, ASheetOnPaperIsTypedInAndWaitsForASecondPerson) {
+TEST_F(CallsFromTheBoard, APaperSheetIsEnteredAndWaitsForASecondPerson) {
   typeCode(QStringLiteral("t-01"));
   QString said;
   QTimer::singleShot(0, [&said] {
@@ -381,7 +381,7 @@ TEST_F(CallsFromTheBoard, ASheetOnPaperIsTypedInAndWaitsForASecondPerson) {
   EXPECT_EQ(calls()[0].submitted, 0U);
 }
 
-TEST_F(CallsFromTheBoard, PrintedSheetsAndCallListsAreFilesOfPages) {
+TEST_F(CallsFromTheBoard, PrintedSheetsAndCallListsHavePages) {
   typeCode(QStringLiteral("t-01"));
   const std::vector<PaperSheet> sheets = paperSheets(office_.centre.as("administrator"), cohort_, {}, "pre");
   ASSERT_EQ(sheets.size(), 6U);
@@ -395,7 +395,7 @@ TEST_F(CallsFromTheBoard, PrintedSheetsAndCallListsAreFilesOfPages) {
   EXPECT_EQ(pagesOf(folder / "calls.pdf"), 1);
 }
 
-TEST_F(CallsFromTheBoard, SheetsThatComeInAreSeenWithoutATouch) {
+TEST_F(CallsFromTheBoard, IncomingSheetsAppearWithoutInteraction) {
   typeCode(QStringLiteral("T-01"));
   const AssignmentId id = SheetRepository(office_.centre.connection()).assignmentsOf(chiefs_[0]).at(0).id;
   AssignmentId called = id;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curriculum editor through its real widgets: nothing is lost, everything can be set, published versions
-// stay as they are.
+// The curriculum editor with real widgets: nothing is lost, everything can be set, published versions do not
+// change.
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ using testing::answer;
 using testing::press;
 using testing::type;
 
-/// Uses every field of the format, with values that no field of the screen shows to the last digit.
+/// Uses every field of the format, with more digits than any field displays.
 constexpr const char* kEverything = R"({
   "format": "torsio curriculum 1",
   "modules": [
@@ -78,7 +78,7 @@ std::string addEverything(AdministratorDesk& office) {
   return addCurriculum(office.centre.session(), "Everything", "", parseCurriculum(kEverything, "test"));
 }
 
-/// The field that a screen reader calls so.
+/// Finds a field by its accessible name.
 template <typename Field>
 Field* named(QWidget& in, const char* name) {
   for (Field* field : in.findChildren<Field*>()) {
@@ -90,7 +90,7 @@ Field* named(QWidget& in, const char* name) {
   return nullptr;
 }
 
-/// Looks at every row of every list, as somebody does who only wants to know what there is.
+/// Selects every row of every list, like somebody who is only looking.
 void browse(CurriculaPage& page) {
   for (const char* name : {"exercises", "groups"}) {
     auto* list = page.findChild<QListWidget*>(QString::fromLatin1(name));
@@ -114,7 +114,7 @@ Field* cell(QTableWidget* table, int row, int column) {
   return qobject_cast<Field*>(table->cellWidget(row, column));
 }
 
-TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
+TEST(CurriculumEditor, SavesUntouchedContentUnchanged) {
   AdministratorDesk office;
   const std::string id = addEverything(office);
   const std::string before = curriculumJson(curriculumDraft(office.centre.session(), id).content);
@@ -135,7 +135,7 @@ TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
   addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
 
-  page->resize(1162, 716);  // what a 1366 x 768 screen leaves beside navigation and header
+  page->resize(1162, 716);  // 1366 x 768 without navigation and header
   page->show();
   QApplication::processEvents();
 
@@ -150,7 +150,7 @@ TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
   }
 }
 
-TEST(CurriculaPage, ShowsTheNamesOfItsListWholeWhereThereIsRoom) {
+TEST(CurriculaPage, ShowsFullNamesInItsListIfThereIsRoom) {
   AdministratorDesk office;
   addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
@@ -167,12 +167,12 @@ TEST(CurriculaPage, ShowsTheNamesOfItsListWholeWhereThereIsRoom) {
   }
 }
 
-TEST(CurriculaPage, ShowsTheNamesOfItsListWholeOnASmallScreen) {
+TEST(CurriculaPage, ShowsFullNamesInItsListOnASmallScreen) {
   AdministratorDesk office;
   addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
   ASSERT_TRUE(page->add("Twisting of the small intestine, second year", ""));
-  page->resize(1146, 700);  // what a 1366 x 768 screen leaves beside navigation and header
+  page->resize(1146, 700);  // 1366 x 768 without navigation and header
   page->show();
   QApplication::processEvents();
 
@@ -189,8 +189,8 @@ TEST(CurriculaPage, ShowsTheNamesOfItsListWholeOnASmallScreen) {
   EXPECT_GE(lines, 2) << "nothing had to wrap";
 }
 
-// A shipped exercise has a name in every language; what is stored is not translated by being looked at.
-TEST(CurriculumEditor, ShowsShippedNamesInTheLanguageOfTheWindow) {
+// Shipped exercises have names in every language; displaying them does not translate the stored text.
+TEST(CurriculumEditor, ShowsShippedNamesInTheWindowsLanguage) {
   AdministratorDesk office;
   office.centre.as("administrator");
   CurriculumVersion content = parseCurriculum(kEverything, "test");
@@ -208,7 +208,7 @@ TEST(CurriculumEditor, ShowsShippedNamesInTheLanguageOfTheWindow) {
   for (const char* list : {"exercises", "groups"}) {
     page->findChild<QListWidget*>(QString::fromLatin1(list))->setCurrentRow(0);
   }
-  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // rows of the groups looked at before
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // rows of the groups selected before
   QStringList shown;
   for (const QLineEdit* field : page->findChildren<QLineEdit*>()) {
     shown << field->text();
@@ -225,7 +225,7 @@ TEST(CurriculumEditor, ShowsShippedNamesInTheLanguageOfTheWindow) {
   EXPECT_EQ(curriculumJson(curriculumDraft(office.centre.session(), id).content), before);
 }
 
-TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
+TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasEdited) {
   AdministratorDesk office;
   const std::string id = addEverything(office);
   CurriculumVersion expected = curriculumDraft(office.centre.session(), id).content;
@@ -240,7 +240,7 @@ TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
   EXPECT_EQ(curriculumJson(curriculumDraft(office.centre.session(), id).content), curriculumJson(expected));
 }
 
-TEST(CurriculumEditor, SaysBesideTheFieldWhatIsWrongWithIt) {
+TEST(CurriculumEditor, ShowsErrorsBesideTheirFields) {
   AdministratorDesk office;
   addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
@@ -266,7 +266,7 @@ TEST(CurriculumEditor, SaysBesideTheFieldWhatIsWrongWithIt) {
   EXPECT_GE(below, title->height());
   EXPECT_LE(below, 2 * title->height());
 
-  // It is about that exercise alone, and goes when the title is there again.
+  // It concerns only that exercise, and disappears when the title is restored.
   auto* exercises = editor.findChild<ExerciseEditor*>();
   ASSERT_NE(exercises, nullptr);
   exercises->select(1);
@@ -277,7 +277,7 @@ TEST(CurriculumEditor, SaysBesideTheFieldWhatIsWrongWithIt) {
   EXPECT_TRUE(hints().isEmpty());
 }
 
-TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
+TEST(CurriculumEditor, PublishedVersionsPassThroughTheEditorUnchanged) {
   AdministratorDesk office;
   const std::string id = addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
@@ -287,12 +287,12 @@ TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
 
   page->showVersion(first);
   browse(*page);
-  ASSERT_TRUE(page->takeAsDraft());  // nothing is asked: the draft is the same
+  ASSERT_TRUE(page->takeAsDraft());  // does not ask: the draft is identical
   ASSERT_TRUE(page->publish("second"));
 
   const auto versions = curricula(office.centre.session()).front().versions;
   ASSERT_EQ(versions.size(), 2U);
-  EXPECT_EQ(versions[0].state, CurriculumState::kRunning);  // superseded, not erased
+  EXPECT_EQ(versions[0].state, CurriculumState::kRunning);  // superseded, but not deleted
   EXPECT_EQ(curriculumJson(publishedContent(office.centre.session(), versions[0].id)),
             curriculumJson(publishedContent(office.centre.session(), versions[1].id)));
   EXPECT_EQ(curriculumJson(publishedContent(office.centre.session(), versions[0].id)),
@@ -309,7 +309,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   press(*page, QStringLiteral("Add rule"));
   press(*page, QStringLiteral("Add rule"));
   ASSERT_EQ(rules->rowCount(), 2);
-  // As everywhere else: a share in per cent, a force with its unit.
+  // As everywhere else: fractions in per cent, forces with their unit.
   EXPECT_EQ(cell<QComboBox>(rules, 0, 0)->currentText(), QStringLiteral("Twists on target"));
   cell<QDoubleSpinBox>(rules, 0, 2)->setValue(60.0);
   EXPECT_EQ(cell<QDoubleSpinBox>(rules, 0, 2)->text(), QStringLiteral("60 %"));
@@ -346,7 +346,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 }
 
-TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
+TEST(CurriculumEditor, MovesAndRenamesWithoutBreakingReferences) {
   AdministratorDesk office;
   const std::string id = addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
@@ -357,7 +357,7 @@ TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
   auto* code = named<QLineEdit>(exercises, "Code");
   code->setText(QStringLiteral("F1"));
   Q_EMIT code->editingFinished();
-  code->setText(QStringLiteral("A1"));  // taken: refused, said, nothing changed
+  code->setText(QStringLiteral("A1"));  // taken: refused with a message, nothing changed
   Q_EMIT code->editingFinished();
   EXPECT_EQ(code->text(), QStringLiteral("F1"));
   ASSERT_TRUE(page->save());
@@ -399,7 +399,7 @@ TEST(CurriculumEditor, SetsGroupsPhasesRestAndOccasions) {
   EXPECT_EQ(stored.plannedOccasions[1].afterExposure_us, 1'200'000'000);  // 20 min, as in the paper
 }
 
-TEST(CurriculaPage, SaysOfEveryStateWhatMayBeChanged) {
+TEST(CurriculaPage, SaysForEachStateWhatMayBeChanged) {
   AdministratorDesk office;
   office.centre.addTrainees(3);
   addEverything(office);
@@ -423,7 +423,7 @@ TEST(CurriculaPage, SaysOfEveryStateWhatMayBeChanged) {
   EXPECT_TRUE(child<QLabel>(*page, "state").text().contains(QStringLiteral("version 2")));
 }
 
-/// Whether every wrapped sentence of a dialog is shown whole.
+/// Checks that every wrapped sentence of a dialog is fully visible.
 ::testing::AssertionResult sentencesWhole(QWidget& dialog) {
   dialog.show();
   QTest::qWait(1);
@@ -449,17 +449,17 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   EXPECT_TRUE(sentencesWhole(dialog));
 
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(20.0);
-  EXPECT_TRUE(preview->text().contains(QStringLiteral("50.3\u00a0%")));  // of the able would not pass
+  EXPECT_TRUE(preview->text().contains(QStringLiteral("50.3\u00a0%")));  // of competent trainees would fail
   EXPECT_FALSE(store->isEnabled());
   EXPECT_TRUE(sentencesWhole(dialog));
   EXPECT_LE(dialog.height(), 700);                            // on a small screen
-  child<QDoubleSpinBox>(dialog, "inadequate").setValue(5.0);  // below the able
+  child<QDoubleSpinBox>(dialog, "inadequate").setValue(5.0);  // below that of the competent
   EXPECT_FALSE(store->isEnabled());
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(40.0);
   child<QSpinBox>(dialog, "attempts").setValue(30);
   ASSERT_TRUE(store->isEnabled());
   child<QComboBox>(dialog, "source").setCurrentIndex(2);
-  EXPECT_FALSE(store->isEnabled());  // chosen by hand: a reason is missing
+  EXPECT_FALSE(store->isEnabled());  // set by hand: needs a reason
   child<QComboBox>(dialog, "source").setCurrentIndex(0);
   store->click();
 
@@ -472,8 +472,8 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
 
 // R: power.t.test(delta = 0.8, power = 0.8) n = 25.52; power.t.test(n = 10, delta = 0.8) 0.395;
 // power.t.test(n = 10, power = 0.8) delta = 1.325.
-TEST(PowerDialog, AnswersAtOnceHowManyTraineesAreNeededAndWhatTheyShow) {
-  const LanguageSwitch english;  // its plurals
+TEST(PowerDialog, CalculatesSampleSizeAndPowerImmediately) {
+  const LanguageSwitch english;  // for its plurals
   PowerDialog dialog(nullptr);
   EXPECT_EQ(child<QLabel>(dialog, "needed").text(),
             QStringLiteral("26 trainees in each group; 20 when scores are adjusted for the score before"));
@@ -484,14 +484,14 @@ TEST(PowerDialog, AnswersAtOnceHowManyTraineesAreNeededAndWhatTheyShow) {
   EXPECT_TRUE(sentencesWhole(dialog));
 }
 
-TEST(StandardDialog, SaysWhereTheLineIsAndWhatIsWrongInTheTable) {
+TEST(StandardDialog, ShowsTheCutScoreAndErrorsInTheTable) {
   StandardDialog dialog(nullptr);
   auto& table = child<QPlainTextEdit>(dialog, "table");
   const auto said = [&] { return child<QLabel>(dialog, "answer").text().toStdString(); };
   const auto says = [&](const char* part) { return said().find(part) != std::string::npos; };
   EXPECT_TRUE(says("Paste")) << said();
   table.setPlainText(QStringLiteral("judge,item,percent\nA,grip,80\nA,turn,60\nB,grip,60\nB,turn,40\n"));
-  // Judges expect 1.4 and 1.0 items: 1.2 in the mean, standard deviation 0.28, error 0.2.
+  // Judges expect 1.4 and 1.0 items: mean 1.2, standard deviation 0.28, standard error 0.2.
   EXPECT_TRUE(says("Pass from 1.20 of 2 items on (60.00 %)")) << said();
   EXPECT_TRUE(says("0.28 items (standard deviation), the cut is sure to 0.20")) << said();
   table.setPlainText(QStringLiteral("judge,item,percent\nA,grip,180\n"));
@@ -513,7 +513,7 @@ TEST(StandardDialog, SaysWhereTheLineIsAndWhatIsWrongInTheTable) {
 
 // Bonett (2002): 8 z^2 (1 - r)^2 (1 + (k - 1) r)^2 / (k (k - 1) w^2) + 1 trainees; with r = 0.7 and w = 0.3
 // 30.5 for three raters, 25.6 for four, and never below 16.
-TEST(PowerDialog, AnswersHowManyRatersAgreementNeeds) {
+TEST(PowerDialog, CalculatesTheNumberOfRatersForAgreement) {
   PowerDialog dialog(nullptr);
   child<QComboBox>(dialog, "design").setCurrentIndex(3);
   EXPECT_EQ(child<QLabel>(dialog, "needed").text(), QStringLiteral("26 trainees, each scored by 4 raters"));

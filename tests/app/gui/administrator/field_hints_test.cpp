@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with a form stands beside the field that is meant, and not before somebody was there.
+// Form errors are shown beside their field, and only after it has been visited.
 #include <string>
 #include <vector>
 
@@ -44,7 +44,7 @@ using testing::hintBelow;
 using testing::leave;
 using testing::retype;
 
-TEST(FieldChecks, SayNothingOfAFieldThatNobodyTouchedAndThenWhatIsWrongBelowIt) {
+TEST(FieldChecks, ShowNothingForAnUntouchedFieldAndThenItsErrorBelowIt) {
   QDialog window;
   auto* form = new QFormLayout(&window);
   auto* name = new QLineEdit(&window);
@@ -59,7 +59,7 @@ TEST(FieldChecks, SayNothingOfAFieldThatNobodyTouchedAndThenWhatIsWrongBelowIt) 
   window.show();
 
   EXPECT_FALSE(accept.isEnabled());
-  EXPECT_EQ(accept.toolTip(), QStringLiteral("Enter a name."));  // a button that waits says for what
+  EXPECT_EQ(accept.toolTip(), QStringLiteral("Enter a name."));  // a disabled button says what is missing
   EXPECT_EQ(hintBelow(window, *name), QString());
 
   leave(*name);
@@ -77,7 +77,7 @@ TEST(FieldChecks, SayNothingOfAFieldThatNobodyTouchedAndThenWhatIsWrongBelowIt) 
   EXPECT_EQ(hintBelow(window, *other), QStringLiteral("Enter the other."));
 }
 
-TEST(FieldChecks, AskNothingOfAFormThatIsBeingDestroyed) {
+TEST(FieldChecks, AreNotCalledForAFormBeingDestroyed) {
   int asked = 0;
   {
     QDialog window;
@@ -99,7 +99,7 @@ TEST(FieldChecks, AskNothingOfAFormThatIsBeingDestroyed) {
   EXPECT_EQ(asked, 0);
 }
 
-TEST(NewUser, IsToldAtTheFieldWhatIsMissing) {
+TEST(NewUser, ShowsAtTheFieldWhatIsMissing) {
   std::vector<QString> said;
   answer([&said](QDialog& dialog) {
     auto& login = child<QLineEdit>(dialog, "login");
@@ -128,7 +128,7 @@ TEST(NewUser, IsToldAtTheFieldWhatIsMissing) {
   EXPECT_EQ(said[3], QString());
 }
 
-TEST(NewPerson, IsToldAtTheFieldWhatIsMissing) {
+TEST(NewPerson, ShowsAtTheFieldWhatIsMissing) {
   answer([](QDialog& dialog) {
     auto& name = child<QLineEdit>(dialog, "name");
     leave(name);
@@ -146,7 +146,7 @@ TEST(NewPerson, IsToldAtTheFieldWhatIsMissing) {
   EXPECT_FALSE(askPerson(nullptr, std::nullopt, {}).has_value());
 }
 
-TEST(RubricHints, StandAtTheFieldAndNameACriterionThatIsNotShown) {
+TEST(RubricHints, AppearAtTheFieldAndNameACriterionThatIsNotShown) {
   AdministratorDesk office;
   office.centre.addPaperRubric();
   office.centre.as("administrator");
@@ -172,7 +172,7 @@ TEST(RubricHints, StandAtTheFieldAndNameACriterionThatIsNotShown) {
   EXPECT_TRUE(problem.text().startsWith(name)) << problem.text().toStdString();
 }
 
-TEST(AllocationHints, NameABlockThatTheGroupsDoNotFill) {
+TEST(AllocationHints, NameABlockSizeThatIsNoMultipleOfTheGroups) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(6);
   const std::string version = office.centre.runPaperCurriculum();
@@ -196,7 +196,7 @@ TEST(AllocationHints, NameABlockThatTheGroupsDoNotFill) {
   EXPECT_TRUE(child<QPushButton>(*page, "lockButton").isEnabled());
 }
 
-TEST(ConsentHints, StandAtTheFieldAndNameALanguageThatIsNotShown) {
+TEST(ConsentHints, AppearAtTheFieldAndNameALanguageThatIsNotShown) {
   AdministratorDesk office;
   office.centre.as("administrator");
   ConsentTextsDialog dialog(office.shell());
@@ -214,7 +214,7 @@ TEST(ConsentHints, StandAtTheFieldAndNameALanguageThatIsNotShown) {
   EXPECT_FALSE(hintBelow(dialog, language).isEmpty());
 }
 
-TEST(StationSettings, AreNotSavedWithoutANameWhichIsSaidBelowIt) {
+TEST(StationSettings, AreNotSavedWithoutANameAndSayItBelowTheField) {
   AdministratorDesk office;
   office.centre.as("administrator");
   StationSettingsCard card(office.shell());
@@ -230,7 +230,7 @@ TEST(StationSettings, AreNotSavedWithoutANameWhichIsSaidBelowIt) {
   EXPECT_TRUE(child<QPushButton>(card, "keepSettings").isEnabled());
 }
 
-TEST(StationSettings, SetWhatRatersMustWatchAndRefuseSpeedsThatAreNone) {
+TEST(StationSettings, SetWhatRatersMustWatchAndRefuseInvalidSpeeds) {
   AdministratorDesk office;
   office.centre.as("administrator");
   StationSettingsCard card(office.shell());
@@ -254,7 +254,7 @@ TEST(StationSettings, SetWhatRatersMustWatchAndRefuseSpeedsThatAreNone) {
   EXPECT_EQ(speeds.text(), QStringLiteral("0.5, 1, 2"));
 }
 
-TEST(RosterHints, StandBelowThePathAndBelowAColumnThatTheHeadingsDoNotTell) {
+TEST(RosterHints, AppearBelowThePathAndBelowColumnsThatTheHeadingsDoNotSuggest) {
   AdministratorDesk office;
   office.centre.as("administrator");
   const std::filesystem::path file = office.centre.folder() / "roster.csv";
@@ -284,7 +284,7 @@ TEST(RosterHints, StandBelowThePathAndBelowAColumnThatTheHeadingsDoNotTell) {
   EXPECT_EQ(hintBelow(wizard, number), QString());
 }
 
-TEST(CampaignHints, StandAtModelsWeightsAndRatersThatDoNotDo) {
+TEST(CampaignHints, AppearAtInvalidModelsWeightsAndRaters) {
   AdministratorDesk office;
   office.centre.as("administrator");
   PersonRow chief;

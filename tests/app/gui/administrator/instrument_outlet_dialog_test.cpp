@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The instrument is offered to other programs from the window; a viewer of OpenIGTLink's own classes
-// connects.
+// The window outputs the instrument to other programs; a viewer made of OpenIGTLink's own classes connects.
 #include "app/gui/administrator/station/instrument_outlet_dialog.h"
 
 #include <QCheckBox>
@@ -40,7 +39,7 @@ class OutletPages : public MaintenancePages {
   }
 };
 
-TEST_F(OutletPages, OfferTheInstrumentToOtherProgramsAndTakeItBack) {
+TEST_F(OutletPages, OfferTheInstrumentToOtherProgramsAndStopIt) {
   EXPECT_TRUE(child<QPushButton>(*window_->desk()->page(), "otherPrograms").isEnabled());
   const int port = freePort();
   InstrumentOutletDialog dialog(context(), window_.get());
@@ -67,7 +66,7 @@ TEST_F(OutletPages, OfferTheInstrumentToOtherProgramsAndTakeItBack) {
   EXPECT_TRUE(failures_.isEmpty());
 }
 
-TEST_F(OutletPages, SayWhatTheWholeNetworkMeansAndWhyAPortIsNotFree) {
+TEST_F(OutletPages, ExplainTheWholeNetworkAndWhyAPortIsInUse) {
   QTcpServer taken;
   ASSERT_TRUE(taken.listen(QHostAddress::AnyIPv4, 0));
   InstrumentOutletDialog dialog(context(), window_.get());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Learning records in the program's window: turned on, sent, refused, tried again.
+// Learning records in the window: enabled, sent, rejected, retried.
 #include "app/gui/administrator/station/learning_records_dialog.h"
 
 #include <QCheckBox>
@@ -27,7 +27,7 @@ class LearningPages : public MaintenancePages {
                        folder_.path() + QStringLiteral("/settings"));
     MaintenancePages::SetUp();
   }
-  /// Somebody who agrees is enrolled.
+  /// Enrols somebody who has consented.
   void enrolSomebody() {
     Connection& connection = window_->session()->connectionWithoutRight();
     const PersonId who = PeopleRepository(connection).trainees().front().person.id;
@@ -45,7 +45,7 @@ class LearningPages : public MaintenancePages {
   }
 };
 
-TEST_F(LearningPages, AreTurnedOnSentRefusedAndTriedAgain) {
+TEST_F(LearningPages, AreEnabledSentRejectedAndRetried) {
   TestLrs store;
   window_->desk()->open(PageId::kDevices);
   EXPECT_TRUE(child<QPushButton>(*window_->desk()->page(), "learningRecordsButton").isEnabled());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Restoring a backup through the program's window, as an administrator does it.
+// An administrator restores a backup in the window.
 #include <algorithm>
 #include <fstream>
 
@@ -28,7 +28,7 @@ namespace {
 
 using testing::hintBelow;
 
-TEST_F(MaintenancePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
+TEST_F(MaintenancePages, ABackupIsVerifiedComparedConfirmedByAWordAndRestored) {
   maintenancePage().backUp(in("backup.sqlite"));
   context().waitForJobs();
   addPerson(*window_->session(), person());
@@ -73,7 +73,7 @@ TEST_F(MaintenancePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) 
   signIn();
 }
 
-/// The settings of this account, in which a station keeps its key and its witness, in a folder of their own.
+/// Uses separate settings of this account, in which a station stores its key and witness.
 class HeadsPages : public MaintenancePages {
  protected:
   void SetUp() override {
@@ -93,7 +93,7 @@ class HeadsPages : public MaintenancePages {
   }
 };
 
-TEST_F(HeadsPages, AStationWithoutAKeyIsToldSoMakesOneAndReplacesIt) {
+TEST_F(HeadsPages, AStationWithoutAKeySaysSoCreatesOneAndReplacesIt) {
   HeadsPage& heads = page();
   EXPECT_TRUE(child<QLabel>(heads, "keyText").text().contains(QStringLiteral("has no key")));
   EXPECT_TRUE(child<QLabel>(heads, "witnessText").text().contains(QStringLiteral("keeps no heads")));
@@ -126,7 +126,7 @@ TEST_F(HeadsPages, AStationWithoutAKeyIsToldSoMakesOneAndReplacesIt) {
   EXPECT_TRUE(failures_.isEmpty()) << failures_.join(QLatin1Char('\n')).toStdString();
 }
 
-TEST_F(HeadsPages, AnAdministratorWhoLeavesTakesTheHeadAlong) {
+TEST_F(HeadsPages, AnAdministratorTakesTheHeadAlongWhenSigningOut) {
   ASSERT_TRUE(window_->signOut());
   auto& notice = child<QWidget>(*window_, "headNotice");
   EXPECT_TRUE(notice.isVisible());
@@ -157,7 +157,7 @@ TEST_F(HeadsPages, AnAdministratorWhoLeavesTakesTheHeadAlong) {
   EXPECT_EQ(child<QLabel>(notice, "headHash").text().size(), 64 + 1);
 }
 
-TEST_F(HeadsPages, AWindowThatClosesSaysWhereTheHeadIsAndStaysOpenWhenItIsNowhere) {
+TEST_F(HeadsPages, AClosingWindowPrintsWhereTheHeadIsAndStaysOpenIfItIsNowhere) {
   fs::create_directory(in("disk"));
   page().keepIn(in("disk/heads"));
   fs::rename(in("disk"), in("unplugged"));
@@ -177,7 +177,7 @@ TEST_F(HeadsPages, AWindowThatClosesSaysWhereTheHeadIsAndStaysOpenWhenItIsNowher
   EXPECT_NE(said.find(in("disk/heads").string()), std::string::npos) << said;
 }
 
-TEST_F(HeadsPages, AHeadThatWasTypedFindsATrailThatWasCutOff) {
+TEST_F(HeadsPages, AHeadEnteredByHandRevealsATruncatedTrail) {
   HeadsPage& heads = page();
   QString head = child<QPlainTextEdit>(heads, "head").toPlainText();
   EXPECT_TRUE(verdictOn(heads, QLatin1Char(' ') + head).contains(QStringLiteral("nothing has been removed")));
@@ -188,7 +188,7 @@ TEST_F(HeadsPages, AHeadThatWasTypedFindsATrailThatWasCutOff) {
   EXPECT_TRUE(failures_.isEmpty());
 }
 
-TEST_F(HeadsPages, WhatIsNoHeadOrNoKeyIsSaidBelowItsField) {
+TEST_F(HeadsPages, AnInvalidHeadOrKeyIsReportedBelowItsField) {
   HeadsPage& heads = page();
   auto& lines = child<QPlainTextEdit>(heads, "keptHeads");
   auto& key = child<QLineEdit>(heads, "publicKey");
@@ -214,7 +214,7 @@ TEST_F(HeadsPages, WhatIsNoHeadOrNoKeyIsSaidBelowItsField) {
   EXPECT_TRUE(verify.isEnabled());
 }
 
-TEST_F(MaintenancePages, TheBackupOfAnotherCentreIsNamedAndTakesItsNameToRestore) {
+TEST_F(MaintenancePages, TheBackupOfAnotherCentreIsNamedAndNeedsItsNameToRestore) {
   maintenancePage().backUp(in("backup.sqlite"));
   context().waitForJobs();
   {
@@ -252,7 +252,7 @@ TEST_F(MaintenancePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
 }
 
-TEST_F(MaintenancePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
+TEST_F(MaintenancePages, ACancelledRestoreKeepsTheRecordAndLeavesNoPartialFile) {
   maintenancePage().backUp(in("backup.sqlite"));
   context().waitForJobs();
   const int before = filesBeside();
@@ -268,7 +268,7 @@ TEST_F(MaintenancePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
   EXPECT_EQ(people(record()), 2);
 }
 
-TEST_F(MaintenancePages, ABackupThatIsNoneIsRefusedInPlainWordsBelowItsField) {
+TEST_F(MaintenancePages, AnInvalidBackupIsRefusedInPlainWordsBelowItsField) {
   std::ofstream(in("backup.sqlite")) << "not a database at all, only some words in a file";
   auto& page = openBy<RestorePage>("Restore");
   auto& file = child<QLineEdit>(page, "file");
@@ -287,7 +287,7 @@ TEST_F(MaintenancePages, ABackupThatIsNoneIsRefusedInPlainWordsBelowItsField) {
   EXPECT_TRUE(failures_.isEmpty());
 }
 
-TEST_F(MaintenancePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {
+TEST_F(MaintenancePages, TheStationsDeviceIsChosenByNameAndRemembered) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   window_->desk()->open(PageId::kDevices);
   auto& driver = child<QComboBox>(*window_->desk()->page(), "driver");
@@ -306,7 +306,7 @@ TEST_F(MaintenancePages, TheDeviceOfTheStationIsChosenByNameAndRemembered) {
   EXPECT_EQ(driver.currentIndex(), puck) << "it is read whenever the page is opened";
 }
 
-TEST_F(MaintenancePages, AServerThatDoesNotAnswerIsSaidAndNothingIsOffered) {
+TEST_F(MaintenancePages, AnUnreachableServerIsReportedAndNothingIsOffered) {
   auto& page = openBy<MovePage>("Move to PostgreSQL");
   EXPECT_FALSE(child<QPushButton>(page, "testButton").isEnabled());
 

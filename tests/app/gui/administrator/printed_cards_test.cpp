@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is printed once must be whole: read back from the pages.
+// What is printed only once must be complete: read back from the pages.
 #include "app/gui/administrator/base/printed_cards.h"
 
 #include <filesystem>
@@ -20,18 +20,18 @@
 namespace torsio::gui {
 namespace {
 
-/// The words of a PDF, without any blanks.
+/// Returns the text of a PDF, without blanks.
 QString wordsOfPdf(const std::filesystem::path& file) {
   QProcess reader;
   reader.start(QStringLiteral("pdftotext"), {QString::fromStdString(file.string()), QStringLiteral("-")});
   EXPECT_TRUE(reader.waitForFinished()) << "pdftotext of poppler-utils";
-  // "ff" is one sign in some fonts.
+  // "ff" is a ligature in some fonts.
   return QString::fromUtf8(reader.readAllStandardOutput())
       .normalized(QString::NormalizationForm_KC)
       .remove(QRegularExpression(QStringLiteral("\\s")));
 }
 
-TEST(PrintedCards, EveryStartPasswordAndNameIsWhole) {
+TEST(PrintedCards, EveryStartPasswordAndNameIsComplete) {
   QTemporaryDir folder;
   const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "cards.pdf";
   std::vector<StartAccount> accounts;
@@ -53,7 +53,7 @@ TEST(PrintedCards, EveryStartPasswordAndNameIsWhole) {
   EXPECT_FALSE(words.contains(QChar(0x2026)));
 }
 
-TEST(PrintedCards, BearTheProgramsNameWhereTheCentreHasNone) {
+TEST(PrintedCards, ShowTheProgramsNameIfTheCentreHasNone) {
   QTemporaryDir folder;
   const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "cards.pdf";
   for (const std::string& centre : {std::string("Hospital A"), std::string()}) {
@@ -63,7 +63,7 @@ TEST(PrintedCards, BearTheProgramsNameWhereTheCentreHasNone) {
   }
 }
 
-TEST(PrintedCards, AnInvitationHoldsTheWholeLinkOrTheCode) {
+TEST(PrintedCards, AnInvitationContainsTheWholeLinkOrTheCode) {
   QTemporaryDir folder;
   const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "invitations.pdf";
   const std::string link =
@@ -79,7 +79,7 @@ TEST(PrintedCards, AnInvitationHoldsTheWholeLinkOrTheCode) {
   EXPECT_EQ(words.count(QStringLiteral("join#")), 1) << "who hands over the code does not know the link";
 }
 
-/// The page as it is printed, 300 points an inch.
+/// Renders the page as printed, at 300 dpi.
 QImage pictureOfPdf(const std::filesystem::path& file) {
   const QString name = QString::fromStdString(file.string());
   QProcess drawer;
@@ -90,7 +90,7 @@ QImage pictureOfPdf(const std::filesystem::path& file) {
   return QImage(name + QStringLiteral(".pgm"));
 }
 
-TEST(PrintedCards, AnInvitationBearsItsLinkForAPhone) {
+TEST(PrintedCards, AnInvitationHasItsLinkAsAQrCode) {
   QTemporaryDir folder;
   const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "invitations.pdf";
   const std::string link = "https://desk.example.org/join#abcde-fghjk-mnpqr-stuvw";
@@ -99,7 +99,7 @@ TEST(PrintedCards, AnInvitationBearsItsLinkForAPhone) {
 
   const QImage page = pictureOfPdf(file);
   ASSERT_FALSE(page.isNull());
-  // Of the first card, between its lines of text.
+  // The first card, between its lines of text.
   const double mm = page.width() / 210.0;
   const QImage middle = page.copy(QRectF(134.0 * mm, 25.0 * mm, 35.0 * mm, 33.0 * mm).toRect());
   QRect found;
@@ -124,8 +124,7 @@ TEST(PrintedCards, AnInvitationBearsItsLinkForAPhone) {
   }
 }
 
-/// Reads the signs of a barcode back from its bars, as a scanner does: nine stripes a sign, three of them
-/// wide.
+/// Decodes a barcode from its bars like a scanner: nine stripes per character, three of them wide.
 std::string readBack(const std::vector<BarcodeStripe>& bars) {
   const std::map<std::string, char> signs{{"000110100", '0'}, {"100100001", '1'}, {"001100001", '2'},
                                           {"101100000", '3'}, {"000110001", '4'}, {"100110000", '5'},
@@ -147,7 +146,7 @@ std::string readBack(const std::vector<BarcodeStripe>& bars) {
   return text;
 }
 
-TEST(Barcode, IsReadBackWithItsStartAndStopSigns) {
+TEST(Barcode, IsDecodedWithItsStartAndStopCharacters) {
   const std::string digits = "12345678909876543210";
 
   const std::vector<BarcodeStripe> bars = code39(digits);
@@ -156,7 +155,7 @@ TEST(Barcode, IsReadBackWithItsStartAndStopSigns) {
   EXPECT_DOUBLE_EQ(bars.back().left + bars.back().width, code39Width(digits.size()));
 }
 
-TEST(PrintedCards, ACardForTheKioskBearsItsCodeInDigitsToo) {
+TEST(PrintedCards, AKioskCardAlsoShowsItsCodeInDigits) {
   QTemporaryDir folder;
   const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "kiosk.pdf";
 

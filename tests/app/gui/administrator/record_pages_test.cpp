@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an administrator decides about records: how long they are kept, a person's own copy, erasure on
-// request, a move to another group, another occasion.
+// Administrators' decisions about records: retention, a person's own copy, erasure on request, a move to
+// another group, another occasion.
 #include <algorithm>
 #include <filesystem>
 
@@ -60,7 +60,7 @@ void giveReason(QDialog& dialog) {
   dialog.accept();
 }
 
-TEST(MaintenancePage, SetsAndTakesAwayRulesForKeepingRecords) {
+TEST(MaintenancePage, SetsAndRemovesRetentionRules) {
   AdministratorDesk office;
   setRetentionRule(office.centre.as("administrator"), kRetainRater, 30, "contract");
   auto page = office.open<MaintenancePage>("administrator");
@@ -82,7 +82,7 @@ TEST(MaintenancePage, SetsAndTakesAwayRulesForKeepingRecords) {
   EXPECT_EQ(office.centre.audited("retention.remove_rule"), 1);
 }
 
-TEST(MaintenancePage, KeepsTheRulesFromWhoeverMayNotManageThem) {
+TEST(MaintenancePage, HidesTheRulesFromUsersWhoMayNotManageThem) {
   AdministratorDesk office;
 
   auto page = office.open<MaintenancePage>("statistician");
@@ -90,7 +90,7 @@ TEST(MaintenancePage, KeepsTheRulesFromWhoeverMayNotManageThem) {
   EXPECT_FALSE(named(*page, "retentionRules").isEnabled());
 }
 
-TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
+TEST(RosterPage, WritesAllDataOfAPersonIntoANewFolder) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(2);
   auto page = office.open<RosterPage>("administrator");
@@ -105,7 +105,7 @@ TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
   EXPECT_EQ(office.centre.audited("person.export"), 1);
 }
 
-TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
+TEST(RosterPage, ErasesARecordOnRequestWithAReason) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(2);
   auto page = office.open<RosterPage>("administrator");
@@ -147,7 +147,7 @@ TEST(RosterPage, EntersWhatWasSignedOnPaperAndShowsEveryDecision) {
   EXPECT_EQ(office.centre.audited("consent.withdraw"), 1);
 }
 
-TEST(RosterPage, ShowsWhatTraineesAskedForAndGoesToThem) {
+TEST(RosterPage, ShowsTraineesRequestsAndGoesToThem) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(3);
   SessionContext& trainee = office.centre.as("trainee");
@@ -178,7 +178,7 @@ TEST(RosterPage, ShowsWhatTraineesAskedForAndGoesToThem) {
   EXPECT_EQ(office.centre.audited("person.request_answer"), 1);
 }
 
-TEST(RosterPage, MarksAllWhoAreChosenAsGoneAndTakesThemBack) {
+TEST(RosterPage, MarksAllSelectedPeopleAsGoneAndUndoesIt) {
   AdministratorDesk office;
   office.centre.addTrainees(5);
   auto page = office.open<RosterPage>("administrator");
@@ -203,7 +203,7 @@ TEST(RosterPage, MarksAllWhoAreChosenAsGoneAndTakesThemBack) {
   EXPECT_EQ(gone(), 0);
 }
 
-TEST(UsersPage, MakesCardsForTheKioskAndRevokesThem) {
+TEST(UsersPage, MakesKioskCardsAndRevokesThem) {
   AdministratorDesk office;
   setCentreSetting<kKioskCodes>(office.centre.as("administrator"), true);
   auto page = office.open<UsersPage>("administrator");
@@ -225,7 +225,7 @@ TEST(UsersPage, MakesCardsForTheKioskAndRevokesThem) {
   EXPECT_TRUE(kioskCodesInForce(office.centre.as("administrator")).empty());
 }
 
-TEST(UsersPage, InvitesByALinkThatIsShownOnceAndRevokesIt) {
+TEST(UsersPage, InvitesByALinkShownOnceAndRevokesIt) {
   AdministratorDesk office;
   auto page = office.open<UsersPage>("administrator");
   UserId rater;
@@ -259,7 +259,7 @@ TEST(UsersPage, InvitesByALinkThatIsShownOnceAndRevokesIt) {
   EXPECT_TRUE(invitationsInForce(office.centre.as("administrator")).empty());
 }
 
-TEST(UsersPage, OpensTheReviewDeskToBrowsersAndClosesIt) {
+TEST(UsersPage, OpensTheReviewDeskForBrowsersAndClosesIt) {
   AdministratorDesk office;
   auto page = office.open<UsersPage>("administrator");
   ReviewDeskDialog& dialog = page->placeReviewDesk({TORSIO_PROGRAM, office.centre.folder() / "review-desk"});
@@ -288,7 +288,7 @@ TEST(UsersPage, OpensTheReviewDeskToBrowsersAndClosesIt) {
                               {TORSIO_PROGRAM, office.centre.folder() / "review-desk"}));
 }
 
-TEST(RosterPage, OffersNeitherToWhoeverMayNot) {
+TEST(RosterPage, OffersNeitherWithoutTheRight) {
   AdministratorDesk office;
   office.centre.addTrainees(1);
 
@@ -298,7 +298,7 @@ TEST(RosterPage, OffersNeitherToWhoeverMayNot) {
   EXPECT_TRUE(named(*page, "erasePerson").isHidden());
 }
 
-TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
+TEST(AllocationPage, MovesATraineeByHandInAdditionToTheDraw) {
   AdministratorDesk office;
   const std::vector<TraineeId> trainees = office.centre.addTrainees(3);
   const std::string version = office.centre.runPaperCurriculum();
@@ -328,7 +328,7 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
   EXPECT_EQ(records.back().overrideReason, "asked for it");
 }
 
-TEST(CurriculaPage, AddsAnOccasionThatTheEditorThenOffers) {
+TEST(CurriculaPage, AddsAnOccasionWhichTheEditorThenOffers) {
   AdministratorDesk office;
   office.centre.runPaperCurriculum();
   auto page = office.open<CurriculaPage>("administrator");

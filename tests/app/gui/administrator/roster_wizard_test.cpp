@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The roster wizard through its real buttons, from the file to the people in the record.
+// The roster wizard with its real buttons, from the file to the people in the record.
 #include "app/gui/administrator/people/roster_wizard.h"
 
 #include <chrono>
@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AdministratorDesk;
 
-/// The wizard on its first page, with this text in a file.
+/// The wizard on its first page, with a file of this text.
 class RosterWizardTest : public ::testing::Test {
  protected:
   void SetUp() override { office.centre.as("administrator"); }
@@ -62,7 +62,7 @@ class RosterWizardTest : public ::testing::Test {
   std::unique_ptr<RosterWizard> wizard;
 };
 
-TEST_F(RosterWizardTest, ImportsFromTheFileToTheLastButtonWithTheColumnsChosenByHand) {
+TEST_F(RosterWizardTest, ImportsAFileWithColumnsChosenByHand) {
   open("Kennung;Wer;Geschlecht\nS-1;Ann Smith;f\nS-2;Bo Chen;m\nS-3;Cy Diaz;m\n");
 
   next();
@@ -88,7 +88,7 @@ TEST_F(RosterWizardTest, ImportsFromTheFileToTheLastButtonWithTheColumnsChosenBy
   EXPECT_EQ(office.centre.audited("roster.import"), 1);
 }
 
-TEST_F(RosterWizardTest, AFileOfRatersIsNoticedBeforeTheyBecomeTrainees) {
+TEST_F(RosterWizardTest, AFileOfRatersIsDetectedBeforeTheyBecomeTrainees) {
   open("Staff number,Full name,Class\nC-1,Ann Smith,chief physician\n");
   next();
   auto& hint = child<QLabel>(*wizard, "rosterHint");
@@ -101,7 +101,7 @@ TEST_F(RosterWizardTest, AFileOfRatersIsNoticedBeforeTheyBecomeTrainees) {
   EXPECT_TRUE(child<QLabel>(*wizard, "rosterHint").isHidden());
 }
 
-TEST_F(RosterWizardTest, ImportsNothingWhenAnyLineIsWrongAndSaysWhatToMend) {
+TEST_F(RosterWizardTest, ImportsNothingIfAnyLineIsWrongAndSaysWhatToCorrect) {
   open("Staff ID,Name,Age\nS-1,Ann Smith,24\nS-2,,25\nS-1,Twice,26\nS-4,Old,250\n");
 
   next();
@@ -118,7 +118,7 @@ TEST_F(RosterWizardTest, ImportsNothingWhenAnyLineIsWrongAndSaysWhatToMend) {
   EXPECT_EQ(office.centre.audited("roster.import"), 0);
 }
 
-TEST_F(RosterWizardTest, AMendedFileKeepsTheColumnsAndEmptyOrDoubleLinesBlockNothing) {
+TEST_F(RosterWizardTest, ACorrectedFileKeepsItsColumnsAndEmptyOrDuplicateLinesAreNoObstacle) {
   open("Kennung;Wer;Jahre;Bemerkung\nS-1;Ann Smith;24;erste\nS-2;Bo Chen;250;zweite\n");
   next();
   EXPECT_TRUE(lines().asText().contains(QStringLiteral("Bemerkung"))) << "every column of the file is shown";
@@ -146,14 +146,14 @@ TEST_F(RosterWizardTest, AMendedFileKeepsTheColumnsAndEmptyOrDoubleLinesBlockNot
   }
 }
 
-TEST_F(RosterWizardTest, KnowsPeopleByTheirNumberAndChangesOnlyWhatDiffers) {
+TEST_F(RosterWizardTest, IdentifiesPeopleByNumberAndChangesOnlyDifferences) {
   open("Staff ID,Name,E-mail\nS-1,Ann Smith,ann@example.org\n");
   next();
   next();
   import().click();
   office.shell().waitForJobs();
 
-  // The same number under a new name; the same address under a new number.
+  // The same number with a new name; the same address with a new number.
   open("Staff ID,Name,E-mail\nS-1,Ann Miller,ann@example.org\nS-9,Other Ann,ann@example.org\n");
   next();
   next();
@@ -167,7 +167,7 @@ TEST_F(RosterWizardTest, KnowsPeopleByTheirNumberAndChangesOnlyWhatDiffers) {
   EXPECT_EQ(known(), 2U);
 }
 
-TEST_F(RosterWizardTest, StopsInTheMiddleOfTenThousandAndStoresNothing) {
+TEST_F(RosterWizardTest, StopsDuringTenThousandAndStoresNothing) {
   std::string text = "Staff ID,Name\n";
   for (int i = 0; i < 10'000; ++i) {
     text += "S-" + std::to_string(i) + ",Intern " + std::to_string(i) + "\n";
@@ -192,9 +192,10 @@ TEST_F(RosterWizardTest, StopsInTheMiddleOfTenThousandAndStoresNothing) {
   EXPECT_EQ(known(), 0U);
 }
 
-TEST_F(RosterWizardTest, TakesTenThousandWhileTheWindowStaysAwake) {
+TEST_F(RosterWizardTest, ImportsTenThousandWhileTheWindowStaysResponsive) {
   constexpr int kPeople = 10'000;
-  // What freezes a window takes as long as the dry run or the import; a busy machine makes both longer.
+  // A frozen window would be frozen for the dry run or the import, both of which take longer on a busy
+  // machine.
   constexpr qint64 kFrozen_ms = 1'000;
   std::string text = "Staff ID,Name,Sex\n";
   for (int i = 0; i < kPeople; ++i) {

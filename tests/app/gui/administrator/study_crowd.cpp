@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The marks of a whole study by the stated rule of the demonstration, and the numbers that follow from them.
+// The marks of a whole study by the demonstration's rule, and the numbers that follow from them.
 #include "tests/app/gui/administrator/study_crowd.h"
 
 #include <algorithm>
@@ -130,8 +130,7 @@ void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, co
     }
   }
 
-  std::map<std::pair<std::string, std::string>, std::int64_t>
-      last;  // by trainee and rater, as the report has it
+  std::map<std::pair<std::string, std::string>, std::int64_t> last;  // by trainee and rater, as in the report
   for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed)) {
     if (mark.occasion == 2) {
       last[{mark.trainee, mark.rater}] = mark.steps;

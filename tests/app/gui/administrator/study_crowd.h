@@ -13,19 +13,19 @@
 
 namespace torsio::gui::testing {
 
-/// Whoever takes part in the study, as the rule of the simulated marks wants it.
+/// The participants of the study, as input of the rule of simulated marks.
 struct Crowd {
   DemonstrationPeople people;
-  std::map<std::string, std::string> idOf;    // of a rater's code
-  std::map<std::string, std::string> codeOf;  // of an enrolment
+  std::map<std::string, std::string> idOf;    // by rater code
+  std::map<std::string, std::string> codeOf;  // by enrolment
 };
 
 Crowd crowdOf(AdministratorDesk& office, const CohortId& cohortId, const std::vector<std::string>& chiefs);
-/// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
+/// Fills in every open sheet of the cohort by the demonstration's rule.
 void submitSheets(AdministratorDesk& office, const CohortId& cohortId, const Crowd& crowd);
 /// 40 raters, three models, nine indices.
 void submitEvaluationMarks(AdministratorDesk& office, const Crowd& crowd);
-/// Computes what the exported table says of these marks by the commands, and compares.
+/// Computes the numbers of the exported table with the command line, and compares.
 void expectNumbersOfTheCommandLine(const std::filesystem::path& table, const Crowd& crowd,
                                    const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an administrator writes for the study: consent texts, the scoring sheet, the life of a cohort.
+// What administrators edit for the study: consent texts, the scoring sheet, the states of a cohort.
 #include <filesystem>
 
 #include <QApplication>
@@ -46,7 +46,7 @@ void giveBoardsReason(QDialog& dialog) {
   dialog.accept();
 }
 
-/// The texts of an edit field changed as if typed.
+/// Changes the text of a field as if typed.
 void typeInto(QLineEdit& field, const QString& text) {
   field.setText(text);
   Q_EMIT field.textEdited(text);
@@ -93,7 +93,7 @@ TEST(ConsentTexts, AreEditedInEachLanguageAndPublishedAsTheNextVersion) {
   EXPECT_EQ(wordsIn(now, "zh_CN").texts.back().title, "\u7167\u7247");
 }
 
-TEST(ConsentTexts, AnotherLanguageBeginsWithTheTextsThatAreShown) {
+TEST(ConsentTexts, ANewLanguageStartsWithTheTextsShown) {
   AdministratorDesk office;
   office.centre.as("administrator");
   ConsentTextsDialog dialog(office.shell());
@@ -117,7 +117,7 @@ TEST(ConsentTexts, AnotherLanguageBeginsWithTheTextsThatAreShown) {
             "de");
 }
 
-TEST(ConsentTexts, DoNotGoLostByClosing) {
+TEST(ConsentTexts, AreNotLostByClosing) {
   AdministratorDesk office;
   office.centre.as("administrator");
   ConsentTextsDialog dialog(office.shell());
@@ -152,7 +152,7 @@ TEST(ConsentForms, ArePrintedWithEveryPurposeAndOneForEachCode) {
   EXPECT_EQ(pages(three), 3);
 }
 
-TEST(RubricDialog, EditsTheSheetBesideWhatTheRaterSeesAndPublishesARevision) {
+TEST(RubricDialog, EditsTheSheetBesideTheRatersViewAndPublishesARevision) {
   AdministratorDesk office;
   office.centre.addPaperRubric();
   auto page = office.open<ScoringPage>("administrator");
@@ -196,7 +196,7 @@ TEST(RubricDialog, EditsTheSheetBesideWhatTheRaterSeesAndPublishesARevision) {
   EXPECT_EQ(rubric.revisions.back().note, "as the board asked");
 }
 
-TEST(RubricDialog, WritesASheetToAFileAndTakesOneFromAFile) {
+TEST(RubricDialog, ExportsASheetToAFileAndImportsOne) {
   AdministratorDesk office;
   office.centre.addPaperRubric();
   office.centre.as("administrator");

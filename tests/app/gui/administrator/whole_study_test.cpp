@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's study as an administrator runs it, from the roster to the exported report, through the real
-// widgets on simulated marks; the numbers that leave the house are those of the command line.
+// The paper's study as an administrator runs it, from the roster to the exported report, with real widgets
+// and simulated marks; the exported numbers equal those of the command line.
 #include <algorithm>
 #include <filesystem>
 
@@ -75,7 +75,7 @@ std::string ratersFile(const std::string& prefix, const std::vector<std::pair<st
   return text;
 }
 
-/// How long a person would have needed for what this test does.
+/// Estimated time that a person would need for the actions of this test.
 testing::ByHand& byHand() {
   static testing::ByHand hand;
   return hand;
@@ -118,7 +118,7 @@ void importRoster(AdministratorDesk& office, const std::string& text, bool rater
   EXPECT_EQ(wizard.outcome()->added, expected);
 }
 
-/// Leaves only these lines of a dialog's list chosen, by the codes in their first column.
+/// Selects only these lines of a dialog's list, by the codes in their first column.
 void chooseCodes(QDialog& dialog, const std::vector<std::string>& codes) {
   byHand().press(2);  // the first, and the last with Shift
   QTableView& view = dialog.findChild<DataTable*>()->view();
@@ -149,7 +149,7 @@ std::string makeCohort(AdministratorDesk& office) {
   answer([](QDialog& dialog) { typeByHand(dialog, QStringLiteral("Interns 2026")); });
   pressByHand(*page, QStringLiteral("New cohort"));
   byHand().press();
-  answer([](QDialog& dialog) { dialog.accept(); });  // everybody is chosen to begin with
+  answer([](QDialog& dialog) { dialog.accept(); });  // initially everybody is selected
   pressByHand(*page, QStringLiteral("Enrol trainees"));
   EXPECT_EQ(child<DataTable>(*page, "members").visibleRows(), static_cast<int>(kTrainees));
   return child<DataTable>(*page, "cohorts").currentId().toStdString();
@@ -177,7 +177,7 @@ void drawGroups(AdministratorDesk& office, const CohortId& cohortId) {
   }
   pressByHand(*page, QStringLiteral("Preview balance"));
   EXPECT_GE(child<DataTable>(*page, "balance").visibleRows(),
-            2);  // women and men, beside what else is known of them
+            2);  // women and men, besides other data
   QTimer::singleShot(0, [] {
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     ASSERT_NE(box, nullptr);
@@ -232,7 +232,7 @@ void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
     dialog.accept();
   });
   pressByHand(*page, QStringLiteral("Swap turns"));
-  // Two that swapped, and time that was logged before any sheet of the real arm was in.
+  // Two who swapped, and time logged before any sheet of the real arm was in.
   EXPECT_EQ(deviations(office.centre.session(), cohortId).size(), 3U);
   int listed = 0;
   answer([&listed](QDialog& dialog) {
@@ -243,7 +243,7 @@ void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
   EXPECT_EQ(listed, 3);
 
   office.centre.passTime_us(60'000'000);
-  // The page reads itself anew every few seconds.
+  // The page refreshes itself every few seconds.
   constexpr int kPatience_ms = 30'000;
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
@@ -275,12 +275,12 @@ void makeEvaluation(AdministratorDesk& office, const std::vector<std::string>& e
   ASSERT_EQ(child<DataTable>(*page, "campaigns").visibleRows(), 1);
 }
 
-/// What the guide asks for beside what this test presses: the first run, the rule of two people, accounts of
-/// the allocator, the statistician and of everybody on the roster, and the allocator's turn.
+/// Counts the steps of the guide that this test does not perform: the first run, the two-person rule,
+/// accounts of the allocator, the statistician and everybody on the roster, and the allocator's turn.
 void countTheRest(testing::ByHand& hand) {
   hand.press(8);  // first run
   hand.type(75);
-  hand.press(5);  // one administrator switches the rule of two people off
+  hand.press(5);  // one administrator disables the two-person rule
   hand.type(20);
   for (int account = 0; account < 2; ++account) {
     hand.press(8);
@@ -289,14 +289,14 @@ void countTheRest(testing::ByHand& hand) {
   hand.press(7);  // accounts for the roster, and their cards
   hand.type(16);
   hand.wait_s(static_cast<double>(kTrainees + kChiefs + kEvaluators));
-  for (int change = 0; change < 2; ++change) {  // sign out and in; the first time with a new password
+  for (int change = 0; change < 2; ++change) {  // sign out and in; with a new password the first time
     hand.press(5);
     hand.type(60);
   }
   hand.press(6);  // pages
 }
 
-TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLine) {
+TEST(WholeStudy, GoesFromTheRosterToTheReportWithTheNumbersOfTheCommandLine) {
   AdministratorDesk office;
   importRoster(office, internsFile(), false, kTrainees);
   importRoster(office, ratersFile("C-", {{"chief", 10}}), true, kChiefs);
@@ -335,7 +335,7 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
   const fs::path pdf = office.centre.folder() / "report.pdf";
   const fs::path csv = office.centre.folder() / "report.csv";
   ASSERT_TRUE(reports->exportTo(ReportFormat::kPdf, pdf));
-  auto numbers = office.open<ReportsPage>("statistician");  // who may see single marks, under codes
+  auto numbers = office.open<ReportsPage>("statistician");  // may see individual marks, by code
   ASSERT_TRUE(numbers->exportTo(ReportFormat::kCsv, csv));
   const fs::path tables = office.centre.folder() / "tables";
   ASSERT_TRUE(numbers->exportTables(tables));

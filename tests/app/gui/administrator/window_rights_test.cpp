@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window knows of pages and rights without asking the database.
+// What the window knows about pages and rights without the database.
 #include <set>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using testing::AdministratorDesk;
 
-TEST(RightsOfTheWindow, StayAsTheyWereReadWhileServicesAskAnew) {
+TEST(RightsOfTheWindow, StayAsReadWhileServicesCheckAgain) {
   AdministratorDesk office;
   SessionContext& session = office.centre.as("administrator");
   ASSERT_TRUE(office.shell().may(Operation::kUserManage));
@@ -28,7 +28,7 @@ TEST(RightsOfTheWindow, StayAsTheyWereReadWhileServicesAskAnew) {
   EXPECT_FALSE(office.shell().may(Operation::kUserManage));
 }
 
-TEST(RightsOfTheWindow, AreThoseOfWhoeverHasSignedIn) {
+TEST(RightsOfTheWindow, AreThoseOfTheSignedInUser) {
   AdministratorDesk office;
   office.centre.as("administrator");
   ASSERT_TRUE(office.shell().may(Operation::kUserManage));
@@ -39,7 +39,7 @@ TEST(RightsOfTheWindow, AreThoseOfWhoeverHasSignedIn) {
   EXPECT_TRUE(office.shell().may(Operation::kResultsCompute));
 }
 
-TEST(PageTable, HoldsEveryPageOnceUnderANameOfItsOwn) {
+TEST(PageTable, ContainsEveryPageOnceWithAUniqueName) {
   std::set<PageId> ids;
   std::set<QString> texts;
 
@@ -51,7 +51,7 @@ TEST(PageTable, HoldsEveryPageOnceUnderANameOfItsOwn) {
     }
   }
 
-  EXPECT_EQ(ids.size(), static_cast<std::size_t>(PageId::kDevices) + 1);  // the last of the table
+  EXPECT_EQ(ids.size(), static_cast<std::size_t>(PageId::kDevices) + 1);  // last entry of the table
 }
 
 }  // namespace

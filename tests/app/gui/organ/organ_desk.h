@@ -20,7 +20,7 @@ inline std::filesystem::path wizardFile(const std::string& name) {
   return std::filesystem::path(::testing::TempDir()) / ("wizard-" + std::to_string(getpid()) + "-" + name);
 }
 
-/// All that can be read on the wizard.
+/// Returns all visible text of the wizard.
 inline std::string readable(const OrganWizard& wizard) {
   QString all;
   for (const QLabel* label : wizard.findChildren<QLabel*>()) {
@@ -41,7 +41,7 @@ inline QPushButton& wizardButton(const OrganWizard& wizard, const QString& text)
   return *wizard.findChild<QPushButton*>();
 }
 
-/// A desk with the wizard on it; what is reported as failed is kept.
+/// A desk with the wizard; collects failures.
 class OrganDesk {
  public:
   OrganDesk() : shell_(centre_.session(), centre_.assets(), ThemeKind::kLight), wizard(shell_) {
@@ -85,7 +85,7 @@ class OrganDesk {
     settle();
   }
 
-  /// Waits for what goes on in the background.
+  /// Waits for background work.
   void settle() {
     shell_.waitForJobs();
     QApplication::processEvents();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An instrument out of its scan in the window: found, its tip and hinge placed on the picture, saved.
+// An instrument from its scan in the window: found, its tip and hinge placed on the picture, saved.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -30,7 +30,7 @@ using testing::OrganDesk;
 using testing::wizardButton;
 using testing::wizardFile;
 
-/// The shipped grasper, its shaft cut at 90 mm, along the patient's length; denser than metal is in a CT.
+/// The shipped grasper, its shaft cut at 90 mm, along the patient's length; denser than metal in a CT.
 std::filesystem::path grasperScan() {
   const std::filesystem::path folder = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/instruments";
   TriangleMesh all;
@@ -60,7 +60,7 @@ TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
   ASSERT_NEAR(panel.tool().length_mm, 90.0, 1.5);
   EXPECT_NEAR(panel.tool().tip_mm.z, 0.0, 1.5);
 
-  // The hinge is 20 mm behind the tip until it is clicked elsewhere.
+  // The hinge is 20 mm behind the tip until it is placed by a click.
   EXPECT_NEAR(panel.tool().pivot_mm, 20.0, 1e-6);
   panel.view().resize(600, 480);
   panel.view().pickAt(panel.view().placeOf(1, 25.0));
@@ -68,7 +68,7 @@ TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
   desk.findInstrument();
   EXPECT_NEAR(panel.tool().pivot_mm, 25.0, 0.1);
 
-  // A click on the other half makes its end the tip, another one brings it back.
+  // A click on the other half makes its end the tip, another click reverts it.
   panel.view().pickAt(panel.view().placeOf(0, 80.0));
   desk.settle();
   EXPECT_NEAR(panel.tool().tip_mm.z, 90.0, 1.5);
@@ -87,7 +87,7 @@ TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
   }
 }
 
-/// Whether nothing is drawn in a line of pixels.
+/// Returns whether a line of pixels is empty.
 bool isBare(const QImage& picture, int y) {
   const QColor backdrop = theme(ThemeKind::kLight).backdrop;
   for (int x = 0; x < picture.width(); ++x) {
@@ -98,8 +98,8 @@ bool isBare(const QImage& picture, int y) {
   return true;
 }
 
-// In a wide and low window the rows are far wider than high.
-TEST(OrganInstrument, IsNotCutOffHoweverWideItsViewIs) {
+// In a wide and low window, rows are much wider than high.
+TEST(OrganInstrument, IsNotClippedHoweverWideItsView) {
   ToolSurface tool;
   tool.length_mm = 250.0;
   tool.pivot_mm = 20.0;
@@ -127,7 +127,7 @@ TEST(OrganInstrument, IsNotCutOffHoweverWideItsViewIs) {
   }
 }
 
-TEST(OrganInstrument, OfAMeshIsFoundPlacedAndSaved) {
+TEST(OrganInstrument, FromAMeshIsFoundPlacedAndSaved) {
   const std::filesystem::path file = wizardFile("tool.ply");
   writePly(file, torsio::testing::capsule(0.004, 0.16, 32, 40));
   OrganDesk desk;
@@ -136,7 +136,7 @@ TEST(OrganInstrument, OfAMeshIsFoundPlacedAndSaved) {
   ASSERT_TRUE(desk.failures.isEmpty()) << desk.failures.join(' ').toStdString();
   InstrumentPanel& panel = desk.wizard.instrument();
   EXPECT_NEAR(panel.tool().length_mm, 168.0, 0.5);
-  EXPECT_FALSE(child<QDoubleSpinBox>(desk.wizard, "toolThreshold").isVisibleTo(&panel));  // a scan's
+  EXPECT_FALSE(child<QDoubleSpinBox>(desk.wizard, "toolThreshold").isVisibleTo(&panel));  // for scans only
   EXPECT_TRUE(child<QComboBox>(desk.wizard, "toolUnit").isVisibleTo(&panel));
 
   child<QDoubleSpinBox>(desk.wizard, "toolHinge").setValue(30.0);
@@ -147,20 +147,20 @@ TEST(OrganInstrument, OfAMeshIsFoundPlacedAndSaved) {
   desk.wizard.saveInstrument(saved);
   EXPECT_EQ(nlohmann::json::parse(readFile(saved)).at("provenance"), kInstrumentOfMesh);
 
-  // The wrong unit is refused with its reason, and nothing can be saved.
+  // A wrong unit is refused with a reason, and nothing can be saved.
   child<QComboBox>(desk.wizard, "toolUnit").setCurrentIndex(2);
   desk.findInstrument();
   EXPECT_EQ(desk.failures.size(), 1);
   EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save instrument\u2026")).isEnabled());
 
-  // A scan afterwards asks for its own things again.
+  // A scan afterwards has its own settings again.
   desk.failures.clear();
   desk.openInstrument(grasperScan());
   EXPECT_TRUE(child<QDoubleSpinBox>(desk.wizard, "toolThreshold").isVisibleTo(&panel));
   EXPECT_NEAR(panel.tool().length_mm, 90.0, 1.5);
 }
 
-TEST(OrganInstrument, OfACentresOwnIsReadBesideItsFileAndNowhereElse) {
+TEST(OrganInstrument, OfACentreIsReadBesideItsFileAndNowhereElse) {
   const std::filesystem::path shipped = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/instruments";
   const std::filesystem::path folder = wizardFile("own");
   std::filesystem::create_directories(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bringing an organ out of a scan in the window: slices, what the organ is, the brush, the surface.
+// Importing an organ from a scan in the window: slices, segmentation, brush, surface.
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -27,7 +27,7 @@ using ::testing::HasSubstr;
 using testing::OrganDesk;
 using testing::wizardFile;
 
-/// A lying bar of tissue in air, as a CT: 40 mm thick, 200 mm long along the patient's left and right.
+/// A horizontal bar of tissue in air, like a CT: 40 mm thick, 200 mm long along the patient's left and right.
 std::filesystem::path barScan() {
   const std::filesystem::path file = wizardFile("patient-name.nii.gz");
   const TriangleMesh bar = torsio::testing::shifted(
@@ -39,7 +39,7 @@ std::filesystem::path barScan() {
   return file;
 }
 
-/// A wizard before the slices of the bar, shown so that it can be clicked.
+/// A visible wizard at the bar's slices, so that they can be clicked.
 void openBar(OrganDesk& desk) {
   desk.wizard.show();
   desk.openScan(barScan());
@@ -72,7 +72,7 @@ TEST(OrganScan, ShowsSlicesAlongThePatientsAxes) {
   openBar(desk);
   const ScanPanel& panel = desk.wizard.scanPanel();
   ASSERT_FALSE(panel.state().empty());
-  // The bar lies along the left and the right: on the axial slice it is wide, on the sagittal one round.
+  // The bar extends from left to right: wide on the axial slice, round on the sagittal one.
   const ScanVolume& volume = panel.state().preview.volume;
   EXPECT_GT(volume.step_mm[0].x, 0.0);
   EXPECT_GT(volume.step_mm[1].y, 0.0);
@@ -88,7 +88,7 @@ TEST(OrganScan, ShowsSlicesAlongThePatientsAxes) {
   EXPECT_LT(qGray(shown.pixel(pixelAt(panel, SlicePlane::kAxial, {60, 35, 0}))), 30);  // air
 }
 
-TEST(OrganScan, FindsTheOrganFromASeedAndABoxAndMakesItASurface) {
+TEST(OrganScan, FindsTheOrganFromASeedAndABoxAndMakesASurface) {
   OrganDesk desk;
   openBar(desk);
   ScanPanel& panel = desk.wizard.scanPanel();
@@ -103,7 +103,7 @@ TEST(OrganScan, FindsTheOrganFromASeedAndABoxAndMakesItASurface) {
   const double whole_ml = *panel.state().volume_ml();
   EXPECT_NEAR(whole_ml, 235.0, 10.0);  // 0.02^2 pi 0.16 + 4/3 0.02^3 pi
 
-  // A box round the half on the patient's left.
+  // A box around the half on the patient's left.
   chooseTool(desk, QStringLiteral("Box"));
   SliceView& axial = sliceOf(panel, SlicePlane::kAxial);
   QTest::mousePress(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, {0, -35, 0}));
@@ -120,10 +120,10 @@ TEST(OrganScan, FindsTheOrganFromASeedAndABoxAndMakesItASurface) {
   const OrganImport& made = desk.wizard.trial()->import;
   EXPECT_TRUE(made.accepted);
   EXPECT_NEAR(made.volume_ml.value(), 235.0, 5.0);
-  EXPECT_EQ(made.organ.source, "NIfTI, skin");  // and not the name of the file
+  EXPECT_EQ(made.organ.source, "NIfTI, skin");  // without the file name
 }
 
-TEST(OrganScan, MendsTheMaskWithABrushThatCanBeUndone) {
+TEST(OrganScan, CorrectsTheMaskWithABrushThatCanBeUndone) {
   OrganDesk desk;
   openBar(desk);
   ScanPanel& panel = desk.wizard.scanPanel();
@@ -138,7 +138,7 @@ TEST(OrganScan, MendsTheMaskWithABrushThatCanBeUndone) {
     QTest::mouseRelease(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, to_mm));
   };
   chooseTool(desk, QStringLiteral("Brush: erase"));
-  // Across the bar, three times: what lies beyond the cut falls off.
+  // Three strokes across the bar: the part beyond the cut is lost.
   for (const double z : {-14.0, 0.0, 14.0}) {
     strokeAlong({50, -26, z}, {50, 26, z});
   }
@@ -159,7 +159,7 @@ TEST(OrganScan, MendsTheMaskWithABrushThatCanBeUndone) {
   EXPECT_THAT(testing::readable(desk.wizard), HasSubstr("D19"));
 }
 
-TEST(OrganScan, KeepsWhatItShowsWhenTheOrganIsNotThere) {
+TEST(OrganScan, KeepsItsDisplayIfTheOrganIsNotThere) {
   OrganDesk desk;
   openBar(desk);
   auto& tissue = child<QComboBox>(desk.wizard, "tissue");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bringing an organ in the window: a mesh is judged, looked at, named, saved and opened.
+// Importing an organ in the window: a mesh is judged, inspected, named, saved and opened.
 #include "app/gui/organ/organ_wizard.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ using testing::readable;
 using testing::wizardButton;
 using testing::wizardFile;
 
-/// A straight bar of 200 ml, millimetres, as somebody's mesh file.
+/// A user's mesh file: a straight bar of 200 ml, millimetres.
 std::filesystem::path barFile() {
   const std::filesystem::path file = wizardFile("bar.ply");
   TriangleMesh bar = torsio::testing::capsule(0.02, 0.14, 32, 40);
@@ -54,7 +54,7 @@ std::filesystem::path barFile() {
   return file;
 }
 
-TEST(OrganWizard, JudgesAMeshShowsItsAxisAndKeepsItAsAnOrganFile) {
+TEST(OrganWizard, JudgesAMeshShowsItsAxisAndSavesItAsAnOrganFile) {
   OrganDesk desk;
   desk.judge(barFile());
   ASSERT_TRUE(desk.wizard.trial().has_value());
@@ -75,7 +75,7 @@ TEST(OrganWizard, JudgesAMeshShowsItsAxisAndKeepsItAsAnOrganFile) {
   EXPECT_EQ(loadScene(request).organHash, contentHash(trial.import.organ.mesh));
 }
 
-TEST(OrganWizard, ItsSourcesStandSideBySideInTheMiddleOfAWideScreen) {
+TEST(OrganWizard, ShowsItsSourcesSideBySideAndCentredOnAWideScreen) {
   testing::OrganDesk desk;
   desk.wizard.show();
   for (const int width : {1160, 3600}) {
@@ -95,7 +95,7 @@ TEST(OrganWizard, ItsSourcesStandSideBySideInTheMiddleOfAWideScreen) {
   }
 }
 
-TEST(OrganWizard, TurnsAPackOnItsStalkOnTrial) {
+TEST(OrganWizard, TurnsAPackedBowelOnItsStalkInATrialTwist) {
   OrganImportRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   request.file = request.assets / "organs" / "midgut.ply";
@@ -108,7 +108,7 @@ TEST(OrganWizard, TurnsAPackOnItsStalkOnTrial) {
   std::vector<Vec3> turned_m(trial.scene->mesh.vertices_m.size());
   trial.view.deform(trial.scene->hollow->stateAt(radians(60.0)), turned_m);
 
-  // The front of the pack keeps its shape and is turned.
+  // The front of the pack keeps its shape and rotates.
   const std::vector<Vec3>& rest_m = trial.scene->mesh.vertices_m;
   const auto front =
       std::min_element(rest_m.begin(), rest_m.end(), [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
@@ -120,13 +120,13 @@ TEST(OrganWizard, TurnsAPackOnItsStalkOnTrial) {
   EXPECT_GT(norm(sideNow_m - *side), 0.04);
 }
 
-TEST(OrganWizard, TwistsOnTrialAsItWasJudged) {
+TEST(OrganWizard, UsesTheJudgedTwistForTheTrial) {
   OrganDesk desk;
   desk.judge(barFile());
   const OrganTrial& trial = *desk.wizard.trial();
   child<QSlider>(desk.wizard, "trialTwist").setValue(60);
 
-  // The middle of a bar that is the same at both ends turns by half of it.
+  // The middle of a symmetric bar turns by half the angle.
   std::vector<Vec3> turned(trial.shown->vertices_m.size());
   const double length_m = trial.scene->lattice().length_m();
   trial.view.deform({{length_m, radians(60.0)}, {}}, turned);
@@ -143,14 +143,13 @@ TEST(OrganWizard, TwistsOnTrialAsItWasJudged) {
   EXPECT_GT(seen, 10U);
 }
 
-TEST(OrganWizard, SaysWhyAnOrganIsRefusedAndTakesItWithWhatIsKnown) {
+TEST(OrganWizard, SaysWhyAnOrganIsRefusedAndAcceptsItWithMoreInformation) {
   OrganDesk desk;
   desk.judge(barFile());
-  // A testis of 200 ml there is not.
+  // There is no testis of 200 ml.
   auto& anatomy = child<QComboBox>(desk.wizard, "anatomy");
   anatomy.setCurrentIndex(anatomy.findData(QStringLiteral("testis")));
-  EXPECT_FALSE(
-      wizardButton(desk.wizard, QStringLiteral("Save organ\u2026")).isEnabled());  // judged otherwise
+  EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save organ\u2026")).isEnabled());  // judged again
   desk.again();
   ASSERT_FALSE(desk.wizard.trial()->import.accepted);
   const std::string said = readable(desk.wizard);
@@ -168,13 +167,13 @@ TEST(OrganWizard, SaysWhyAnOrganIsRefusedAndTakesItWithWhatIsKnown) {
   EXPECT_EQ(desk.wizard.trial()->import.organ.anatomy, "sigmoid");
 }
 
-TEST(OrganWizard, TakesTheEndsThatAreClicked) {
+TEST(OrganWizard, UsesTheEndsThatAreClicked) {
   OrganDesk desk;
   desk.judge(barFile());
   desk.wizard.show();
   QApplication::processEvents();
   child<QRadioButton>(desk.wizard, "endsGiven").setChecked(true);
-  wizardButton(desk.wizard, QStringLiteral("Click")).setChecked(true);  // the held end; the free end follows
+  wizardButton(desk.wizard, QStringLiteral("Click")).setChecked(true);  // the fixed end; the free end is next
   SceneView& view = desk.wizard.picture().view();
   const auto click = [&](const Vec3& place_m) {
     return desk.wizard.picture().pickAt(view.camera().pixel(toView(place_m), QSizeF(view.size())));
@@ -189,7 +188,7 @@ TEST(OrganWizard, TakesTheEndsThatAreClicked) {
   EXPECT_NEAR(norm(*ends.freeEnd_m - Vec3{0, -0.02, 0.02}), 0.0, 0.002);
 }
 
-TEST(ArmForm, SaysWhatIsTypedAndLeavesAMansWristAlone) {
+TEST(ArmForm, ReturnsTheInputAndNoWristWidthIfUntouched) {
   ArmForm form;
   EXPECT_FALSE(form.person().wristWidth_mm.has_value());
   EXPECT_EQ(form.person().fingers_mm, PersonArm().fingers_mm);
@@ -206,7 +205,7 @@ TEST(ArmForm, SaysWhatIsTypedAndLeavesAMansWristAlone) {
   EXPECT_EQ(person.fingers_mm[0], PersonArm().fingers_mm[0]);
 }
 
-TEST(OrganWizard, DrawsAnArmWithAPersonsMeasures) {
+TEST(OrganWizard, GeneratesAnArmFromAPersonsMeasurements) {
   OrganDesk desk;
   child<QDoubleSpinBox>(desk.wizard, "wristWidth").setValue(56.0);
   child<QDoubleSpinBox>(desk.wizard, "wristThickness").setValue(40.0);
@@ -216,7 +215,7 @@ TEST(OrganWizard, DrawsAnArmWithAPersonsMeasures) {
   const OrganTrial& trial = *desk.wizard.trial();
   ASSERT_TRUE(trial.import.accepted);
   EXPECT_EQ(trial.import.organ.anatomy, "forearm");
-  // A man's has 1 523 ml; girths by 0.86 make about three quarters of that.
+  // A man's arm has 1 523 ml; girths scaled by 0.86 give about three quarters.
   EXPECT_GT(*trial.import.volume_ml, 900.0);
   EXPECT_LT(*trial.import.volume_ml, 1300.0);
   const std::filesystem::path file = wizardFile("arm.organ");
@@ -225,7 +224,7 @@ TEST(OrganWizard, DrawsAnArmWithAPersonsMeasures) {
   EXPECT_TRUE(std::filesystem::exists(file.parent_path() / (file.stem().string() + "_markers.json")));
 }
 
-TEST(OrganWizard, TellsOfAFileThatIsNoSurfaceWithoutAPicture) {
+TEST(OrganWizard, ReportsAFileThatIsNoSurfaceWithoutAPicture) {
   OrganDesk desk;
   const std::filesystem::path file = wizardFile("nonsense.stl");
   std::ofstream(file) << "this is no mesh at all, however long it may be";

@@ -31,7 +31,7 @@ namespace {
 
 using torsio::testing::ReviewCentre;
 
-TEST(CasePage, LosesNoKeystrokeWhenItVanishes) {
+TEST(CasePage, LosesNoKeystrokeWhenItDisappears) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const QString id = inputOf(centre.cases(0).front());
   {
@@ -94,12 +94,12 @@ TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
   EXPECT_FALSE(editorOf(page)->canUndo());
   desk.press(Qt::Key_Y, Qt::ControlModifier);
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 80);
-  // What was undone is undone on the disk too.
+  // Undo is stored, too.
   const OpenedSheet stored = openSheet(desk.session(), centre.cases(0).front());
   EXPECT_EQ(SheetEditor(stored.rubric, stored.sheet).answer("time").score_steps, 80);
 }
 
-TEST(CasePage, TellsTheMomentOfTheReplayAsABookmarkThereTellsIt) {
+TEST(CasePage, ShowsTheMomentOfTheReplayLikeABookmarkThere) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -114,7 +114,7 @@ TEST(CasePage, TellsTheMomentOfTheReplayAsABookmarkThereTellsIt) {
   EXPECT_EQ(end[0], end[1]);
 }
 
-TEST(CasePage, KeysAreSilentWhileTyping) {
+TEST(CasePage, IgnoresItsKeysWhileTyping) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -129,7 +129,7 @@ TEST(CasePage, KeysAreSilentWhileTyping) {
   EXPECT_TRUE(caseRemarks(desk.session(), centre.cases(0).front()).empty());
 }
 
-TEST(CasePage, NotAssessableTakesAReason) {
+TEST(CasePage, NotAssessableNeedsAReason) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -162,11 +162,11 @@ TEST(CasePage, EscAfterNKeepsTheScore) {
   EXPECT_TRUE(editorOf(page)->answer("time").notAssessableReason.empty());
 }
 
-TEST(CasePage, TabStaysInTheSheetAndFiguresGoOnScoring) {
+TEST(CasePage, TabStaysInTheSheetAndDigitsKeepScoring) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
-  for (int i = 0; i < 4; ++i) {  // time, accuracy, overall, comment, and round
+  for (int i = 0; i < 4; ++i) {  // time, accuracy, overall, comment, and back to the start
     desk.press(Qt::Key_Tab);
   }
   desk.press(Qt::Key_5);
@@ -178,7 +178,7 @@ TEST(CasePage, TabStaysInTheSheetAndFiguresGoOnScoring) {
   EXPECT_EQ(editorOf(page)->answer(kOverallRow).score_steps, 60);
 }
 
-TEST(CasePage, TellsWhatTheExerciseAsksForAndNothingOfWhoseItIs) {
+TEST(CasePage, ShowsTheTaskButNotWhoseRecordingItIs) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -192,7 +192,7 @@ TEST(CasePage, TellsWhatTheExerciseAsksForAndNothingOfWhoseItIs) {
   }
 }
 
-TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
+TEST(CasePage, SubmitsOnlyACompleteAndWatchedCase) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -203,11 +203,11 @@ TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
     desk.press(Qt::Key_Return, Qt::ControlModifier);
   }
   EXPECT_EQ(state(), SheetState::kDraft);
-  EXPECT_EQ(child<SheetPanel>(page, "sheetPanel").currentRow(), "accuracy");  // the first open row
+  EXPECT_EQ(child<SheetPanel>(page, "sheetPanel").currentRow(), "accuracy");  // first open row
   desk.press(Qt::Key_7);
   desk.press(Qt::Key_Down);
   desk.press(Qt::Key_7);
-  child<ReplayPanel>(page, "replay").seek_us(1'900'000);  // a jump is not watching
+  child<ReplayPanel>(page, "replay").seek_us(1'900'000);  // seeking does not count as watching
   for (int i = 0; i < 3; ++i) {
     desk.press(Qt::Key_Return, Qt::ControlModifier);
   }
@@ -216,7 +216,7 @@ TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
   child<ReplayPanel>(page, "replay").seek_us(0);
   desk.press(Qt::Key_L);
   EXPECT_TRUE(child<ReplayPanel>(page, "replay").playing());
-  desk.press(Qt::Key_L);  // locked: no faster
+  desk.press(Qt::Key_L);  // locked: not faster
   EXPECT_DOUBLE_EQ(child<ReplayPanel>(page, "replay").recording()->playback.speed(), 1.0);
   watchAll(child<ReplayPanel>(page, "replay"));
   for (int i = 0; i < 2; ++i) {
@@ -226,7 +226,7 @@ TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
   EXPECT_EQ(state(), SheetState::kSubmitted);
 }
 
-TEST(CasePage, ClearsTheSheetInOneStepThatUndoTakesBack) {
+TEST(CasePage, ClearsTheSheetInOneUndoStep) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -240,7 +240,7 @@ TEST(CasePage, ClearsTheSheetInOneStepThatUndoTakesBack) {
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
 }
 
-TEST(CasePage, GoesOnAfterAFigureWhereThatIsWanted) {
+TEST(CasePage, AdvancesAfterADigitIfEnabled) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -248,13 +248,13 @@ TEST(CasePage, GoesOnAfterAFigureWhereThatIsWanted) {
   const std::vector<std::string> rows = editorOf(page)->order();
   ASSERT_GE(rows.size(), 3U);
   desk.press(Qt::Key_7);
-  EXPECT_EQ(sheet.currentRow(), rows[0]);  // unless it is asked for, nothing moves
+  EXPECT_EQ(sheet.currentRow(), rows[0]);  // disabled: stays
   child<QToolButton>(page, "advance").click();
 
   desk.press(Qt::Key_6);
   EXPECT_EQ(sheet.currentRow(), rows[1]);
   desk.press(Qt::Key_1);
-  EXPECT_EQ(sheet.currentRow(), rows[1]);  // it may become a ten
+  EXPECT_EQ(sheet.currentRow(), rows[1]);  // may become a ten
   desk.press(Qt::Key_0);
   EXPECT_EQ(sheet.currentRow(), rows[2]);
   desk.press(Qt::Key_1);
@@ -269,7 +269,7 @@ TEST(CasePage, GoesOnAfterAFigureWhereThatIsWanted) {
   };
   EXPECT_EQ(points(0), 6);
   EXPECT_EQ(points(1), 1);
-  EXPECT_EQ(points(2), 4);  // the four was the next row's, not a fourteen
+  EXPECT_EQ(points(2), 4);  // the four belongs to the next row, it is not a fourteen
   child<QToolButton>(page, "advance").click();
   EXPECT_FALSE(sheet.advancing());
 }
@@ -313,11 +313,11 @@ TEST(CasePage, BookmarksRemarksAndSteps) {
   EXPECT_EQ(caseRemarks(desk.session(), centre.cases(0).front()).front().earlier.size(), 1U);
 }
 
-TEST(CasePage, TheOverallMarkIsSeenWithoutScrollingAndRowsAreSliders) {
+TEST(CasePage, ShowsTheOverallMarkWithoutScrollingAndRowsAreSliders) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
-  page.resize(1146, 420);  // less than a screen of 768 lines leaves it
+  page.resize(1146, 420);  // less than on a screen of 768 lines
   QApplication::processEvents();
 
   const ScoreRow* overall = nullptr;
@@ -359,7 +359,7 @@ TEST(CasePage, TheOverallMarkFollowsTheRowsOnATallPage) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return gap_px() >= 0 && gap_px() < 40; })) << gap_px();
 }
 
-TEST(CasePage, TheCurvesTakePartInTheHeightOfATallScreenAlone) {
+TEST(CasePage, TracesOnlyGrowOnATallScreen) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -380,7 +380,7 @@ TEST(CasePage, AHastyCtrlEnterDoesNotReachTheNextCase) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   const AssignmentId second = centre.cases(0)[1];
-  {  // the next case is a draft with nothing left to do
+  {  // the next case is a complete draft
     OpenedSheet ready = openSheet(desk.session(), second);
     ready.watched.played(0, ready.watched.length_us(), 1.0);
     static_cast<void>(
@@ -408,7 +408,7 @@ TEST(CasePage, AHastyCtrlEnterDoesNotReachTheNextCase) {
   EXPECT_EQ(openSheet(desk.session(), second).state, SheetState::kSubmitted);
 }
 
-TEST(CasePage, PlayThatIsAskedForWhileTheRecordingIsBeingOpenedBeginsWithIt) {
+TEST(CasePage, PlayPressedWhileTheRecordingLoadsStartsWithIt) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0)[0]));
@@ -423,13 +423,13 @@ TEST(CasePage, PlayThatIsAskedForWhileTheRecordingIsBeingOpenedBeginsWithIt) {
 
   page.enter(inputOf(centre.cases(0)[0]));
   desk.press(Qt::Key_Space);
-  desk.press(Qt::Key_K);  // thought better of
+  desk.press(Qt::Key_K);  // changed one's mind
   desk.shell().waitForJobs();
   EXPECT_TRUE(replay.ready());
   EXPECT_FALSE(replay.playing());
 }
 
-TEST(CasePage, WhatIsWatchedWhileTheQuestionStandsCounts) {
+TEST(CasePage, WatchingCountsWhileTheQuestionIsShown) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
@@ -455,7 +455,7 @@ TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
   desk.open<CasePage>(inputOf(id));
   scoreCase(desk, 7, 6, 6);
   auto& page = desk.open<CasePage>(inputOf(id));
-  desk.press(Qt::Key_9);  // sealed: nothing happens
+  desk.press(Qt::Key_9);  // sealed: no effect
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
   for (QPushButton* button : page.findChildren<QPushButton*>()) {
     if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&page)) {
@@ -484,7 +484,7 @@ TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
   EXPECT_EQ(SheetEditor(sealed.rubric, sealed.sheet).answer("time").score_steps, 90);
 }
 
-TEST(CasePage, PlaysTheRecordingBitForBitAndProvesIt) {
+TEST(CasePage, PlaysTheRecordingBitForBitAndVerifiesIt) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   const std::string id = centre.caseAbout(0, 0);
@@ -498,7 +498,7 @@ TEST(CasePage, PlaysTheRecordingBitForBitAndProvesIt) {
     EXPECT_EQ(played[i].bytes, original.chunks[i].bytes);
     EXPECT_EQ(played[i].outputDigest, original.chunks[i].outputDigest);
   }
-  // And what the window shows at any instant is the sample of that instant.
+  // The window shows the sample of each moment.
   const std::vector<Sample> samples = decodeTrial(original);
   for (std::size_t at = 0; at < samples.size(); at += 97) {
     child<ReplayPanel>(page, "replay").seek_us(samples[at].device.time_us - samples.front().device.time_us);
@@ -524,8 +524,7 @@ TEST(CasePage, FitsASmallScreenInEveryState) {
     QApplication::processEvents();
     return page.minimumSizeHint().height();
   };
-  // What 768 lines leave beside the frame of the window, the header, a bar of the desktop and the panel that
-  // tells of work in progress.
+  // 768 lines without the window's frame, the header, a desktop bar and the panel of work in progress.
   constexpr int kLeft_px = 560;
   EXPECT_LE(height(), kLeft_px);
   desk.press(Qt::Key_N);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Own marks beside the others'.
+// One's own marks compared with others'.
 #include "app/gui/physician/comparison_bars.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 namespace torsio::gui {
 namespace {
 
-TEST(ComparisonBars, OneComparisonHasTheSameDecimalsThroughout) {
+TEST(ComparisonBars, UsesTheSameDecimalsThroughoutAComparison) {
   RowComparison row;
   row.own = 1.0;
   row.mean = 4.27;

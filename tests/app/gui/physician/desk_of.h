@@ -19,12 +19,12 @@
 
 namespace torsio::gui {
 
-/// The sheet of a page on which a case is scored.
+/// The sheet of a page that scores a case.
 inline const SheetEditor* editorOf(const QWidget& page) {
   return child<SheetEditorPanel>(page, "sheetPanel").editor();
 }
 
-/// One physician at a desk with one page at a time; follows the pages that a page asks for.
+/// A physician's desk with one page at a time; opens the pages that a page requests.
 class DeskOf {
  public:
   DeskOf(torsio::testing::ReviewCentre& centre, std::size_t index)
@@ -49,7 +49,7 @@ class DeskOf {
     page_ = std::move(made);
     page_->retranslate();
     page_->applyTheme(theme(ThemeKind::kLight));
-    page_->resize(1146, 700);  // what a 1366 x 768 screen leaves beside navigation and header
+    page_->resize(1146, 700);  // 1366 x 768 without navigation and header
     page_->show();
     page_->activateWindow();
     QApplication::processEvents();
@@ -57,7 +57,7 @@ class DeskOf {
     shell_.waitForJobs();
     return page;
   }
-  /// Follows the last page that was asked for; false: none, or another page than a case.
+  /// Opens the last requested page; false: none, or not a case.
   bool follow() {
     if (wanted_.empty()) {
       return false;
@@ -79,7 +79,7 @@ class DeskOf {
     QWidget* target = page_->focusWidget() != nullptr ? page_->focusWidget() : page_.get();
     QTest::keyClicks(target, text);
   }
-  /// Gone without leave(), save or anything else: a crash as far as the page knows.
+  /// Destroys the page without leave() or save: for the page, a crash.
   void drop() { page_.reset(); }
 
   [[nodiscard]] SessionContext& session() {
@@ -111,7 +111,7 @@ inline void watchAll(ReplayPanel& replay) {
   }
 }
 
-/// Scores the open case with three digits, watches it, and submits: keys only.
+/// Scores the open case with three digits, watches it, and submits, using keys only.
 inline void scoreCase(DeskOf& desk, int time, int accuracy, int overall) {
   auto& page = static_cast<CasePage&>(desk.page());
   child<ReplayPanel>(page, "replay").setRealTime(false);

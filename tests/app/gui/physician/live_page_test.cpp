@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The live sheet follows the call of an administrator.
+// The live sheet follows an administrator's call.
 #include "app/gui/physician/live_page.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ namespace {
 
 using torsio::testing::ReviewCentre;
 
-constexpr int kPatience_ms = 20'000;  // the page looks every two seconds
+constexpr int kPatience_ms = 20'000;  // the page refreshes every two seconds
 
 class LivePageFollows : public ::testing::Test {
  protected:
@@ -55,7 +55,7 @@ class LivePageFollows : public ::testing::Test {
     return QStringLiteral("Case %1").arg(
         toQString(openSheet(desk_.session(), centre_.cases(0, true).at(trainee)).shown.label));
   }
-  /// The case's name also stands among the lines at the left.
+  /// The case's name is also in the list at the left.
   [[nodiscard]] bool shows(const LivePage& page, std::size_t trainee) {
     const QString wanted = label(trainee);
     const QList<QLabel*> labels = page.findChildren<QLabel*>();
@@ -75,7 +75,7 @@ class LivePageFollows : public ::testing::Test {
   DeskOf desk_{centre_, 0};
 };
 
-TEST_F(LivePageFollows, OpensTheSheetOfTheCaseThatIsCalledWhileThePageIsOpen) {
+TEST_F(LivePageFollows, OpensTheSheetOfTheCaseThatIsCalled) {
   auto& page = desk_.open<LivePage>();
   EXPECT_TRUE(wordsOf(page).contains(QStringLiteral("Nobody is called yet")));
   EXPECT_EQ(editorOf(page), nullptr);
@@ -88,7 +88,7 @@ TEST_F(LivePageFollows, OpensTheSheetOfTheCaseThatIsCalledWhileThePageIsOpen) {
   EXPECT_EQ(openSheet(desk_.session(), centre_.cases(0, true).at(1)).state, SheetState::kSubmitted);
 }
 
-TEST_F(LivePageFollows, BeginsTheNextSheetAtItsFirstRow) {
+TEST_F(LivePageFollows, StartsTheNextSheetAtItsFirstRow) {
   end(call(0, "room 1"));
   auto& page = desk_.open<LivePage>();
   ASSERT_TRUE(shows(page, 0)) << "looked at, and not begun";
@@ -102,7 +102,7 @@ TEST_F(LivePageFollows, BeginsTheNextSheetAtItsFirstRow) {
   EXPECT_FALSE(editorOf(page)->answer(kOverallRow).score_steps.has_value());
 }
 
-TEST_F(LivePageFollows, ALineThatIsPressedIsNotMadeAnewBeforeItIsLetGo) {
+TEST_F(LivePageFollows, APressedLineIsNotRebuiltBeforeItsRelease) {
   call(2, "room 1");
   auto& page = desk_.open<LivePage>();
   const QList<QToolButton*> all = page.findChildren<QToolButton*>();
@@ -123,7 +123,7 @@ TEST_F(LivePageFollows, ALineThatIsPressedIsNotMadeAnewBeforeItIsLetGo) {
   EXPECT_EQ(clicks.count(), 1);
 }
 
-TEST_F(LivePageFollows, StaysWithTheRoomThatItWatches) {
+TEST_F(LivePageFollows, StaysWithItsRoom) {
   const LiveCallId first = call(0, "room 1");
   auto& page = desk_.open<LivePage>();
   ASSERT_TRUE(shows(page, 0));
@@ -140,7 +140,7 @@ TEST_F(LivePageFollows, StaysWithTheRoomThatItWatches) {
       << "when the trainee has left, the sheet follows";
 }
 
-TEST_F(LivePageFollows, NeverTakesABegunSheetAway) {
+TEST_F(LivePageFollows, NeverReplacesAStartedSheet) {
   call(0, "room 1");
   auto& page = desk_.open<LivePage>();
   ASSERT_TRUE(wordsOf(page).contains(label(0)));
@@ -158,7 +158,7 @@ TEST_F(LivePageFollows, NeverTakesABegunSheetAway) {
   EXPECT_EQ(openSheet(desk_.session(), centre_.cases(0, true).at(0)).state, SheetState::kSubmitted);
 }
 
-TEST_F(LivePageFollows, KeepsWhatWasTappedWhileTheDatabaseWasAway) {
+TEST_F(LivePageFollows, KeepsInputDuringADatabaseOutage) {
   call(0, "room 1");
   auto& page = desk_.open<LivePage>();
   ASSERT_TRUE(shows(page, 0));
@@ -186,7 +186,7 @@ TEST_F(LivePageFollows, KeepsWhatWasTappedWhileTheDatabaseWasAway) {
   EXPECT_EQ(scores(kept.sheet), scores(editorOf(page)->sheet()));
 }
 
-TEST_F(LivePageFollows, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
+TEST_F(LivePageFollows, RepeatsMessagesInTheLanguageChosenLast) {
   call(0, "room 1");
   auto& page = desk_.open<LivePage>();
   ASSERT_TRUE(shows(page, 0));
@@ -208,7 +208,7 @@ TEST_F(LivePageFollows, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
   EXPECT_TRUE(wordsOf(page).contains(QStringLiteral("Saved on this machine")));
 }
 
-TEST_F(LivePageFollows, ALateSheetCanBeHandedInAfterTheCall) {
+TEST_F(LivePageFollows, ALateSheetCanBeSubmittedAfterTheCall) {
   end(call(0, "room 1"));
   call(1, "room 1");
   auto& page = desk_.open<LivePage>();
@@ -247,7 +247,7 @@ TEST_F(LivePageFollows, AHastyCtrlEnterDoesNotReachTheNextSheet) {
   end(call(1, "room 1"));
   const AssignmentId next = centre_.cases(0, true).at(1);
   static_cast<void>(saveSheet(desk_.session(), next, torsio::testing::reviewSheet(5, 6, 5), {}));
-  call(0, "room 1");  // comes before the one that is late
+  call(0, "room 1");  // before the late one
   auto& page = desk_.open<LivePage>();
   ASSERT_TRUE(shows(page, 0));
   scoreAll();

@@ -7,7 +7,7 @@
 
 namespace torsio::gui {
 
-/// Lets the clocks of a page ring so often that what they read has come and was shown. False: they stand.
+/// Speeds up a page's timers until their data has been read and shown. False: they do not run.
 inline bool looksAnew(const QWidget& page) {
   constexpr int kRings = 20;
   constexpr int kEvery_ms = 100;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a physician can meet, page by page and state by state, holds no name, no group, no stage and no model.
+// Nothing that a physician can see, on any page in any state, contains a name, group, stage or model.
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
@@ -33,7 +33,7 @@ void keepMessage(QtMsgType, const QMessageLogContext&, const QString& text) {
   gLogged << text;
 }
 
-/// Gathers what a physician can meet while going through every page in every state.
+/// Collects everything a physician can see on every page in every state.
 class Gathering {
  public:
   Gathering() : before_(qInstallMessageHandler(keepMessage)) { gLogged.clear(); }
@@ -41,7 +41,7 @@ class Gathering {
   Gathering(const Gathering&) = delete;
   Gathering& operator=(const Gathering&) = delete;
 
-  /// `page` as it is now, and what its lists give to the clipboard.
+  /// Collects the present page, and what its lists copy to the clipboard.
   void look(QWidget& page) {
     QApplication::processEvents();
     for (DataTable* table : page.findChildren<DataTable*>()) {
@@ -56,7 +56,7 @@ class Gathering {
   }
   void add(const QStringList& texts) { found_ << texts; }
 
-  /// All of it, with the log, the settings that were written and the names of the files.
+  /// Returns everything, with the log, stored settings and file names.
   [[nodiscard]] QStringList all(const std::filesystem::path& folder) {
     found_ << gLogged << QSettings().allKeys();
     for (const QString& key : QSettings().allKeys()) {
@@ -73,7 +73,7 @@ class Gathering {
   QStringList found_;
 };
 
-/// Waiting, with answers and a remark, asked whether to submit, submitted, being amended.
+/// States of a case: waiting, with answers and a remark, confirming, submitted, being amended.
 void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
   auto& page = desk.open<CasePage>(id);
   gathering.look(page);
@@ -87,7 +87,7 @@ void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
   gathering.look(page);
   desk.press(Qt::Key_Return);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
-  gathering.look(page);  // asked, and not ready
+  gathering.look(page);  // confirming, but not ready
   desk.press(Qt::Key_Escape);
   scoreCase(desk, 6, 5, 7);
   auto& sealed = desk.open<CasePage>(id);
@@ -137,7 +137,7 @@ void goThroughTheRest(DeskOf& desk, Gathering& gathering) {
   gathering.look(evaluation);
 }
 
-TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
+TEST(Blinding, NothingReadableRevealsPersonGroupOrStage) {
   ReviewCentre::Setup setup;
   setup.raters = 3;
   setup.live = true;
@@ -173,7 +173,7 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   }
 }
 
-TEST(Blinding, TheGrepWouldFindAName) {
+TEST(Blinding, TheSearchWouldFindAName) {
   QLabel label(QStringLiteral("Zhangwei"));
   label.resize(200, 40);
   EXPECT_TRUE(paintedWordsOf(label).join(QString()).contains(QStringLiteral("Zhangwei")));

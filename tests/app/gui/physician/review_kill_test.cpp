@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A physician's program is killed in the middle of a form: the case page itself, driven by keys. The program
-// that is killed is this one, started again with --score.
+// Kills a physician's program while a form is filled in: the real case page, operated by keys. The program
+// killed is this one, started with --score.
 #include <cstring>
 #include <iostream>
 
@@ -25,7 +25,7 @@ constexpr const char* kScore = "--score";
 constexpr int kPatience_ms = 60'000;
 constexpr int kKeys = 30;
 
-/// Presses keys without end; a line on standard output after each.
+/// Presses keys forever; prints a line after each.
 [[noreturn]] void pressForever(const std::filesystem::path& folder) {
   ReviewCentre centre(folder);
   DeskOf desk(centre, 0);
@@ -63,7 +63,7 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
   const auto& page = again.open<CasePage>(inputOf(centre.cases(0).front()));
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
   EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 40);
-  // Two of the keys were scores; the rest stands in the comment, and the one under way may stand there too.
+  // Two of the keys were scores; the others are in the comment, possibly with the interrupted one.
   const std::string comment = editorOf(page)->sheet().comment;
   EXPECT_GE(comment.size(), pressed - 2);
   EXPECT_LE(comment.size(), pressed - 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The physician's other pages, and ten physicians one after the other.
+// The physician's other pages, and ten physicians one after another.
 #include <algorithm>
 #include <memory>
 
@@ -35,7 +35,7 @@ namespace {
 
 using torsio::testing::ReviewCentre;
 
-/// Alignment and severity, as physician `index` sees them: no mark of anybody else.
+/// Alignment and severity as shown to physician `index`: nobody else's marks.
 void expectNothingOfOthers(ReviewCentre& centre, std::size_t index) {
   DeskOf desk(centre, index);
   EXPECT_TRUE(discrepancyCases(desk.session()).empty());
@@ -89,7 +89,7 @@ TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
   EXPECT_FALSE(discrepancyCases(*centre.physician(0)).empty());
 }
 
-TEST(ReviewPages, EverythingThatTakesTheKeyboardHasANameAndFitsASmallScreen) {
+TEST(ReviewPages, EverythingFocusableHasANameAndFitsASmallScreen) {
   ReviewCentre::Setup setup;
   setup.live = true;
   ReviewCentre centre(setup);
@@ -119,14 +119,14 @@ TEST(ReviewPages, EverythingThatTakesTheKeyboardHasANameAndFitsASmallScreen) {
   }
 }
 
-TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
+TEST(LivePage, ScoresInRunningOrderWithTouchTargets) {
   ReviewCentre::Setup setup;
   setup.trainees = 10;
   setup.live = true;
   setup.trial_s = 0.5;
   ReviewCentre centre(setup);
   DeskOf desk(centre, 0);
-  applyTheme(*qApp, theme(ThemeKind::kLight));  // the style sheet has a say in sizes
+  applyTheme(*qApp, theme(ThemeKind::kLight));  // the style sheet affects sizes
   auto& page = desk.open<LivePage>();
   QApplication::processEvents();
   int targets = 0;
@@ -158,7 +158,7 @@ TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
   EXPECT_EQ(openSheet(desk.session(), live[2]).state, SheetState::kOpen);
 }
 
-TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
+TEST(RaterCalibrationPage, ShowsOnesOwnOffsetAfterTheMark) {
   ReviewCentre centre(ReviewCentre::Setup{});
   addReferenceRuns(*centre.administrator(),
                    {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
@@ -173,7 +173,7 @@ TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
   EXPECT_DOUBLE_EQ(*raterCalibration(desk.session()).runs[0].offset_points, 2.0);
 }
 
-TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
+TEST(RaterCalibrationPage, HasScoreButtonsLargeEnoughForFingerAndMouse) {
   constexpr int kLeast_px = 32;
   constexpr int kButtons = 10;  // the paper's scale from 1 to 10
   ReviewCentre centre(ReviewCentre::Setup{});
@@ -192,7 +192,7 @@ TEST(RaterCalibrationPage, HasScoreButtonsThatAFingerOrAMouseHits) {
   EXPECT_LT(sheet.height(), 3 * scale.height()) << "one row leaves the room to the rubric";
 }
 
-TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
+TEST(DiscrepancyReviewPage, ChangesAMarkWithAReasonAndKeepsTheOther) {
   ReviewCentre::Setup setup;
   setup.trainees = 1;
   ReviewCentre centre(setup);
@@ -225,7 +225,7 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
     });
   };
   EXPECT_TRUE(saidAtTheField());
-  EXPECT_TRUE(desk.failures().isEmpty());  // not far from it
+  EXPECT_TRUE(desk.failures().isEmpty());  // close to it
 
   for (QLineEdit* line : page.findChildren<QLineEdit*>()) {
     if (line->accessibleName() == QStringLiteral("Reason")) {
@@ -237,11 +237,11 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   button("Seal")->click();
 
   EXPECT_EQ(sheetVersions(desk.session(), centre.caseAbout(0, 0)).size(), 2U);
-  ASSERT_EQ(discrepancyCases(desk.session()).size(), 1U);  // two rows still lie apart
+  ASSERT_EQ(discrepancyCases(desk.session()).size(), 1U);  // two rows are still discrepant
   EXPECT_EQ(discrepancyCases(desk.session())[0].decision, DiscrepancyChoice::kMove);
 }
 
-TEST(ReviewPages, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
+TEST(ReviewPages, RepeatMessagesInTheLanguageChosenLast) {
   ReviewCentre centre(ReviewCentre::Setup{});
   centre.addTwoModels(false);
   DeskOf desk(centre, 0);
@@ -268,7 +268,7 @@ TEST(ReviewPages, WhatWasSaidIsSaidAgainInTheLanguageChosenLast) {
   follows(evaluated, "Still open: 8 of 9");
 }
 
-TEST(EvaluationPage, FitsASmallScreenBesideARecording) {
+TEST(EvaluationPage, FitsASmallScreenWithARecording) {
   ReviewCentre centre(ReviewCentre::Setup{});
   centre.addTwoModels(true);
   DeskOf desk(centre, 0);
@@ -328,7 +328,7 @@ TEST(EvaluationPage, AHastyCtrlEnterDoesNotReachTheNextModel) {
   centre.addTwoModels(false);
   DeskOf desk(centre, 0);
   const EvaluationForm empty = evaluationForms(desk.session())[0];
-  for (const EvaluationFormModel& model : empty.models) {  // nothing is left to do but to seal
+  for (const EvaluationFormModel& model : empty.models) {  // ready to seal
     for (std::size_t i = 0; i < model.scores.size(); ++i) {
       saveEvaluationScore(desk.session(), empty.campaignId, model.hiddenLabel, i, 70);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The desk of a physician who scores an untwisting: traces of the organ in step with the cursor, blinded.
+// A physician's desk for an untwisting: traces of the organ in step with the cursor, blinded.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -23,7 +23,7 @@ namespace {
 
 using torsio::testing::ReviewCentre;
 
-/// Two seconds, one sample a millisecond: an angle that falls from 90 degrees, and how the organ fares.
+/// Two seconds at 1 kHz: an angle falling from 90 degrees, and the organ's condition.
 TraceData tracesOf(std::uint32_t rules, const HollowReading& first, const HollowReading& last) {
   TraceCollector collector(2001);
   std::vector<Sample> samples(2001);
@@ -36,14 +36,14 @@ TraceData tracesOf(std::uint32_t rules, const HollowReading& first, const Hollow
     sample.response.angle_rad = radians(90.0 * (1.0 - share));
     sample.response.torque_Nm = 0.05;
     sample.response.force_N = {0.0, 3.0, 4.0};
-    sample.force_N = {0.0, 0.6, 0.8};  // all that the device could give
+    sample.force_N = {0.0, 0.6, 0.8};  // the device's maximum
     sample.hollow = share < 0.5 ? first : last;
   }
   collector.add(samples);
   return collector.finish();
 }
 
-/// Pressures of 5 and 20 mmHg; a dose of .95 lies half way between .7 and 1.2: half of it is black.
+/// Pressures of 5 and 20 mmHg; a dose of .95 is half way between .7 and 1.2, so half of it is black.
 TraceData untwisted() {
   constexpr double kMmHg_Pa = 133.322387415;
   return tracesOf(kRulesOfDetorsion,
@@ -51,7 +51,7 @@ TraceData untwisted() {
                   {.pressure_Pa = 5.0 * kMmHg_Pa, .patency = 0.9, .flow = 0.75, .dose = 0.95});
 }
 
-TEST(TracesOfATwist, AreAngleTorqueAndForceAsEver) {
+TEST(TracesOfATwist, AreAngleTorqueAndForce) {
   const TraceData data = tracesOf(kRulesOfStoredEnergy, {}, {});
   TraceView view;
   const int before = view.sizeHint().height();
@@ -69,7 +69,7 @@ TEST(TracesOfATwist, AreAngleTorqueAndForceAsEver) {
   EXPECT_EQ(view.sizeHint().height(), before);
 }
 
-TEST(TracesOfATwist, TellTheirValuesAtTheCursorNotTheirExtremes) {
+TEST(TracesOfATwist, ShowTheirValuesAtTheCursorNotTheirExtremes) {
   const TraceData data = tracesOf(kRulesOfStoredEnergy, {}, {});
   TraceView view;
   view.setData(&data);
@@ -97,7 +97,7 @@ TEST(TracesOfATwist, ShowTargetToleranceAndLimitsWithinTheirScales) {
   EXPECT_TRUE(view.toolTip().contains(QStringLiteral("tolerance")));
   EXPECT_TRUE(view.toolTip().contains(QStringLiteral("limit")));
 
-  data.marks->target_deg = -60.0F;  // the other way round: the band lies below zero
+  data.marks->target_deg = -60.0F;  // opposite direction: the band is below zero
   view.setData(&data);
   EXPECT_EQ(view.laneTexts().front(), QStringLiteral("Angle −70…90°"));
 }
@@ -117,7 +117,7 @@ TEST(TracesOfAnUntwisting, NameEachScaleWithItsUnit) {
   EXPECT_EQ(view.accessibleName(), QStringLiteral("Traces of an untwisting"));
 }
 
-TEST(TracesOfAnUntwisting, TellTheirValuesAtTheCursor) {
+TEST(TracesOfAnUntwisting, ShowTheirValuesAtTheCursor) {
   const TraceData data = untwisted();
   TraceView view;
   view.setData(&data);
@@ -135,7 +135,7 @@ TEST(TracesOfAnUntwisting, TellTheirValuesAtTheCursor) {
                                QStringLiteral("90 %"), QStringLiteral("5 mmHg")}));
 }
 
-TEST(TracesOfAnUntwisting, OfAnOrganWithoutALumenHaveNoLumen) {
+TEST(TracesOfAnUntwisting, OmitTheLumenForAnOrganWithoutOne) {
   const TraceData data = tracesOf(kRulesOfDetorsion, {.flow = 0.2, .dose = 0.1}, {.flow = 0.9, .dose = 0.3});
   TraceView view;
 
@@ -145,7 +145,7 @@ TEST(TracesOfAnUntwisting, OfAnOrganWithoutALumenHaveNoLumen) {
   EXPECT_EQ(view.laneTexts().back(), QStringLiteral("Black share 0…100 %"));
 }
 
-/// A desk with the recording of a shipped loop that came twisted and was undone.
+/// A desk with the recording of a shipped loop that came twisted and was untwisted.
 class DeskOfAnUntwisting : public ::testing::Test {
  protected:
   static Scene scene() {
@@ -172,7 +172,7 @@ class DeskOfAnUntwisting : public ::testing::Test {
   TraceView& traces_ = *replay_.findChild<TraceView*>();
 };
 
-TEST_F(DeskOfAnUntwisting, ShowsHowTheOrganFaredInStepWithTheReplay) {
+TEST_F(DeskOfAnUntwisting, ShowsTheOrgansConditionInStepWithTheReplay) {
   const Sample last = decodeChunk(trial().chunks.back()).back();
 
   replay_.seek_us(replay_.recording()->playback.duration_us());
@@ -188,7 +188,7 @@ TEST_F(DeskOfAnUntwisting, ShowsHowTheOrganFaredInStepWithTheReplay) {
   }
 }
 
-TEST_F(DeskOfAnUntwisting, TellsNotWhoWhenOrWhichSeed) {
+TEST_F(DeskOfAnUntwisting, RevealsNeitherPersonTimeNorSeed) {
   const Trial recorded = trial();
   const std::uint64_t seed = detorsionSeed(recorded.header.trialId);
   std::vector<std::string> secrets = centre_.secrets();

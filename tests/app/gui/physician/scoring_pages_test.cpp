@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scoring as administrators see it, through its real widgets: an adjudicator in two clicks, the runs of
-// rater calibration.
+// Scoring for administrators, with real widgets: an adjudicator in two clicks, the runs of rater calibration.
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -49,7 +48,7 @@ QPushButton* buttonOf(QWidget& page, const char* part) {
   return nullptr;
 }
 
-/// The office at its scoring page.
+/// An administrator's scoring page.
 class ScoringPages : public ::testing::Test {
  protected:
   ReviewCentre centre_{ReviewCentre::Setup{}};
@@ -68,7 +67,7 @@ class ScoringPages : public ::testing::Test {
     page_->setVisible(true);
     page_->enter({});
   }
-  /// Presses a button of the page whose dialog is then driven by `drive`.
+  /// Presses a button of the page; `drive` operates its dialog.
   template <typename Drive>
   void press(const char* part, const Drive& drive) {
     bool driven = false;
@@ -91,7 +90,7 @@ TEST_F(ScoringPages, FindsAnAdjudicatorInTwoClicks) {
   rater.classCode = "chief";
   PeopleRepository(centre_.connection()).addRaters(std::span(&rater, 1));
   open();
-  EXPECT_EQ(buttonOf(*page_, "Adjudicator"), nullptr);  // nobody asks
+  EXPECT_EQ(buttonOf(*page_, "Adjudicator"), nullptr);  // no requests
   WatchLog log(2'000'000);
   log.played(0, 2'000'000, 1.0);
   submitSheet(*centre_.physician(0), centre_.caseAbout(0, 0), reviewSheet(2, 2, 2), log);
@@ -115,7 +114,7 @@ TEST_F(ScoringPages, FindsAnAdjudicatorInTwoClicks) {
   EXPECT_TRUE(child<DataTable>(*page_, "matrix").asText().contains(QStringLiteral("CH-900")));
 }
 
-TEST_F(ScoringPages, ADeadlineIsGivenWithTheRequestAndWhoOwesWhatIsCopied) {
+TEST_F(ScoringPages, ADeadlineIsSetWithTheRequestAndRemindersAreCopied) {
   open();
   press("Invite raters", [](QDialog& dialog) {
     dialog.findChild<DataTable*>()->view().selectAll();
@@ -142,7 +141,7 @@ TEST_F(ScoringPages, ADeadlineIsGivenWithTheRequestAndWhoOwesWhatIsCopied) {
             static_cast<std::size_t>(QGuiApplication::clipboard()->text().count(QLatin1Char('\n')) + 1));
 }
 
-TEST_F(ScoringPages, ChoosesTheRunsOfRaterCalibrationWithThePanelsMark) {
+TEST_F(ScoringPages, SelectsRunsOfRaterCalibrationWithThePanelsMark) {
   Trial copy = TrialRepository(centre_.connection()).load(centre_.trialIds()[0]);
   TrialRepository repository(centre_.connection(), {.station = "station-7"});
   for (const char* id : {"11111111-2222-4333-8444-555555555555", "22222222-2222-4333-8444-555555555555"}) {
@@ -158,7 +157,7 @@ TEST_F(ScoringPages, ChoosesTheRunsOfRaterCalibrationWithThePanelsMark) {
   press("Rater calibration", [](QDialog& dialog) {
     auto& calibration = static_cast<RaterCalibrationDialog&>(dialog);
     EXPECT_EQ(child<DataTable>(calibration, "candidates").visibleRows(), 2);
-    EXPECT_FALSE(buttonOf(dialog, "Add")->isEnabled());  // nothing is chosen
+    EXPECT_FALSE(buttonOf(dialog, "Add")->isEnabled());  // no selection
     for (const double mark : {4.1, 7.6}) {
       child<DataTable>(calibration, "candidates").view().selectRow(0);
       dialog.findChild<QDoubleSpinBox*>()->setValue(mark);
@@ -185,7 +184,7 @@ TEST_F(ScoringPages, WithdrawsARunOfRaterCalibrationWithAReason) {
   press("Rater calibration", [](QDialog& dialog) {
     auto& calibration = static_cast<RaterCalibrationDialog&>(dialog);
     QPushButton* withdraw = buttonOf(dialog, "Withdraw");
-    EXPECT_FALSE(withdraw->isEnabled());  // nothing is chosen
+    EXPECT_FALSE(withdraw->isEnabled());  // no selection
     child<DataTable>(calibration, "present").view().selectRow(0);
     QTimer::singleShot(0, &dialog, [] {
       QWidget* asked = QApplication::activeModalWidget();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all pages on which marks are given share: one history, one set of keys, what is said about saving.
+// What all pages with marks share: one history, one set of keys, the save status.
 #include "app/gui/physician/sheet_editor_panel.h"
 
 #include <QApplication>
@@ -22,7 +22,7 @@ namespace {
 
 using torsio::testing::ReviewCentre;
 
-/// Ten points of ten steps each, for one row and the overall mark.
+/// A scale of ten points in ten steps each, for one row and the overall mark.
 RubricRevision oneRow() {
   RubricRevision rubric;
   rubric.overall = {.lo = 0, .hi = 100, .stepsPerPoint = 10};
@@ -49,7 +49,7 @@ TEST(SheetEditorPanel, KeepsOneHistoryForMarksAndComment) {
   EXPECT_EQ(edited.count(), 1 + 4 + 3);  // the mark, four letters, undo twice and redo once
 }
 
-TEST(SheetEditorPanel, TakesNothingBackOnASealedSheet) {
+TEST(SheetEditorPanel, UndoesNothingOnASealedSheet) {
   SheetEditorPanel panel;
   panel.beginSheet(oneRow(), {});
   panel.handleKey(Qt::Key_7, Qt::NoModifier);
@@ -60,7 +60,7 @@ TEST(SheetEditorPanel, TakesNothingBackOnASealedSheet) {
   EXPECT_EQ(panel.editor()->answer("time").score_steps, 70);
 }
 
-TEST(SheetEditorPanel, AsksAnewAfterEveryChange) {
+TEST(SheetEditorPanel, AsksAgainAfterEveryChange) {
   SheetEditorPanel panel;
   panel.beginSheet(oneRow(), {});
   QSignalSpy finish(&panel, &SheetEditorPanel::finishWanted);
@@ -73,7 +73,7 @@ TEST(SheetEditorPanel, AsksAnewAfterEveryChange) {
   EXPECT_FALSE(panel.asking());
 }
 
-/// Three rows, each with anchors of two lines in a narrow panel.
+/// Three rows, each with two lines of anchors in a narrow panel.
 RubricRevision threeRows() {
   RubricRevision rubric = oneRow();
   const std::vector<RubricAnchor> anchors{{10, "Does not finish; long stops between the steps"},
@@ -85,7 +85,7 @@ RubricRevision threeRows() {
   return rubric;
 }
 
-TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
+TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhenAnchorsGetShorter) {
   SheetEditorPanel panel;
   panel.resize(520, 900);  // the anchors of a row take two lines
   panel.show();
@@ -101,7 +101,7 @@ TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
   };
   ASSERT_EQ(rows.size(), 4);
   std::vector<int> before;
-  while (before != places()) {  // the overall mark follows the rows when they have their height
+  while (before != places()) {  // the overall mark moves once the rows have their height
     before = places();
   }
 
@@ -112,7 +112,7 @@ TEST(SheetEditorPanel, NoRowMovesUnderTheFingerWhileAnchorsShorten) {
   }
 }
 
-TEST(SheetEditorPanel, AnEdgeStandsBetweenRowsThatAreCutAndTheOverallMark) {
+TEST(SheetEditorPanel, AnEdgeSeparatesClippedRowsFromTheOverallMark) {
   SheetEditorPanel panel;
   panel.resize(520, 900);
   panel.show();
@@ -139,7 +139,7 @@ TEST(SheetEditorPanel, ATapScrollsNothingAwayInALowWindow) {
   QScrollArea& scroll = *panel.findChild<QScrollArea*>();
   const int anchors = rows[2]->height() - rows[2]->scaleEnd();
   for (int low = 890; low > 200 && scroll.verticalScrollBar()->maximum() < anchors / 2; low -= 8) {
-    panel.resize(520, low);  // until half of what the third row says below its scale is out of sight
+    panel.resize(520, low);  // until half of the text below the third row's scale is hidden
     QApplication::processEvents();
   }
   ASSERT_GT(scroll.verticalScrollBar()->maximum(), 0);
@@ -155,9 +155,9 @@ TEST(SheetEditorPanel, ATapScrollsNothingAwayInALowWindow) {
   EXPECT_GT(scroll.verticalScrollBar()->value(), 0) << "by the keys, what a row says comes into sight whole";
 }
 
-TEST(SheetEditorPanel, TheRowToBeScoredIsSeenWholeOnceThereIsRoom) {
+TEST(SheetEditorPanel, TheRowToScoreIsFullyVisibleOnceThereIsRoom) {
   SheetEditorPanel panel(true);
-  panel.resize(520, 250);  // as before its page was laid out
+  panel.resize(520, 250);  // as before layout of its page
   panel.show();
   panel.beginSheet(threeRows(), {});
   QApplication::processEvents();
@@ -194,7 +194,7 @@ TEST(SheetEditorPanel, TheOverallMarkIsAsWideAsTheRowsBesideTheirScrollBar) {
   }
 }
 
-TEST(SheetEditorPanel, SaysWhetherASheetIsKept) {
+TEST(SheetEditorPanel, ShowsWhetherASheetIsSaved) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   SheetEditorPanel panel;

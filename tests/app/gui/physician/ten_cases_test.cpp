@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ten cases in ten minutes, by keyboard alone: every key is pressed here and counted. What a key takes is the
-// estimate of the keystroke-level model (Card, Moran and Newell 1980): 1.35 s to decide, 0.28 s to press.
+// Ten cases in ten minutes, by keyboard alone: every key press is simulated and counted. Its time is
+// estimated by the keystroke-level model (Card, Moran and Newell 1980): 1.35 s to decide, 0.28 s to press.
 #include <cstdint>
 #include <vector>
 
@@ -25,10 +25,10 @@ using torsio::testing::ReviewCentre;
 constexpr int kCases = 10;
 constexpr double kDecide_s = 1.35;
 constexpr double kPress_s = 0.28;
-constexpr double kRecording_s = 40.0;  // ten twists of a practised hand; each case is watched whole
+constexpr double kRecording_s = 40.0;  // ten twists of a practised hand; each recording is watched completely
 constexpr double kTenMinutes_s = 600.0;
 
-TEST(QueuePage, TellsHowManyCasesFitIntoTenMinutesAndThanksForTheTimeGiven) {
+TEST(QueuePage, ShowsHowManyCasesFitIntoTenMinutesAndThanksTheRater) {
   ReviewCentre::Setup setup;
   setup.raters = 1;
   setup.trainees = 5;
@@ -64,7 +64,7 @@ TEST(TenCases, AreScoredByKeyboardAloneInTenMinutes) {
     desk.press(key, modifiers);
   };
   desk.open<QueuePage>();
-  press(Qt::Key_Return);  // the button that goes on has the keyboard
+  press(Qt::Key_Return);  // the button to continue has focus
   ASSERT_FALSE(desk.wanted().empty());
   const QVariant first = desk.wanted().back().second;
   desk.wanted().clear();

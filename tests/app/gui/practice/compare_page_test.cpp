@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two tissue models side by side, on the shipped stomach.
+// Two tissue models side by side, with the shipped stomach.
 #include "app/gui/practice/compare_page.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace torsio::gui {
 namespace {
 
-/// The numbers behind `word` on the page, the left model first.
+/// Returns the numbers behind `word` on the page, the left model's first.
 std::vector<double> numbersOf(const ComparePage& page, const QString& word) {
   const QRegularExpression line(QStringLiteral("^%1\\s+(-?[0-9.,]+)").arg(word));
   std::vector<double> numbers;
@@ -25,7 +25,7 @@ std::vector<double> numbersOf(const ComparePage& page, const QString& word) {
   return numbers;
 }
 
-TEST(ComparePage, AnswersOneTorqueWithTwoModelsAndTellsHowLongEachTook) {
+TEST(ComparePage, AnswersOneTorqueWithTwoModelsAndTheirTimes) {
   testing::AdministratorDesk office;
   auto page = office.open<ComparePage>("trainee");
   ASSERT_TRUE(page->loaded());
@@ -37,7 +37,7 @@ TEST(ComparePage, AnswersOneTorqueWithTwoModelsAndTellsHowLongEachTook) {
 
   ASSERT_EQ(small_deg.size(), 2U);
   ASSERT_EQ(large_deg.size(), 2U);
-  constexpr double kShown_deg = 0.15;  // one decimal is shown, and twice the small one is compared
+  constexpr double kShown_deg = 0.15;  // one decimal is displayed, and twice the small value is compared
   for (std::size_t side = 0; side < 2; ++side) {
     EXPECT_GT(std::abs(small_deg[side]), 1.0);
     EXPECT_NEAR(large_deg[side], 2.0 * small_deg[side], kShown_deg);  // both models are linear in the torque

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Twist model, finite elements and springs in the window, and the markers that they are compared at.
+// Twist model, finite elements and springs in the window, and the markers of the comparison.
 #include "app/gui/practice/model_comparison.h"
 
 #include <ctime>
@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// So coarse that it takes seconds.
+/// So coarse that it takes only seconds.
 ComparisonOptions coarse() {
   ComparisonOptions options;
   options.torque_Nm = -0.01;
@@ -57,7 +57,7 @@ fs::path freshFolder(const std::string& name) {
   return folder;
 }
 
-TEST(ModelComparison, ShowsThreeClocksTheReportsTablesAndSavesItsFiles) {
+TEST(ModelComparison, ShowsThreeTimesTheReportsTablesAndSavesItsFiles) {
   testing::AdministratorDesk office;
   auto page = openForearm(office);
   ModelComparison& models = page->models();
@@ -94,12 +94,12 @@ TEST(ModelComparison, ShowsThreeClocksTheReportsTablesAndSavesItsFiles) {
   fs::remove_all(folder);
 }
 
-TEST(ModelComparison, IsGivenUpWithinASecond) {
+TEST(ModelComparison, IsCancelledWithinASecond) {
   testing::AdministratorDesk office;
   auto page = openForearm(office);
   ModelComparison& models = page->models();
-  constexpr double kSecondOfTwoCores_s = 2.0;  // of the processor: what else runs here does not count
-  for (const double at : {0.0, 0.1, 0.6}) {    // the twist model, the reference, the equilibrium
+  constexpr double kSecondOfTwoCores_s = 2.0;  // processor time: other programs do not count
+  for (const double at : {0.0, 0.1, 0.6}) {    // twist model, reference, equilibrium
     std::optional<std::clock_t> asked;
     const auto watch = QObject::connect(&office.shell(), &ShellContext::jobMoved,
                                         [&](const QString&, double fraction, double) {
@@ -121,14 +121,14 @@ TEST(ModelComparison, IsGivenUpWithinASecond) {
   }
 }
 
-TEST(MarkerEditor, MovesTheChosenMarkerToWhereTheOrganWasClicked) {
+TEST(MarkerEditor, MovesTheCurrentMarkerToWhereTheOrganIsClicked) {
   testing::AdministratorDesk office;
   auto page = openForearm(office);
   MarkerEditor& editor = page->markers();
   ASSERT_EQ(editor.markers().size(), 10U);
   const std::vector<OrganMarker> before = editor.markers();
 
-  // The viewer looks along +y of the world, from the front: marker 2 lies on the palm, in front.
+  // The view is along +y of the world, from the front: marker 2 is on the palm, in front.
   editor.findChild<QListWidget*>()->setCurrentRow(8);
   ASSERT_TRUE(editor.placeAt(editor.findChild<MarkerLabels*>()->pixelOf(before[1])));
 
@@ -138,7 +138,7 @@ TEST(MarkerEditor, MovesTheChosenMarkerToWhereTheOrganWasClicked) {
   EXPECT_FALSE(editor.placeAt({1.0, 1.0})) << "beside the organ";
 }
 
-TEST(MarkerEditor, ShowsLongNamesWholeAndNoMarkersWhereNothingIsDrawn) {
+TEST(MarkerEditor, ShowsLongNamesCompletelyAndNoMarkersWithoutAPicture) {
   testing::AdministratorDesk office;
   auto page = openForearm(office);
   page->resize(1160, 700);
@@ -173,7 +173,7 @@ TEST(MarkerEditor, PlacesByRidgeAndSectionWithoutTheMouse) {
   EXPECT_LT(norm(editor.markers()[0].position_m - scene.lattice().keyPoint_m(9, 18)), 1e-6);
 }
 
-TEST(MarkerEditor, KeepsMarkersInAFileThatTheComparisonUses) {
+TEST(MarkerEditor, SavesMarkersInAFileForTheComparison) {
   testing::AdministratorDesk office;
   auto page = openForearm(office);
   MarkerEditor& editor = page->markers();

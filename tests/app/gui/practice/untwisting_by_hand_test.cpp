@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each organ that comes twisted, undone in the window by mouse and keys alone, as a hand would: gas out, tip
-// over the front of the held section, forwards until it touches, jaw closed, turned as far as a hand turns,
-// clip, jaw open, back, and again. The servo is stepped by the test, 16 ticks a frame.
+// Each organ that comes twisted is untwisted in the window by mouse and keys alone, as a user would: vent
+// gas, move the tip over the front of the held section, forwards to contact, close the jaw, turn as far as a
+// hand turns, clip, open the jaw, back, and again. The test steps the servo, 16 ticks per frame.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -59,7 +59,7 @@ class Player {
     if (hollow().detorsion().wall.vent) {
       letGasOut();
     }
-    int way = 1;  // found out by turning
+    int way = 1;  // determined by turning
     while (std::abs(angle_rad()) > radians(3.0) && now_s() < kLongest_s) {
       if (!grip()) {
         return;
@@ -73,7 +73,7 @@ class Player {
         click("clip");
         regrips_ += 1;
         while (child<QLabel>(window_, "restText").isVisibleTo(&window_) && now_s() < kLongest_s) {
-          pass(0.1);  // the organ asks for a rest
+          pass(0.1);  // the organ needs a rest
         }
       }
       key(Qt::Key_G);
@@ -145,7 +145,7 @@ class Player {
     }
   }
 
-  /// The pixel of the held section where it comes nearest to the viewer.
+  /// Returns the pixel of the held section nearest to the viewer.
   [[nodiscard]] QPointF frontOfTheBand() const {
     const Scene& scene = *scene_;
     const OrganState lies{{state_.response.graspArc_m, angle_rad()}, {}, state_.hollow};
@@ -186,7 +186,8 @@ class Player {
     return false;
   }
 
-  /// Turns what is held as far as a hand turns, or until it is undone; returns the way that undoes it.
+  /// Turns what is held as far as a hand turns, or until it is untwisted; returns the direction that untwists
+  /// it.
   int turn(int way) {
     const double from_rad = angle_rad();
     double least_rad = from_rad;
@@ -224,7 +225,7 @@ class Player {
 
 class UntwistingByHand : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(UntwistingByHand, MouseAndKeysUndoIt) {
+TEST_P(UntwistingByHand, MouseAndKeysUntwistIt) {
   Player player(GetParam());
 
   player.play();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The states in which organs that come twisted are pictured, and the boxes that name them.
+// The states in which organs that come twisted are pictured, and the buttons that explain them.
 #include "app/gui/simulator/untwisting_states.h"
 
 #include <cmath>
@@ -22,8 +22,8 @@ namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 
-// At 8 mmHg the antrum of its former organ is squeezed to the packed radius with a fifth of its lumen open.
-TEST(UntwistingStates, WhatIsCalledClosedIsShutAndWhatIsIschaemicHasLainLong) {
+// At 8 mmHg, the antrum of its former organ is squeezed to the packed radius with a fifth of its lumen open.
+TEST(UntwistingStates, ClosedOnesAreShutAndIschaemicOnesHaveBeenTwistedLong) {
   SceneRequest request;
   request.assets = kAssets;
   request.id = "gastric-organo-axial";
@@ -43,9 +43,9 @@ TEST(UntwistingStates, WhatIsCalledClosedIsShutAndWhatIsIschaemicHasLainLong) {
   EXPECT_GT(recovered.hollow.scaled_s, ischaemic.hollow.scaled_s);
 }
 
-// A stomach has four arteries and strangles seldom: at the largest twist of this scene 77 % of the flow are
-// left, enough, and nothing is lost. It is dammed up all the same, and that is seen.
-TEST(UntwistingStates, AnOrganThatIsDammedUpIsDiscolouredAsWellAsOneThatStarves) {
+// A stomach has four arteries and is rarely strangulated: at the largest twist of this scene, 77 % of the
+// flow remain, which is enough, and nothing is lost. It is congested all the same, visibly.
+TEST(UntwistingStates, ACongestedOrganIsDiscolouredLikeAnIschaemicOne) {
   for (const auto& [id, starves] : {std::pair{"gastric-mesentero-axial", false}, std::pair{"midgut", true}}) {
     SceneRequest request;
     request.assets = kAssets;
@@ -68,7 +68,7 @@ TEST(UntwistingStates, AnOrganThatIsDammedUpIsDiscolouredAsWellAsOneThatStarves)
   }
 }
 
-TEST(ExerciseBoxes, ShowEachNameOfAnOrganWholeInASmallWindow) {
+TEST(ExerciseBoxes, ShowFullNamesOfAnOrganInASmallWindow) {
   WindowSetup setup;
   setup.assets = kAssets;
   setup.remember = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window as widgets, on a platform that cannot draw the scene.
+// The window's widgets, on a platform that cannot draw scenes.
 #include <algorithm>
 
 #include <QAction>
@@ -33,7 +33,7 @@
 namespace torsio::gui {
 namespace {
 
-/// Presses the button with this text, mnemonics apart.
+/// Presses the button with this text, ignoring mnemonics.
 void press(const QWidget& in, const QString& text) {
   for (QPushButton* button : in.findChildren<QPushButton*>()) {
     if (QString(button->text()).remove(QLatin1Char('&')) == text) {
@@ -58,7 +58,7 @@ WindowSetup setup(ThemeKind kind = ThemeKind::kLight) {
 
 class Window : public ::testing::Test {
  protected:
-  std::vector<SceneRequest> loaded_;  // asked of the loader, in its thread
+  std::vector<SceneRequest> loaded_;  // requested from the loader, in its thread
   SimulatorWindow window_{[this] {
     WindowSetup noted = setup();
     noted.loader = [this](const SceneRequest& request) {
@@ -91,7 +91,7 @@ TEST_F(Window, OffersEveryShippedOrgan) {
   EXPECT_GE((*organ)->findData(QStringLiteral("stomach")), 0);
 }
 
-TEST_F(Window, NamesAMeshOfTheUsersInsteadOfTheOrganItStandsInFor) {
+TEST_F(Window, NamesAUsersMeshInsteadOfTheOrganItReplaces) {
   SceneRequest request = testing::requestFor("forearm");
   request.organFile = "mine.obj";
   LoadedScene loaded = testing::loadBar(request);
@@ -109,14 +109,14 @@ TEST_F(Window, NamesAMeshOfTheUsersInsteadOfTheOrganItStandsInFor) {
   EXPECT_EQ((*organ)->currentData().toString(), QStringLiteral("forearm"));
 }
 
-TEST_F(Window, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {
+TEST_F(Window, EverythingFocusableHasANameForScreenReaders) {
   int checked = 0;
   for (QWidget* widget : window_.findChildren<QWidget*>()) {
     const bool reachable = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisible();
     if (!reachable || qobject_cast<QToolButton*>(widget) != nullptr) {
       continue;
     }
-    // The line edit inside a spin box speaks for the box.
+    // A spin box's line edit uses the name of the box.
     if (widget->parentWidget() != nullptr &&
         qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) != nullptr) {
       continue;
@@ -165,7 +165,7 @@ TEST_F(Window, ChoosingAFormulationLoadsTheSceneWithIt) {
   EXPECT_EQ(loaded_.front().formulation, Formulation::kPaper);
 }
 
-TEST_F(Window, AModelBesideTheForceSaysInWordsHowOftenItAnswers) {
+TEST_F(Window, TheRateOfAnAsynchronousModelIsShownInWords) {
   auto* panel = window_.findChild<ExercisePanel*>();
   auto* said = window_.findChild<QLabel*>(QStringLiteral("beside"));
   ASSERT_NE(said, nullptr);
@@ -188,7 +188,7 @@ TEST_F(Window, AModelBesideTheForceSaysInWordsHowOftenItAnswers) {
   EXPECT_NE(window_.controller().run()->beside()->framesPerSecond(), 0.0);
 }
 
-TEST_F(Window, AnEngineersModelIsAskedOfTheLoaderAndNeverRecorded) {
+TEST_F(Window, AnEngineersModelIsRequestedFromTheLoaderAndNeverRecorded) {
   auto* panel = window_.findChild<EngineerPanel*>();
   ASSERT_NE(panel, nullptr);
   const auto command = [this](const QString& text) {
@@ -216,7 +216,7 @@ TEST_F(Window, AnEngineersModelIsAskedOfTheLoaderAndNeverRecorded) {
   EXPECT_TRUE(command(QStringLiteral("Record"))->isEnabled());
 }
 
-TEST_F(Window, TheEngineersPanelOffersWhatTheFormulationKnows) {
+TEST_F(Window, TheEngineersPanelOffersThePartsOfTheFormulation) {
   EngineerPanel panel;
   const auto offered = [&panel](const QString& text) {
     const auto boxes = panel.findChildren<QCheckBox*>();
@@ -242,7 +242,7 @@ TEST_F(Window, TheEngineersPanelOffersWhatTheFormulationKnows) {
   EXPECT_FALSE(panel.choice().taper);
 }
 
-TEST_F(Window, ComparesTheOrganThatIsShownWithOtherModels) {
+TEST_F(Window, ComparesTheOrganShownWithOtherModels) {
   std::string wanted;
   QObject::connect(&window_, &SimulatorWindow::comparisonWanted,
                    [&wanted](const SceneRequest& organ) { wanted = organ.id; });
@@ -284,7 +284,7 @@ TEST_F(Window, ReadoutsFollowTheState) {
   }
   EXPECT_TRUE(phase);
 
-  // A tool that is pressed in is held at the surface, and whoever holds it is told before a limit is reached.
+  // A tool pressed into tissue is held at the surface, and the user is warned before a limit is reached.
   const auto tells = [readout](const LiveState& shown) {
     readout->show(shown, 31.0);
     const QList<QLabel*> labels = readout->findChildren<QLabel*>();
@@ -300,7 +300,7 @@ TEST_F(Window, ReadoutsFollowTheState) {
   EXPECT_FALSE(tells(state));
 }
 
-TEST_F(Window, ReadoutsOfAnOrganThatCameTwistedLeaveNoRoomForTheDial) {
+TEST_F(Window, ReadoutsOfATwistedOrganLeaveNoRoomForTheDial) {
   ReadoutPanel panel;
   panel.resize(290, 900);
   panel.setVisible(true);
@@ -314,7 +314,7 @@ TEST_F(Window, ReadoutsOfAnOrganThatCameTwistedLeaveNoRoomForTheDial) {
   }
 }
 
-TEST_F(Window, SaysWhyTheOrganWasLetGo) {
+TEST_F(Window, SaysWhyTheOrganWasReleased) {
   LiveState state;
   state.phase = ExercisePhase::kReleased;
   state.times.released_us = 3'000'000;
@@ -333,7 +333,7 @@ TEST_F(Window, SaysWhyTheOrganWasLetGo) {
   EXPECT_NE(opened, folded);
 }
 
-TEST_F(Window, FreezingShowsOneInstant) {
+TEST_F(Window, FreezingShowsASingleState) {
   LiveState state;
   state.response.angle_rad = 0.5;
   window_.controller().freeze(state);
@@ -353,14 +353,14 @@ TEST_F(Window, TheThemeSwitchChangesTheWholeWindow) {
   window_.setThemeKind(ThemeKind::kLight);
 }
 
-TEST_F(Window, FitsTheSmallestScreenItPromises) {
+TEST_F(Window, FitsTheSmallestSupportedScreen) {
   window_.resize(1366, 768);
   QApplication::processEvents();
   EXPECT_LE(window_.minimumSizeHint().width(), 1366);
   EXPECT_LE(window_.minimumSizeHint().height(), 768);
 }
 
-TEST(Picture, AScreenshotWithoutOpenGlSaysWhyAndWritesNothing) {
+TEST(Picture, AScreenshotWithoutOpenGlExplainsAndWritesNothing) {
   const QTemporaryDir folder;
   ScreenshotRequest request;
   request.file = (folder.path() + QStringLiteral("/picture.png")).toStdString();
@@ -375,7 +375,7 @@ TEST(Picture, AScreenshotWithoutOpenGlSaysWhyAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(request.file));
 }
 
-TEST(Picture, IsWrittenWholeOrNotAtAll) {
+TEST(Picture, IsWrittenCompletelyOrNotAtAll) {
   const QTemporaryDir folder;
   const std::filesystem::path file = (folder.path() + QStringLiteral("/a.png")).toStdString();
   QImage picture(8, 8, QImage::Format_RGB32);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of administrators on the first day, when nothing is in the record: the demonstration never shows
-// them so.
+// Administrators' pages on the first day, with an empty record, which the demonstration never shows.
 #include <QStringList>
 #include <gtest/gtest.h>
 
@@ -37,7 +36,7 @@ void lookAtPage(testing::AdministratorDesk& office, QStringList& clipped) {
   }
 }
 
-TEST(EmptyCentre, EveryPageOfAdministratorsIsReadWholeInBothLanguages) {
+TEST(EmptyCentre, AdministratorsPagesAreFullyReadableInBothLanguages) {
   testing::AdministratorDesk office;
   LanguageSwitch language;
   for (const Language chosen : {Language::kEnglish, Language::kSimplifiedChinese}) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that a vendor's library may do, in the four places where one runs: free practice, a graded run,
-// the device check, the monitor. What counts is what the motors had, as the fake saw it, whoever was ended.
+// Everything a vendor's library may do, in the four places where one runs: free practice, a graded run,
+// the device check, the monitor. What counts is the force at the motors, as seen by the fake, whichever
+// process was killed.
 //
-// TORSIO_FAULT_MATRIX=all runs every fault in every place (minutes); without it each fault meets one place.
-// TORSIO_KILLS=200 ends that many windows in the middle of a force.
+// TORSIO_FAULT_MATRIX=all runs every fault in every place (minutes); without it, each fault runs in one
+// place.
+// TORSIO_KILLS=200 kills that many windows while they render force.
 #include <algorithm>
 #include <atomic>
 #include <csignal>
@@ -34,15 +36,15 @@ using fakehd::SeenEvent;
 
 constexpr std::array<const char*, 4> kPlaces{"practice", "graded", "check", "monitor"};
 constexpr int kAtOnce = 6;
-/// The child's watchdog, and every answer of a driver whose library works.
+/// The child's watchdog, and every answer of a driver with a working library.
 constexpr double kLetsGo_ms = 20.0;
-/// The end of a device process that does not answer: 20 looks of 5 ms, and what it takes to end a process.
+/// Time to end an unresponsive device process: 20 polls of 5 ms, and the kill.
 constexpr double kEnds_ms = 120.0;
-/// Longest that a window may stand still, and take to close.
+/// Maximum time for which a window may be unresponsive, and take to close.
 constexpr double kStandsStill_ms = 1000.0;
 constexpr double kCloses_ms = 3500.0;
 
-/// One fault in one place, and what was wrong with what came of it.
+/// A fault in a place, with the violations found.
 struct Cell {
   const FaultScenario* scenario = nullptr;
   std::string place;
@@ -50,7 +52,7 @@ struct Cell {
   std::string figures{};
 };
 
-/// Calls `work` for 0 .. count-1, a few at once.
+/// Calls `work` for 0 .. count-1, several in parallel.
 void side(int count, const std::function<void(int)>& work) {
   std::atomic<int> next{0};
   std::vector<std::thread> threads;
@@ -108,7 +110,7 @@ class Verdict {
     const bool inUse = course_ == Course::kLost || course_ == Course::kForceOff || course_ == Course::kEnded;
     if (inUse) {
       expect(fault != nullptr, "the fault never came");
-      // The check renews its force in an ordinary thread, which a busy machine may hold up.
+      // The check updates its force in a normal thread, which a busy machine may delay.
       expect(fault == nullptr || command() || run_.pushedAt(fault_ns), "no force at the fault");
     }
     if (fault != nullptr && (course_ == Course::kLost || course_ == Course::kForceOff)) {
@@ -130,7 +132,7 @@ class Verdict {
     judgeOrder();
   }
 
-  /// Zero force, output off, stop, device off: wherever the library answers to the end.
+  /// Checks the order zero force, output off, stop, device off, if the library works to the end.
   void judgeOrder() {
     if (course_ != Course::kWorks && course_ != Course::kForceOff && course_ != Course::kNeverOn) {
       return;
@@ -140,7 +142,7 @@ class Verdict {
     for (const Seen step : {Seen::kRest, Seen::kOutputOff, Seen::kStop, Seen::kUnschedule, Seen::kDisable}) {
       const SeenEvent* const event = record.last(step);
       if (event == nullptr && (step == Seen::kRest || step == Seen::kStop)) {
-        continue;  // never pushed
+        continue;  // no force ever
       }
       expect(event != nullptr && event->time_ns >= before_ns, "not let go of in order");
       before_ns = event != nullptr ? event->time_ns.load() : before_ns;
@@ -170,7 +172,7 @@ class Verdict {
     const bool graded = cell_.place == "graded";
     const bool silent = contains(cell_.scenario->story, "DIE_AT_TICK=0");
     if (cell_.scenario->impatient) {
-      return;  // nobody was there any more to read
+      return;  // the reader was gone
     }
     if (course_ == Course::kRefused) {
       expect(contains(said, graded ? "the graded run did not begin" : "You practise with mouse and keyboard"),
@@ -222,13 +224,13 @@ std::vector<Cell> cellsToRun() {
       }
     }
   }
-  // Those that take long begin first.
+  // Slow cells start first.
   std::stable_sort(cells.begin(), cells.end(),
                    [](const Cell& a, const Cell& b) { return a.scenario->slow > b.scenario->slow; });
   return cells;
 }
 
-TEST(FaultMatrix, WhateverALibraryDoesNoForceStaysAndTheWindowSaysWhatIsKnown) {
+TEST(FaultMatrix, NoForceRemainsWhateverALibraryDoesAndTheWindowReportsIt) {
   std::vector<Cell> cells = cellsToRun();
   side(static_cast<int>(cells.size()), [&](int k) {
     Cell& cell = cells[static_cast<std::size_t>(k)];
@@ -255,7 +257,7 @@ TEST(FaultMatrix, WhateverALibraryDoesNoForceStaysAndTheWindowSaysWhatIsKnown) {
   RecordProperty("cells", static_cast<int>(cells.size()));
 }
 
-/// One end of a window in the middle of a force; how long the motors kept it, ms.
+/// Kills a window while it renders force; returns for how long the motors kept it, ms.
 double endWindow(const std::string& place, int how, double after_s, const std::string& folder) {
   static const FaultScenario kUsual{"", "", Course::kWorks};
   FaultRun run(place, kUsual, folder);
@@ -270,11 +272,11 @@ double endWindow(const std::string& place, int how, double after_s, const std::s
   const std::int64_t killed_ns = now_ns();
   const bool pushed = run.pushedAt(killed_ns);
   if (!pushed || device <= 0 || run.program() <= 0) {
-    return -3.0;  // nothing to end; kill() takes 0 and -1 for many processes
+    return -3.0;  // nothing to end; kill() with 0 or -1 affects many processes
   }
   kill(run.program(), how);
   if (how == SIGHUP) {
-    kill(static_cast<pid_t>(device), SIGHUP);  // the end of a session goes to all of its processes
+    kill(static_cast<pid_t>(device), SIGHUP);  // the end of a session affects all its processes
   }
   (void)run.watch();
   std::filesystem::remove_all(folder);

@@ -21,23 +21,23 @@ namespace {
 using Time = std::chrono::steady_clock;
 using fakehd::RecordFile;
 
-// After the fault, or after the device was refused, the window is watched for so long.
+// How long the window is observed after a fault or a refused device.
 constexpr double kWatchOn_s = 0.7;
-// Ticks of a story without a fault while the device is in use.
+// Duration in ticks of a story without a fault in use.
 constexpr std::int64_t kStoryTicks = 1800;
 
 double since_s(Time::time_point begun) {
   return std::chrono::duration<double>(Time::now() - begun).count();
 }
 
-/// Lets the window live until the story is over; how long it did not answer at the longest, s.
+/// Runs the window until the story is over; returns its longest unresponsive time, s.
 template <typename Frame, typename Refused>
 double live(double seconds, const Frame& frame, const Refused& refused) {
   const RecordFile record(RecordFile::fromEnvironment());
   const bool impatient = std::getenv("FAULT_IMPATIENT") != nullptr;
   const auto begun = Time::now();
   double longest_s = 0.0;
-  double over_s = 0.0;  // since when the story is over
+  double over_s = 0.0;  // since the end of the story
   for (auto before = begun; since_s(begun) < seconds;) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -32,12 +32,12 @@ using fakehd::Seen;
 
 constexpr double kPlaceTakes_s = 40.0;
 constexpr auto kProgramTakes = std::chrono::seconds(60);
-// A look and its sleep on an idle machine.
+// A poll and its sleep on an idle machine.
 constexpr std::int64_t kLook_ns = 1'200'000;
 constexpr double kComesFrom_m = 0.012;
 constexpr double kDeep_m = 0.0015;
 
-/// Where the fake's hand must hold the stylus so that its tip presses into the bar, as FAKEHD_PRESS.
+/// Returns the FAKEHD_PRESS with which the fake's tip presses into the bar.
 std::string pressOnTheBar() {
   const Scene scene = barScene();
   const HandTask task = handTask(scene);
@@ -59,7 +59,7 @@ std::string pressOnTheBar() {
   return numbers.str();
 }
 
-/// The library of a scenario; one that is damaged is made anew in `folder`.
+/// Returns a scenario's library; creates a damaged one in `folder`.
 std::string libraryOf(const FaultScenario& scenario, const std::string& folder) {
   const std::string damaged = folder + "/libHD.so";
   std::string bytes = readFile(TORSIO_FAKEHD);
@@ -80,7 +80,7 @@ std::string libraryOf(const FaultScenario& scenario, const std::string& folder) 
   return damaged;
 }
 
-/// This environment without other stories, and with the scenario's.
+/// Returns this environment without other stories, and with the scenario's.
 std::vector<std::string> environmentOf(const std::string& place, const FaultScenario& scenario,
                                        const std::string& folder) {
   std::vector<std::string> all;
@@ -170,7 +170,7 @@ void FaultRun::lookAtDevice() {
   if (gone_ || device <= 0) {
     return;
   }
-  const std::int64_t looked_ns = now_ns();  // before: a look that comes late must not make it live longer
+  const std::int64_t looked_ns = now_ns();  // before polling, so that a late poll does not prolong it
   if (looked_ns_ > 0 && record_->first(Seen::kFault) != nullptr) {
     heldUp_ns_ += std::max<std::int64_t>(0, looked_ns - looked_ns_ - kLook_ns);
   }
@@ -192,7 +192,7 @@ bool FaultRun::watch() {
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // What a program leaves behind has two seconds to end.
+  // Child processes of a program have two seconds to end.
   for (int i = 0; i < 2500 && !gone_ && (*record_)->process > 0; ++i) {
     lookAtDevice();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

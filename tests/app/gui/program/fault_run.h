@@ -11,11 +11,11 @@
 
 namespace torsio::gui::testing {
 
-/// A program with the fake library in it: one of the four places, in a process of its own with a story of its
-/// own. Several may run at the same time.
+/// A process with the fake library in one of the four places, with its own story. Several may run in
+/// parallel.
 class FaultRun {
  public:
-  /// Starts it. `place`: practice, graded, check, monitor. `folder`: for its files.
+  /// Starts the process. `place`: practice, graded, check, monitor. `folder`: for its files.
   FaultRun(const std::string& place, const FaultScenario& scenario, const std::string& folder);
   ~FaultRun();
   FaultRun(const FaultRun&) = delete;
@@ -23,25 +23,23 @@ class FaultRun {
 
   [[nodiscard]] const fakehd::RecordFile& record() const { return *record_; }
   [[nodiscard]] pid_t program() const { return program_; }
-  /// Watches it to its end, at most 60 s; then everything below is known. False: it had to be killed.
+  /// Waits for its end, at most 60 s; afterwards, all results are available. False: it had to be killed.
   bool watch();
-  /// Looks once at the device process; notes when it was there and whether it is gone.
+  /// Polls the device process: notes when it existed and whether it is gone.
   void lookAtDevice();
 
   [[nodiscard]] int code() const { return code_; }                 ///< exit code
   [[nodiscard]] const std::string& said() const { return said_; }  ///< everything printed
-  /// What a thread of ordinary rank that sleeps for a millisecond lost to the rest of the machine from the
-  /// fault until the device process was gone: as much was lost to the threads that had to end.
+  /// Returns the time that a normal thread sleeping for a millisecond lost to the rest of the machine from
+  /// the fault until the device process was gone, which estimates what the ending threads lost.
   [[nodiscard]] std::int64_t heldUp_ns() const { return heldUp_ns_; }
   [[nodiscard]] bool deviceGone() const { return gone_; }
-  [[nodiscard]] std::int64_t deviceSeen_ns() const {
-    return seen_ns_;
-  }  ///< when it was there for the last time
+  [[nodiscard]] std::int64_t deviceSeen_ns() const { return seen_ns_; }  ///< when it last existed
 
-  /// Milliseconds from an event until the motors had nothing, without what the threads of the device process
-  /// waited for a processor; 0 when they had nothing already, negative when they never got rid of it.
+  /// Returns the time from an event until the motors had no force, ms, excluding the processor waiting time
+  /// of the device process's threads; 0 if they had none, negative if it never ended.
   [[nodiscard]] double restAfter_ms(std::int64_t from_ns, std::int64_t waited_ns) const;
-  /// Whether the motors had a force at this time.
+  /// Returns whether the motors had a force at this time.
   [[nodiscard]] bool pushedAt(std::int64_t time_ns) const;
 
  private:
@@ -56,7 +54,7 @@ class FaultRun {
   std::int64_t seen_ns_ = 0;
 };
 
-/// Nanoseconds of the clock that the fake's events are stamped with.
+/// Returns the time of the clock of the fake's events, ns.
 [[nodiscard]] std::int64_t now_ns();
 
 }  // namespace torsio::gui::testing

@@ -90,7 +90,7 @@ std::vector<FaultScenario> lies() {
     all.push_back(
         {what.substr(7) + " in use", what + " FAKEHD_LIE_AT_TICK=@", Course::kForceOff, "valid position"});
   }
-  // Seen once the gimbal has turned by 0.1 rad: here after 100 ms.
+  // Detected once the gimbal has turned by 0.1 rad: here after 100 ms.
   all.push_back({"LIE=frozen in use",
                  "FAKEHD_LIE=frozen FAKEHD_LIE_AT_TICK=@",
                  Course::kForceOff,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every screen on the demonstration record: switched to Chinese while it is open, and in a pseudo language
-// whose words are 40 % longer, at the smallest size that is supported.
+// Every screen with the demonstration record: switched to Chinese while open, and in a pseudo language with
+// 40 % longer words, at the smallest supported size.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -33,8 +33,8 @@
 #include "app/gui/program/screenshots.h"
 #include "app/gui/shell/desk.h"
 #include "app/outputs/charts/typeface.h"
-#include "tests/app/gui/support/clipped_texts.h"
 #include "tests/app/gui/program/screen_faults.h"
+#include "tests/app/gui/support/clipped_texts.h"
 
 namespace torsio::gui {
 namespace {
@@ -43,7 +43,8 @@ constexpr double kWiderFace_percent = 115.0;
 constexpr QSize kSmallest(1366, 768);
 constexpr QSize kWide[] = {{1920, 1080}, {3840, 2160}};
 
-/// What stays as it is in every language: names of the demonstration, codes, units, names of programs.
+/// Returns whether a text is the same in every language: names of the demonstration, codes, units, names of
+/// programs.
 bool staysAsItIs(const QString& text) {
   static const QRegularExpression kKept(QStringLiteral(
       "^("
@@ -61,9 +62,8 @@ bool staysAsItIs(const QString& text) {
   return kKept.match(text.trimmed()).hasMatch();
 }
 
-/// Sentences that stand for a moment while something is opened or done and are not said again, and the anchor
-/// under a row, which follows the row that is current. A problem that is open keeps the language it was told
-/// in.
+/// Messages shown for a moment while something is opened or done, which are not repeated, and the anchor of
+/// the current row. An open problem keeps its language.
 constexpr int kMaxWaits = 40;
 constexpr int kWait_ms = 50;
 
@@ -86,7 +86,7 @@ void add(QStringList& texts, const QString& text) {
   }
 }
 
-/// Texts of what is seen: labels, buttons, tabs, headers, boxes, lists, hints in fields, and the report.
+/// Returns the visible texts: labels, buttons, tabs, headers, boxes, lists, placeholders, and the report.
 QStringList seenTexts(QWidget& window) {
   QStringList texts;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
@@ -132,19 +132,19 @@ QStringList seenTexts(QWidget& window) {
   return texts;
 }
 
-/// Whether somebody who reads Chinese meets a text without a Chinese character.
+/// Returns whether a Chinese reader sees a text without any Chinese character.
 bool leftInEnglish(const QString& text) {
   static const QRegularExpression kChinese(QStringLiteral("\\p{Han}"));
   static const QRegularExpression kWord(QStringLiteral("[A-Za-z]{2,}"));
   return kWord.match(text).hasMatch() && !kChinese.match(text).hasMatch() && !staysAsItIs(text);
 }
 
-/// Accents on the letters, 40 % more of them, and brackets that show where a text is cut.
+/// Adds accents, 40 % more letters, and brackets that reveal clipping.
 class PseudoTranslator : public QTranslator {
  public:
   [[nodiscard]] bool isEmpty() const override { return false; }
   QString translate(const char* context, const char* source, const char*, int) const override {
-    // Formats of Qt itself ("%1 (%2)" of dialogs) stay usable.
+    // Formats of Qt itself ("%1 (%2)" of dialogs) must stay usable.
     if (QByteArray(context).startsWith("Q") && QByteArray(context) != "QPlatformTheme") {
       return {};
     }
@@ -163,7 +163,7 @@ class PseudoTranslator : public QTranslator {
   }
 };
 
-/// Times and sizes go on while a screen stands.
+/// Removes times and sizes, which change while a screen is shown.
 QStringList withoutNumbers(QStringList texts) {
   static const QRegularExpression kNumber(QStringLiteral("[0-9]+([.,][0-9]+)*"));
   return texts.replaceInStrings(kNumber, QString());
@@ -171,13 +171,14 @@ QStringList withoutNumbers(QStringList texts) {
 
 void retranslated() {
   QCoreApplication::processEvents();
-  // What a timer has just said is laid out too, from the inside outwards.
+  // Lays out what a timer has just shown, from the inside outwards.
   for (int depth = 0; depth < 4; ++depth) {
     QCoreApplication::sendPostedEvents();
   }
 }
 
-/// A span of a minute or more in bare seconds, or minutes with a nought before them: clock_time.h says 1:15.
+/// Returns whether a duration of a minute or more is in plain seconds, or has a leading zero: clock_time.h
+/// formats 1:15.
 bool saysASpanOtherwise(const QString& text) {
   static const QRegularExpression kOtherwise(
       QStringLiteral("(^|[^\\d.:])([6-9]\\d|\\d{3,})([.,]\\d+)? s($|[ .,;)])|(^|[^\\d])0\\d:\\d\\d[.]\\d"));
@@ -186,8 +187,8 @@ bool saysASpanOtherwise(const QString& text) {
 
 using Findings = std::map<QString, std::set<QString>>;
 
-/// The typeface of the program, and two that stand for what a machine puts in its place: another drawing, and
-/// letters that are 15 % wider.
+/// The program's typeface, and two that represent substitutes on other machines: a different design, and
+/// letters 15 % wider.
 struct Face {
   QString name;
   QFont font;
@@ -203,17 +204,17 @@ std::vector<Face> faces() {
           {QStringLiteral("wide"), wide}};
 }
 
-/// One walk over all screens: each opened in English, then switched to Chinese and to the pseudo language,
-/// the latter in all faces.
+/// Walks over all screens: each opened in English, then switched to Chinese and to the pseudo language, the
+/// latter in all typefaces.
 class Walk {
  public:
-  Findings switched;  // texts that a Chinese reader meets
-  Findings stuck;     // texts that do not come back in English
+  Findings switched;  // English texts that a Chinese reader sees
+  Findings stuck;     // texts that do not return to English
   Findings cut;       // pseudo language
-  Findings doubled;   // keys that two things of one screen want, and titles that are told twice
+  Findings doubled;   // keys claimed twice on a screen, and repeated titles
   Findings clipped;   // English and Chinese
-  Findings spans;     // times that the clock of every other screen would say otherwise
-  Findings numbers;   // that every other screen would write otherwise
+  Findings spans;     // durations formatted unlike on other screens
+  Findings numbers;   // numbers formatted unlike on other screens
   Findings crowding;  // pages in a corner of a wide screen
   int screens = 0;
 
@@ -275,7 +276,7 @@ class Walk {
       chinese.choose(Language::kEnglish);
       retranslated();
     }
-    // What goes on while a screen stands says its next word in the language chosen last.
+    // Content that changes while a screen is shown uses the language chosen last.
     std::set<QString> left = othersThan(before, window);
     for (int wait = 0; wait < kMaxWaits && !left.empty(); ++wait) {
       QEventLoop loop;
@@ -291,7 +292,7 @@ class Walk {
     const QFont usual = QApplication::font();
     for (const Face& face : faces()) {
       QApplication::setFont(face.font);
-      // A layout hands its new height to the layout above it in the next round.
+      // A layout passes its new height to its parent layout in the next iteration.
       for (int round = 0; round < 6; ++round) {
         retranslated();
       }
@@ -308,7 +309,7 @@ class Walk {
   void lookAtWide(const QString& name, QWidget& window) {
     const auto* desk = qobject_cast<const Desk*>(&window);
     const QWidget& page = desk != nullptr && desk->page() != nullptr ? *desk->page() : window;
-    window.setUpdatesEnabled(false);  // where things lie is looked at, not their picture
+    window.setUpdatesEnabled(false);  // only positions are checked, not the picture
     for (const QSize& size : kWide) {
       window.resize(size);
       for (int round = 0; round < 3; ++round) {
@@ -337,7 +338,7 @@ std::string told(const Findings& findings) {
   return all.toStdString();
 }
 
-TEST(Faces, ArePinnedAndTheWideOneIsWiderByFifteenPercent) {
+TEST(Faces, AreFixedAndTheWideOneIsFifteenPercentWider) {
   const QString sentence = QStringLiteral("Every rater gets an order of their own");
   const std::vector<Face> all = faces();
 
@@ -346,8 +347,8 @@ TEST(Faces, ArePinnedAndTheWideOneIsWiderByFifteenPercent) {
   EXPECT_NEAR(QFontMetricsF(all[2].font).horizontalAdvance(sentence), 1.15 * usual, 0.01 * usual);
 }
 
-/// One test, since the walk takes most of a minute.
-TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForALongerLanguage) {
+/// A single test, because the walk takes most of a minute.
+TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForLongerTexts) {
   const Walk walk;
 
   EXPECT_GT(walk.screens, 30);
@@ -361,7 +362,7 @@ TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForALongerLangu
   EXPECT_TRUE(walk.crowding.empty()) << told(walk.crowding);
 }
 
-TEST(TranslatedErrors, PutsArgumentsIntoTheChineseSentence) {
+TEST(TranslatedErrors, InsertsArgumentsIntoTheChineseSentence) {
   LanguageSwitch language;
   language.choose(Language::kSimplifiedChinese);
 
@@ -374,7 +375,7 @@ TEST(TranslatedErrors, PutsArgumentsIntoTheChineseSentence) {
   EXPECT_NE(said.remedy, QStringLiteral("Fill it in"));
 }
 
-TEST(TranslatedErrors, TellsTheKindOfTroubleWhereTheLanguageLacksTheSentence) {
+TEST(TranslatedErrors, NamesTheKindOfErrorIfTheSentenceHasNoTranslation) {
   LanguageSwitch language;
   language.choose(Language::kSimplifiedChinese);
 

@@ -22,7 +22,7 @@ namespace torsio::gui::testing {
 
 namespace {
 
-/// Where words, fields, lists and cards of a page stand, together.
+/// Returns the common bounding box of texts, fields, lists and cards of a page.
 QRect contentOf(const QWidget& page) {
   QRect all;
   for (const QWidget* widget : page.findChildren<QWidget*>()) {
@@ -34,7 +34,7 @@ QRect contentOf(const QWidget& page) {
       if (label->text().isEmpty()) {
         continue;
       }
-      // A sentence keeps its lines short in however wide a place.
+      // A sentence limits its line length in a wide place.
       place.setWidth(std::min(label->contentsRect().width(), label->sizeHint().width()));
     } else if (qobject_cast<const QAbstractButton*>(widget) == nullptr &&
                qobject_cast<const QLineEdit*>(widget) == nullptr &&
@@ -91,7 +91,7 @@ QStringList doubledKeys(QWidget& window) {
   std::map<QString, QStringList> wanted;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisibleTo(&window)) {
-      continue;  // what is disabled is enabled at another moment
+      continue;  // disabled keys may be enabled at another time
     }
     const auto* label = qobject_cast<QLabel*>(widget);
     const auto* button = qobject_cast<QAbstractButton*>(widget);

@@ -8,18 +8,18 @@ class QWidget;
 
 namespace torsio::gui::testing {
 
-/// Labels and buttons that show less than they say.
+/// Returns labels and buttons with clipped text.
 [[nodiscard]] QStringList cutTexts(QWidget& window);
-/// Alt with a letter that two things of one screen want: neither gets it at the first press.
+/// Returns Alt keys claimed twice on a screen: neither gets it at the first press.
 [[nodiscard]] QStringList doubledKeys(QWidget& window);
-/// A title of the header that the page tells again.
+/// Returns titles of the header that the page repeats.
 [[nodiscard]] QStringList doubledTitles(QWidget& window);
-/// Numbers of labels, buttons, lists and the cells of tables that are not as screens show them: a hyphen in
-/// place of the minus, four figures and more without groups, days that can be read two ways (03/12/2026).
-/// Years, times and identifiers are none.
+/// Returns numbers in labels, buttons, lists and tables that are not in screen format: a hyphen instead of
+/// the minus, four or more digits without grouping, ambiguous dates (03/12/2026). Excludes years, times and
+/// identifiers.
 [[nodiscard]] QStringList roughNumbers(QWidget& window);
-/// On a wide screen: whether a page crowds into a corner. It stands in the middle, or it uses the width;
-/// empty: it does.
+/// Returns an error if a page on a wide screen is in a corner, neither centred nor using the width; empty:
+/// none.
 [[nodiscard]] QString crowded(const QWidget& page);
 
 }  // namespace torsio::gui::testing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real program draws the real scene: on a virtual display with a software renderer.
+// The real program draws the real scene, on a virtual display with a software renderer.
 #include <set>
 
 #include <QDir>
@@ -18,7 +18,7 @@ constexpr int kPatience_ms = 200'000;  // a busy machine draws slowly
 class Screenshot : public ::testing::Test {
  protected:
   QTemporaryDir folder_;
-  QString said_;  // of the last picture, on standard error
+  QString said_;  // standard error of the last run
 
   void SetUp() override {
     if (QStandardPaths::findExecutable(QStringLiteral("xvfb-run")).isEmpty()) {
@@ -55,7 +55,7 @@ class Screenshot : public ::testing::Test {
     return seen.size();
   }
 
-  /// Reddish pixels: tissue. The backdrop is bluish, the instrument grey.
+  /// Counts reddish pixels, which are tissue. The backdrop is bluish, the instrument grey.
   static int tissue(const QImage& picture, const QRect& where) {
     int count = 0;
     for (int y = where.top(); y <= where.bottom(); ++y) {
@@ -80,7 +80,7 @@ class Screenshot : public ::testing::Test {
   }
 };
 
-TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
+TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndAVisibleTwist) {
   const QStringList options{QStringLiteral("--organ"),      QStringLiteral("stomach"),
                             QStringLiteral("--quality"),    QStringLiteral("fast"),
                             QStringLiteral("--size"),       QStringLiteral("1000x700"),
@@ -99,14 +99,14 @@ TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
   EXPECT_GT(different(rest, twisted), whole.width() * whole.height() / 100);
 }
 
-TEST_F(Screenshot, TheClothGoesOnInAViewMuchWiderThanHigh) {
+TEST_F(Screenshot, TheClothExtendsAcrossAVeryWideView) {
   const QImage wide = shot(QStringLiteral("wide.png"),
                            {QStringLiteral("--organ"), QStringLiteral("forearm"), QStringLiteral("--quality"),
                             QStringLiteral("fast"), QStringLiteral("--size"), QStringLiteral("1500x450"),
                             QStringLiteral("--scene-only"), QStringLiteral("--angle"), QStringLiteral("0")});
 
   ASSERT_FALSE(wide.isNull());
-  int streaks = 0;  // rows whose first pixels are all alike
+  int streaks = 0;  // rows whose first pixels are identical
   for (int y = 0; y < wide.height(); ++y) {
     streaks += colours(wide, QRect(0, y, wide.width() / 20, 1)) == 1 ? 1 : 0;
   }
@@ -131,7 +131,7 @@ TEST_F(Screenshot, ShowsAnOrganFromSixSidesAtRestAndTurned) {
   }
 }
 
-TEST_F(Screenshot, AnAngleAgainstTheTaskIsRefusedNotDrawnAtRest) {
+TEST_F(Screenshot, AnAngleAgainstTheTaskIsRefusedInsteadOfDrawnAtRest) {
   const QStringList options{QStringLiteral("--organ"), QStringLiteral("stomach"), QStringLiteral("--angle"),
                             QStringLiteral("90")};  // the tasks of the stomach turn to negative angles
 
@@ -142,7 +142,7 @@ TEST_F(Screenshot, AnAngleAgainstTheTaskIsRefusedNotDrawnAtRest) {
   EXPECT_TRUE(said_.contains(QLatin1String("this task turns the other way"))) << said_.toStdString();
 }
 
-TEST_F(Screenshot, TheGhostOfTheTargetPoseAndTheMarkersComeOnlyWhenAsked) {
+TEST_F(Screenshot, TargetGhostAndMarkersAppearOnlyOnRequest) {
   const QStringList options{
       QStringLiteral("--organ"),      QStringLiteral("forearm"), QStringLiteral("--quality"),
       QStringLiteral("fast"),         QStringLiteral("--size"),  QStringLiteral("640x480"),
@@ -156,11 +156,11 @@ TEST_F(Screenshot, TheGhostOfTheTargetPoseAndTheMarkersComeOnlyWhenAsked) {
 
   ASSERT_FALSE(plain.isNull());
   EXPECT_EQ(different(plain, again), 0);
-  EXPECT_GT(different(plain, ghost), 500);   // the hand stands in its target pose as well
+  EXPECT_GT(different(plain, ghost), 500);   // the hand's target pose is visible, too
   EXPECT_GT(different(plain, markers), 20);  // ten points of a few pixels, half of them behind the arm
 }
 
-TEST_F(Screenshot, DrawsTissueWithShadersOfItsOwnAtTheFineLevel) {
+TEST_F(Screenshot, DrawsTissueWithItsOwnShadersAtTheFineLevel) {
   for (const char* organ : {"stomach", "forearm", "intestine"}) {
     const QStringList options{QStringLiteral("--organ"),      QLatin1String(organ),
                               QStringLiteral("--size"),       QStringLiteral("640x480"),
@@ -175,12 +175,12 @@ TEST_F(Screenshot, DrawsTissueWithShadersOfItsOwnAtTheFineLevel) {
     ASSERT_EQ(fine.size(), fast.size());
     EXPECT_GT(different(fine, fast), 500) << organ;
     const QRect middle(fine.width() / 4, fine.height() / 4, fine.width() / 2, fine.height() / 2);
-    EXPECT_GT(tissue(fine, middle), middle.width() * middle.height() / 16) << organ;  // not black, not white
+    EXPECT_GT(tissue(fine, middle), middle.width() * middle.height() / 16) << organ;  // not black or white
   }
 }
 
-TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendOnEveryLevel) {
-  constexpr int kTolerance = 6;  // of 255: a colour goes to linear light and back
+TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendAtEveryLevel) {
+  constexpr int kTolerance = 6;  // of 255: rounding of the conversion to linear light and back
   for (const char* quality : {"fast", "fine"}) {
     const QImage rest = shot(
         QStringLiteral("stress.png"),
@@ -189,14 +189,14 @@ TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendOnEveryLevel) {
          QStringLiteral("--scene-only"), QStringLiteral("--quality"), QLatin1String(quality)});
 
     // Without twist there is no stress: the darkest blue of cividis, (0, 0.135, 0.305), where the tissue
-    // faces the viewer, and the same hue, darker, where it turns away.
+    // faces the viewer, and the same hue, darker, elsewhere.
     int whole = 0;
     int organ = 0;
-    int other = 0;  // edges of what lies around the organ, and where the fast level smooths its own
+    int other = 0;  // edges of the surroundings, and smoothed ones of the fast level
     for (int y = 0; y < rest.height(); ++y) {
       for (int x = 0; x < rest.width(); ++x) {
         const QColor c = rest.pixelColor(x, y);
-        // The band of the grasp is dark as well, and green.
+        // The band of the grasp is dark as well, but green.
         if (c.red() > kTolerance || c.blue() < 40 || c.green() > 45) {
           continue;
         }
@@ -211,7 +211,7 @@ TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendOnEveryLevel) {
   }
 }
 
-TEST_F(Screenshot, AFilmStripShowsTheOrganMoreAndMoreTwisted) {
+TEST_F(Screenshot, AFilmStripShowsTheOrganIncreasinglyTwisted) {
   const QImage strip =
       shot(QStringLiteral("strip.png"),
            {QStringLiteral("--organ"), QStringLiteral("stomach"), QStringLiteral("--angle"),
@@ -236,7 +236,7 @@ TEST_F(Screenshot, ShowsTheWholeWindowWithItsReadouts) {
 
   EXPECT_EQ(window.size(), QSize(1280, 800));
   EXPECT_GT(colours(window, window.rect()), 5000U);
-  // The panel at the right is dark and holds light text.
+  // The panel at the right is dark with light text.
   int bright = 0;
   for (int y = 100; y < 700; ++y) {
     for (int x = 1000; x < 1240; ++x) {

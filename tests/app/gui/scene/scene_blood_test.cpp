@@ -26,7 +26,7 @@ Factors factorsOf(const OrganState& state) {
   return factors;
 }
 
-// The vertex whose arc length is nearest to a share of the length.
+// Returns the vertex whose arc length is nearest to a fraction of the length.
 std::size_t vertexAt(double share) {
   const auto& vertices = twistedScene()->model.tables().vertices;
   std::size_t best = 0;
@@ -39,11 +39,11 @@ std::size_t vertexAt(double share) {
   return best;
 }
 
-TEST(BloodMap, LeavesAnOrganThatIsNotHollowAlone) {
+TEST(BloodMap, DoesNotChangeAnOrganThatIsNotHollow) {
   EXPECT_TRUE(BloodMap(std::make_shared<const Scene>(barScene())).empty());
 }
 
-TEST(BloodMap, SoundTissueKeepsItsColour) {
+TEST(BloodMap, HealthyTissueKeepsItsColour) {
   OrganState state = twistedScene()->stateAt(0.0);
   state.hollow.saturation = 0.78;
 
@@ -54,7 +54,7 @@ TEST(BloodMap, SoundTissueKeepsItsColour) {
   }
 }
 
-TEST(BloodMap, DammedBloodIsPurpleBeyondTheHeldSectionOnly) {
+TEST(BloodMap, CongestedBloodIsPurpleOnlyBeyondTheHeldSection) {
   OrganState state = twistedScene()->stateAt(0.0);
   state.hollow.congestion = 1.0;
   state.hollow.reading.flow = 0.3;
@@ -67,7 +67,7 @@ TEST(BloodMap, DammedBloodIsPurpleBeyondTheHeldSectionOnly) {
   EXPECT_EQ(factors[vertexAt(0.0)], (std::array<float, 3>{1.0F, 1.0F, 1.0F}));
 }
 
-TEST(BloodMap, AMarkIsDarkWhereTheJawWasAndNowhereElse) {
+TEST(BloodMap, AMarkIsDarkOnlyWhereTheJawWas) {
   const std::size_t there = vertexAt(0.5);
   const auto& vertex = twistedScene()->model.tables().vertices[there];
   OrganState state = twistedScene()->stateAt(0.0);
@@ -82,7 +82,7 @@ TEST(BloodMap, AMarkIsDarkWhereTheJawWasAndNowhereElse) {
   EXPECT_EQ(after[vertexAt(0.9)], before[vertexAt(0.9)]);
 }
 
-TEST(BloodMap, AClipIsSeenWhereItHolds) {
+TEST(BloodMap, AClipIsVisibleWhereItHolds) {
   OrganState state = twistedScene()->stateAt(0.0);
   const Factors open = factorsOf(state);
   state.hollow.clipped = true;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keeps bodies from looking cut off: cloth over the ends of arm and glove, the mesentery of a loop. No
-// renderer.
+// What hides the ends of bodies: cloth over the ends of arm and glove, the mesentery of a loop. No renderer.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +27,7 @@ namespace {
 
 const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 
-/// Sides of triangles that do not lie beside exactly one other: borders that would be seen.
+/// Counts triangle edges without exactly one neighbour: visible borders.
 int openSides(const TriangleMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
@@ -40,7 +39,7 @@ int openSides(const TriangleMesh& mesh) {
       std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.second != 2; }));
 }
 
-/// Whether a closed mesh has a point inside it: an odd number of triangles lies on one side of it.
+/// Returns whether a closed mesh contains a point: an odd number of triangles is on one side of it.
 bool encloses(const TriangleMesh& mesh, const Vec3& point_m) {
   const Vec3 way = Vec3{0.8123, 0.4711, 0.3432};
   int crossed = 0;
@@ -106,13 +105,13 @@ TEST(Drapery, HidesTheEndOfTheArmFromEverySideAndLittleElse) {
   EXPECT_GT(hidden, 20);
   double lowest_m = 0.0;
   for (const Vec3& v : drape.vertices_m) {
-    EXPECT_GE(v.z, 1e-3 * static_cast<double>(ground_mm) - 1e-6);  // on the table, not through it
+    EXPECT_GE(v.z, 1e-3 * static_cast<double>(ground_mm) - 1e-6);  // on the table, but not through it
     lowest_m = std::min(lowest_m, v.y);
   }
   EXPECT_LT(lowest_m, -0.5);  // out of the picture
 }
 
-TEST(Drapery, TheGownGoesOnFromTheGlovesCuffOutOfThePicture) {
+TEST(Drapery, TheGownContinuesTheGlovesCuffOutOfThePicture) {
   const InstrumentParts grasper = loadInstrument(kAssets, "grasper");
   ASSERT_FALSE(grasper.hand.triangles.empty());
 
@@ -140,7 +139,7 @@ TEST(Drapery, TheGownGoesOnFromTheGlovesCuffOutOfThePicture) {
   EXPECT_GT(reach_m - end_m, 0.5);
 }
 
-TEST(Mesentery, HangsFromTheMiddleOfTheLoopDownToARootBehindIt) {
+TEST(Mesentery, HangsFromTheMiddleOfTheLoopToARootBehindIt) {
   SceneRequest request;
   request.assets = kAssets;
   request.id = "small-bowel-loop";
@@ -167,15 +166,15 @@ TEST(Mesentery, HangsFromTheMiddleOfTheLoopDownToARootBehindIt) {
     const Vec3 place_m = fromView(middle(hold));
     inside += encloses(scene.mesh, place_m) ? 1 : 0;
   }
-  EXPECT_GE(inside, holds.size() - 2);  // its two ends lie on the feet
+  EXPECT_GE(inside, holds.size() - 2);  // its two ends are on the feet
   EXPECT_LT(root.from.y(), std::min(first.y(), last.y()));
   EXPECT_NEAR(root.from.z(), kGround_mm, 0.05F * kRadius_mm);
   EXPECT_GT(root.from.z(), kGround_mm);
-  EXPECT_GT((root.from - root.to).x() * (first - last).x(), 0.0F);  // it does not cross itself
+  EXPECT_GT((root.from - root.to).x() * (first - last).x(), 0.0F);  // does not cross itself
   EXPECT_LT(std::abs((root.from - root.to).x()), 0.5F * std::abs((first - last).x()));
 }
 
-TEST(Mesentery, IsThinAndNeverLooksLikeTheTissueThatIsTreated) {
+TEST(Mesentery, IsThinAndNeverLooksLikeTheTreatedTissue) {
   for (const ThemeKind kind : {ThemeKind::kLight, ThemeKind::kDark}) {
     const QImage fan = paintMesentery(theme(kind));
     EXPECT_EQ(fan, paintMesentery(theme(kind)));
@@ -186,7 +185,7 @@ TEST(Mesentery, IsThinAndNeverLooksLikeTheTissueThatIsTreated) {
         EXPECT_LT(c.alpha(), 235);
       }
     }
-    for (int y = 0; y < fan.height(); ++y) {  // no border shows at the sides and at the root
+    for (int y = 0; y < fan.height(); ++y) {  // no visible border at the sides and the root
       EXPECT_LT(fan.pixelColor(0, y).alpha(), 40);
       EXPECT_LT(fan.pixelColor(fan.width() - 1, y).alpha(), 40);
     }

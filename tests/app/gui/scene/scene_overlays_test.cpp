@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the scene shows beyond tissue and instrument, as values.
+// Overlays of the scene, beyond tissue and instrument, as values.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ float lightness(const std::array<float, 3>& c) {
   return 0.2126F * std::pow(c[0], 2.2F) + 0.7152F * std::pow(c[1], 2.2F) + 0.0722F * std::pow(c[2], 2.2F);
 }
 
-TEST(ShearColour, RisesInLightnessSoThatItReadsWithoutColour) {
+TEST(ShearColour, IncreasesInLightnessSoThatItIsReadableWithoutColour) {
   float before = -1.0F;
   for (int i = 0; i <= 60; ++i) {
     const float now = lightness(shearColour(static_cast<float>(i) / 60.0F));
@@ -40,7 +40,7 @@ TEST(ShearMap, IsZeroAtRestAndReachesTheEndOfItsScaleAtTheTarget) {
   EXPECT_EQ(*std::max_element(share.begin(), share.end()), 0.0F);
 
   map.evaluate({{grasp_m, scene->pattern.targetAngle_rad}, {}}, share);
-  // Smoothing between the centres of patches takes a little off the peak.
+  // Interpolation between the centres of patches lowers the peak slightly.
   EXPECT_GT(*std::max_element(share.begin(), share.end()), 0.5F);
   EXPECT_LE(*std::max_element(share.begin(), share.end()), 1.0F);
 }
@@ -61,7 +61,7 @@ TEST(ShearMap, GrowsInProportionToASmallAngle) {
   }
 }
 
-TEST(OrganMarkers, TheArmCarriesTheTenPointsOfThePaper) {
+TEST(OrganMarkers, TheArmHasTheTenPointsOfThePaper) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   request.id = "forearm";
@@ -73,7 +73,7 @@ TEST(OrganMarkers, TheArmCarriesTheTenPointsOfThePaper) {
   }
 }
 
-TEST(QualityControl, FallsWhenThePictureStuttersAndDoesNotTryAgainAtOnce) {
+TEST(QualityControl, SwitchesDownWhenThePictureStuttersAndDoesNotRetryImmediately) {
   QualityControl control(Renderer::kGraphicsCard);
   bool changed = false;
   for (int frame = 0; frame < 60 && !changed; ++frame) {
@@ -82,7 +82,7 @@ TEST(QualityControl, FallsWhenThePictureStuttersAndDoesNotTryAgainAtOnce) {
   ASSERT_TRUE(changed);
   EXPECT_FALSE(control.fine());
 
-  // It was smooth for two seconds: not enough after a fall.
+  // Two smooth seconds are not enough after a drop.
   for (int frame = 0; frame < 120; ++frame) {
     EXPECT_FALSE(control.note(1.0 / 60.0));
   }
@@ -93,12 +93,12 @@ TEST(QualityControl, FallsWhenThePictureStuttersAndDoesNotTryAgainAtOnce) {
   EXPECT_TRUE(control.fine());
 }
 
-TEST(QualityControl, OneLongFrameAndIdleTimeChangeNothing) {
+TEST(QualityControl, OneLongFrameAndIdleTimeHaveNoEffect) {
   QualityControl control(Renderer::kGraphicsCard);
   for (int frame = 0; frame < 300; ++frame) {
     EXPECT_FALSE(control.note(frame % 50 == 0 ? 0.12 : 1.0 / 60.0));
     if (frame % 100 == 0) {
-      EXPECT_FALSE(control.note(5.0));  // nobody moved for five seconds
+      EXPECT_FALSE(control.note(5.0));  // nothing moved for five seconds
     }
   }
   EXPECT_TRUE(control.fine());
@@ -108,7 +108,7 @@ TEST(QualityControl, NeverTriesTheFinePictureOnASoftwareRenderer) {
   QualityControl control(Renderer::kSoftware);
   ASSERT_FALSE(control.fine());
 
-  // A minute of frames as quick as a display can show them.
+  // A minute of frames at the display's rate.
   for (int frame = 0; frame < 3600; ++frame) {
     ASSERT_FALSE(control.note(1.0 / 60.0));
   }
@@ -116,7 +116,7 @@ TEST(QualityControl, NeverTriesTheFinePictureOnASoftwareRenderer) {
   EXPECT_FALSE(control.fine());
 }
 
-TEST(FilmStrip, PutsEveryFrameBesideTheOtherWithoutChangingItsShape) {
+TEST(FilmStrip, ArrangesFramesWithoutChangingTheirShape) {
   QImage picture(960, 540, QImage::Format_RGB32);
   picture.fill(Qt::red);
   const std::vector<StripFrame> row(5, {QStringLiteral("30"), picture});

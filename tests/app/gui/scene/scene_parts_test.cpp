@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the scene is drawn from: camera, frames, skin, lines, light. No renderer.
+// The inputs of the scene's drawing: camera, frames, skin, lines, light. No renderer.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,7 +49,7 @@ TEST(ViewFrame, ShowsThePatientUprightAndFacingTheViewer) {
   EXPECT_EQ(toView({0.0, -0.001, 0.0}), QVector3D(0, 0, 1));  // the front towards the viewer
 }
 
-TEST(Surroundings, AreThoseOfTheOrganAndNeverLookLikeTissueItself) {
+TEST(Surroundings, MatchTheOrganAndNeverLookLikeTissue) {
   EXPECT_EQ(surroundingsOf("forearm"), Surroundings::kArm);
   EXPECT_EQ(surroundingsOf("testis"), Surroundings::kDrape);
   EXPECT_EQ(surroundingsOf("a mesh of one's own"), Surroundings::kDrape);
@@ -86,7 +86,7 @@ TEST(Surroundings, AreThoseOfTheOrganAndNeverLookLikeTissueItself) {
   }
 }
 
-/// Centre of what a shadow takes, pixels right of and above the middle; and how much that is.
+/// Returns the centre of a shadow, in pixels right of and above the middle, and its total.
 std::array<double, 3> momentOf(std::span<const std::uint8_t> shade) {
   constexpr int kSide = OrganShadow::kSide_px;
   std::array<double, 3> sum{};
@@ -101,7 +101,7 @@ std::array<double, 3> momentOf(std::span<const std::uint8_t> shade) {
   return {sum[0] / sum[2], sum[1] / sum[2], sum[2]};
 }
 
-/// A scene from the front, as it is shown first, on a thousand pixels.
+/// A scene in its initial front view, on a thousand pixels.
 class FromTheFront {
  public:
   explicit FromTheFront(const char* id) {
@@ -122,7 +122,8 @@ class FromTheFront {
     radius_ = 0.5F * (high - low_).length();
     camera_.frame(centre_, radius_, kSize);
   }
-  /// Pixels between a place on the square behind the organ, in radii, and a place of the organ.
+  /// Returns the distance in pixels between a place on the square behind the organ, in radii, and a place of
+  /// the organ.
   [[nodiscard]] double between(const QPointF& painted, const Vec3& organ_m) const {
     const QVector3D behind(centre_.x() + radius_ * static_cast<float>(painted.x()),
                            centre_.y() + radius_ * static_cast<float>(painted.y()),
@@ -140,8 +141,8 @@ class FromTheFront {
   OrbitCamera camera_;
 };
 
-// Ends of centrelines, of assets/organs/README.md, sim/anatomy and assets/scenes.
-TEST(Surroundings, GoOnWhereTheStomachsOwnStubAndBulbEnd) {
+// Ends of centre lines, from assets/organs/README.md, sim/anatomy and assets/scenes.
+TEST(Surroundings, ContinueWhereTheStomachsOwnStubAndBulbEnd) {
   const FromTheFront stomach("stomach");
 
   constexpr double kHalfAStub = 18.0;  // pixels: it is 36 wide there
@@ -149,7 +150,7 @@ TEST(Surroundings, GoOnWhereTheStomachsOwnStubAndBulbEnd) {
   EXPECT_LT(stomach.between(kBulbEnd, {-0.0585, 0.016, -0.0545}), kHalfAStub);
 }
 
-TEST(Surroundings, GoOnWhereTheFeetOfALoopOfBowelEnd) {
+TEST(Surroundings, ContinueWhereTheFeetOfALoopOfBowelEnd) {
   const FromTheFront loop("small-bowel-loop");
 
   constexpr double kHalfABowel = 50.0;  // pixels: it is 110 wide there
@@ -180,7 +181,7 @@ TEST(OrganShadow, FallsToTheLowerRightIsSoftAndFollowsTheOrgan) {
   for (std::size_t i = 1; i < shade.size(); ++i) {
     steepest = std::max(steepest, std::abs(shade[i] - shade[i - 1]));
   }
-  EXPECT_LT(steepest, 80);  // of 255: no edge
+  EXPECT_LT(steepest, 80);  // of 255: no sharp edge
 
   std::vector<Vec3> moved_m = bar.vertices_m;
   for (Vec3& p : moved_m) {
@@ -194,12 +195,12 @@ TEST(OrganShadow, FallsToTheLowerRightIsSoftAndFollowsTheOrgan) {
   EXPECT_NEAR(moved[2] / rest[2], 1.0, 0.05);
 }
 
-TEST(ViewFrame, GivesPointsBack) {
+TEST(ViewFrame, ConvertsPointsBack) {
   const Vec3 point{0.012, -0.034, 0.056};
   expectNear(fromView(toView(point)), point, 1e-8);
 }
 
-TEST(ViewFrame, TurnsAToolAsTheWorldDoes) {
+TEST(ViewFrame, RotatesAToolLikeTheWorld) {
   const Quat turn = normalized(Quat{0.8, 0.1, -0.5, 0.3});
   const Vec3 axisOfTool{0.2, -0.4, 0.9};
 
@@ -246,7 +247,7 @@ TEST(OrbitCamera, FramesABallIntoWideAndTallViews) {
   }
 }
 
-TEST(OrbitCamera, LooksFromWhereThePresetSays) {
+TEST(OrbitCamera, LooksFromThePresetsDirection) {
   OrbitCamera camera;
   camera.frame({0, 0, 0}, 100, kView);
 
@@ -258,7 +259,7 @@ TEST(OrbitCamera, LooksFromWhereThePresetSays) {
   EXPECT_GT(camera.position().z(), 0.99F * camera.distance());
 }
 
-TEST(OrbitCamera, DraggingTheViewMovesWhatIsSeenWithTheMouse) {
+TEST(OrbitCamera, DraggingTheViewMovesThePictureWithTheMouse) {
   OrbitCamera camera;
   camera.frame({0, 0, 0}, 100, kView);
   const QVector3D point = camera.target();
@@ -279,7 +280,7 @@ TEST(OrganSurface, NormalsOfARoundBarPointAwayFromItsAxis) {
   for (std::size_t i = 0; i < bar.mesh.vertices_m.size(); ++i) {
     const Vec3& p = bar.mesh.vertices_m[i];
     if (p.z < 0.02 || p.z > kBarLength_m - 0.02) {
-      continue;  // the rims belong to the caps as well
+      continue;  // the rims also belong to the caps
     }
     const SurfaceVertex& v = surface.vertices()[i];
     const Vec3 normal = fromViewDirection({v.normal[0], v.normal[1], v.normal[2]});
@@ -290,7 +291,7 @@ TEST(OrganSurface, NormalsOfARoundBarPointAwayFromItsAxis) {
   EXPECT_GT(checked, 500);
 }
 
-TEST(OrganSurface, SinkingMovesEveryVertexInwardByThatMuch) {
+TEST(OrganSurface, SinkingMovesEveryVertexInwardsByThatAmount) {
   const OrganSurface before(barScene().mesh);
   OrganSurface sunk = before;
 
@@ -331,7 +332,7 @@ TEST(OrganSurface, AClosedMeshHasThreeEdgesForTwoTriangles) {
   EXPECT_EQ(2 * surface.edges().size(), 3 * surface.triangles().size());
 }
 
-TEST(TissueLook, ColoursWanderButStayNearTheTissues) {
+TEST(TissueLook, ColoursVaryButStayNearTheTissues) {
   const TissueLook look = tissueLook("stomach");
   double sum = 0.0;
   float low = 10.0F;
@@ -347,7 +348,7 @@ TEST(TissueLook, ColoursWanderButStayNearTheTissues) {
     high = std::max(high, tint[1]);
   }
   EXPECT_NEAR(sum / 4000, 1.0, 0.1);
-  EXPECT_GT(high - low, 0.2F);  // otherwise it is plastic
+  EXPECT_GT(high - low, 0.2F);  // otherwise it looks like plastic
 }
 
 TEST(LatticeLines, HaveOneLineForEveryRidgeAndSection) {
@@ -366,7 +367,7 @@ TEST(LatticeLines, HaveOneLineForEveryRidgeAndSection) {
   }
 }
 
-TEST(LatticeLines, TheGraspBandLiesAtThePatternsSection) {
+TEST(LatticeLines, TheGraspBandIsAtThePatternsSection) {
   const Scene bar = barScene();
   const LatticeLines lines = latticeLines(bar);
 
@@ -385,16 +386,17 @@ TEST(StudioLight, AMirrorShowsTheRoomAndAMattSurfaceItsMean) {
   const Direction lamp{-0.35F / 1.071F, 0.85F / 1.071F, 0.55F / 1.071F};
 
   EXPECT_NEAR(mirroredRadiance(up, 0.0F, 64)[0], studioRadiance(up)[0], 1e-4F);
-  // The lamp is blurred by roughness; a matt surface below sees none of it.
+  // Roughness blurs the lamp; a matt surface facing down receives none of it.
   EXPECT_GT(studioRadiance(lamp)[0], 10.0F);
   EXPECT_LT(mirroredRadiance(lamp, 0.8F, 512)[0], studioRadiance(lamp)[0]);
   EXPECT_GT(diffuseRadiance(up, 1024)[1], diffuseRadiance({0.0F, -1.0F, 0.0F}, 1024)[1]);
 }
 
-TEST(StudioLight, TheFileHoldsSixLevelsOfSixSidesOfHalves) {
+TEST(StudioLight, TheFileHasSixLevelsOfSixSidesInHalfFloats) {
   const std::string file = studioLightFile(32);
 
-  // 12 bytes of identifier, 13 numbers, a note of 4 + 24 bytes; a length before each level; 4 halves a pixel.
+  // 12 bytes of identifier, 13 numbers, a note of 4 + 24 bytes; a length before each level; 4 half floats per
+  // pixel.
   std::size_t expected = 12 + 13 * 4 + 28;
   for (int level = 0; level < 6; ++level) {
     const auto pixels = static_cast<std::size_t>(32 >> level);
@@ -405,7 +407,7 @@ TEST(StudioLight, TheFileHoldsSixLevelsOfSixSidesOfHalves) {
   EXPECT_NE(file.find("QT_IBL_BAKER_VERSION"), std::string::npos);
 }
 
-TEST(Instrument, ShippedGrasperHasItsPartsAndItsTipAtTheOrigin) {
+TEST(Instrument, TheShippedGrasperHasItsPartsAndItsTipAtTheOrigin) {
   const InstrumentParts parts =
       loadInstrument(std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", "grasper");
 
@@ -420,7 +422,7 @@ TEST(Instrument, ShippedGrasperHasItsPartsAndItsTipAtTheOrigin) {
   EXPECT_NEAR(lowest_m, 0.0, 1e-3);
 }
 
-/// A ball of 30 mm about the origin, in millimetres.
+/// A ball of radius 30 about the origin, mm.
 struct Ball {
   TriangleMesh mesh;
   std::vector<QVector3D> places;
@@ -449,7 +451,7 @@ TEST(TurnedBody, IsClosedAndFacesOutward) {
   EXPECT_NEAR(volume_m3 / round_m3, 1.0, 0.03);
 }
 
-TEST(Silhouette, OfABallIsOneRingWhereItTurnsAwayAndPointsAwayFromIt) {
+TEST(Silhouette, OfABallIsARingWhereItTurnsAwayAndPointsOutwards) {
   const Ball ball;
   const QVector3D eye(210.0F, -130.0F, 400.0F);
   Silhouette silhouette(ball.mesh.triangles, ball.places.size());
@@ -468,7 +470,7 @@ TEST(Silhouette, OfABallIsOneRingWhereItTurnsAwayAndPointsAwayFromIt) {
       EXPECT_NEAR(outward.length(), 1.0F, kSingle);
       EXPECT_NEAR(QVector3D::dotProduct(outward, sight), 0.0F, 0.05F);
       EXPECT_GT(QVector3D::dotProduct(outward, ball.places[vertex].normalized()), 0.8F);
-      // Where a tangent of the round ball goes through the eye, up to one facet.
+      // Where a tangent of the ball passes through the eye, up to one facet.
       EXPECT_LT(std::abs(QVector3D::dotProduct(ball.places[vertex].normalized(), sight)), 0.2F);
     }
   }
@@ -477,13 +479,13 @@ TEST(Silhouette, OfABallIsOneRingWhereItTurnsAwayAndPointsAwayFromIt) {
   }
 }
 
-TEST(Silhouette, OfAnOpenSurfaceHasItsBordersToo) {
+TEST(Silhouette, OfAnOpenSurfaceIncludesItsBorders) {
   const std::vector<TriangleMesh::Triangle> square{{0, 1, 2}, {0, 2, 3}};
   const std::vector<QVector3D> places{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
   Silhouette silhouette(square, places.size());
 
-  EXPECT_EQ(silhouette.find(places, {5, 5, 100}).size(), 4U);  // not the diagonal
-  EXPECT_TRUE(silhouette.find(places, {5, 5, -100}).empty());  // from behind it is not drawn
+  EXPECT_EQ(silhouette.find(places, {5, 5, 100}).size(), 4U);  // without the diagonal
+  EXPECT_TRUE(silhouette.find(places, {5, 5, -100}).empty());  // not drawn from behind
 }
 
 TEST(SoftEdge, IsOnePixelWideOnTheScreenAndFadesOut) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The painted skin of the organ: how it is laid flat, what is painted, and that it sticks. No renderer.
+// The organ's painted skin: its charts, its painting, and that it moves with the organ. No renderer.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -32,7 +32,7 @@ namespace {
 
 constexpr double kPixel_m = 0.0005;
 constexpr int kMaxPixels = 4'000'000;
-constexpr double kPolygon_m = 5e-4;  // a bar of 72 flat sides is that much narrower than round
+constexpr double kPolygon_m = 5e-4;  // a bar of 72 flat sides is narrower than a round one by this amount
 
 double signedArea(const SkinCharts& charts, const TriangleMesh::Triangle& t) {
   const auto& a = charts.corners[t[0]].place;
@@ -41,7 +41,7 @@ double signedArea(const SkinCharts& charts, const TriangleMesh::Triangle& t) {
   return 0.5 * static_cast<double>((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
 }
 
-TEST(SurfaceWalk, AStraightWayRoundABarComesBack) {
+TEST(SurfaceWalk, AStraightPathAroundABarReturnsToItsStart) {
   const Scene bar = barScene();
   const SurfaceWalk walk(bar.mesh);
   std::uint32_t start = 0;
@@ -68,7 +68,7 @@ TEST(SurfaceWalk, AStraightWayRoundABarComesBack) {
   EXPECT_NEAR(farthest_m, 2.0 * kBarRadius_m, kPolygon_m);
 }
 
-TEST(SkinCharts, EveryTriangleHasItsPlaceAndKeepsItsSide) {
+TEST(SkinCharts, EveryTriangleHasItsPlaceAndKeepsItsOrientation) {
   const Scene bar = barScene();
 
   const SkinCharts charts = layFlat(bar.mesh, kPixel_m, kMaxPixels);
@@ -85,7 +85,7 @@ TEST(SkinCharts, EveryTriangleHasItsPlaceAndKeepsItsSide) {
     }
     EXPECT_GT(signedArea(charts, charts.triangles[t]), 0.0);
   }
-  // Few pieces: the graphics card gets hardly more corners than the mesh has.
+  // Few charts: hardly more corners than in the mesh.
   EXPECT_LT(charts.corners.size(), bar.mesh.vertices_m.size() * 13 / 10);
 }
 
@@ -101,12 +101,12 @@ TEST(SkinCharts, NoTwoTrianglesShareAPixel) {
       x += charts.corners[corner].place[0] / 3.0F;
       y += charts.corners[corner].place[1] / 3.0F;
     }
-    // Triangles of the bar are several pixels wide: their middles lie in different pixels.
+    // The bar's triangles are several pixels wide, so their centres are in different pixels.
     EXPECT_TRUE(taken.emplace(static_cast<int>(x), static_cast<int>(y)).second);
   }
 }
 
-TEST(SkinCharts, ALargeSurfaceIsPaintedCoarserInsteadOfOnALargerMap) {
+TEST(SkinCharts, ALargeSurfaceIsPaintedMoreCoarselyInsteadOfOnALargerMap) {
   const Scene bar = barScene();
 
   const SkinCharts charts = layFlat(bar.mesh, kPixel_m, 60'000);
@@ -115,7 +115,7 @@ TEST(SkinCharts, ALargeSurfaceIsPaintedCoarserInsteadOfOnALargerMap) {
   EXPECT_GT(charts.pixel_m, kPixel_m);
 }
 
-TEST(Vessels, LieOnTheSkinAndAreNoThickerThanTheMainOnes) {
+TEST(Vessels, AreOnTheSkinAndNoThickerThanTheMainOnes) {
   const Scene bar = barScene();
 
   const std::vector<VesselPiece> vessels = growVessels(bar.mesh, bar.lattice(), tissueLook("stomach"));
@@ -131,7 +131,7 @@ TEST(Vessels, LieOnTheSkinAndAreNoThickerThanTheMainOnes) {
   }
 }
 
-TEST(TissueSkin, IsVariedInColourAndHeightTheSameEachTimeAndAnotherForAnotherTissue) {
+TEST(TissueSkin, VariesInColourAndHeightReproduciblyAndDiffersBetweenTissues) {
   const Scene bar = barScene();
 
   const TissueSkin skin = paintSkin(bar, tissueLook("stomach"));
@@ -142,7 +142,7 @@ TEST(TissueSkin, IsVariedInColourAndHeightTheSameEachTimeAndAnotherForAnotherTis
   for (std::size_t i = 0; i < skin.rgba.size(); i += 4) {
     greens.insert(skin.rgba[i + 1]);
     heights.insert(skin.rgba[i + 3]);
-    ASSERT_GE(skin.rgba[i], skin.rgba[i + 2]);  // tissue is never blue
+    ASSERT_GE(skin.rgba[i], skin.rgba[i + 2]);  // tissue is never bluish
   }
   EXPECT_GT(greens.size(), 40U);
   EXPECT_GT(heights.size(), 40U);
@@ -152,7 +152,7 @@ TEST(TissueSkin, IsVariedInColourAndHeightTheSameEachTimeAndAnotherForAnotherTis
 /// Colour, 0 to 255, of the skin in the middle of the bar near a ridge angle.
 struct MeanColour {
   double green = 0.0;   // mean
-  double yellow = 0.0;  // green beyond blue, where there is most of it
+  double yellow = 0.0;  // excess of green over blue, at its maximum
 };
 
 MeanColour colourAt(const Scene& bar, const TissueSkin& skin, double angle_rad) {
@@ -188,9 +188,9 @@ double greenAt(const Scene& bar, const TissueSkin& skin, double angle_rad) {
   return colourAt(bar, skin, angle_rad).green;
 }
 
-TEST(TissueSkin, LinesRunAlongTheOrganSoThatItsTurnIsSeen) {
+TEST(TissueSkin, LinesRunAlongTheOrganSoThatItsTurnIsVisible) {
   const Scene bar = barScene();
-  constexpr double kSeen = 12.0;  // of 255: a line that is told from what lies beside it
+  constexpr double kSeen = 12.0;  // of 255: a line distinguishable from its surroundings
   const double apart_rad = kTurn / 4.0;
 
   const TissueSkin bowel = paintSkin(bar, tissueLook("small-bowel-loop"));
@@ -204,7 +204,7 @@ TEST(TissueSkin, LinesRunAlongTheOrganSoThatItsTurnIsSeen) {
     EXPECT_GT(greenAt(bar, colon, at_rad), greenAt(bar, colon, at_rad + kTurn / 12.0) + kSeen) << taenia;
   }
 
-  // Lobules of fat, the yellowest there is, along the curvatures of a stomach.
+  // Lobules of fat, the yellowest areas, along the curvatures of a stomach.
   const TissueSkin stomach = paintSkin(bar, tissueLook("stomach"));
   const double fat = std::max(colourAt(bar, stomach, 0.0).yellow, colourAt(bar, stomach, kTurn / 2.0).yellow);
   EXPECT_GT(
@@ -212,7 +212,7 @@ TEST(TissueSkin, LinesRunAlongTheOrganSoThatItsTurnIsSeen) {
       std::max(colourAt(bar, stomach, apart_rad).yellow, colourAt(bar, stomach, -apart_rad).yellow) + kSeen);
 }
 
-TEST(OrganGeometry, PlacesAtRestStayWhileTheTissueMoves) {
+TEST(OrganGeometry, RestPositionsStayWhileTheTissueMoves) {
   const Scene bar = barScene();
   const TissueSkin skin = paintSkin(bar, tissueLook("stomach"));
   OrganSurface surface(bar.mesh);
@@ -272,12 +272,12 @@ class SceneGraph : public ::testing::Test {
   std::unique_ptr<QObject> root_;
 };
 
-/// What a custom material is shaded by: its own lamps (0) or those of the scene (1).
+/// Returns how a custom material is lit: by its own lamps (0) or the scene's (1).
 int shading(const QObject* material) {
   return material != nullptr ? material->property("shadingMode").toInt() : -1;
 }
 
-TEST_F(SceneGraph, OnlyTheFineLevelAsksTheLampsAndTheRoomForEachPixel) {
+TEST_F(SceneGraph, OnlyTheFineLevelEvaluatesLampsAndRoomForEachPixel) {
   ASSERT_NE(root_, nullptr);
   root_->setProperty("fine", false);
   ASSERT_NE(materialOfOrgan(), nullptr);
@@ -287,7 +287,7 @@ TEST_F(SceneGraph, OnlyTheFineLevelAsksTheLampsAndTheRoomForEachPixel) {
   EXPECT_EQ(shading(materialOfOrgan()), 1);
 }
 
-TEST_F(SceneGraph, TheFastLevelDrawsSoftEdgesStraightIntoTheWindowAndTheFineOneHasNoNeed) {
+TEST_F(SceneGraph, TheFastLevelDrawsSoftEdgesDirectlyIntoTheWindowAndTheFineOneNeedsNone) {
   ASSERT_NE(root_, nullptr);
   const auto shown = [this](const char* name) {
     const QObject* model = root_->findChild<QObject*>(QLatin1String(name));
@@ -301,7 +301,7 @@ TEST_F(SceneGraph, TheFastLevelDrawsSoftEdgesStraightIntoTheWindowAndTheFineOneH
   EXPECT_FALSE(shown("solidEdge"));
 }
 
-TEST_F(SceneGraph, EverySolidThingSaysItsColourAndKindForItsEdge) {
+TEST_F(SceneGraph, EverySolidDefinesColourAndKindOfItsEdge) {
   ASSERT_NE(root_, nullptr);
   const QVariantList solids = root_->property("solids").toList();
   EXPECT_EQ(solids.size(), 11);
@@ -314,7 +314,7 @@ TEST_F(SceneGraph, EverySolidThingSaysItsColourAndKindForItsEdge) {
   }
 }
 
-TEST_F(SceneGraph, NothingIsPaintedOverTheStressMapOnAnyLevel) {
+TEST_F(SceneGraph, NothingIsPaintedOverTheStressMapAtAnyLevel) {
   ASSERT_NE(root_, nullptr);
   root_->setProperty("stressVisible", true);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lists call an organ and its twist: the titles of their files, in the language of the window.
+// Names of organs and twists in lists: the titles of their files, in the window's language.
 #include "app/gui/base/scene_titles.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ bool isChinese(const QString& text) {
   return kHan.match(text).hasMatch();
 }
 
-TEST(SceneTitles, NameAVolvulusAsItsFileDoesAndNotByItsId) {
+TEST(SceneTitles, NameAVolvulusAsInItsFileAndNotByItsId) {
   SceneTitles titles(kShipped);
 
   EXPECT_EQ(titles.scene("gastric-organo-axial"), QStringLiteral("Stomach, organo-axial volvulus"));
@@ -63,7 +63,7 @@ TEST(SceneTitles, FallBackToTheIdOfARecordingFromElsewhere) {
   EXPECT_EQ(titles.pattern("stomach", "no_such"), QStringLiteral("No such"));
 }
 
-TEST(SceneTitles, AreWhatTheListOfOrgansShowsAlsoAfterASwitchOfTheLanguage) {
+TEST(SceneTitles, AreShownInTheListOfOrgansAlsoAfterAChangeOfLanguage) {
   ExercisePanel panel;
   panel.setOrgans(kShipped);
   const auto boxes = panel.findChildren<QComboBox*>();

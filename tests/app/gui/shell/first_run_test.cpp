@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first run says that nothing is written before its last step: no file, no row, no setting.
+// The first run writes nothing before its last step, as it promises: no file, no row, no setting.
 #include "app/services/access/first_run.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ using testing::named;
 using testing::press;
 using testing::says;
 
-/// A station that remembers, with folders of its own for everything.
+/// A station with stored settings and separate folders for everything.
 class UnwrittenFirstRun : public ::testing::Test {
  protected:
   UnwrittenFirstRun() {
@@ -69,7 +69,7 @@ class UnwrittenFirstRun : public ::testing::Test {
     testing::waitFor(window_->background());
     ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   }
-  /// Every file of the folder with the hash of what is in it.
+  /// Returns every file of the folder with its hash.
   [[nodiscard]] std::map<std::string, std::string> written() const {
     QSettings().sync();
     std::map<std::string, std::string> files;
@@ -89,7 +89,7 @@ class UnwrittenFirstRun : public ::testing::Test {
     window_->findChild<FirstRunPanel*>()->setLanguage(Language::kEnglish);
     Q_EMIT language->activated(0);
   }
-  /// To the step of that number, from the first; `look` is called on each page.
+  /// Goes to this step from the first one; calls `look` on each page.
   void goTo(int step, const std::function<void()>& look) {
     look();
     chooseChinese();
@@ -131,7 +131,7 @@ class UnwrittenFirstRun : public ::testing::Test {
   std::map<const char*, QByteArray> before_;
 };
 
-TEST_F(UnwrittenFirstRun, LeavesNoFileAndNoSettingOnAnyPageNorWhenItsWindowIsClosed) {
+TEST_F(UnwrittenFirstRun, LeavesNoFileAndNoSettingOnAnyPageNorAfterClosing) {
   for (int step = 0; step < 4; ++step) {
     open();
     goTo(step, [this] { EXPECT_TRUE(written().empty()) << written().begin()->first; });
@@ -143,7 +143,7 @@ TEST_F(UnwrittenFirstRun, LeavesNoFileAndNoSettingOnAnyPageNorWhenItsWindowIsClo
   }
 }
 
-TEST_F(UnwrittenFirstRun, GoesBackToItsFirstPageWithoutATrace) {
+TEST_F(UnwrittenFirstRun, ReturnsToItsFirstPageWithoutATrace) {
   open();
   goTo(3, [] {});
   for (int step = 3; step > 0; --step) {
@@ -152,12 +152,12 @@ TEST_F(UnwrittenFirstRun, GoesBackToItsFirstPageWithoutATrace) {
   }
 }
 
-TEST_F(UnwrittenFirstRun, LooksAtARecordThatIsThereWithoutChangingIt) {
+TEST_F(UnwrittenFirstRun, ReadsAnExistingRecordWithoutChangingIt) {
   {
     SessionContext office(SessionKey{file().toStdString(), "test", {}});
     office.setPasswordCost(PasswordCost::kTest);
   }
-  // Whoever reads a record lays SQLite's files of the moment beside it, with nothing in them to be kept.
+  // Readers create temporary SQLite files without content.
   const auto kept = [this] {
     std::map<std::string, std::string> files = written();
     files.erase("torsio.sqlite-shm");
@@ -177,7 +177,7 @@ TEST_F(UnwrittenFirstRun, LooksAtARecordThatIsThereWithoutChangingIt) {
   EXPECT_EQ(kept(), before);
 }
 
-TEST_F(UnwrittenFirstRun, RemembersAtItsEndWhatWasChosenOnTheWay) {
+TEST_F(UnwrittenFirstRun, StoresAtItsEndWhatWasChosenOnTheWay) {
   open();
   goTo(3, [] {});
   press(*window_, QStringLiteral("Set up"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moving a record to a PostgreSQL server through the program's window.
+// Moving a record to a PostgreSQL server in the window.
 #include <cstdlib>
 #include <fstream>
 
@@ -13,7 +13,7 @@
 namespace torsio::gui {
 namespace {
 
-/// On the server that TORSIO_TEST_POSTGRES names, in a schema of its own.
+/// Uses the server named by TORSIO_TEST_POSTGRES, with a separate schema.
 class ServerMove : public MaintenancePages {
  protected:
   void SetUp() override {
@@ -51,7 +51,7 @@ class ServerMove : public MaintenancePages {
     fs::permissions(in("pgpass"), fs::perms::owner_read | fs::perms::owner_write);
   }
 
-  /// Tables, indexes, views, sequences and functions in the schema of the move.
+  /// Counts tables, indexes, views, sequences and functions in the schema of the move.
   [[nodiscard]] std::int64_t thingsOnTheServer() const {
     Connection connection = openDatabase(server_, OpenMode::kReadOnly);
     Statement row = connection.prepare(
@@ -65,9 +65,9 @@ class ServerMove : public MaintenancePages {
     }
     return count;
   }
-  /// Gives up when all rows are on the server and are being compared.
+  /// Cancels when all rows are on the server and are being compared.
   void giveUpWhileComparing() {
-    for (int i = 0; i < 600; ++i) {  // progress is told every 500 rows
+    for (int i = 0; i < 600; ++i) {  // progress is reported every 500 rows
       window_->session()->connectionWithoutRight().execute(
           "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)",
           {std::string("s").append(std::to_string(i)), "", 1});
@@ -84,7 +84,7 @@ class ServerMove : public MaintenancePages {
   ServerAddress address_;
 };
 
-TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationTurnsToTheServer) {
+TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationSwitchesToTheServer) {
   auto& page = openBy<MovePage>("Move to PostgreSQL");
   page.setAddress(address_);
   click(child<QPushButton>(page, "testButton"));
@@ -142,7 +142,7 @@ TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
   EXPECT_EQ(people(typedLocator(address_)), 0);  // nothing was copied
 }
 
-TEST_F(ServerMove, WhatIsWrittenAfterTheCopyForbidsTheSwitch) {
+TEST_F(ServerMove, WritingAfterTheCopyPreventsTheSwitch) {
   writePasswordFile();
   auto& page = openBy<MovePage>("Move to PostgreSQL");
   page.setAddress(address_);
@@ -172,7 +172,7 @@ TEST_F(ServerMove, ACancelledCopyKeepsNothingOnTheServerAndCanBeRepeated) {
   EXPECT_TRUE(child<QLabel>(page, "copyText").text().contains(QStringLiteral("same counts and hashes")));
 }
 
-TEST_F(ServerMove, AMoveThatIsGivenUpLeavesAnEmptyDatabaseEmpty) {
+TEST_F(ServerMove, ACancelledMoveLeavesAnEmptyDatabaseEmpty) {
   ASSERT_EQ(thingsOnTheServer(), 0);
 
   giveUpWhileComparing();
@@ -181,7 +181,7 @@ TEST_F(ServerMove, AMoveThatIsGivenUpLeavesAnEmptyDatabaseEmpty) {
   EXPECT_TRUE(contains(trail(record()), "database.move_given_up"));
 }
 
-TEST_F(ServerMove, AMoveThatIsGivenUpLeavesWhatWasThere) {
+TEST_F(ServerMove, ACancelledMoveKeepsWhatWasThere) {
   {
     Connection there = openDatabase(typedLocator(address_), OpenMode::kReadWrite);
     migrate(there, embeddedMigrations(), {.softwareVersion = "older"});  // empty tables

@@ -18,7 +18,7 @@ namespace {
 
 const QString kTitle = QStringLiteral("Work");
 
-/// A job's result that can be moved and counts its copies.
+/// A job's result that is movable and counts its copies.
 struct Counted {
   Counted() = default;
   Counted(const Counted& other) : copies(other.copies + 1) {}
@@ -41,7 +41,7 @@ class ShellContextJobs : public ::testing::Test {
   QObject owner_;
 };
 
-TEST_F(ShellContextJobs, AResultIsMovedToWhatFollows) {
+TEST_F(ShellContextJobs, AResultIsMovedToItsContinuation) {
   int copies = -1;
   std::thread::id worker;
   shell_.run(
@@ -57,7 +57,7 @@ TEST_F(ShellContextJobs, AResultIsMovedToWhatFollows) {
   EXPECT_NE(worker, std::this_thread::get_id());
 }
 
-TEST_F(ShellContextJobs, NothingFollowsForAnOwnerThatWasDeletedMeanwhile) {
+TEST_F(ShellContextJobs, NoContinuationRunsForADeletedOwner) {
   auto owner = std::make_unique<QObject>();
   std::atomic<bool> go{false};
   bool followed = false;
@@ -80,7 +80,7 @@ TEST_F(ShellContextJobs, NothingFollowsForAnOwnerThatWasDeletedMeanwhile) {
   EXPECT_FALSE(shell_.working());
 }
 
-TEST_F(ShellContextJobs, TheOwnerTellsARefusalItselfAndNobodyElseDoes) {
+TEST_F(ShellContextJobs, TheOwnerAloneReportsARefusal) {
   QString told;
   shell_.run(
       &owner_, kTitle, [](SessionContext&, const ProgressCallback&) -> int { throw refusal(); },
@@ -92,7 +92,7 @@ TEST_F(ShellContextJobs, TheOwnerTellsARefusalItselfAndNobodyElseDoes) {
   EXPECT_TRUE(watched_.failures.isEmpty());
 }
 
-TEST_F(ShellContextJobs, ARefusalThatTheOwnerLeavesIsTold) {
+TEST_F(ShellContextJobs, ARefusalThatTheOwnerLeavesIsReported) {
   shell_.run(
       &owner_, kTitle, [](SessionContext&, const ProgressCallback&) { throw refusal(); },
       [] { FAIL() << "the work was refused"; }, [](const Error&) { return false; });
@@ -101,7 +101,7 @@ TEST_F(ShellContextJobs, ARefusalThatTheOwnerLeavesIsTold) {
   EXPECT_EQ(watched_.failures.size(), 1);
 }
 
-TEST_F(ShellContextJobs, ARefusalIsToldWhenItsOwnerIsGone) {
+TEST_F(ShellContextJobs, ARefusalIsReportedIfItsOwnerIsGone) {
   auto owner = std::make_unique<QObject>();
   std::atomic<bool> go{false};
   bool asked = false;
@@ -122,7 +122,7 @@ TEST_F(ShellContextJobs, ARefusalIsToldWhenItsOwnerIsGone) {
   EXPECT_EQ(watched_.failures.size(), 1);
 }
 
-TEST_F(ShellContextJobs, CancelEndsTheJobsThatWaitAndNoneThatBeginsLater) {
+TEST_F(ShellContextJobs, CancelEndsWaitingJobsButNoLaterOnes) {
   std::atomic<bool> entered{false};
   int followed = 0;
   bool secondWorked = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who may be at the window: the lock and what lies below it, signatures, guests, the kiosk.
+// Access to the window: the lock and what it covers, signatures, guests, the kiosk.
 #include <QApplication>
 #include <QDialog>
 #include <QLayout>
@@ -29,7 +29,7 @@ using testing::named;
 using testing::press;
 using testing::says;
 
-TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
+TEST_F(Shell, AnIdleDeskWarnsThenLocksAndReopensUnchanged) {
   ShellSetup with = setup();
   with.idle = IdleLimits{.warn_us = 10'000'000, .lock_us = 20'000'000};
   openFoundedCentre(with);
@@ -57,7 +57,7 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
   EXPECT_GT(window_->session()->actor().passwordShownUtc_us, shown_us) << "it signs anew";
 }
 
-TEST_F(Shell, ASignatureAsksForThePasswordUntilItIsRightAndSaysWhatItMeans) {
+TEST_F(Shell, ASignatureAsksForThePasswordUntilItIsRightAndShowsItsMeaning) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   constexpr SignatureMeaning meaning = SignatureMeaning::kFroze;
@@ -90,12 +90,12 @@ TEST_F(Shell, ASignatureAsksForThePasswordUntilItIsRightAndSaysWhatItMeans) {
   EXPECT_TRUE(passwordIsDue(*window_->session()));
 }
 
-/// The veil over a dialog of a locked place.
+/// Returns the cover over a dialog of a locked place.
 QWidget* veilOf(const QWidget& dialog) {
   return dialog.findChild<QWidget*>(QStringLiteral("lockVeil"));
 }
 
-TEST_F(Shell, TheLockCoversAnOpenDialogAndKeepsWhatWasTypedInIt) {
+TEST_F(Shell, TheLockCoversAnOpenDialogAndKeepsItsInput) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   QDialog dialog(&page());
@@ -124,17 +124,17 @@ TEST_F(Shell, TheLockCoversAnOpenDialogAndKeepsWhatWasTypedInIt) {
   EXPECT_EQ(typed->text(), QStringLiteral("half a sentence"));
 }
 
-TEST_F(Shell, SigningOutFromTheLockGivesUpTheDialogsFirst) {
+TEST_F(Shell, SigningOutFromTheLockRejectsDialogsFirst) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   bool returned = false;
   QTimer::singleShot(0, window_.get(), [this] {
     ASSERT_TRUE(window_->lock());
     press(*window_->findChild<DialogLock*>(), QStringLiteral("Sign out"));
-    EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));  // the page still waits for its dialog
+    EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("lock"));  // the page awaits its dialog
   });
   {
-    QDialog dialog(&page());  // on the stack, as pages have them: it must not die with the desk
+    QDialog dialog(&page());  // on the stack, as in pages: it must not be destroyed with the desk
     EXPECT_EQ(dialog.exec(), QDialog::Rejected);
     returned = window_->desk() != nullptr;
   }
@@ -161,7 +161,7 @@ TEST_F(Shell, TheIdleLockNeverEndsARun) {
   page().isBusy = false;
 }
 
-TEST_F(Shell, AGuestPractisesAndReachesNothingElse) {
+TEST_F(Shell, AGuestCanOnlyPractise) {
   openFoundedCentre(setup());
 
   press(*window_, QStringLiteral("Practise as a guest"));
@@ -175,7 +175,7 @@ TEST_F(Shell, AGuestPractisesAndReachesNothingElse) {
   EXPECT_FALSE(window_->session()->may(Operation::kTrialRecordOwn));
 }
 
-TEST_F(Shell, AGuestWhoLeavesIsSignedOutNotLocked) {
+TEST_F(Shell, AGuestWhoLeavesIsSignedOutInsteadOfLocked) {
   openFoundedCentre(setup());
   press(*window_, QStringLiteral("Practise as a guest"));
 
@@ -193,7 +193,7 @@ TEST_F(Shell, TheKioskDoesNotClose) {
   EXPECT_TRUE(window_->isVisible());
 }
 
-/// Fills the dialog that leaves the kiosk.
+/// Fills in the dialog that leaves the kiosk.
 void answerKiosk(const QString& login, const QString& password) {
   QTimer::singleShot(0, qApp, [login, password] {
     auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
@@ -206,7 +206,7 @@ void answerKiosk(const QString& login, const QString& password) {
   });
 }
 
-TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
+TEST_F(Shell, TheKioskOnlyEndsWithAnAdministratorsNameAndPassword) {
   ShellSetup with = setup();
   with.kiosk = true;
   openFoundedCentre(with);
@@ -225,7 +225,7 @@ TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
   EXPECT_FALSE(window_->isVisible());
 }
 
-TEST_F(Shell, AKioskTakesTheCodeOfACardWhereTheCentreAllowsItAndNoOtherPlaceDoes) {
+TEST_F(Shell, OnlyAKioskAcceptsACardsCodeIfTheCentreAllowsIt) {
   ShellSetup with = setup();
   openFoundedCentre(with);
   EXPECT_TRUE(window_->findChild<QLineEdit*>(QStringLiteral("cardCode"))->isHidden()) << "no kiosk";
@@ -251,7 +251,7 @@ TEST_F(Shell, AKioskTakesTheCodeOfACardWhereTheCentreAllowsItAndNoOtherPlaceDoes
   open(with);
   auto* field = window_->findChild<QLineEdit*>(QStringLiteral("cardCode"));
   ASSERT_TRUE(field->isVisible());
-  const auto scan = [&](const QString& typed) {  // a scanner is a keyboard that ends with Enter
+  const auto scan = [&](const QString& typed) {  // a scanner types and ends with Enter
     QTest::keyClicks(field, typed);
     QTest::keyClick(field, Qt::Key_Return);
     testing::waitFor(window_->background());
@@ -266,7 +266,7 @@ TEST_F(Shell, AKioskTakesTheCodeOfACardWhereTheCentreAllowsItAndNoOtherPlaceDoes
   EXPECT_EQ(window_->session()->actor().login, "chen");
 }
 
-TEST_F(Shell, TheCentreSaysWhenAnEmptyPlaceIsLocked) {
+TEST_F(Shell, TheCentreSetsWhenAnEmptyPlaceIsLocked) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   setCentreIdleLimits(*window_->session(), 10, 12);
@@ -276,7 +276,7 @@ TEST_F(Shell, TheCentreSaysWhenAnEmptyPlaceIsLocked) {
 
   clock_.advance_us(9 * 60'000'000LL);
   window_->watchIdleness();
-  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));  // the usual five minutes would have locked
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));  // the default would have locked
   clock_.advance_us(90'000'000LL);
   window_->watchIdleness();
   EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 1:30")));

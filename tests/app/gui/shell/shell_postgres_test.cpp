@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* kPassword = "a short sentence for the lab";
 
-/// The server's password lies where an administrator keeps it: in a password file, never in the address.
+/// The server's password is in a password file, never in the address.
 class FirstRunOnServer : public DatabaseTest {
  protected:
   void SetUp() override {
@@ -103,7 +103,7 @@ class FirstRunOnServer : public DatabaseTest {
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
+TEST_F(FirstRunOnServer, CreatesTheCentreOnTheServerAndSignsItsAdministratorIn) {
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   fillUntilTheDatabase();
   field("Address of the server")->setText(address_);
@@ -130,7 +130,7 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
             1);
 }
 
-TEST_F(FirstRunOnServer, SaysThatACentreIsThereAlreadyAndLetsItsPeopleSignIn) {
+TEST_F(FirstRunOnServer, ReportsAnExistingCentreAndLetsItsPeopleSignIn) {
   {
     SessionContext office(SessionKey{locator(), "other", {}});
     office.setPasswordCost(PasswordCost::kTest);
@@ -143,13 +143,13 @@ TEST_F(FirstRunOnServer, SaysThatACentreIsThereAlreadyAndLetsItsPeopleSignIn) {
   press("Next");
   press("Set up");
   testing::waitFor(window_->background());
-  testing::waitFor(window_->background());  // recordings that wait in files are settled next
+  testing::waitFor(window_->background());  // recordings waiting in files are settled next
 
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
   EXPECT_TRUE(says("Old hospital"));
 }
 
-TEST_F(FirstRunOnServer, AServerThatDoesNotAnswerIsSaidAndNothingIsWritten) {
+TEST_F(FirstRunOnServer, AnUnreachableServerIsReportedAndNothingIsWritten) {
   fillUntilTheDatabase();
   QUrl nowhere(address_);
   nowhere.setPort(9);  // the discard service, which nobody runs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window round the pages: navigation, work that takes time, problems, the database that is away.
+// The window around the pages: navigation, long jobs, problems, database outages.
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -41,7 +41,7 @@ namespace {
 using testing::press;
 using testing::says;
 
-constexpr std::chrono::seconds kLong{20};  // far more than a busy machine needs
+constexpr std::chrono::seconds kLong{20};  // much more than a busy machine needs
 
 TEST_F(Shell, TheNavigationIsAListAndItsLinesCanBePressed) {
   openFoundedCentre(setup());
@@ -80,7 +80,7 @@ TEST_F(Shell, TheDeskOffersOnlyWhatItsActorMayOpen) {
   EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
 }
 
-TEST_F(Shell, PagesAreKeptAndEnteredAnew) {
+TEST_F(Shell, PagesAreKeptAndEnteredAgain) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   Desk& desk = *window_->desk();
@@ -94,7 +94,7 @@ TEST_F(Shell, PagesAreKeptAndEnteredAnew) {
   EXPECT_EQ(page().entered, 2);
 }
 
-TEST_F(Shell, AnAdministratorComesBackToTheLastPage) {
+TEST_F(Shell, AnAdministratorReturnsToTheLastPage) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   QSettings::setDefaultFormat(QSettings::IniFormat);
   ShellSetup with = setup();
@@ -125,7 +125,7 @@ TEST_F(Shell, ABusyPageBlocksSignOutOtherPagesAndClosing) {
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
 }
 
-TEST_F(Shell, APageWithSomethingUnfinishedIsNotLeft) {
+TEST_F(Shell, AnUnfinishedPageIsNotLeft) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   page().mayLeave = false;
@@ -136,7 +136,7 @@ TEST_F(Shell, APageWithSomethingUnfinishedIsNotLeft) {
   page().mayLeave = true;
 }
 
-TEST_F(Shell, AnAdministratorSeesTheDeskOfASimulatedTraineeAndComesBackByTheSignIn) {
+TEST_F(Shell, AnAdministratorSeesASimulatedTraineesDeskAndReturnsThroughSignIn) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   Q_EMIT window_->desk()->simulatedWanted(SimulatedRole::kTrainee);
@@ -151,11 +151,11 @@ TEST_F(Shell, AnAdministratorSeesTheDeskOfASimulatedTraineeAndComesBackByTheSign
   EXPECT_EQ(window_->session()->actor().login, "demo");
   EXPECT_EQ(window_->desk()->pageId(), PageId::kNextStep);
   EXPECT_FALSE(window_->desk()->open(PageId::kUsers));
-  EXPECT_TRUE(window_->lock());  // nobody knows a password to come back with
+  EXPECT_TRUE(window_->lock());  // nobody knows a password to return with
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
 }
 
-TEST_F(Shell, AnAdministratorSeesTheDeskOfASimulatedPhysician) {
+TEST_F(Shell, AnAdministratorSeesASimulatedPhysiciansDesk) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   addUser(*window_->session(),
@@ -175,7 +175,7 @@ TEST_F(Shell, AnAdministratorSeesTheDeskOfASimulatedPhysician) {
   EXPECT_TRUE(says(*window_, QStringLiteral("You are a simulated physician")));
 }
 
-TEST_F(Shell, AProblemIsSaidPlainlyWithItsDetailsFoldedAndCanBeCopied) {
+TEST_F(Shell, AProblemIsShownInPlainWordsWithFoldedDetailsAndCanBeCopied) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
 
@@ -194,7 +194,7 @@ TEST_F(Shell, AProblemIsSaidPlainlyWithItsDetailsFoldedAndCanBeCopied) {
   EXPECT_FALSE(panel->isVisible());
 }
 
-TEST_F(Shell, AProblemThatIsOpenFollowsTheLanguage) {
+TEST_F(Shell, AnOpenProblemFollowsTheLanguage) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   const Error error(ErrorCode::kBadParameter, Text::verbatim("the moment lies outside the recording"),
@@ -213,13 +213,13 @@ TEST_F(Shell, AProblemThatIsOpenFollowsTheLanguage) {
   EXPECT_TRUE(says(*panel, translated(error).happened));
   EXPECT_TRUE(says(*panel, translated(error).remedy));
   EXPECT_FALSE(panel->wholeText().contains(QStringLiteral("outside")));
-  EXPECT_TRUE(panel->findChild<QPlainTextEdit*>()->isVisible());  // what was unfolded stays so
+  EXPECT_TRUE(panel->findChild<QPlainTextEdit*>()->isVisible());  // unfolded details stay unfolded
   language.choose(Language::kEnglish);
   QApplication::processEvents();
   EXPECT_EQ(panel->wholeText(), english);
 }
 
-TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
+TEST_F(Shell, ALongJobShowsItsProgressAndCanBeCancelled) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   ShellContext& context = window_->desk()->context();
@@ -270,7 +270,7 @@ TEST_F(Shell, AnOpenStationSendsHeartbeatsUntilItIsClosed) {
   EXPECT_FALSE(stationOnBoard(connection, "test").has_value());
 }
 
-TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
+TEST_F(Shell, OneMenuCommandRemovesTheDemonstration) {
   openFoundedCentre(setup());
   Connection& connection = window_->session()->connectionWithoutRight();
   Trainee simulated;
@@ -305,7 +305,7 @@ TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
   EXPECT_EQ(codes, std::vector<std::string>{"T-01"});
 }
 
-/// A server that may stop to answer.
+/// A server that can stop responding.
 struct Gate {
   std::mutex mutex;
   std::condition_variable changed;
@@ -321,7 +321,7 @@ struct Gate {
   }
 };
 
-TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
+TEST_F(Shell, AHangingDatabaseIsReportedAndBlocksNobody) {
   ShellSetup with = setup();
   using namespace std::chrono_literals;
   with.linePatience = {.again = 10ms, .heartbeat = 10ms, .silence = 100ms, .farewell = 50ms};
@@ -355,7 +355,7 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
   EXPECT_TRUE(window_->desk()->open(PageId::kAudit));
 }
 
-TEST(AboutBox, TellsTheBuildAndThatThisIsNoMedicalDevice) {
+TEST(AboutBox, ShowsTheBuildAndThatThisIsNoMedicalDevice) {
   const QString text = aboutText();
 
   EXPECT_TRUE(text.contains(toQString(softwareVersion())));
@@ -363,7 +363,7 @@ TEST(AboutBox, TellsTheBuildAndThatThisIsNoMedicalDevice) {
   EXPECT_TRUE(text.contains(QStringLiteral("This is a training tool and not a medical device.")));
 }
 
-TEST_F(Shell, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {
+TEST_F(Shell, EverythingFocusableHasANameForScreenReaders) {
   openFoundedCentre(setup());
   const auto check = [this] {
     for (QWidget* widget : window_->findChildren<QWidget*>()) {

@@ -22,7 +22,7 @@ namespace torsio::gui {
 inline constexpr const char* kStartPassword = "start with these words";
 inline constexpr const char* kOwnPassword = "only I know this sentence";
 
-/// What a role's folder gives to the shell, without any content.
+/// A page without content, as a role's folder provides them to the shell.
 class BarePage : public Page {
  public:
   BarePage(ShellContext& context, QString name) : Page(context), name_(std::move(name)) {
@@ -62,7 +62,7 @@ inline std::vector<PageGroup> bareGroups() {
            {bareEntry(PageId::kUsers), bareEntry(PageId::kAudit)}}};
 }
 
-/// The program's window with pages that hold nothing, on a record of its own.
+/// The program's window with empty pages, on a separate record.
 class Shell : public ::testing::Test {
  protected:
   QTemporaryDir folder_;
@@ -86,10 +86,10 @@ class Shell : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(with);
     window_->QWidget::show();
     window_->start();
-    testing::waitFor(window_->background());  // recordings that wait in files are stored first
+    testing::waitFor(window_->background());  // recordings waiting in files are stored first
   }
 
-  /// A centre with an administrator and a trainee who has a start password, nobody signed in.
+  /// A centre with an administrator and a trainee with a start password, nobody signed in.
   void openFoundedCentre(ShellSetup with) {
     {
       const std::unique_ptr<SessionContext> office = foundCentre(with.locator.toStdString());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window before somebody is at work: first run, look round, sign-in, a start password that is changed.
+// The window before anybody works: first run, visit, sign-in, changing a start password.
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -32,13 +32,13 @@ using testing::named;
 using testing::press;
 using testing::says;
 
-TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
+TEST_F(Shell, TheFirstRunCreatesACentreAndLeadsItsAdministratorToTheFirstPage) {
   open(setup());
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
 
   press(*window_, QStringLiteral("Next"));
   EXPECT_TRUE(says(*window_, QStringLiteral("Enter the name of your centre")));
-  {  // right below the field that it is about, which has the keyboard
+  {  // directly below its field, which has focus
     QApplication::processEvents();
     const auto* field = named<QLineEdit>(*window_, QStringLiteral("Name of the centre"));
     for (const QLabel* label : window_->findChildren<QLabel*>()) {
@@ -55,7 +55,7 @@ TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
   named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(QStringLiteral("admin"));
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QStringLiteral("short"));
   press(*window_, QStringLiteral("Next"));
-  EXPECT_TRUE(says(*window_, QStringLiteral("The first administrator")));  // a weak password leads nowhere
+  EXPECT_TRUE(says(*window_, QStringLiteral("The first administrator")));  // a weak password is refused
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
   named<QLineEdit>(*window_, QStringLiteral("Repeat password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*window_, QStringLiteral("Next"));
@@ -68,7 +68,7 @@ TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheFirstPage) {
   EXPECT_TRUE(says(*window_, QStringLiteral("City hospital")));
 }
 
-TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
+TEST_F(Shell, AVisitNeedsNoPasswordAndLeavesNothingBehind) {
   ShellSetup with = setup();
   with.simulatedPeople = [](SessionContext& session, const ProgressCallback&) {
     Trainee simulated;
@@ -111,7 +111,7 @@ TEST_F(Shell, ALookRoundNeedsNoPasswordAndLeavesNothingBehind) {
   EXPECT_TRUE(QDir(folder_.path()).isEmpty());
 }
 
-TEST_F(Shell, ALookRoundBeginsAtTheDeskThatWasChosen) {
+TEST_F(Shell, AVisitStartsAtTheChosenDesk) {
   for (const auto& [button, login] :
        {std::pair{"As a &trainee", "demo"}, std::pair{"As a &physician", "chief"},
         std::pair{"As an &administrator", "visitor"}}) {
@@ -136,7 +136,7 @@ TEST_F(Shell, ALookRoundBeginsAtTheDeskThatWasChosen) {
   }
 }
 
-TEST_F(Shell, ThePagesBeginInTheColoursOfTheSignIn) {
+TEST_F(Shell, ThePagesStartInTheColoursOfTheSignIn) {
   for (const bool dark : {false, true}) {
     ShellSetup with = setup();
     with.systemIsDark = dark;
@@ -166,7 +166,7 @@ TEST_F(Shell, AServerAddressWithAPasswordIsRefusedBeforeItIsStored) {
   EXPECT_TRUE(says(*window_, QStringLiteral("Leave the password out of the address")));
 }
 
-TEST_F(Shell, AWrongPasswordSaysNeitherWhichPartWasWrongNorKeepsIt) {
+TEST_F(Shell, AWrongPasswordIsNotKeptNorSaidWhichPartWasWrong) {
   openFoundedCentre(setup());
 
   enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
@@ -176,7 +176,7 @@ TEST_F(Shell, AWrongPasswordSaysNeitherWhichPartWasWrongNorKeepsIt) {
   EXPECT_TRUE(named<QLineEdit>(*window_, QStringLiteral("Password"))->text().isEmpty());
 }
 
-TEST_F(Shell, TheKeyboardIsInAFieldFromTheStartAndAfterAWrongPassword) {
+TEST_F(Shell, AFieldHasFocusFromTheStartAndAfterAWrongPassword) {
   openFoundedCentre(setup());
   window_->activateWindow();
   QApplication::processEvents();
@@ -196,7 +196,7 @@ TEST_F(Shell, TheKeyboardIsInAFieldFromTheStartAndAfterAWrongPassword) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return !window_->background().working(); }, 60'000));
 }
 
-TEST_F(Shell, EnterPressesTheButtonThatHasTheKeyboard) {
+TEST_F(Shell, EnterPressesTheFocusedButton) {
   openFoundedCentre(setup());
   window_->activateWindow();
   QApplication::processEvents();
@@ -211,7 +211,7 @@ TEST_F(Shell, EnterPressesTheButtonThatHasTheKeyboard) {
   EXPECT_TRUE(says(*window_, QStringLiteral("Practice with your PIN")));
 }
 
-TEST_F(Shell, AfterTooManyTriesItSaysHowLongToWaitAndLetsNobodyTry) {
+TEST_F(Shell, AfterTooManyFailuresItShowsTheWaitingTimeAndBlocksAttempts) {
   openFoundedCentre(setup());
 
   for (int i = 0; i < 4; ++i) {
@@ -225,7 +225,7 @@ TEST_F(Shell, AfterTooManyTriesItSaysHowLongToWaitAndLetsNobodyTry) {
   EXPECT_TRUE(says(*window_, QStringLiteral("Please wait 0:")));
 }
 
-TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
+TEST_F(Shell, AStartPasswordMustBeChangedFirst) {
   openFoundedCentre(setup());
 
   enter(QStringLiteral("chen"), QString::fromLatin1(kStartPassword));
@@ -233,7 +233,7 @@ TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
   auto* first = named<QLineEdit>(*window_, QStringLiteral("New password"));
   auto* again = named<QLineEdit>(*window_, QStringLiteral("Repeat password"));
   first->setText(QString::fromLatin1(kOwnPassword));
-  QTest::keyClick(first, Qt::Key_Return);  // Enter goes on to what is empty, as at the sign-in
+  QTest::keyClick(first, Qt::Key_Return);  // Enter focuses the first empty field, as at sign-in
   EXPECT_EQ(window_->focusWidget(), again);
   again->setText(QString::fromLatin1(kOwnPassword));
   QTest::keyClick(again, Qt::Key_Return);
@@ -246,7 +246,7 @@ TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
 }
 
-TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSignsIn) {
+TEST_F(Shell, AnUnstorableRecordingIsReportedBeforeSignInAndToTheNextUser) {
   const ShellSetup with = setup();
   const std::filesystem::path file = with.unstored / "damaged.torsio-trial";
   std::filesystem::create_directories(with.unstored);

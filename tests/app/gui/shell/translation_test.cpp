@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every sentence of the window, of the services and of the report has a Chinese one, and a switch of the
-// language reaches everything that is seen.
+// Every sentence of window, services and report has a Chinese translation, and a change of language reaches
+// everything visible.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -87,7 +87,7 @@ QStringList placesIn(const QString& text) {
   return places;
 }
 
-TEST(ChineseTranslation, IsCompleteAndFillsTheSamePlaces) {
+TEST(ChineseTranslation, IsCompleteAndUsesTheSamePlaceholders) {
   const std::vector<Message> messages = chineseMessages();
 
   EXPECT_GT(messages.size(), 300U);
@@ -95,15 +95,15 @@ TEST(ChineseTranslation, IsCompleteAndFillsTheSamePlaces) {
     EXPECT_TRUE(message.finished) << message.source.toStdString();
     EXPECT_FALSE(message.translation.isEmpty()) << message.source.toStdString();
     QStringList wanted = placesIn(message.source);
-    wanted.removeAll(QStringLiteral("%n"));  // a Chinese sentence may say "one" without a figure
+    wanted.removeAll(QStringLiteral("%n"));  // a Chinese sentence may say "one" without a number
     QStringList given = placesIn(message.translation);
     given.removeAll(QStringLiteral("%n"));
     EXPECT_EQ(given, wanted) << message.source.toStdString();
   }
 }
 
-/// "3 s", "%1 mm": a figure has the symbol of its unit; words stay words ("a few seconds").
-TEST(ChineseTranslation, HasTheSymbolOfTheUnitBesideAFigure) {
+/// "3 s", "%1 mm": numbers have unit symbols; words stay words ("a few seconds").
+TEST(ChineseTranslation, HasUnitSymbolsBesideNumbers) {
   static const QRegularExpression kWord(QStringLiteral(
       "(?:[0-9]|%n) ?(?:\u79d2|\u5fae\u79d2|\u6beb\u7c73)"));  // second, microsecond, millimetre
   for (const Message& message : chineseMessages()) {
@@ -111,15 +111,15 @@ TEST(ChineseTranslation, HasTheSymbolOfTheUnitBesideAFigure) {
   }
 }
 
-/// A sentence that stands behind another begins at once: the full stop has its own room.
-TEST(ChineseTranslation, HasNoBlankAfterAStop) {
+/// A following sentence starts immediately: the full stop includes its space.
+TEST(ChineseTranslation, HasNoBlankAfterAFullStop) {
   static const QRegularExpression kBlank(QStringLiteral("[\u3002\uff01\uff1f] "));
   for (const Message& message : chineseMessages()) {
     EXPECT_FALSE(kBlank.match(message.translation).hasMatch()) << message.translation.toStdString();
   }
 }
 
-/// What nobody says any more, by language; docs/glossary.md has the word in its place.
+/// Words no longer used, by language; docs/glossary.md has their replacements.
 const QStringList kFormerWords{QStringLiteral("Hide names"),        QStringLiteral("The same again"),
                                QStringLiteral("What counts now"),   QStringLiteral("Who was put where"),
                                QStringLiteral("How even it would"), QStringLiteral("sign of life"),
@@ -148,7 +148,7 @@ const QStringList kFormerChineseWords{QStringLiteral("\u8bb2\u8bc4"),           
                                       QStringLiteral("\u529e\u516c\u5ba4"),              // administrators
                                       QStringLiteral("\u5b9e\u81c2")};                   // real arm
 
-TEST(Translations, HaveTheWordsOfTheGlossaryAndNotTheFormerOnes) {
+TEST(Translations, UseTheGlossarysWordsAndNotTheFormerOnes) {
   static const QRegularExpression kTrial(QStringLiteral("\\btrials?\\b"),
                                          QRegularExpression::CaseInsensitiveOption);
   static const QRegularExpression kAlone(QStringLiteral("(?<!\u65b9\u6848)\u504f\u79bb"));  // deviation
@@ -167,13 +167,13 @@ TEST(Translations, HaveTheWordsOfTheGlossaryAndNotTheFormerOnes) {
   }
 }
 
-/// An English word, and what its Chinese sentence has for it.
+/// An English word with its Chinese equivalents.
 struct SaidAs {
   QRegularExpression english;
   QString chinese;
 };
 
-TEST(ChineseTranslation, SaysTheWordOfTheGlossaryWhereTheEnglishOneStands) {
+TEST(ChineseTranslation, UsesTheGlossarysWordWhereTheEnglishOneOccurs) {
   const auto word = [](const char* pattern) {
     return QRegularExpression(QLatin1String(pattern), QRegularExpression::CaseInsensitiveOption);
   };
@@ -199,8 +199,8 @@ TEST(ChineseTranslation, SaysTheWordOfTheGlossaryWhereTheEnglishOneStands) {
   EXPECT_GT(found, 150U);
 }
 
-/// The parser of lupdate reads an escape as far as it sees hexadecimal digits: a letter after it is
-/// swallowed.
+/// The parser of lupdate reads an escape as long as there are hexadecimal digits, so it swallows a letter
+/// after it.
 TEST(Translations, HaveNoCharacterThatNobodyWrote) {
   for (const Message& message : chineseMessages()) {
     for (const QChar character : message.source) {
@@ -209,12 +209,12 @@ TEST(Translations, HaveNoCharacterThatNobodyWrote) {
   }
 }
 
-/// Whether a text has a plural for each number: %n, or %Ln with its digits in groups.
+/// Returns whether a text has a plural for each number: %n, or %Ln with digit grouping.
 bool hasPlurals(const Message& message) {
   return message.source.contains(QLatin1String("%n")) || message.source.contains(QLatin1String("%Ln"));
 }
 
-TEST(EnglishPlurals, AreSaidInFull) {
+TEST(EnglishPlurals, AreComplete) {
   for (const Message& message : messagesOf(kTranslations + QStringLiteral("/torsio_en.ts"))) {
     EXPECT_TRUE(message.finished) << message.source.toStdString();
     EXPECT_FALSE(message.translation.contains(QLatin1String("(s)"))) << message.translation.toStdString();
@@ -231,19 +231,17 @@ TEST(EnglishPlurals, AreSaidInFull) {
   }
 }
 
-/// A number that may be one is followed by "{sheet|sheets}" or stands in a text with %n.
+/// A number that may be one is followed by "{sheet|sheets}" or occurs in a text with %n.
 TEST(EnglishPlurals, AreNotWrittenAfterANumberThatMayBeOne) {
   static const QRegularExpression kCounted(QStringLiteral(
       "(?<!than )(?<!least )(?<!most )(?<!only )(?<!of )(?<!Of )%[1-9] (more |other |open |older )?"
       "(attempts|cases|copies|days|deviations|entries|files|marks|people|persons|raters|"
       "recordings|rows|runs|sheets|stations|tables|trainees|twists)\\b"));
-  // Numbers that are never one: whole records, or no fewer than a least number.
-  const QStringList never{QStringLiteral("Copied and compared:"),
-                          QStringLiteral("The groups have %1 trainees"),
-                          QStringLiteral("%1 raters are enough"),
-                          QStringLiteral("%1 trainees, each scored by"),
-                          QStringLiteral("Not even %1 raters"),
-                          QStringLiteral("%1 people beside others")};
+  // Numbers that are never one: whole records, or at least a minimum.
+  const QStringList never{
+      QStringLiteral("Copied and compared:"), QStringLiteral("The groups have %1 trainees"),
+      QStringLiteral("%1 raters are enough"), QStringLiteral("%1 trainees, each scored by"),
+      QStringLiteral("Not even %1 raters"),   QStringLiteral("%1 people beside others")};
   for (const Message& message : chineseMessages()) {
     const bool exempt = message.source == QLatin1String("%1 trainees") ||
                         std::any_of(never.begin(), never.end(),
@@ -273,7 +271,7 @@ std::string told(const std::set<Key>& keys, const std::set<Key>& without) {
   return lines;
 }
 
-TEST(Translations, AreThoseOfTheSourcesAsLupdateReadsThem) {
+TEST(Translations, AreThoseThatLupdateReadsFromTheSources) {
   const QTemporaryDir folder;
   const QStringList files{QStringLiteral("/torsio_zh_CN.ts"), QStringLiteral("/torsio_en.ts")};
   for (const QString& name : files) {
@@ -295,8 +293,8 @@ TEST(Translations, AreThoseOfTheSourcesAsLupdateReadsThem) {
   }
 }
 
-/// lupdate loses the class of a Text::tr() that is the first argument of another one, and takes a literal in
-/// that place for a comment.
+/// lupdate loses the class of a Text::tr() that is the first argument of another one, and takes a literal
+/// there for a comment.
 TEST(ChineseTranslation, KnowsTheClassOfEachText) {
   std::size_t texts = 0;
   for (const Message& message : chineseMessages()) {
@@ -310,7 +308,7 @@ TEST(ChineseTranslation, KnowsTheClassOfEachText) {
   EXPECT_GT(texts, 1500U);
 }
 
-/// Adds what the fields `said` of an asset say.
+/// Adds the texts of an asset's fields `said`.
 void addAssetTexts(const QJsonValue& value, const QStringList& said, std::set<std::string>& texts) {
   for (const QJsonValue& item : value.toArray()) {
     addAssetTexts(item, said, texts);
@@ -324,7 +322,7 @@ void addAssetTexts(const QJsonValue& value, const QStringList& said, std::set<st
   }
 }
 
-TEST(ChineseTranslation, HasTheTextsOfTheShippedCurriculaRubricsAndBriefings) {
+TEST(ChineseTranslation, HasTheTextsOfShippedCurriculaRubricsAndBriefings) {
   const QStringList titles{QStringLiteral("title"), QStringLiteral("label"), QStringLiteral("meaning"),
                            QStringLiteral("description")};
   const QStringList briefings{QStringLiteral("briefing")};
@@ -356,7 +354,7 @@ TEST(ChineseTranslation, HasTheTextsOfTheShippedCurriculaRubricsAndBriefings) {
   language.choose(Language::kEnglish);
 }
 
-/// Texts of labels and buttons that are shown.
+/// Returns visible texts of labels and buttons.
 QStringList shownTexts(const QWidget& widget) {
   QStringList texts;
   for (const QLabel* label : widget.findChildren<QLabel*>()) {
@@ -402,8 +400,8 @@ TEST(LanguageSwitch, ReachesEverySentenceOfTheFirstRun) {
   switchReaches(panel);
 }
 
-TEST(LanguageSwitch, GoesWithNumbersAndDates) {
-  QWidget window;  // opened before the choice, as the main window is
+TEST(LanguageSwitch, IncludesNumbersAndDates) {
+  QWidget window;  // opened before the choice, like the main window
   auto* inside = new QLabel(&window);
   LanguageSwitch language;
   EXPECT_EQ(inside->locale(), QLocale(QLocale::English, QLocale::UnitedKingdom));
@@ -415,7 +413,7 @@ TEST(LanguageSwitch, GoesWithNumbersAndDates) {
   EXPECT_EQ(dateText(day), QStringLiteral("2026/1/5"));
   language.choose(Language::kEnglish);
   EXPECT_TRUE(QLocale().toString(day, QLocale::LongFormat).contains(QStringLiteral("January")));
-  EXPECT_EQ(dateText(day), QStringLiteral("5 Jan 2026"));  // 05/01 is May to some
+  EXPECT_EQ(dateText(day), QStringLiteral("5 Jan 2026"));  // 05/01 would be May to some
 }
 
 TEST(LanguageSwitch, KnowsItsLanguagesByCodeAndByTheirOwnNames) {

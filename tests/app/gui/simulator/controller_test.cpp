@@ -19,7 +19,7 @@ using testing::loadBar;
 using testing::requestFor;
 using Mode = SimulationController::Mode;
 
-/// Keeps every trial in memory.
+/// Stores all trials in memory.
 struct Shelf {
   struct Sink final : TrialSink {
     explicit Sink(std::shared_ptr<MemoryTrialSink> to) : kept(std::move(to)) {}
@@ -69,7 +69,7 @@ class Controller : public ::testing::Test {
   }
 };
 
-TEST_F(Controller, IsEmptyUntilTheFirstSceneIsThere) {
+TEST_F(Controller, IsEmptyUntilTheFirstSceneIsLoaded) {
   EXPECT_EQ(controller_.mode(), Mode::kEmpty);
   EXPECT_EQ(controller_.scene(), nullptr);
   EXPECT_EQ(controller_.state().tick, 0);
@@ -82,7 +82,7 @@ TEST_F(Controller, IsEmptyUntilTheFirstSceneIsThere) {
   EXPECT_DOUBLE_EQ(controller_.target_rad(), controller_.scene()->pattern.targetAngle_rad);
 }
 
-TEST_F(Controller, TheNewestOfSeveralLoadsIsShown) {
+TEST_F(Controller, ShowsTheNewestOfSeveralLoads) {
   for (const char* id : {"first", "second", "third"}) {
     controller_.load(requestFor(id));
   }
@@ -130,12 +130,12 @@ TEST_F(Controller, ParksTheTipInFrontOfTheSectionToGrasp) {
   EXPECT_NEAR(controller_.nearby(controller_.state())->distance_m, 0.020 - 0.0025, 0.003);
 }
 
-TEST(ControllerOfAnUntwisting, ParksTheTipClearOfTheOrganAsItCame) {
+TEST(ControllerOfAnUntwisting, ParksTheTipClearOfTheTwistedOrgan) {
   SimulationController controller(loadSceneForView, {});
   controller.setRealTime(false);
   SceneRequest request;
   request.assets = TORSIO_SOURCE_DIR "/assets";
-  request.id = "gastric-mesentero-axial";  // its free end came turned towards the viewer
+  request.id = "gastric-mesentero-axial";  // its free end is turned towards the viewer
   request.pattern = "detorse";
   controller.load(request);
   ASSERT_TRUE(eventually([&] { return !controller.loading(); }));
@@ -179,7 +179,7 @@ TEST_F(Controller, RefusesAnotherSceneWhileRecording) {
   controller_.stopRecording();
 }
 
-TEST_F(Controller, SaysSoWhenThereIsNoPlaceForARecording) {
+TEST_F(Controller, ReportsThatThereIsNoPlaceForARecording) {
   SimulationController controller(loadBar, {});
   controller.setRealTime(false);
   QString said;
@@ -194,7 +194,7 @@ TEST_F(Controller, SaysSoWhenThereIsNoPlaceForARecording) {
   EXPECT_FALSE(said.isEmpty());
 }
 
-TEST_F(Controller, ClosingTheWindowKeepsARunningTrialAsInterrupted) {
+TEST_F(Controller, ClosingTheWindowStoresARunningTrialAsInterrupted) {
   load(requestFor("bar"));
   controller_.startRecording();
   tick(700);
@@ -205,7 +205,7 @@ TEST_F(Controller, ClosingTheWindowKeepsARunningTrialAsInterrupted) {
   EXPECT_EQ(shelf_.trials.back()->trial().summary.samples, 700);
 }
 
-TEST_F(Controller, ReplaysARecordingAndComesBackToPractice) {
+TEST_F(Controller, ReplaysARecordingAndReturnsToPractice) {
   load(requestFor("bar"));
   const Trial trial = record(1500);
 

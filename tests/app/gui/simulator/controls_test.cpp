@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mouse and keys over the view, as the events of a real widget. The view shows its sentence instead of the
-// scene here; camera and controls are the same.
+// Mouse and keys over the view, as events of a real widget. The view shows its sentence instead of the scene;
+// camera and controls are the real ones.
 #include <cmath>
 
 #include <QApplication>
@@ -65,14 +65,14 @@ class Controls : public ::testing::Test {
     return in.view * axisAngle({0, 1, 0}, in.yaw_rad) * axisAngle({1, 0, 0}, in.pitch_rad) *
            axisAngle({0, 0, 1}, in.roll_rad);
   }
-  /// The turn about an axis from one orientation to another: what the servo takes for the twist.
+  /// Returns the turn about an axis between two orientations, as the servo takes it for the twist.
   static double turnAbout(const Vec3& axis, const Quat& from, const Quat& to) {
     const Quat q = to * conjugate(from);
     return 2.0 * std::atan2(dot({q.x, q.y, q.z}, axis), q.w);
   }
 };
 
-TEST_F(Controls, AViewWithoutItsOrganIsCalmAndSaysThatItLoads) {
+TEST_F(Controls, AViewWithoutItsOrganShowsThatItIsLoading) {
   auto& waiting = child<QLabel>(view_, "waiting");
   for (const ThemeKind kind : {ThemeKind::kDark, ThemeKind::kLight}) {
     view_.setTheme(theme(kind));
@@ -108,7 +108,7 @@ TEST_F(Controls, TheWheelMovesAlongTheLineOfSight) {
   EXPECT_NEAR(tipPixel().y(), 250, kNear_px);
 }
 
-TEST_F(Controls, TheLeftButtonAndSpaceGripWhileTheyAreHeld) {
+TEST_F(Controls, LeftButtonAndSpaceGripWhileHeld) {
   press({480, 340}, Qt::LeftButton);
   EXPECT_EQ(controls_.input().grip, 1.0);
   release({480, 340}, Qt::LeftButton);
@@ -120,7 +120,7 @@ TEST_F(Controls, TheLeftButtonAndSpaceGripWhileTheyAreHeld) {
   EXPECT_EQ(controls_.input().grip, 0.0);
 }
 
-TEST_F(Controls, GKeepsTheGripUntilItIsPressedAgain) {
+TEST_F(Controls, GKeepsTheGripUntilPressedAgain) {
   key(QEvent::KeyPress, Qt::Key_G);
   key(QEvent::KeyRelease, Qt::Key_G);
   EXPECT_EQ(controls_.input().grip, 1.0);
@@ -128,7 +128,7 @@ TEST_F(Controls, GKeepsTheGripUntilItIsPressedAgain) {
   EXPECT_EQ(controls_.input().grip, 0.0);
 }
 
-TEST_F(Controls, EscLetsGoOfAKeptGrip) {
+TEST_F(Controls, EscReleasesAKeptGrip) {
   key(QEvent::KeyPress, Qt::Key_G);
   ASSERT_EQ(controls_.input().grip, 1.0);
 
@@ -139,7 +139,7 @@ TEST_F(Controls, EscLetsGoOfAKeptGrip) {
   EXPECT_EQ(controls_.input().grip, 1.0);
 }
 
-TEST_F(Controls, LosingTheKeyboardLetsGo) {
+TEST_F(Controls, LosingFocusReleases) {
   key(QEvent::KeyPress, Qt::Key_Space);
   key(QEvent::KeyPress, Qt::Key_E);
 
@@ -166,7 +166,7 @@ TEST_F(Controls, HeldKeysMoveWithTimeNotWithKeyRepeats) {
   EXPECT_NEAR(controls_.input().roll_rad, once + radians(30.0), 1e-6);
 }
 
-TEST_F(Controls, AKeyThatIsTappedTurnsFinely) {
+TEST_F(Controls, ATappedKeyTurnsFinely) {
   for (int tap = 1; tap <= 5; ++tap) {
     key(QEvent::KeyPress, Qt::Key_E);
     for (int frame = 0; frame < 5; ++frame) {
@@ -178,8 +178,8 @@ TEST_F(Controls, AKeyThatIsTappedTurnsFinely) {
   }
 }
 
-// On a slow machine a key may be pressed and let go between two frames.
-TEST_F(Controls, AKeyThatIsTappedBetweenTwoFramesTurnsToo) {
+// On a slow machine a key may be pressed and released between two frames.
+TEST_F(Controls, AKeyTappedBetweenTwoFramesTurnsToo) {
   for (const double frame_s : {0.016, 0.2}) {
     const double before = controls_.input().roll_rad;
     key(QEvent::KeyPress, Qt::Key_E);
@@ -199,7 +199,7 @@ TEST_F(Controls, TurningWhatIsHeldTurnsTheToolAboutTheTissuesAxis) {
   const Quat gripped = orientation();
   controls_.setHeldAxis(axis);
 
-  // Twelve notches of five degrees, then as many back and further: unwrapped on the way.
+  // Twelve steps of five degrees, then as many back and further: unwrapped on the way.
   for (int i = 0; i < 12; ++i) {
     wheel(1, Qt::ShiftModifier);
   }
@@ -228,8 +228,8 @@ TEST_F(Controls, AHandTurnsWhatItHoldsNoFurtherThanItReaches) {
   EXPECT_NEAR(turnAbout(axis, gripped, orientation()), radians(130.0), kAngle);
 }
 
-TEST_F(Controls, AnglesGoOnSmoothlyThroughMoreThanATurn) {
-  // The device smooths the angles one by one: they must not jump where a formula has a pole.
+TEST_F(Controls, AnglesContinueSmoothlyThroughMoreThanATurn) {
+  // The device smooths the angles separately: they must not jump at a pole of a formula.
   press({480, 340}, Qt::LeftButton);
   controls_.setHeldAxis(Vec3{1.0, 0.0, 0.0});  // the shaft passes the camera's vertical
   double yaw = controls_.input().yaw_rad;
@@ -257,13 +257,13 @@ TEST_F(Controls, DraggingTurnsTheNearSideOfTheTissueWithTheMouse) {
     move(QPointF(x, 340), Qt::LeftButton);
   }
 
-  // To the right: the front of an upright organ goes to the patient's left, which is positive about the
-  // head's direction. The tip stays where it holds.
+  // To the right: the front of an upright organ moves to the patient's left, which is positive about the
+  // head's direction. The tip stays in place.
   EXPECT_NEAR(turnAbout(upright, gripped, orientation()), radians(50.0), kAngle);
   EXPECT_EQ(controls_.input().onPlane_m, before);
 }
 
-TEST_F(Controls, AfterATurnTheTipComesUnderTheMouseAgain) {
+TEST_F(Controls, AfterATurnTheTipReturnsUnderTheMouse) {
   press({480, 340}, Qt::LeftButton);
   controls_.setHeldAxis(Vec3{0.0, 0.0, 1.0});
   move({580, 340}, Qt::LeftButton);
@@ -276,7 +276,7 @@ TEST_F(Controls, AfterATurnTheTipComesUnderTheMouseAgain) {
   EXPECT_NEAR(tipPixel().y(), 350, kNear_px);
 }
 
-TEST_F(Controls, LettingGoBringsTheShaftBack) {
+TEST_F(Controls, ReleasingReturnsTheShaft) {
   const double yaw = controls_.input().yaw_rad;
   press({480, 340}, Qt::LeftButton);
   controls_.setHeldAxis(Vec3{0.0, 0.0, 1.0});
@@ -294,7 +294,7 @@ TEST_F(Controls, LettingGoBringsTheShaftBack) {
   EXPECT_NEAR(controls_.input().yaw_rad, yaw, 0.01);
 }
 
-TEST_F(Controls, TheShaftLeansAwayFromASurfaceNearby) {
+TEST_F(Controls, TheShaftLeansAwayFromANearbySurface) {
   const Vec3 outwards{-1.0, 0.0, 0.0};
   controls_.leanAwayFrom(outwards);
   for (int i = 0; i < 120; ++i) {
@@ -306,7 +306,7 @@ TEST_F(Controls, TheShaftLeansAwayFromASurfaceNearby) {
   EXPECT_LT(shaft.y, 0.0);  // and still towards the viewer
 }
 
-TEST_F(Controls, TheRightButtonTurnsTheCameraAndLeavesTheTool) {
+TEST_F(Controls, TheRightButtonTurnsTheCameraButNotTheTool) {
   move({480, 340});
   const Vec3 tip = controls_.input().onPlane_m;
   const QVector3D eye = view_.camera().position();
@@ -318,7 +318,7 @@ TEST_F(Controls, TheRightButtonTurnsTheCameraAndLeavesTheTool) {
   EXPECT_EQ(controls_.input().onPlane_m, tip);
 }
 
-TEST_F(Controls, FollowKeysThatWerePutElsewhere) {
+TEST_F(Controls, FollowReassignedKeys) {
   constexpr std::size_t kGrip = 12;
   PointerKeys keys;
   ASSERT_STREQ(PointerKeys::movements()[kGrip].id, "grip");
@@ -336,7 +336,7 @@ TEST_F(Controls, FollowKeysThatWerePutElsewhere) {
   EXPECT_EQ(controls_.input().grip, 0.0);
 }
 
-TEST(PointerKeys, OneKeyMovesOneThing) {
+TEST(PointerKeys, AKeyHasOneMovement) {
   PointerKeys keys;
 
   EXPECT_FALSE(keys.assign(0, Qt::Key_Q));  // twists already
@@ -349,7 +349,7 @@ TEST(PointerKeys, OneKeyMovesOneThing) {
   EXPECT_EQ(keys.usualFor(Qt::Key_X), Qt::Key_X);
 }
 
-TEST(PointerKeys, AreKeptForTheNextStart) {
+TEST(PointerKeys, AreStoredForTheNextStart) {
   PointerKeys keys;
   ASSERT_TRUE(keys.assign(6, Qt::Key_J));
 

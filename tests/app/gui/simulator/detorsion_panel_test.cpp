@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The panel of an untwisting, driven by snapshots made by hand.
+// The panel of an untwisting, tested with handmade states.
 #include "app/gui/simulator/detorsion_panel.h"
 
 #include <numbers>
@@ -47,7 +47,7 @@ class UntwistingPanel : public ::testing::Test {
   }
 };
 
-TEST_F(UntwistingPanel, TellsAnAngleInDegreesTurnsAndDirection) {
+TEST_F(UntwistingPanel, ShowsAnAngleInDegreesTurnsAndDirection) {
   const LiveState state = lying(-3.0 * std::numbers::pi);  // 540 degrees: one and a half turns
 
   panel_.show(state);
@@ -55,7 +55,7 @@ TEST_F(UntwistingPanel, TellsAnAngleInDegreesTurnsAndDirection) {
   EXPECT_EQ(said(panel_, "angleLeft"), QStringLiteral("540° · 1.50 turns clockwise"));
 }
 
-TEST_F(UntwistingPanel, ShowsOfTheFlowOnlyWhatACheckHasTold) {
+TEST_F(UntwistingPanel, ShowsOnlyTheFlowThatACheckHasFound) {
   LiveState state = lying(1.0);
   state.hollow.reading.flow = 0.31;
   panel_.show(state);
@@ -69,7 +69,7 @@ TEST_F(UntwistingPanel, ShowsOfTheFlowOnlyWhatACheckHasTold) {
   EXPECT_EQ(said(panel_, "flowTold"), QStringLiteral("Doppler: 62 % ± 8 %"));
 }
 
-TEST_F(UntwistingPanel, SaysHowOldTheAnswerOfACheckIs) {
+TEST_F(UntwistingPanel, ShowsTheAgeOfACheck) {
   LiveState state = lying(1.0);
   state.hollow.check = {.done = FlowCheck::kTouch, .flow = 0.4, .done_us = 5'000'000};
   const auto toldAt = [&](std::int64_t time_us) {
@@ -83,7 +83,7 @@ TEST_F(UntwistingPanel, SaysHowOldTheAnswerOfACheckIs) {
   EXPECT_EQ(toldAt(71'000'000), QStringLiteral("Feel the pulse: 40 % ± 20 %, 1:00 ago"));
 }
 
-TEST_F(UntwistingPanel, SaysOnTheButtonsWhatTheNextPressDoes) {
+TEST_F(UntwistingPanel, ShowsOnTheButtonsWhatTheNextPressDoes) {
   LiveState state = lying(1.0);
   panel_.show(state);
   const auto* clip = panel_.findChild<QPushButton*>(QStringLiteral("clip"));
@@ -126,7 +126,7 @@ TEST_F(UntwistingPanel, SaysWhatToDoNextAndWhenTheTwistGrows) {
   EXPECT_EQ(panel_.cue(), QStringLiteral("Within the limits. Keep your hands off and check the blood flow."));
 }
 
-TEST_F(UntwistingPanel, SaysWhenTheHandIsTurnedAsFarAsItGoes) {
+TEST_F(UntwistingPanel, SaysWhenTheHandHasReachedItsLimit) {
   LiveState state = lying(6.0);
   panel_.show(state);
   state.phase = ExercisePhase::kTwisting;
@@ -158,11 +158,11 @@ TEST_F(UntwistingPanel, TwoPressesWithinAFrameUndoEachOther) {
   EXPECT_EQ(asked_[3].value, 0.0);
 }
 
-TEST_F(UntwistingPanel, ShowsHowFarACheckHasCome) {
+TEST_F(UntwistingPanel, ShowsTheProgressOfACheck) {
   LiveState state = lying(1.0);
   state.time_us = 3'000'000;
   state.hollow.check.running = FlowCheck::kDoppler;  // takes 5 s
-  state.hollow.check.ready_us = 4'000'000;           // 4 of 5 s are over
+  state.hollow.check.ready_us = 4'000'000;           // 4 of 5 s have passed
 
   panel_.show(state);
 
@@ -173,7 +173,7 @@ TEST_F(UntwistingPanel, ShowsHowFarACheckHasCome) {
   EXPECT_FALSE(panel_.findChild<QPushButton*>(QStringLiteral("check"))->isEnabled());
 }
 
-TEST_F(UntwistingPanel, CountsTheTimeWithHandsOffOnlyWhileNothingHolds) {
+TEST_F(UntwistingPanel, CountsHandsOffTimeOnlyWhileNothingHolds) {
   LiveState state = lying(0.0);
   panel_.show(state);
   state.time_us = 2'000'000;
@@ -200,7 +200,7 @@ TEST_F(UntwistingPanel, WarnsOfAJawThatPressesTooHardAndOfATear) {
   EXPECT_EQ(said(panel_, "tissueWarning"), QStringLiteral("The wall is torn: the content leaks."));
 }
 
-TEST_F(UntwistingPanel, TellsNothingOfDoseAndLossDuringTheRun) {
+TEST_F(UntwistingPanel, RevealsNoDoseOrLossDuringTheRun) {
   const auto texts = [this](double dose) {
     LiveState state = lying(1.0);
     state.hollow.reading.dose = dose;
@@ -221,7 +221,7 @@ TEST_F(UntwistingPanel, TellsNothingOfDoseAndLossDuringTheRun) {
   EXPECT_FALSE(lost.join(QLatin1Char(' ')).contains(QStringLiteral("black"), Qt::CaseInsensitive));
 }
 
-TEST_F(UntwistingPanel, ItsKeysAskForClipAndChecks) {
+TEST_F(UntwistingPanel, ItsKeysRequestClipAndChecks) {
   panel_.showNormal();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
 
@@ -233,7 +233,7 @@ TEST_F(UntwistingPanel, ItsKeysAskForClipAndChecks) {
   EXPECT_EQ(asked_[1], (ServoCommand{.kind = ServoCommand::Kind::kCheckFlow, .value = 3.0}));
 }
 
-TEST_F(UntwistingPanel, ItsKeyLetsGasOutAndClosesTheWayAgain) {
+TEST_F(UntwistingPanel, ItsKeyVentsGasAndClosesTheVentAgain) {
   panel_.showNormal();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
   LiveState venting = lying(1.0);
@@ -248,7 +248,7 @@ TEST_F(UntwistingPanel, ItsKeyLetsGasOutAndClosesTheWayAgain) {
   EXPECT_EQ(asked_[1], (ServoCommand{.kind = ServoCommand::Kind::kVent, .value = 0.0}));
 }
 
-TEST_F(UntwistingPanel, ItsKeyAsksForNoGasOfAnOrganThatLetsNoneOut) {
+TEST_F(UntwistingPanel, ItsKeyVentsNoGasFromAnOrganWithoutAVent) {
   Detorsion closed = twistedTube();
   closed.wall.vent = false;
   const Scene scene = hollowScene(closed);
@@ -262,7 +262,7 @@ TEST_F(UntwistingPanel, ItsKeyAsksForNoGasOfAnOrganThatLetsNoneOut) {
   EXPECT_TRUE(panel_.findChild<QPushButton*>(QStringLiteral("vent"))->isHidden());
 }
 
-TEST_F(UntwistingPanel, IsHiddenForASceneThatIsNotUndone) {
+TEST_F(UntwistingPanel, IsHiddenForASceneWithoutUntwisting) {
   scene_.hollow = nullptr;
 
   panel_.setScene(&scene_);
@@ -270,7 +270,7 @@ TEST_F(UntwistingPanel, IsHiddenForASceneThatIsNotUndone) {
   EXPECT_TRUE(panel_.isHidden());
 }
 
-TEST(ValidityBox, OpensTheWordsOfItsScene) {
+TEST(ValidityBox, ShowsTheTextOfItsScene) {
   Detorsion stated = twistedTube();
   stated.validity = "The torque is measured. The blood flow is assumed.";
   const Scene scene = hollowScene(stated);
@@ -291,7 +291,7 @@ TEST(ValidityBox, OpensTheWordsOfItsScene) {
   EXPECT_EQ(told, QStringLiteral("The torque is measured. The blood flow is assumed."));
 }
 
-TEST(ValidityBox, IsHiddenForASceneThatStatesNone) {
+TEST(ValidityBox, IsHiddenForASceneWithoutAText) {
   const Scene silent = hollowScene(twistedTube());
   const Scene bar = barScene();
   ValidityButton button;

@@ -32,7 +32,7 @@ TEST(FilmStrip, CaptionsHaveNoNeedlessDigits) {
 }
 
 TEST(FilmStrip, FindsWhenARecordingFirstReachesEachAngle) {
-  // Up to 60 degrees within 2 s, 3 s back to 0: 30 degrees are passed twice.
+  // Up to 60 degrees within 2 s, then 3 s back to 0: 30 degrees are passed twice.
   Trial trial;
   trial.header.trialId = "strip";
   std::vector<Sample> samples;
@@ -76,7 +76,7 @@ TEST(FilmStrip, PutsFourInARowAndLeavesTheRestOfTheLastRowWhite) {
   EXPECT_EQ(strip.pixelColor(cell + cell / 2, row + row / 3), QColor(Qt::white));
 }
 
-TEST(FilmStrip, NoFramesAreNoPicture) {
+TEST(FilmStrip, MakesNoPictureWithoutFrames) {
   EXPECT_TRUE(filmStrip(stripRows({})).isNull());
   EXPECT_TRUE(filmStrip(stripRows({StripFrame{}})).isNull());
 }

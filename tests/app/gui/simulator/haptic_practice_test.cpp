@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free practice with the haptic device: found, missing, and lost in the middle.
+// Free practice with the haptic device: found, missing, and lost during use.
 #include <atomic>
 #include <memory>
 
@@ -21,7 +21,7 @@ using testing::requestFor;
 using torsio::testing::FakeHd;
 using Mode = SimulationController::Mode;
 
-/// What happened to a stylus outside of the program.
+/// External events of a stylus.
 struct Hand {
   std::atomic<bool> unplugged{false};
   std::atomic<int> opened{0};
@@ -30,7 +30,7 @@ struct Hand {
   Vec3 lastForce_N;
 };
 
-/// A device that stands still in front of the bar until somebody unplugs it.
+/// A device held still in front of the bar until it is unplugged.
 class Stylus final : public HapticDevice {
  public:
   explicit Stylus(std::shared_ptr<Hand> hand) : hand_(std::move(hand)) {
@@ -102,13 +102,13 @@ TEST_F(HapticPractice, UsesTheDeviceOnceItIsOpen) {
   tick(2);
 
   EXPECT_EQ(controller_.hapticModel(), QStringLiteral("Test stylus"));
-  EXPECT_NEAR(controller_.state().tool.position_m.y, -0.05, 1e-6);  // where the stylus is, not the mouse
-  EXPECT_FALSE(controller_.toolRidesOnTissue());                    // led round, as in a run
+  EXPECT_NEAR(controller_.state().tool.position_m.y, -0.05, 1e-6);  // position of the stylus, not the mouse
+  EXPECT_FALSE(controller_.toolRidesOnTissue());                    // carried round, as in a run
   EXPECT_TRUE(said_.contains(QStringLiteral("Test stylus")));
   EXPECT_EQ(controller_.mode(), Mode::kPractice);
 }
 
-TEST_F(HapticPractice, SaysWhetherTheForceOfTheDeviceIsFelt) {
+TEST_F(HapticPractice, ShowsWhetherTheDeviceRendersForce) {
   practiseWithStylus();
   const QString felt = said_;
   controller_.useHapticDevice({});
@@ -120,7 +120,7 @@ TEST_F(HapticPractice, SaysWhetherTheForceOfTheDeviceIsFelt) {
   EXPECT_TRUE(said_.contains(QStringLiteral("shown, not felt")));
 }
 
-TEST_F(HapticPractice, GoesOnWithTheMouseWhenThereIsNoDeviceAndSaysSo) {
+TEST_F(HapticPractice, ContinuesWithTheMouseWithoutADeviceAndSaysSo) {
   controller_.useHapticDevice([](const Scene&) -> std::unique_ptr<HapticDevice> {
     throw Error(ErrorCode::kDevice, Text::verbatim("no device answers"), "", Text::verbatim("Plug it in"));
   });
@@ -134,7 +134,7 @@ TEST_F(HapticPractice, GoesOnWithTheMouseWhenThereIsNoDeviceAndSaysSo) {
   EXPECT_TRUE(controller_.toolRidesOnTissue());
 }
 
-TEST_F(HapticPractice, GoesOnWithTheMouseWhenTheDeviceIsLost) {
+TEST_F(HapticPractice, ContinuesWithTheMouseWhenTheDeviceIsLost) {
   practiseWithStylus();
   tick(10);
   hand_->unplugged = true;
@@ -168,7 +168,7 @@ TEST_F(HapticPractice, ARecordingKeepsWhatCameBeforeTheLoss) {
   EXPECT_EQ(kept_->trial().header.deviceModel, "Test stylus");
 }
 
-TEST_F(HapticPractice, KeepsTheDeviceOpenFromTryToTryAndOpensItAnewForAnotherScene) {
+TEST_F(HapticPractice, KeepsTheDeviceOpenBetweenTriesAndReopensItForAnotherScene) {
   practiseWithStylus();
   controller_.startRecording();
   tick(10);
@@ -182,7 +182,7 @@ TEST_F(HapticPractice, KeepsTheDeviceOpenFromTryToTryAndOpensItAnewForAnotherSce
   EXPECT_TRUE(eventually([this] { return hand_->opened == 2 && hand_->closed == 1; }));
 }
 
-TEST_F(HapticPractice, GivesTheDeviceBackAtOnceForARun) {
+TEST_F(HapticPractice, ReleasesTheDeviceImmediatelyForARun) {
   practiseWithStylus();
 
   controller_.useHapticDevice({});
@@ -192,7 +192,7 @@ TEST_F(HapticPractice, GivesTheDeviceBackAtOnceForARun) {
   EXPECT_EQ(controller_.mode(), Mode::kPractice);
 }
 
-TEST_F(HapticPractice, ATrainingRunSaysOnceThatItsDeviceIsLost) {
+TEST_F(HapticPractice, ATrainingRunReportsOnceThatItsDeviceIsLost) {
   load("bar");
   int lost = 0;
   QObject::connect(&controller_, &SimulationController::deviceLost, &controller_, [&lost] { ++lost; });
@@ -206,11 +206,11 @@ TEST_F(HapticPractice, ATrainingRunSaysOnceThatItsDeviceIsLost) {
   controller_.advance(0.016);
 
   EXPECT_EQ(lost, 1);
-  EXPECT_EQ(controller_.mode(), Mode::kRecording);  // its owner decides what becomes of it
+  EXPECT_EQ(controller_.mode(), Mode::kRecording);  // its owner decides
   static_cast<void>(controller_.endTraining(TrialOutcome::kInterrupted));
 }
 
-TEST_F(HapticPractice, TheVendorsLibraryIsOpenedAndItsLossNoticed) {
+TEST_F(HapticPractice, TheVendorsLibraryIsOpenedAndItsLossDetected) {
   FakeHd fake(TORSIO_FAKEHD);
   fake.reset();
   controller_.useHapticDevice([](const Scene& scene) {

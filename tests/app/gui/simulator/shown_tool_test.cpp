@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The instrument as it is drawn while mouse and keys press, grip and turn: it never comes out on the other
-// side of the organ by itself, and goes round with the place that it holds.
+// The instrument as drawn while mouse and keys press, grip and turn: it never passes through the organ by
+// itself, and moves with the place it holds.
 #include "app/gui/simulator/shown_tool.h"
 
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr double kAlike_rad = radians(2.0);
 constexpr double kAlike_m = 0.001;
 
 Vec3 across(const Vec3& point_m) {
-  return {point_m.x, point_m.y, 0.0};  // the bar lies along z
+  return {point_m.x, point_m.y, 0.0};  // the bar is along z
 }
 
 /// Window and servo without a screen, stepped by the test.
@@ -40,7 +40,7 @@ class Desk {
     view_.setScene(controller_.viewScene());
     pointer_.park(controller_.parkingPoint_m());
   }
-  /// One frame; returns what is drawn.
+  /// Runs a frame; returns what is drawn.
   LiveState frame() {
     pointer_.advance(kFrame_ms * 1e-3);
     controller_.advance(kFrame_ms * 1e-3);
@@ -67,7 +67,7 @@ class Desk {
   ShownTool tool_{controller_, pointer_, view_};
 };
 
-TEST(ShownTool, AfterSixtyNotchesAndATurnTheShaftStandsOutwardsOnThePlaceThatItHolds) {
+TEST(ShownTool, AfterSixtyStepsAndATurnTheShaftPointsOutwardsFromThePlaceItHolds) {
   Desk desk;
   for (int i = 0; i < 30; ++i) {
     desk.frame();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the simulator may do at each stage, and what comes of it.
+// Permitted actions of the simulator at each stage, and their effects.
 #include "app/gui/simulator/simulation_stage.h"
 
 #include <functional>
@@ -37,7 +37,7 @@ LoadedScene bar(const SceneRequest& /*wanted*/) {
   return kBar;
 }
 
-/// A simulator on the bar that keeps its recordings in memory.
+/// A simulator with the bar that stores recordings in memory.
 class Simulator {
  public:
   explicit Simulator(Kind at) {
@@ -95,7 +95,7 @@ class Simulator {
 struct Event {
   const char* name;
   std::function<void(Simulator&)> happens;
-  /// The stage afterwards, from each stage in the order of kKinds.
+  /// The resulting stage, from each stage in the order of kKinds.
   std::array<Kind, kStageKinds> leadsTo;
 };
 
@@ -121,7 +121,7 @@ const std::vector<Event>& events() {
   return kEvents;
 }
 
-TEST(SimulationStage, EveryEventLeadsFromEveryStageWhereItShould) {
+TEST(SimulationStage, EveryEventLeadsFromEveryStageToTheRightOne) {
   for (const Event& event : events()) {
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
       SCOPED_TRACE(std::string(event.name) + " while " + nameOf(kKinds[i]));
@@ -135,12 +135,12 @@ TEST(SimulationStage, EveryEventLeadsFromEveryStageWhereItShould) {
   }
 }
 
-TEST(SimulationStage, TheTableOfTransitionsHoldsWhatHappensAndNoMore) {
+TEST(SimulationStage, TheTransitionTableContainsExactlyWhatHappens) {
   std::array<std::array<bool, kStageKinds>, kStageKinds> seen{};
   for (const Event& event : events()) {
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
       const auto to = static_cast<std::size_t>(event.leadsTo[i]);
-      // An event that is refused, or finds nothing to do, leaves the stage as it was.
+      // An event that is refused or has no effect keeps the stage.
       if (event.leadsTo[i] != kKinds[i]) {
         seen[i][to] = true;
       }
@@ -159,7 +159,7 @@ TEST(SimulationStage, TheTableOfTransitionsHoldsWhatHappensAndNoMore) {
   }
 }
 
-TEST(SimulationStage, TheModeOfTheWindowFollowsFromTheStage) {
+TEST(SimulationStage, TheWindowsModeFollowsFromTheStage) {
   constexpr std::array<Mode, kStageKinds> kModes{Mode::kEmpty,     Mode::kPractice, Mode::kRecording,
                                                  Mode::kRecording, Mode::kPractice, Mode::kReplay};
   for (std::size_t i = 0; i < kKinds.size(); ++i) {

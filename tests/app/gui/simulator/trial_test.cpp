@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One exercise with the pointer: run, recorded, kept as a file, played again. The servo is driven by hand.
+// An exercise with the pointer: run, recorded, stored as a file, replayed. The servo is stepped by hand.
 #include "sim/record/trial.h"
 
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kGraspHeight_m = 0.8 * kBarLength_m;
 constexpr double kTwist_rad = 0.7;
-// The pointer device follows with two filters of 15 ms: after 300 ms less than 1e-6 of the way is left.
+// The pointer device follows with two filters of 15 ms: after 300 ms, less than 1e-6 of the distance is left.
 constexpr double kSettled_rad = 1e-4;
 
 class PointerRun : public ::testing::Test {
@@ -32,9 +32,9 @@ class PointerRun : public ::testing::Test {
   std::shared_ptr<const Scene> scene_ = std::make_shared<const Scene>(barScene());
   Pose start_{.position_m = {0.0, -kBarRadius_m - 0.010, kGraspHeight_m}, .orientation = {}};
   PointerInput input_;
-  PointerDevice* pointer_ = nullptr;  // of the newest run
+  PointerDevice* pointer_ = nullptr;  // of the latest run
 
-  /// A run with the pointer; `kept` null: nothing is recorded.
+  /// Starts a run with the pointer; `kept` null: not recorded.
   std::unique_ptr<RecordedRun> newRun(const std::shared_ptr<TrialSink>& kept = nullptr) {
     auto pointer = std::make_unique<PointerDevice>(start_);
     pointer_ = pointer.get();
@@ -42,7 +42,7 @@ class PointerRun : public ::testing::Test {
                                          RecordingSpec{.trialId = "one", .targetAngle_rad = 1.0}, kept);
   }
 
-  /// Reach, grip, turn about the bar's axis (camera upright in front: its y is the bar's axis).
+  /// Reaches, grips, and turns about the bar's axis (camera upright in front: its y is the bar's axis).
   void twist(RecordedRun& live) {
     input_.present = true;
     input_.view = Quat{0.70710678118654752, 0.70710678118654752, 0.0, 0.0};
@@ -109,7 +109,7 @@ TEST_F(PointerRun, IsRecordedFromTheFirstTickAndReplaysBitForBit) {
   EXPECT_TRUE(replayTrial(*scene_, trial).identical());
 }
 
-/// The trial of the bar, as it would come from a database.
+/// The bar's trial, as if read from a database.
 class RecordedTwist : public PointerRun {
  protected:
   Trial trial_;
@@ -125,7 +125,7 @@ class RecordedTwist : public PointerRun {
   }
 };
 
-TEST_F(RecordedTwist, PlaybackShowsWhatWasRecordedAtAnyInstant) {
+TEST_F(RecordedTwist, PlaybackShowsWhatWasRecordedAtAnyTime) {
   TrialPlayback playback(trial_);
   const std::vector<Sample> samples = decodeTrial(trial_);
 
@@ -139,7 +139,7 @@ TEST_F(RecordedTwist, PlaybackShowsWhatWasRecordedAtAnyInstant) {
   }
 }
 
-TEST_F(RecordedTwist, PlaybackShowsTheTargetThatWasInForce) {
+TEST_F(RecordedTwist, PlaybackShowsTheTargetInForce) {
   TrialPlayback playback(trial_);
 
   playback.seek_us(100'000);
@@ -161,7 +161,7 @@ TEST_F(RecordedTwist, PlaybackMovesAtItsSpeedAndStopsAtTheEnd) {
   EXPECT_EQ(playback.position_us(), playback.duration_us());
   EXPECT_FALSE(playback.playing());
   playback.setPlaying(true);
-  EXPECT_EQ(playback.position_us(), 0);  // from the end it begins again
+  EXPECT_EQ(playback.position_us(), 0);  // restarts at the end
 }
 
 TEST_F(RecordedTwist, AnEmptyTrialIsRefused) {

@@ -18,7 +18,7 @@ namespace torsio::gui::testing {
 
 using torsio::testing::StudyCentre;
 
-/// A centre with the surroundings of its pages; what a page reports as failed is kept.
+/// A centre with the context of its pages; collects failures.
 class AdministratorDesk {
  public:
   AdministratorDesk() : shell_(centre.session(), centre.assets(), ThemeKind::kLight) {

@@ -18,8 +18,8 @@ inline SceneRequest requestFor(const std::string& id) {
   return request;
 }
 
-/// The straight bar of the servo tests as a scene for the window. `formulation` and `pattern` come through,
-/// so that a choice can be seen.
+/// The straight bar of the servo tests as a scene for the window. Keeps `formulation` and `pattern`, so that
+/// a choice is visible.
 inline LoadedScene loadBar(const SceneRequest& request) {
   LoadedScene loaded;
   Scene scene = barScene();
@@ -36,7 +36,7 @@ inline LoadedScene loadBar(const SceneRequest& request) {
   return loaded;
 }
 
-/// Runs the event loop until `done`, for loads that come from a worker thread; false after ten seconds.
+/// Runs the event loop until `done`, for loads in a worker thread; false after ten seconds.
 template <typename Condition>
 bool eventually(const Condition& done) {
   QElapsedTimer waited;

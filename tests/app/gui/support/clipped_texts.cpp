@@ -34,12 +34,12 @@ class Looker {
 
   QStringList clipped() {
     look();
-    // The pages of tabs that are not in front.
+    // Hidden pages of tab widgets.
     for (QTabWidget* tabs : window_.findChildren<QTabWidget*>()) {
       if (!tabs->isVisibleTo(&window_)) {
         continue;
       }
-      const QSignalBlocker quiet(tabs);  // a page that is told of its tab may begin to load
+      const QSignalBlocker quiet(tabs);  // a page notified of its tab may start loading
       const int before = tabs->currentIndex();
       for (int i = 0; i < tabs->count(); ++i) {
         if (i != before) {
@@ -183,7 +183,7 @@ class Looker {
     }
   }
 
-  /// Whether something stands out of what holds it, where nothing scrolls it into sight.
+  /// Checks whether a widget extends beyond its parent without scrolling.
   void lookAtEdges(const QWidget& widget, const QString& text) {
     const QWidget* below = &widget;
     for (const QWidget* holder = widget.parentWidget(); holder != nullptr && below != &window_;
@@ -193,7 +193,7 @@ class Looker {
       report(widget, text + QStringLiteral(" (left edge)"), -place.left(), 0);
       const auto* area = qobject_cast<const QAbstractScrollArea*>(holder->parentWidget());
       if (area != nullptr && area->viewport() == holder) {
-        return;  // what lies below is scrolled to
+        return;  // reached by scrolling
       }
       report(widget, text + QStringLiteral(" (lower edge)"), place.bottom() + 1, holder->height());
     }

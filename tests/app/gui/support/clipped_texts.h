@@ -7,9 +7,9 @@ class QWidget;
 
 namespace torsio::gui::testing {
 
-/// Words in a window that cannot be read whole: a label, button, header, tab, choice, field or line of a list
-/// that is narrower than its text, and whatever reaches over the edge of what it stands in. All pages of all
-/// tabs are looked at; cells of long lists are not, since their columns can be widened.
+/// Returns the clipped texts of a window: labels, buttons, headers, tabs, combo boxes, fields or list lines
+/// narrower than their text, and anything that extends beyond its parent. Includes all pages of tab widgets,
+/// but not cells of long lists, whose columns can be widened.
 [[nodiscard]] QStringList clippedTexts(QWidget& window);
 
 }  // namespace torsio::gui::testing

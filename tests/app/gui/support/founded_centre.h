@@ -14,7 +14,7 @@ namespace torsio::gui {
 
 inline constexpr const char* kAdminPassword = "a short sentence for the lab";
 
-/// Founds a centre in the record at `locator`. Returns the session of its administrator, "admin", signed in.
+/// Founds a centre in the record at `locator`. Returns the session of its administrator "admin", signed in.
 [[nodiscard]] inline std::unique_ptr<SessionContext> foundCentre(const std::string& locator) {
   SessionKey key;
   key.locator = locator;

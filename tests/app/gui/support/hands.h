@@ -17,12 +17,12 @@
 
 namespace torsio::gui::testing {
 
-/// The text of a button without its mnemonic and its three dots.
+/// Returns a button's text without mnemonic and ellipsis.
 inline QString plainText(QString text) {
   return text.remove(QLatin1Char('&')).remove(QChar(0x2026));
 }
 
-/// The button with this text, mnemonics and dots apart; one that can be seen before one that cannot.
+/// Finds the button with this text, ignoring mnemonics and ellipsis; prefers visible ones.
 inline QPushButton* button(const QWidget& in, const QString& text) {
   QPushButton* hidden = nullptr;
   for (QPushButton* found : in.findChildren<QPushButton*>()) {
@@ -44,7 +44,7 @@ inline void press(const QWidget& in, const QString& text) {
   found->click();
 }
 
-/// The field of this name that can be seen.
+/// Finds the visible field with this name.
 template <typename Widget>
 Widget* named(const QWidget& where, const QString& name) {
   for (Widget* widget : where.findChildren<Widget*>()) {
@@ -74,7 +74,7 @@ inline void type(QDialog& dialog, const QString& text) {
   dialog.accept();
 }
 
-/// The hint that stands directly below a field; "" where none is shown.
+/// Returns the error message directly below a field; empty: none.
 inline QString hintBelow(const QWidget& window, const QWidget& field) {
   constexpr int kNear_px = 60;
   QApplication::processEvents();
@@ -89,7 +89,7 @@ inline QString hintBelow(const QWidget& window, const QWidget& field) {
   return {};
 }
 
-/// As the keyboard leaves a field.
+/// Sends the focus-out event of a field.
 inline void leave(QWidget& field) {
   QFocusEvent out(QEvent::FocusOut, Qt::TabFocusReason);
   QApplication::sendEvent(&field, &out);

@@ -33,8 +33,7 @@ namespace torsio::gui {
 
 namespace fs = std::filesystem;
 
-/// The program's window with the pages of administrators, an administrator at work, and a record of two
-/// people.
+/// The program's window with administrators' pages, an administrator signed in, and a record of two people.
 class MaintenancePages : public ::testing::Test {
  protected:
   QTemporaryDir folder_;
@@ -49,7 +48,7 @@ class MaintenancePages : public ::testing::Test {
     {
       const std::unique_ptr<SessionContext> office = foundCentre(record());
       office->beginCall();
-      setCentreSetting<kTwoPeople>(*office, false);  // there is one administrator only
+      setCentreSetting<kTwoPeople>(*office, false);  // there is only one administrator
       addPerson(*office, person());
       addPerson(*office, person());
     }
@@ -99,7 +98,7 @@ class MaintenancePages : public ::testing::Test {
 
   ShellContext& context() { return window_->desk()->context(); }
 
-  /// Goes there by the button of the maintenance page.
+  /// Opens a page by its button on the maintenance page.
   template <typename Made>
   Made& openBy(const char* button) {
     window_->desk()->open(PageId::kMaintenance);
@@ -131,7 +130,7 @@ class MaintenancePages : public ::testing::Test {
     context().waitForJobs();
   }
 
-  /// The job of the button is cancelled before its first step: a press on "Cancel" would race with it.
+  /// Cancels the button's job before its first step: clicking "Cancel" would be a race.
   void clickAndCancel(QPushButton& button) {
     QObject::connect(
         &context(), &ShellContext::jobStarted, &button, [this] { context().cancelJobs(); },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Widgets want an application object; the tests choose the platform that needs no display.
+// Widgets need an application object; the tests use the platform without a display.
 #include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   torsio::useTypeface(application);
   QApplication::setOrganizationName("torsio-tests");
-  // Of this program alone: another test that runs meanwhile would clear what this one remembers.
+  // Separate settings: a parallel test would otherwise delete them.
   const QTemporaryDir settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   ::testing::InitGoogleTest(&argc, argv);

@@ -20,13 +20,13 @@ namespace torsio::gui::testing {
   return stack == nullptr ? QString() : stack->currentWidget()->objectName();
 }
 
-/// Waits until work off the window's thread and what follows it are done.
+/// Waits until background work and its continuation are done.
 inline void waitFor(const Background& background) {
   constexpr int kPatience_ms = 120'000;
   EXPECT_TRUE(QTest::qWaitFor([&] { return !background.working(); }, kPatience_ms));
 }
 
-/// Whether a sentence with this part can be read.
+/// Returns whether a visible sentence contains this part.
 [[nodiscard]] inline bool says(QWidget& where, const QString& part) {
   for (const QLabel* label : where.findChildren<QLabel*>()) {
     if (label->isVisible() && label->text().contains(part)) {

@@ -28,7 +28,7 @@ namespace torsio::gui {
 
 inline constexpr int kPatience_ms = 20'000;
 
-/// Whether it comes about while the window goes on.
+/// Runs the event loop until `done`; false on timeout.
 template <typename Condition>
 bool soon(const Condition& done) {
   QElapsedTimer waited;
@@ -39,7 +39,7 @@ bool soon(const Condition& done) {
   return done();
 }
 
-/// A hand that has learned everything.
+/// Returns a fully practised hand.
 inline ScriptedHandOptions practised(const Scene& scene, double target_rad) {
   ScriptedHandOptions hand;
   hand.task = handTask(scene);
@@ -49,7 +49,7 @@ inline ScriptedHandOptions practised(const Scene& scene, double target_rad) {
   return hand;
 }
 
-/// A shell without a frame: it shows the page that a page asks for, as the desk does.
+/// A shell without a frame: shows the page that a page requests, like the desk.
 class Station {
  public:
   explicit Station(torsio::testing::TrainingCentre& centre)
@@ -69,7 +69,7 @@ class Station {
     QObject::connect(&shell_, &ShellContext::noticed, &shell_,
                      [this](const QString& sentence) { notices << sentence; });
   }
-  /// Pages go before their shell, those too that were left and whose scene is still on its way.
+  /// Pages are destroyed before their shell, including previous ones whose scene is still loading.
   ~Station() {
     page.reset();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -84,7 +84,7 @@ class Station {
       if (entry.id != id) {
         continue;
       }
-      // The page that asked is still in its slot.
+      // The requesting page is still in its slot.
       if (page) {
         page.release()->deleteLater();
       }
@@ -122,7 +122,7 @@ class Station {
     desk.readiness = torsio::testing::deviceWith(Light::kGreen);
     this->open(PageId::kRun);
   }
-  /// Time goes by for the hand and for the clock of the run.
+  /// Advances the time of hand and run.
   void train(std::int64_t span_us) {
     ASSERT_TRUE(soon([&] { return !run().fetchesDevice(); }));
     for (std::int64_t t = 0; t < span_us; t += torsio::testing::kSecond_us) {

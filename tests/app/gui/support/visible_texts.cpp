@@ -22,7 +22,7 @@ namespace torsio::gui {
 
 namespace {
 
-/// Keeps texts and drops everything else.
+/// Collects texts and ignores all other drawing.
 class TextCatcher : public QPaintEngine {
  public:
   TextCatcher() : QPaintEngine(QPaintEngine::AllFeatures) {}

@@ -7,12 +7,12 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// Everything that a person or a screen reader can meet in a widget and its children, hidden ones too: texts,
-/// tips, titles, names for screen readers, all cells of lists in all their roles, actions, choices of boxes,
-/// and what is painted as text without any of these.
+/// Returns all texts of a widget and its children, including hidden ones, for people and screen readers:
+/// texts, tool tips, titles, accessible names, all cells of lists in all roles, actions, combo box entries,
+/// and other painted text.
 [[nodiscard]] QStringList wordsOf(QWidget& page);
 
-/// The texts that are painted when the widget is drawn now.
+/// Returns the texts painted when the widget is drawn now.
 [[nodiscard]] QStringList paintedWordsOf(QWidget& page);
 
 }  // namespace torsio::gui

@@ -14,7 +14,7 @@
 
 namespace torsio::gui::testing {
 
-/// What a page has round it, without a window: keeps what the page says and asks for.
+/// The context of a page without a window: collects what the page reports and requests.
 class WatchedShell {
  public:
   explicit WatchedShell(SessionContext& session)
@@ -32,7 +32,7 @@ class WatchedShell {
   ~WatchedShell() { settle(); }
 
   ShellContext& shell() { return shell_; }
-  /// Waits for what goes on in the background.
+  /// Waits for background work.
   void settle() {
     shell_.waitForJobs();
     QApplication::processEvents();
@@ -40,7 +40,7 @@ class WatchedShell {
 
   QStringList failures;  ///< what happened
   QStringList notices;
-  QStringList told;  ///< whole failures and the titles of jobs
+  QStringList told;  ///< complete failures and the titles of jobs
   std::vector<std::pair<PageId, QVariant>> wanted;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a trainee is told of a run that the computer was too busy to record in full.
+// What a trainee is told about a run that the computer was too busy to record completely.
 #include <QString>
 #include <QTextBrowser>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 using torsio::testing::TrainingCentre;
 
-/// The trial once more as a busy computer records it: of every twist 50 ms are missing.
+/// Copies a trial as recorded by a busy computer: 50 ms of each twist are missing.
 TrialId tornCopy(TrainingCentre& centre, const TrialId& trialId) {
   TrialRepository trials(centre.connection());
   const Trial trial = trials.load(trialId);
@@ -46,7 +46,7 @@ TrialId tornCopy(TrainingCentre& centre, const TrialId& trialId) {
   return header.trialId;
 }
 
-TEST(StationPages, TheDebriefSaysWhenTheComputerWasTooBusyAndThatItIsNotTheTraineesFault) {
+TEST(StationPages, TheDebriefSaysThatTheComputerWasTooBusyAndNotTheTraineesFault) {
   TrainingCentre centre({.mastery = {{.metric = "force.violations", .comparison = "at_most"}}});
   const TrialId whole = centre.attempt("first", "practice", 1.0);
   const TrialId torn = tornCopy(centre, whole);

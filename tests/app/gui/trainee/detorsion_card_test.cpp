@@ -13,9 +13,9 @@
 namespace torsio::gui {
 namespace {
 
-TEST(DetorsionCard, SaysWhereTheSecondsWentTheLongestFirst) {
+TEST(DetorsionCard, ListsTheTimeSpentLongestFirst) {
   DetorsionStory story;
-  story.spent_s = {2.0, 6.0, 0.0, 0.0, 2.0};  // searching, turning, clip, checking, waiting: 10 s in all
+  story.spent_s = {2.0, 6.0, 0.0, 0.0, 2.0};  // searching, turning, clip, checking, waiting: 10 s in total
 
   const QStringList text = DetorsionCard::secondsText(story);
 
@@ -25,7 +25,7 @@ TEST(DetorsionCard, SaysWhereTheSecondsWentTheLongestFirst) {
   EXPECT_EQ(text[2], QStringLiteral("Waiting with hands off: 0:02.0 (20 %)"));
 }
 
-/// Ten seconds in which an organ is turned back; its content presses with 12 mmHg.
+/// Ten seconds in which an organ is untwisted; its content has a pressure of 12 mmHg.
 DetorsionStory tenSeconds() {
   DetorsionStory story;
   for (int i = 0; i <= 10; ++i) {
@@ -39,7 +39,7 @@ DetorsionStory tenSeconds() {
   return story;
 }
 
-/// The picture of a story, wide enough for every sign.
+/// The plot of a story, wide enough for every symbol.
 class PlotOf {
  public:
   explicit PlotOf(const DetorsionStory& story) {
@@ -51,7 +51,7 @@ class PlotOf {
   DetorsionPlot plot;
 };
 
-TEST(DetorsionPlot, MarksWhatWentWrongWithASignOfItsOwnAndALegend) {
+TEST(DetorsionPlot, MarksMishapsWithTheirOwnSymbolAndALegend) {
   DetorsionStory story = tenSeconds();
   story.events = {{1.0, DetorsionMoment::kGrip},
                   {2.0, DetorsionMoment::kBruise},
@@ -64,14 +64,14 @@ TEST(DetorsionPlot, MarksWhatWentWrongWithASignOfItsOwnAndALegend) {
 
   for (const DetorsionMoment what : {DetorsionMoment::kBruise, DetorsionMoment::kTear, DetorsionMoment::kSlip,
                                      DetorsionMoment::kRelapse}) {
-    // On the line and in the legend.
+    // On the time line and in the legend.
     EXPECT_GE(painted.count(DetorsionPlot::momentSign(what)), 2) << static_cast<int>(what);
     EXPECT_TRUE(painted.contains(DetorsionPlot::momentName(what))) << static_cast<int>(what);
   }
   EXPECT_FALSE(painted.contains(QStringLiteral("gas out")));
 }
 
-/// Pixels of `colour` in the part of a picture below `top`.
+/// Counts the pixels of `colour` in a picture below `top`.
 int pixelsOf(const QImage& picture, const QColor& colour, int top) {
   int found = 0;
   for (int y = top; y < picture.height(); ++y) {
@@ -82,7 +82,7 @@ int pixelsOf(const QImage& picture, const QColor& colour, int top) {
   return found;
 }
 
-TEST(DetorsionPlot, SignsOfTheLegendHaveTheColoursTheyHaveAbove) {
+TEST(DetorsionPlot, SymbolsInTheLegendHaveTheColoursOfTheTimeLine) {
   DetorsionStory story = tenSeconds();
   const QColor caution = theme(ThemeKind::kLight).caution;
   story.events = {{1.0, DetorsionMoment::kGrip}};
@@ -93,7 +93,7 @@ TEST(DetorsionPlot, SignsOfTheLegendHaveTheColoursTheyHaveAbove) {
   EXPECT_GT(pixelsOf(PlotOf(story).plot.grab().toImage(), caution, kBelowLanes), 5);
 }
 
-TEST(DetorsionPlot, TellsNoTwoInstantsByTheSameSign) {
+TEST(DetorsionPlot, UsesADifferentSymbolForEachInstant) {
   std::set<QString> signs;
   std::set<QString> names;
   for (int what = 0; what <= static_cast<int>(DetorsionMoment::kRelapse); ++what) {
@@ -106,12 +106,12 @@ TEST(DetorsionPlot, TellsNoTwoInstantsByTheSameSign) {
   EXPECT_EQ(signs.count(QString()) + names.count(QString()), 0U);
 }
 
-TEST(DetorsionPlot, TellsTheInstantUnderThePointerWithBothTimes) {
+TEST(DetorsionPlot, ShowsTheInstantAtThePointerWithBothTimes) {
   DetorsionStory story = tenSeconds();
   story.events = {{5.0, DetorsionMoment::kTear}};
   PlotOf drawn(story);
 
-  // The time axis is 52 pixels in from the left and 16 from the right: 5 of 10 s lie at 52 + 932 / 2.
+  // The time axis starts 52 pixels from the left and ends 16 from the right: 5 of 10 s are at 52 + 932 / 2.
   const QString there = drawn.plot.tipAt(518.0);
   const QString beside = drawn.plot.tipAt(530.0);
 
@@ -120,7 +120,7 @@ TEST(DetorsionPlot, TellsTheInstantUnderThePointerWithBothTimes) {
   EXPECT_TRUE(drawn.plot.accessibleDescription().contains(there));
 }
 
-TEST(DetorsionPlot, OfARunWithoutInstantsHasNeitherSignsNorLegend) {
+TEST(DetorsionPlot, HasNeitherSymbolsNorLegendForARunWithoutInstants) {
   PlotOf drawn(tenSeconds());
 
   const QString painted = drawn.painted();
@@ -131,21 +131,21 @@ TEST(DetorsionPlot, OfARunWithoutInstantsHasNeitherSignsNorLegend) {
   EXPECT_FALSE(painted.contains(DetorsionPlot::momentSign(DetorsionMoment::kBruise)));
 }
 
-TEST(DetorsionPlot, DrawsThePressureOfAnOrganWhoseContentPresses) {
+TEST(DetorsionPlot, DrawsThePressureOfAnOrganWhoseContentHasOne) {
   DetorsionStory solid = tenSeconds();
   solid.pressure_Pa.assign(solid.pressure_Pa.size(), 0.0);
   PlotOf hollow(tenSeconds());
   PlotOf cord(solid);
 
   EXPECT_TRUE(hollow.painted().contains(QStringLiteral("Pressure of the content in mmHg")));
-  EXPECT_TRUE(hollow.painted().contains(QStringLiteral("15")));  // 12 mmHg on a scale in steps of 5
+  EXPECT_TRUE(hollow.painted().contains(QStringLiteral("15")));  // 12 mmHg on a scale with steps of 5
   EXPECT_TRUE(
       hollow.plot.accessibleDescription().contains(QStringLiteral("Pressure from 12.0 to 12.0 mmHg.")));
   EXPECT_FALSE(cord.painted().contains(QStringLiteral("Pressure")));
   EXPECT_FALSE(cord.plot.accessibleDescription().contains(QStringLiteral("Pressure")));
 }
 
-TEST(DetorsionCard, SaysTheFindingsOfTheStoryInItsWords) {
+TEST(DetorsionCard, ShowsTheFindingsOfTheStoryInTheirWords) {
   DetorsionStory story = tenSeconds();
   story.events = {{1.0, DetorsionMoment::kBruise}};
 

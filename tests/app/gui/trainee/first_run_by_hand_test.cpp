@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the first page to a passed exercise with mouse and keys, every action done on the real widgets and
-// counted: each click, each key that is pressed, each that is let go, each notch of the wheel. The servo is
-// stepped by the test, 16 ticks a frame; an action takes the time of the keystroke-level model (Card, Moran
-// and Newell 1980): decide 1.35 s, point 1.1 s, press 0.28 s.
+// From the first page to a passed exercise with mouse and keys, every action performed on real widgets and
+// counted: each click, key press, key release and wheel step. The test steps the servo, 16 ticks per frame;
+// an action takes the time of the keystroke-level model (Card, Moran and Newell 1980): decide 1.35 s, point
+// 1.1 s, press 0.28 s.
 #include <cmath>
 #include <functional>
 
@@ -36,7 +36,7 @@ constexpr int kMaxActions = 25;
 constexpr double kFourMinutes_s = 240.0;
 constexpr double kPatience_s = 120.0;  // of the run's own time
 
-/// A trainee who has never sat here, with mouse and keyboard.
+/// A new trainee, with mouse and keyboard.
 class Newcomer {
  public:
   explicit Newcomer(TrainingCentre& centre) : centre_(centre), station_(centre) {
@@ -52,7 +52,7 @@ class Newcomer {
     ++actions_;
     station_.find<QCheckBox>(box)->click();
   }
-  /// Time goes by for servo, window and clock.
+  /// Advances servo, window and clock.
   void pass(double seconds) {
     for (double gone_s = 0.0; gone_s < seconds; gone_s += kFrame_ms * 1e-3) {
       scene().frame(kFrame_ms * 1e-3);
@@ -64,7 +64,7 @@ class Newcomer {
   }
   void hold(int key) { send(QEvent::KeyPress, key); }
   void release(int key) { send(QEvent::KeyRelease, key); }
-  /// Turns the wheel until something happens.
+  /// Turns the wheel until a condition is true.
   void wheelUntil(const std::function<bool()>& there) {
     while (!there() && run_s_ < kPatience_s) {
       ++actions_;
@@ -166,7 +166,7 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(FirstRunByHand, EnterThatIsHeldOnEndTheRunUsesUpNoAttempt) {
+TEST(FirstRunByHand, HoldingEnterOnTheEndQuestionUsesNoAttempt) {
   TrainingCentre centre;
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
@@ -187,7 +187,7 @@ TEST(FirstRunByHand, EnterThatIsHeldOnEndTheRunUsesUpNoAttempt) {
   EXPECT_TRUE(station.run().busy());
 }
 
-TEST(FirstRunByHand, ATwistThatIsLetGoTooFarIsToldAtOnce) {
+TEST(FirstRunByHand, ATwistReleasedTooFarIsReportedImmediately) {
   TrainingCentre centre;
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
@@ -211,7 +211,7 @@ TEST(FirstRunByHand, ATwistThatIsLetGoTooFarIsToldAtOnce) {
   EXPECT_TRUE(told.contains(QStringLiteral("On target: 0 of 1"))) << told.toStdString();
 }
 
-TEST(FirstRunByHand, ATwistTheWrongWayIsToldByName) {
+TEST(FirstRunByHand, ATwistInTheWrongDirectionIsNamed) {
   TrainingCentre centre;
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
@@ -236,7 +236,7 @@ TEST(FirstRunByHand, ATwistTheWrongWayIsToldByName) {
   EXPECT_TRUE(told.contains(QStringLiteral("On target: 0 of 1"))) << told.toStdString();
 }
 
-TEST(FirstRunByHand, TheClockMovesNoButtonBetweenPressAndRelease) {
+TEST(FirstRunByHand, TheTimerMovesNoButtonBetweenPressAndRelease) {
   TrainingCentre centre;
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
@@ -264,12 +264,12 @@ TEST(FirstRunByHand, TheClockMovesNoButtonBetweenPressAndRelease) {
     EXPECT_EQ(stop->geometry(), place);
     QApplication::sendEvent(stop, &release);
     EXPECT_TRUE(asked);
-    station.run().tick();  // nor does it move under a pointer that is about to press
+    station.run().tick();  // nor under a pointer about to press
     EXPECT_EQ(stop->geometry(), place);
   }
 }
 
-TEST(FirstRunByHand, AJawThatOpensBecauseTheKeyboardWentElsewhereIsToldAndTheMouseBringsItBack) {
+TEST(FirstRunByHand, AJawOpenedByALossOfFocusIsReportedAndTheMouseRestoresIt) {
   TrainingCentre centre;
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
@@ -295,8 +295,8 @@ TEST(FirstRunByHand, AJawThatOpensBecauseTheKeyboardWentElsewhereIsToldAndTheMou
   EXPECT_EQ(station.page->focusWidget(), &view);
 }
 
-// The rest is used up while "Go on now" is pressed: the button waits until it is let go.
-TEST(FirstRunByHand, TheClockTakesNoButtonAwayThatIsHeld) {
+// The rest ends while "Go on now" is pressed: the button stays until it is released.
+TEST(FirstRunByHand, TheTimerRemovesNoPressedButton) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
@@ -327,7 +327,7 @@ TEST(FirstRunByHand, TheClockTakesNoButtonAwayThatIsHeld) {
   EXPECT_EQ(station.run().runSession()->run().state(), RunState::kRunning);
 }
 
-TEST(FirstRunByHand, EnterOnTheFirstPageBeginsThoughThePageIsSeenAlready) {
+TEST(FirstRunByHand, EnterOnTheFirstPageStartsAlthoughThePageIsAlreadyVisible) {
   TrainingCentre centre;
   Station station(centre);
   station.open(PageId::kNextStep);
@@ -335,7 +335,7 @@ TEST(FirstRunByHand, EnterOnTheFirstPageBeginsThoughThePageIsSeenAlready) {
   QApplication::processEvents();
   for (QPushButton* button : station.page->findChildren<QPushButton*>()) {
     if (button->text() == QStringLiteral("&Consent")) {
-      button->setFocus();  // the first that takes the keyboard has it as the page is opened
+      button->setFocus();  // the first focusable widget has focus when the page is opened
     }
   }
 

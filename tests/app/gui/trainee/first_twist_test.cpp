@@ -32,12 +32,12 @@ LiveState inPhase(ExercisePhase phase) {
   return state;
 }
 
-TEST(TwistGuide, WaitsForEachMovementAndBeginsAnewWhenTheTissueIsLost) {
+TEST(TwistGuide, WaitsForEachMovementAndRestartsWhenTheTissueIsLost) {
   QWidget over;
   over.resize(900, 600);
   TwistGuide guide(&over);
   guide.follow(inPhase(ExercisePhase::kTwisting), true, 1.0);
-  EXPECT_FALSE(guide.going());  // nobody asked for it
+  EXPECT_FALSE(guide.going());  // not requested
   guide.begin(false, true);
   const auto after = [&](ExercisePhase phase, bool onTarget = false, double held = 0.0) {
     guide.follow(inPhase(phase), onTarget, held);
@@ -66,7 +66,7 @@ TEST(TwistGuide, WaitsForEachMovementAndBeginsAnewWhenTheTissueIsLost) {
   EXPECT_FALSE(guide.going());
 }
 
-TEST(TwistGuide, LetsGoAtOnceWhereNothingIsToBeHeld) {
+TEST(TwistGuide, ReleasesImmediatelyWithoutHolding) {
   QWidget over;
   TwistGuide guide(&over);
   guide.begin(true, false);
@@ -83,7 +83,7 @@ TEST(TwistGuide, LetsGoAtOnceWhereNothingIsToBeHeld) {
   EXPECT_TRUE(said().contains(QStringLiteral("movement 4 of 4"))) << said().toStdString();
 }
 
-TEST(FirstTwist, IsGuidedInTheFirstPracticeAndWhenAskedForAfterwards) {
+TEST(FirstTwist, IsGuidedInTheFirstPracticeAndOnRequestLater) {
   TrainingCentre centre;
   Station station(centre);
   const auto hand = [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
@@ -111,7 +111,7 @@ TEST(FirstTwist, IsGuidedInTheFirstPracticeAndWhenAskedForAfterwards) {
   EXPECT_TRUE(later.find<TwistGuide>("guide")->going());
 }
 
-TEST(FirstTwist, AVisitorBeginsWithTheFirstExerciseWhateverTheSimulatedTraineeHasMastered) {
+TEST(FirstTwist, AVisitorStartsWithTheFirstExerciseWhateverTheSimulatedTraineeHasMastered) {
   for (const bool simulated : {false, true}) {
     TrainingCentre::Setup setup;
     setup.simulated = simulated;
@@ -143,7 +143,7 @@ TEST(FirstTwist, AVisitorBeginsWithTheFirstExerciseWhateverTheSimulatedTraineeHa
   }
 }
 
-TEST(FirstTwist, TheBriefingSaysWhatTheExpertDoesAndSlowsDown) {
+TEST(FirstTwist, TheBriefingDescribesTheExpertsActionsAndSlowsDown) {
   TrainingCentre centre;
   Station station(centre);
   station.desk().moduleId = centre.module("first");
@@ -193,7 +193,7 @@ TEST(FirstTwist, TheBriefingSaysWhatTheExpertDoesAndSlowsDown) {
   EXPECT_TRUE(expert->playing());
 }
 
-TEST(FirstTwist, ASoundTellsOnceThatALimitIsReachedWhereTheCentreWantsIt) {
+TEST(FirstTwist, ASoundPlaysOnceAtALimitIfTheCentreWantsIt) {
   for (const bool wanted : {false, true}) {
     TrainingCentre centre;
     SettingRepository(centre.connection()).set("sound_at_limit", wanted ? "yes" : "no", 0);
@@ -226,7 +226,7 @@ Debrief toldRun(const TrialId& id, std::int64_t started_us, std::initializer_lis
   return told;
 }
 
-TEST(SessionStory, KnowsTheBestTwistSinceTheSignIn) {
+TEST(SessionStory, KnowsTheBestTwistSinceSignIn) {
   SessionStory story;
   story.begin(1'000);
   story.begin(9'000);  // of the same session
@@ -234,7 +234,7 @@ TEST(SessionStory, KnowsTheBestTwistSinceTheSignIn) {
   EXPECT_FALSE(story.add(toldRun("yesterday", 999, {0.1})));
   EXPECT_FALSE(story.add(toldRun("far off", 2'000, {20.0})));
   EXPECT_TRUE(story.add(toldRun("good", 3'000, {2.0, -1.0, 2.5})));
-  EXPECT_FALSE(story.add(toldRun("good", 3'000, {0.1})));  // looked at once more
+  EXPECT_FALSE(story.add(toldRun("good", 3'000, {0.1})));  // viewed again
   EXPECT_FALSE(story.add(toldRun("worse", 4'000, {-1.5})));
 
   EXPECT_EQ(story.runs(), 3U);
@@ -245,9 +245,9 @@ TEST(SessionStory, KnowsTheBestTwistSinceTheSignIn) {
   EXPECT_NEAR(degrees(story.best()->error_rad), 1.0, 1e-9);
 }
 
-TEST(SessionStory, StandsOnTheFirstPageAfterARun) {
+TEST(SessionStory, IsOnTheFirstPageAfterARun) {
   TrainingCentre centre;
-  const LanguageSwitch english;  // its plurals
+  const LanguageSwitch english;  // for its plurals
   Station station(centre);
   station.open(PageId::kNextStep);
   EXPECT_FALSE(station.find<QWidget>("session")->isVisibleTo(station.page.get()));
@@ -262,7 +262,7 @@ TEST(SessionStory, StandsOnTheFirstPageAfterARun) {
   EXPECT_TRUE(words.startsWith(QStringLiteral("One run"))) << words.toStdString();
   EXPECT_TRUE(words.contains(QStringLiteral("Your best twist"))) << words.toStdString();
 
-  // Its picture, as the debrief takes it where scenes are drawn, stands beside the words in its own shape.
+  // Its picture, taken by the debrief if scenes are drawn, is beside the text in its own aspect ratio.
   auto* picture = station.find<QLabel>("bestPicture");
   EXPECT_FALSE(picture->isVisibleTo(station.page.get()));
   QImage taken(900, 600, QImage::Format_RGB32);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asking a physician about a moment of a practice run, and the physician's answer, with real widgets.
+// A trainee's question about a moment of a practice run, and the physician's answer, with real widgets.
 #include <optional>
 
 #include <QApplication>
@@ -49,7 +49,7 @@ class QuestionCards : public ::testing::Test {
   std::optional<ShellContext> shell_;
   QStringList said_;
 
-  /// Somebody signs in.
+  /// Signs somebody in.
   ShellContext& shellOf(const std::string& who) {
     shell_.reset();
     centre_.become(who);
@@ -72,7 +72,7 @@ class QuestionCards : public ::testing::Test {
   }
 };
 
-TEST_F(QuestionCards, ATraineeAsksAboutTheMomentThatIsShown) {
+TEST_F(QuestionCards, ATraineeAsksAboutTheMomentShown) {
   AskCard card(shellOf("T-01"));
   card.retranslate();
   card.setRun(trial_);
@@ -82,7 +82,7 @@ TEST_F(QuestionCards, ATraineeAsksAboutTheMomentThatIsShown) {
   ASSERT_FALSE(card.isHidden());
   EXPECT_EQ(card.findChild<QComboBox*>(QStringLiteral("whom"))->currentText(), QStringLiteral("Dr. Li Na"));
   auto* text = card.findChild<QLineEdit*>(QStringLiteral("question"));
-  // Without words there is nothing to send.
+  // Nothing can be sent without text.
   EXPECT_FALSE(card.findChild<QPushButton*>(QStringLiteral("ask"))->isEnabled());
   Q_EMIT text->returnPressed();
   EXPECT_FALSE(asked_s.has_value());
@@ -101,7 +101,7 @@ TEST_F(QuestionCards, ATraineeAsksAboutTheMomentThatIsShown) {
   EXPECT_TRUE(said_[0].startsWith(QStringLiteral("Sent to Dr. Li Na")));
 }
 
-TEST_F(QuestionCards, TheCardIsHiddenWhereNobodyMayBeAsked) {
+TEST_F(QuestionCards, TheCardIsHiddenIfNobodyMayBeAsked) {
   const std::string graded = centre_.attempt("second", "graded", 1.0);
   AskCard card(shellOf("T-01"));
 
@@ -124,7 +124,7 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
     ASSERT_FALSE(card.isHidden());
     EXPECT_TRUE(textsOf(card).contains(QStringLiteral("Chen Wei, Quarter turn, first")));
     bool seen = false;
-    // The dialog comes when the run is loaded, and holds the loop of events.
+    // The dialog appears when the run is loaded, and blocks the event loop.
     QTimer waiting;
     QObject::connect(&waiting, &QTimer::timeout, [&] {
       auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
@@ -142,7 +142,7 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
         }
       }
       ASSERT_NE(send, nullptr);
-      EXPECT_FALSE(send->isEnabled());  // nothing is written
+      EXPECT_FALSE(send->isEnabled());  // no text yet
       dialog->findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("No, but let go later."));
       EXPECT_TRUE(send->isEnabled());
       send->click();
@@ -154,7 +154,7 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
     settle();
 
     EXPECT_TRUE(seen);
-    EXPECT_TRUE(card.questions().empty());  // nothing waits any more
+    EXPECT_TRUE(card.questions().empty());  // no open questions left
     EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You answered Chen Wei: No, but let go later.")));
     card.findChild<QPushButton*>(QStringLiteral("editWords"))->click();
     card.findChild<QPlainTextEdit*>(QStringLiteral("newWords"))
@@ -173,7 +173,7 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
   EXPECT_TRUE(textsOf(card).contains(QStringLiteral("Let go later.")));
 }
 
-TEST_F(QuestionCards, ALongQueueShowsTheThreeThatWaitLongest) {
+TEST_F(QuestionCards, ALongQueueShowsTheThreeOldest) {
   for (const char* text : {"one", "two", "three", "four"}) {
     askPhysician(centre_.session(), trial_, 2.0, chief_, text);
     centre_.passTime_us(kMinute_us);
@@ -187,7 +187,7 @@ TEST_F(QuestionCards, ALongQueueShowsTheThreeThatWaitLongest) {
   EXPECT_EQ(card.findChildren<QPushButton*>(QStringLiteral("answerQuestion")).size(), 3);
 }
 
-TEST_F(QuestionCards, AnAnswerToARemarkIsShownUntilItWasRead) {
+TEST_F(QuestionCards, AReplyToARemarkIsShownUntilRead) {
   ShellContext& shell = shellOf("chief");
   const Actor& actor = shell.session().actor();
   RemarkRepository remarks(centre_.connection());
@@ -218,7 +218,7 @@ TEST_F(QuestionCards, AnAnswerToARemarkIsShownUntilItWasRead) {
   EXPECT_TRUE(said_.isEmpty()) << said_.join('\n').toStdString();
 }
 
-TEST_F(QuestionCards, AReplyIsEditedInPlaceAndTheOldWordsUnfold) {
+TEST_F(QuestionCards, AReplyIsEditedInPlaceAndEarlierVersionsUnfold) {
   ShellContext& chief = shellOf("chief");
   RemarkRepository remarks(centre_.connection());
   remarks.add({.id = "11111111-1111-4111-8111-111111111111",
@@ -264,7 +264,7 @@ TEST_F(QuestionCards, AReplyIsEditedInPlaceAndTheOldWordsUnfold) {
   EXPECT_TRUE(said_.isEmpty()) << said_.join('\n').toStdString();
 }
 
-TEST_F(QuestionCards, AnOwnSheetIsEmptyUntilItIsFilledIn) {
+TEST_F(QuestionCards, OnesOwnSheetIsEmptyUntilFilledIn) {
   ShellContext& chief = shellOf("chief");
   RemarkRepository(centre_.connection())
       .add({.id = "11111111-1111-4111-8111-111111111111",

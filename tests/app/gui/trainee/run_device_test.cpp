@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run and its haptic device: waiting for it, giving it up, and losing it in the middle.
+// A run and its haptic device: waiting for it, cancelling, and losing it during the run.
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -24,7 +24,7 @@ using torsio::testing::kMinute_us;
 using torsio::testing::kSecond_us;
 using torsio::testing::TrainingCentre;
 
-/// What a test does to the haptic device, and sees of it.
+/// Controls the haptic device in a test, and observes it.
 struct Wire {
   std::atomic<bool> unplugged{false};
   Vec3 lastForce_N{1.0, 1.0, 1.0};
@@ -55,14 +55,14 @@ class Wired final : public HapticDevice {
   std::unique_ptr<ScriptedHand> hand_;
 };
 
-/// The device is unplugged, and everybody gets to know.
+/// Unplugs the device, and lets everybody notice.
 void unplug(Station& station, Wire& wire) {
   wire.unplugged = true;
   child<LiveScene>(station.run(), "scene").controller().run()->step(20);
   child<LiveScene>(station.run(), "scene").frame(0.016);
 }
 
-/// Outcomes of what is stored, in any order.
+/// Returns the outcomes of stored trials, in any order.
 std::vector<TrialOutcome> outcomes(TrainingCentre& centre) {
   std::vector<TrialOutcome> all;
   for (const TrialListing& trial : TrialRepository(centre.connection()).list()) {
@@ -73,12 +73,12 @@ std::vector<TrialOutcome> outcomes(TrainingCentre& centre) {
   return all;
 }
 
-TEST(RunDevice, ARefusedRunShowsNothingOfTheRunBefore) {
+TEST(RunDevice, ARefusedRunShowsNothingOfThePreviousRun) {
   TrainingCentre centre;
   Station station(centre);
   station.openRun(false, nullptr);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
-  const std::unique_ptr<Page> kept = std::move(station.page);  // as the desk keeps its pages
+  const std::unique_ptr<Page> kept = std::move(station.page);  // the desk keeps its pages
   auto& run = static_cast<RunPage&>(*kept);
   QTimer::singleShot(0, qApp, [] {
     if (auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
@@ -120,12 +120,12 @@ TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
             QStringLiteral("The haptic device was disconnected: the graded run has ended"));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("No run in progress")));
   EXPECT_EQ(outcomes(centre), std::vector<TrialOutcome>{TrialOutcome::kInterrupted});
-  EXPECT_FALSE(station.desk().readiness.has_value());  // to be checked anew
+  EXPECT_FALSE(station.desk().readiness.has_value());  // needs another check
   const NextSteps steps = nextSteps(centre.session(), centre.person());
   EXPECT_EQ(stepOf(steps, centre.module("first")).attempts, 0);
 }
 
-TEST(RunDevice, PracticeThatLosesItsDeviceGoesOnWithTheMouse) {
+TEST(RunDevice, PracticeThatLosesItsDeviceContinuesWithTheMouse) {
   TrainingCentre centre;
   Station station(centre);
   const auto wire = std::make_shared<Wire>();
@@ -149,7 +149,7 @@ TEST(RunDevice, PracticeThatLosesItsDeviceGoesOnWithTheMouse) {
   EXPECT_EQ(outcomes(centre), std::vector<TrialOutcome>{TrialOutcome::kInterrupted});
 }
 
-TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
+TEST(RunDevice, TheClockWaitsForTheDeviceButTheWindowDoesNot) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
@@ -157,7 +157,7 @@ TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
   Station station(centre);
   auto gate = std::make_shared<std::binary_semaphore>(0);
   station.openRun(true, [gate](const Scene& scene, double target_rad) {
-    gate->acquire();  // a driver that takes its time
+    gate->acquire();  // a slow driver
     return std::make_unique<ScriptedHand>(practised(scene, target_rad));
   });
   ASSERT_TRUE(soon([&] { return station.run().fetchesDevice(); }));
@@ -170,7 +170,7 @@ TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("1:00"));
   station.train(10 * kSecond_us);
 
-  // After a rest it is opened again; that takes nothing from the training either.
+  // After a rest it is reopened, which takes no training time either.
   station.press("rest");
   station.train(5 * kSecond_us);
   station.press("goOn");
@@ -189,7 +189,7 @@ TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(RunDevice, WaitingForTheDeviceCanBeGivenUp) {
+TEST(RunDevice, WaitingForTheDeviceCanBeCancelled) {
   TrainingCentre centre;
   Station station(centre);
   auto gate = std::make_shared<std::binary_semaphore>(0);
@@ -201,7 +201,7 @@ TEST(RunDevice, WaitingForTheDeviceCanBeGivenUp) {
   });
   ASSERT_TRUE(soon([&] { return station.run().fetchesDevice(); }));
 
-  gate->release();  // it arrives while nobody waits any more
+  gate->release();  // arrives when nobody waits any more
   station.press("goOn");
 
   EXPECT_EQ(station.pageId, PageId::kNextStep);
@@ -210,7 +210,7 @@ TEST(RunDevice, WaitingForTheDeviceCanBeGivenUp) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(RunDevice, AGradedRunDoesNotBeginWithADeviceThatCannotBeOpened) {
+TEST(RunDevice, AGradedRunDoesNotStartWithADeviceThatCannotBeOpened) {
   TrainingCentre centre;
   Station station(centre);
   station.openRun(true, [](const Scene&, double) -> std::unique_ptr<HapticDevice> {

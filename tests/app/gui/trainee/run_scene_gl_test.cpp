@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a trainee's own run draws of the instrument in the tissue: dents, the arrow of the force, jaws that
-// close, the hand that leads; what lies round it; and how one scene takes the place of another. On a virtual
-// display; the scene graph itself is asked.
+// What a trainee's run draws of the instrument in the tissue: dents, force arrow, closing jaws, the hand; its
+// surroundings; and replacing a scene. On a virtual display; inspects the scene graph.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +35,7 @@ using torsio::testing::TrainingCentre;
 constexpr int kFrame_ms = 16;
 constexpr int kMaxFrames = 1200;
 
-/// Places of the skin as they are drawn, mm.
+/// Returns the drawn positions of the skin, mm.
 std::vector<QVector3D> skinOf(const QQuickItem& root) {
   const QByteArray bytes = root.property("organ").value<OrganGeometry*>()->vertexData();
   std::vector<DrawnVertex> drawn(static_cast<std::size_t>(bytes.size()) / sizeof(DrawnVertex));
@@ -48,7 +47,7 @@ std::vector<QVector3D> skinOf(const QQuickItem& root) {
   return places;
 }
 
-/// How far the skin lies from where it was, mm: at most, and how near to `tip_mm` that is.
+/// Maximum displacement of the skin, mm, and its distance from `tip_mm`.
 struct Dent {
   float depth_mm = 0.0F;
   float fromTip_mm = 0.0F;
@@ -66,7 +65,7 @@ Dent dentOf(const std::vector<QVector3D>& before, const std::vector<QVector3D>& 
   return dent;
 }
 
-TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesOwnRun) {
+TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesRun) {
   if (!SceneView::platformCanRender()) {
     GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
   }
@@ -74,7 +73,7 @@ TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesOwnRun) {
   Station station(centre);
   station.openRun(false, [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
     ScriptedHandOptions hand = practised(scene, target_rad);
-    hand.task.tipRadius_m -= 0.004;  // it presses, so that there is something to be seen
+    hand.task.tipRadius_m -= 0.004;  // presses, so that there is something visible
     return std::make_unique<ScriptedHand>(hand);
   });
   auto& scene = child<LiveScene>(station.run(), "scene");
@@ -127,8 +126,8 @@ TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesOwnRun) {
   EXPECT_TRUE(shown("toolVisible"));
 }
 
-// Between two cases of a physician the organ of the first is let go, and the window changes meanwhile.
-TEST(SceneOfTheNextCase, TakesThePlaceOfTheLastInAWindowThatWasResized) {
+// Between two cases of a physician, the first organ is released while the window is resized.
+TEST(SceneOfTheNextCase, ReplacesTheLastOneInAWindowThatWasResized) {
   if (!SceneView::platformCanRender()) {
     GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
   }
@@ -152,7 +151,7 @@ TEST(SceneOfTheNextCase, TakesThePlaceOfTheLastInAWindowThatWasResized) {
   EXPECT_TRUE(soon([&] { return !waiting->isVisible(); }));
 }
 
-/// A scene with nothing round it but what is asked for.
+/// A scene with only the requested surroundings.
 struct SceneShown {
   explicit SceneShown(const std::string& id) {
     SceneRequest request;
@@ -169,7 +168,7 @@ struct SceneShown {
   }
   QQuickItem& root() { return *view.findChild<QQuickWidget*>()->rootObject(); }
 
-  /// Which pixels a part of the scene changes.
+  /// Returns the pixels that a part of the scene changes.
   std::vector<bool> changedBy(const char* part) {
     const QImage with = view.picture();
     root().setProperty(part, false);
@@ -188,7 +187,7 @@ struct SceneShown {
   SceneView view;
 };
 
-// Red tissue on a backdrop of one colour: neither surroundings nor mesentery are drawn then.
+// Red tissue on a plain backdrop: without surroundings and mesentery.
 std::vector<bool> organOf(SceneShown& shown) {
   shown.root().setProperty("surroundingsVisible", false);
   const QImage bare = shown.view.picture();
@@ -203,7 +202,7 @@ std::vector<bool> organOf(SceneShown& shown) {
   return organ;
 }
 
-TEST(Mesentery, IsSeenBelowALoopOfBowelAndHidesNothingOfIt) {
+TEST(Mesentery, IsVisibleBelowALoopOfBowelAndHidesNothingOfIt) {
   if (!SceneView::platformCanRender()) {
     GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
   }
@@ -212,7 +211,7 @@ TEST(Mesentery, IsSeenBelowALoopOfBowelAndHidesNothingOfIt) {
     ASSERT_TRUE(shown.root().property("mesenteryVisible").toBool());
     for (const double angle_rad : {0.0, -std::numbers::pi}) {
       shown.view.setOrgan(shown.scene->stateAt(angle_rad));
-      // The last from below: there the mesentery lies before the loop.
+      // The last view is from below, where the mesentery is in front of the loop.
       for (const auto& [turn_deg, above_deg] :
            {std::array{0.0F, 0.0F}, {55.0F, 20.0F}, {-70.0F, 20.0F}, {0.0F, -55.0F}}) {
         shown.view.camera().lookFrom(turn_deg, above_deg);
@@ -231,14 +230,14 @@ TEST(Mesentery, IsSeenBelowALoopOfBowelAndHidesNothingOfIt) {
         }
         EXPECT_GT(tissue, 5000);
         EXPECT_GT(seen, 2000) << id << " from " << turn_deg;
-        // The soft edge of the organ, one pixel wide, lets through what lies behind it.
+        // The organ's soft edge, one pixel wide, is translucent.
         EXPECT_LT(hidden, tissue / 25) << id << " from " << turn_deg;
       }
     }
   }
 }
 
-TEST(Mesentery, AndTheClothGoWithTheirSceneAndWithTheSurroundings) {
+TEST(Mesentery, AndTheClothDisappearWithTheirSceneAndTheSurroundings) {
   if (!SceneView::platformCanRender()) {
     GTEST_SKIP() << "no display that draws, and xvfb-run is not installed";
   }
@@ -247,7 +246,7 @@ TEST(Mesentery, AndTheClothGoWithTheirSceneAndWithTheSurroundings) {
   EXPECT_FALSE(shown.root().property("mesenteryVisible").toBool());
   const std::vector<bool> draped = shown.changedBy("drapeVisible");
   EXPECT_GT(std::count(draped.begin(), draped.end(), true), 1000);
-  shown.view.setSurroundingsVisible(false);  // an organ that is inspected
+  shown.view.setSurroundingsVisible(false);  // inspecting an organ
   const std::vector<bool> bare = shown.changedBy("drapeVisible");
   EXPECT_EQ(std::count(bare.begin(), bare.end(), true), 0);
 
@@ -258,7 +257,7 @@ TEST(Mesentery, AndTheClothGoWithTheirSceneAndWithTheSurroundings) {
 }  // namespace
 }  // namespace torsio::gui
 
-/// On a virtual display, where there is one; the list of tests needs none.
+/// Restarts itself on a virtual display if available; listing tests needs none.
 int main(int argc, char** argv) {
   const QString display = QStandardPaths::findExecutable(QStringLiteral("xvfb-run"));
   bool lists = false;

@@ -56,7 +56,7 @@ using torsio::testing::kMinute_us;
 using torsio::testing::kSecond_us;
 using torsio::testing::TrainingCentre;
 
-TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
+TEST(Station, TheResultOfTheDeviceCheckIsOnTheBoardOfTheDay) {
   TrainingCentre centre;
   Station station(centre);
   StationWriter line({centre.locator(), "station 1", centre.session().actor()});
@@ -74,7 +74,7 @@ TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   station.shell().setLine(nullptr);
 }
 
-TEST(StationPages, TheRingFillsWhileTheTargetIsHeldAndEmptiesBesideIt) {
+TEST(StationPages, TheRingFillsWhileTheTargetIsHeldAndEmptiesOffTarget) {
   TrainingCentre::Setup setup;
   setup.hold_us = kSecond_us;
   TrainingCentre centre(setup);
@@ -104,12 +104,12 @@ TEST(StationPages, TheRingFillsWhileTheTargetIsHeldAndEmptiesBesideIt) {
   EXPECT_DOUBLE_EQ(heldAfter(2.5, target, ExercisePhase::kTwisting), 0.5);
   EXPECT_DOUBLE_EQ(heldAfter(9.0, target, ExercisePhase::kTwisting), 1.0);
   EXPECT_DOUBLE_EQ(heldAfter(9.1, 1.3 * target, ExercisePhase::kTwisting), 0.0);
-  EXPECT_DOUBLE_EQ(heldAfter(9.2, target, ExercisePhase::kTwisting), 0.0);  // begins anew
+  EXPECT_DOUBLE_EQ(heldAfter(9.2, target, ExercisePhase::kTwisting), 0.0);  // restarts
   EXPECT_DOUBLE_EQ(heldAfter(9.4, target, ExercisePhase::kTwisting), 0.2);
   EXPECT_DOUBLE_EQ(heldAfter(9.5, target, ExercisePhase::kReleased), 0.0);
 }
 
-TEST(StationPages, WhatTheLastRunBroughtIsSaidInOneLineBesideItsModule) {
+TEST(StationPages, TheLastResultIsShownInOneLineBesideItsModule) {
   TrainingCentre centre(TrainingCentre::Setup{});
   centre.attempt("first", "practice", 1.0);
   Station station(centre);
@@ -142,8 +142,8 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Master first: Quarter turn, second")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Mastered")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("are judged competent (false pass)")));  // beside it
-  station.page->applyTheme(theme(ThemeKind::kDark));                           // makes the buttons anew
-  EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));  // Enter begins
+  station.page->applyTheme(theme(ThemeKind::kDark));                           // rebuilds the buttons
+  EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));  // Enter starts
   station.press("begin");
 
   ASSERT_EQ(station.pageId, PageId::kDeviceCheck);
@@ -162,7 +162,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_FALSE(station.page->leave());
   station.train(15 * kSecond_us);
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:25"));
-  EXPECT_NEAR(station.find<QProgressBar>("timeLeft")->value(), 1000 * 25 / 40, 2);  // of what is left
+  EXPECT_NEAR(station.find<QProgressBar>("timeLeft")->value(), 1000 * 25 / 40, 2);  // of the remaining time
   station.train(kMinute_us);                                                        // hard stop
 
   ASSERT_EQ(station.pageId, PageId::kDebrief);
@@ -187,7 +187,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(StationPages, NothingIsRecordedBeforeTheTraineeAgrees) {
+TEST(StationPages, NothingIsRecordedBeforeTheTraineeConsents) {
   TrainingCentre::Setup setup;
   setup.consent = false;
   TrainingCentre centre(setup);
@@ -216,7 +216,7 @@ TEST(StationPages, NothingIsRecordedBeforeTheTraineeAgrees) {
   EXPECT_EQ(decided, expected) << "each purpose is a decision of its own";
 }
 
-TEST(StationPages, ConsentIsKeptWithoutAskingTwiceAndWithdrawnForTheRecordAlone) {
+TEST(StationPages, ConsentIsStoredWithoutAskingTwiceAndWithdrawnOnlyForTheRecord) {
   TrainingCentre centre;
   Station station(centre);
   station.open(PageId::kConsent);
@@ -247,7 +247,7 @@ TEST(StationPages, ConsentIsKeptWithoutAskingTwiceAndWithdrawnForTheRecordAlone)
   }
 }
 
-TEST(StationPages, ATraineeAsksForACopyOfTheRecordAndReadsTheAnswer) {
+TEST(StationPages, ATraineeRequestsACopyOfTheRecordAndReadsTheAnswer) {
   TrainingCentre centre;
   Station station(centre);
   station.open(PageId::kConsent);
@@ -267,7 +267,7 @@ TEST(StationPages, ATraineeAsksForACopyOfTheRecordAndReadsTheAnswer) {
   EXPECT_TRUE(station.find<QPushButton>("askCopy")->isEnabled());
 }
 
-TEST(StationPages, AmberAllowsPracticeOnlyAndRedNothing) {
+TEST(StationPages, AmberAllowsOnlyPracticeAndRedNothing) {
   TrainingCentre centre;
   for (int i = 0; i < 2; ++i) {
     centre.attempt("first", "practice", 1.0);
@@ -287,7 +287,7 @@ TEST(StationPages, AmberAllowsPracticeOnlyAndRedNothing) {
   EXPECT_EQ(station.find<QLabel>("verdict")->text(), QStringLiteral("Not ready"));
 }
 
-TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
+TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsAutomatically) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us},
                   {.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kMinute_us}};
@@ -299,14 +299,14 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   station.open(PageId::kRun);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
   station.train(20 * kSecond_us);
-  EXPECT_TRUE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // practice helps
+  EXPECT_TRUE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // practice has help
 
   station.press("rest");
   EXPECT_EQ(station.run().runSession()->run().state(), RunState::kResting);
   station.train(10 * kSecond_us);
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:40"));
   station.press("goOn");
-  EXPECT_FALSE(station.find<QPushButton>("rest")->isEnabled());  // one rest, not to be split
+  EXPECT_FALSE(station.find<QPushButton>("rest")->isEnabled());  // a single rest, not divisible
   station.train(40 * kSecond_us);
   EXPECT_EQ(station.run().runSession()->run().state(), RunState::kHandOver);
   station.press("goOn");
@@ -316,12 +316,12 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   EXPECT_EQ(station.pageId, PageId::kDebrief);
   const NextSteps steps = nextSteps(centre.session(), centre.person());
   EXPECT_TRUE(steps.allPhasesDone);
-  EXPECT_EQ(attemptsOf(centre.session(), centre.person()).size(), 2U);  // the rest cut the recording in two
+  EXPECT_EQ(attemptsOf(centre.session(), centre.person()).size(), 2U);  // the rest split the recording
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-// The second click of a hasty hand neither ends the rest nor the run.
-TEST(StationPages, ADoubleClickOnRestBeginsOneRest) {
+// A hasty second click ends neither the rest nor the run.
+TEST(StationPages, ADoubleClickOnRestStartsASingleRest) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
@@ -341,7 +341,7 @@ TEST(StationPages, ADoubleClickOnRestBeginsOneRest) {
     return rest->isEnabled() && station.page->childAt(at) == rest;
   }));
 
-  for (int click = 0; click < 2; ++click) {  // each on what stands there by then
+  for (int click = 0; click < 2; ++click) {  // each on the button then present
     QWidget* under = station.page->childAt(at);
     ASSERT_NE(under, nullptr);
     QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFrom(station.page.get(), at));
@@ -368,7 +368,7 @@ TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
 
   station.open(PageId::kRun);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
-  station.page->resize(1146, 650);  // what the rail and the bars leave of 1366 x 768
+  station.page->resize(1146, 650);  // 1366 x 768 without navigation and bars
   station.page->show();
   station.find<QLabel>("cue")->setText(QStringLiteral("Nearly there. Slow down."));
   QApplication::processEvents();
@@ -378,8 +378,8 @@ TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
   EXPECT_EQ(station.page->findChild<QScrollArea*>()->verticalScrollBar()->maximum(), 0);
 }
 
-// With the bar of a look round the page is lower still, and a verdict of two lines stands below.
-TEST(StationPages, AWarningIsSeenWholeInTheSmallestWindow) {
+// With a visitor's bar, the page is even lower, with a feedback of two lines below.
+TEST(StationPages, AWarningIsFullyVisibleInTheSmallestWindow) {
   TrainingCentre::Setup setup;
   setup.leastTwists = 2;
   TrainingCentre centre(setup);
@@ -390,7 +390,7 @@ TEST(StationPages, AWarningIsSeenWholeInTheSmallestWindow) {
   station.page->resize(1146, 602);
   station.page->show();
   auto* scene = station.find<LiveScene>("scene");
-  scene->hide();  // its clock stands: the test says what it shows
+  scene->hide();  // stops its timer: the test sets the state
   const auto show = [&](ExercisePhase phase, double angle_rad, double depth_m, std::int64_t released_us) {
     LiveState state;
     state.phase = phase;
@@ -430,7 +430,7 @@ TEST(StationPages, AWarningIsSeenWholeInTheSmallestWindow) {
   EXPECT_LT(below, 6 * kSpace) << "close to the gauge that it speaks of";
 }
 
-TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
+TEST(StationPages, AnAbortedRunIsShownAsInterrupted) {
   TrainingCentre centre;
   {
     Station station(centre);
@@ -439,7 +439,7 @@ TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
     station.open(PageId::kRun);
     ASSERT_TRUE(soon([&] { return station.run().busy(); }));
     station.train(5 * kSecond_us);
-    // Everything goes without a word, as when the power fails; tests/app/services/training kills a real
+    // Destroys everything without notice, like a power failure; tests/app/services/training kills a real
     // program.
   }
   centre.passTime_us(utcNow_us() - torsio::testing::kCentreTime_us + kMinute_us);
@@ -452,13 +452,13 @@ TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
   EXPECT_EQ(nextSteps(centre.session(), centre.person()).interrupted.size(), 1U);
 }
 
-TEST(StationPages, TheDebriefTellsOfATwistThatTheEndCutOff) {
+TEST(StationPages, TheDebriefMentionsATwistInterruptedByTheEnd) {
   TrainingCentre centre;
   Station station(centre);
   const auto unfinishedIn = [&](const std::string& trial) {
     return torsio::debrief(centre.session(), trial, {}, &torsio::testing::trainingBar()).unfinishedTwists;
   };
-  // The hand twists again and again: one of these ends falls into a twist, another one does not.
+  // The hand twists repeatedly: one of these ends is during a twist, another is not.
   std::string cutOff;
   std::string whole;
   for (double end_s = 12.0; end_s < 24.0 && (cutOff.empty() || whole.empty()); end_s += 1.0) {
@@ -468,7 +468,7 @@ TEST(StationPages, TheDebriefTellsOfATwistThatTheEndCutOff) {
   ASSERT_FALSE(cutOff.empty());
   ASSERT_FALSE(whole.empty());
 
-  const LanguageSwitch english;  // its plurals
+  const LanguageSwitch english;  // for its plurals
   station.open(PageId::kDebrief, toQString(cutOff));
 
   EXPECT_TRUE(station.allText().contains(QStringLiteral("One twist was not completed and is not counted.")))
@@ -495,7 +495,7 @@ TEST(StationPages, AWeaknessLeadsToItsSeconds) {
   EXPECT_DOUBLE_EQ(plot.range().to_s, told.duration_s);
 }
 
-TEST(StationPages, TheDebriefShowsTheRunInThreeDimensionsWithTheExpertsGhost) {
+TEST(StationPages, TheDebriefShowsTheRunIn3dWithTheExpertsGhost) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", 0.3, 20.0);
   Station station(centre);
@@ -509,7 +509,7 @@ TEST(StationPages, TheDebriefShowsTheRunInThreeDimensionsWithTheExpertsGhost) {
   const TwistResult& twist = page.debrief().twists.front();
   const double middle_s = 0.5 * (twist.when.from_s + twist.when.to_s);
 
-  // A question is about the moment that replay and plot show, however much of the run the plot shows.
+  // A question is about the moment shown by replay and plot, whatever range the plot shows.
   auto* ask = station.find<QPushButton>("ask");
   EXPECT_TRUE(ask->text().endsWith(clockTenths(0.0))) << ask->text().toStdString();
   plot->show(twist.when);
@@ -525,7 +525,7 @@ TEST(StationPages, TheDebriefShowsTheRunInThreeDimensionsWithTheExpertsGhost) {
   const QString before = plot->reading();
   slider->setValue(static_cast<int>(100.0 * middle_s));
 
-  // One slider for both, and the values beside the playhead are those of that moment.
+  // One slider for both, with the values of that moment beside the playhead.
   EXPECT_NEAR(replay->position_s(), middle_s, 0.02);
   EXPECT_TRUE(replay->ghostShown());
   EXPECT_NE(plot->reading(), before);
@@ -537,7 +537,7 @@ TEST(StationPages, TheDebriefShowsTheRunInThreeDimensionsWithTheExpertsGhost) {
   EXPECT_NEAR(replay->position_s(), middle_s + 0.5, 0.02);
 }
 
-TEST(StationPages, ConsentIsNeverDecidedByAnEnterThatIsOnItsWay) {
+TEST(StationPages, ALateEnterNeverDecidesConsent) {
   TrainingCentre centre;
   Station station(centre);
   station.open(PageId::kConsent);
@@ -552,7 +552,7 @@ TEST(StationPages, TheRunCountsItsTwists) {
   TrainingCentre::Setup setup;
   setup.leastTwists = 3;
   TrainingCentre centre(setup);
-  const LanguageSwitch english;  // its plurals
+  const LanguageSwitch english;  // for its plurals
   Station station(centre);
   station.openRun(false, [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
     return std::make_unique<ScriptedHand>(practised(scene, target_rad));
@@ -590,8 +590,8 @@ TEST(StationPages, TheRunCountsItsTwists) {
   EXPECT_TRUE(warning->text().isEmpty());
 }
 
-// What is said below the checks wraps; the cards grow with it, also while the page is seen already.
-TEST(StationPages, TheDebriefShowsEverySentenceWhole) {
+// Text below the checks wraps; cards grow with it, even if the page is already visible.
+TEST(StationPages, TheDebriefShowsEverySentenceCompletely) {
   TrainingCentre centre;
   applyTheme(*qApp, theme(ThemeKind::kLight));
   const TrialId run = centre.attempt("first", "practice", 1.0);
@@ -622,15 +622,15 @@ TEST(StationPages, TheDebriefShowsEverySentenceWhole) {
   }
 }
 
-/// What a page shows, in what it is scrolled in.
+/// Returns the scroll area of a page.
 QScrollArea& scrolledOf(QWidget& page) {
   auto* area = page.findChild<QScrollArea*>();
   EXPECT_NE(area, nullptr);
   return *area;
 }
 
-// In a window of 1000 x 600 nothing of it lies beyond the right edge; in a wide one both looks at the run
-// stand side by side.
+// In a window of 1000 x 600, nothing extends beyond the right edge; in a wide one, both views of the run are
+// side by side.
 TEST(StationPages, TheDebriefFitsTheWidthOfASmallWindow) {
   TrainingCentre centre;
   applyTheme(*qApp, theme(ThemeKind::kLight));
@@ -657,7 +657,7 @@ TEST(StationPages, TheDebriefFitsTheWidthOfASmallWindow) {
   }
 }
 
-TEST(TrendPlot, WhatIsCountedHasWholeMarksOnly) {
+TEST(TrendPlot, CountsHaveOnlyWholeMarks) {
   const auto marksOf = [](Quantity quantity, double most) {
     Trend trend;
     trend.quantity = quantity;
@@ -679,7 +679,7 @@ TEST(TrendPlot, WhatIsCountedHasWholeMarksOnly) {
   EXPECT_GT(angles.size(), 2U);
 }
 
-TEST(StationPages, TheTranscriptSaysOnceHowCompetenceIsJudged) {
+TEST(StationPages, TheTranscriptExplainsOnceHowCompetenceIsJudged) {
   TrainingCentre centre;
   centre.attempt("first", "practice", 1.0);
   Station station(centre);

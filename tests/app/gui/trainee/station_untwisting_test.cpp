@@ -29,7 +29,7 @@ TrainingCentre::Setup loopOfSmallBowel() {
   return setup;
 }
 
-/// A run on the shipped loop by a scripted hand, until it has been left alone.
+/// A run on the shipped loop by a scripted hand, until hands are off.
 TrialId undoneRun(TrainingCentre& centre) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
@@ -48,7 +48,7 @@ TrialId undoneRun(TrainingCentre& centre) {
   return trial.recording.trialId;
 }
 
-TEST(StationOfAnUntwisting, TheBriefingSaysWhatCameHowItIsDoneAndWhenItIsUndone) {
+TEST(StationOfAnUntwisting, TheBriefingDescribesTheTwistItsTreatmentAndTheGoal) {
   TrainingCentre centre(loopOfSmallBowel());
   Station station(centre);
   station.desk().moduleId = centre.module("first");
@@ -65,7 +65,7 @@ TEST(StationOfAnUntwisting, TheBriefingSaysWhatCameHowItIsDoneAndWhenItIsUndone)
   EXPECT_FALSE(text.contains(QStringLiteral("release within")));  // no target
 }
 
-TEST(StationOfAnUntwisting, TheBriefingOfATwistSaysItsTargetAndNothingOfTissueTime) {
+TEST(StationOfAnUntwisting, TheBriefingOfATwistShowsItsTargetAndNoTissueTime) {
   TrainingCentre centre;
   Station station(centre);
   station.desk().moduleId = centre.module("first");
@@ -77,7 +77,7 @@ TEST(StationOfAnUntwisting, TheBriefingOfATwistSaysItsTargetAndNothingOfTissueTi
   EXPECT_FALSE(text.contains(QStringLiteral("of the tissue")));
 }
 
-TEST(StationOfAnUntwisting, TheDebriefChangesBetweenATwistAndAnUntwisting) {
+TEST(StationOfAnUntwisting, TheDebriefSwitchesBetweenATwistAndAnUntwisting) {
   TrainingCentre centre(loopOfSmallBowel());
   const TrialId twisted = centre.attempt("first", "practice", 1.0);
   const TrialId undone = undoneRun(centre);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A phase on the real arm with a tracker of OpenIGTLink's own classes on the instrument.
+// A phase on the real arm, with a tracker made of OpenIGTLink's own classes on the instrument.
 #include "app/gui/trainee/tracker_panel.h"
 
 #include <algorithm>
@@ -41,13 +41,13 @@ TrainingCentre::Setup onTheRealArm() {
   return setup;
 }
 
-/// Poses of 100 Hz on a line of 0.1 m/s, by a clock of its own that goes as that of the station does: a busy
-/// machine sends a pose late, but the time that the pose tells stays true.
+/// Poses at 100 Hz on a line at 0.1 m/s, with a separate clock in step with the station's: a busy machine
+/// sends a pose late, but with the right time stamp.
 class Line {
  public:
   explicit Line(FakeTracker& tracker) : tracker_(tracker) {}
 
-  /// Sends the next poses one after the other, each when its time has come.
+  /// Sends the next poses one after another, each at its time.
   void send(int count) {
     for (const int end = next_ + count; next_ < end; ++next_, ++sent_) {
       std::this_thread::sleep_for(std::chrono::microseconds(began_us_ + next_ * kEvery_us - clock_.now_us()));
@@ -55,7 +55,7 @@ class Line {
                                          kItsTime_us + next_ * kEvery_us));
     }
   }
-  /// Leaves out the poses whose time is over.
+  /// Skips the poses whose time has passed.
   void skip() { next_ = std::max(next_, static_cast<int>((clock_.now_us() - began_us_) / kEvery_us) + 2); }
   [[nodiscard]] int sent() const { return sent_; }
   [[nodiscard]] int leftOut() const { return next_ - sent_; }
@@ -86,11 +86,11 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   bool recorded = false;
   ASSERT_TRUE(soon([&] {
     if (recorded) {
-      return true;  // a pose more would stand alone in the recording
+      return true;  // another pose would be alone in the recording
     }
     line.skip();
-    line.send(1);  // a tracker that says nothing for two seconds is silent
-    while (link.view().counts.received < line.sent()) {  // none is on its way as the recording begins
+    line.send(1);  // a tracker is silent after two seconds without a message
+    while (link.view().counts.received < line.sent()) {  // none in transit when the recording starts
       std::this_thread::yield();
     }
     station.run().tick();
@@ -113,7 +113,7 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   EXPECT_TRUE(isForeign(trial.sceneId));
   EXPECT_EQ(trial.traineeCode, nextSteps(centre.session(), centre.person()).traineeCode);
   EXPECT_FALSE(trial.phaseId.empty());
-  EXPECT_TRUE(trial.moduleId.empty());  // no attempt at anything
+  EXPECT_TRUE(trial.moduleId.empty());  // not an attempt at a module
   EXPECT_TRUE(attemptsOf(centre.session(), centre.person()).empty());
   ASSERT_TRUE(trial.summary);
   EXPECT_EQ(trial.summary->outcome, TrialOutcome::kCompleted);
@@ -125,7 +125,7 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(TrackerPanel, ConnectsWhereItIsToldAndRemembersIt) {
+TEST(TrackerPanel, ConnectsToTheGivenAddressAndRemembersIt) {
   const QTemporaryDir folder;
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
   TrainingCentre centre(onTheRealArm());

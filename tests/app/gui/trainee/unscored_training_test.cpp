@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Somebody begins to train before they were scored: stopped, or noted with a reason, and told why.
+// Training before being scored: stopped, or noted with a reason, and explained.
 #include <functional>
 #include <string>
 
@@ -24,7 +24,7 @@
 namespace torsio::gui {
 namespace {
 
-/// Ten chiefs who are asked for the live sheet of T-01 before training.
+/// Asks ten chiefs for the live sheet of T-01 before training.
 void askTenForTheFirstSheet(torsio::testing::TrainingCentre& centre) {
   std::vector<Rater> chiefs(10);
   std::vector<Assignment> sheets;
@@ -52,7 +52,7 @@ void askTenForTheFirstSheet(torsio::testing::TrainingCentre& centre) {
   repository.assign(sheets);
 }
 
-TEST(StationPages, TrainingBeforeAnySheetIsInTellsWhyItStopsAndBeginsOnlyWithANotedReason) {
+TEST(StationPages, TrainingBeforeAnySheetIsExplainedAndStartsOnlyWithANotedReason) {
   torsio::testing::TrainingCentre centre;
   askTenForTheFirstSheet(centre);
   Station station(centre);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of a trainee who undoes organs: no row of twists, what was asked for in words.
+// The pages of a trainee who untwists organs: no series of twists, the task in words.
 #include <QComboBox>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TrainingCentre::Setup untwistings() {
   return setup;
 }
 
-TEST(UntwistingPages, TheTrendShowsWhatAnUntwistingIsMeasuredBy) {
+TEST(UntwistingPages, TheTrendShowsTheQuantitiesOfAnUntwisting) {
   TrainingCentre centre(untwistings());
   centre.untwist("first", "practice");
   centre.untwist("first", "practice", 1);
@@ -47,7 +47,7 @@ TEST(UntwistingPages, TheTrendShowsWhatAnUntwistingIsMeasuredBy) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(UntwistingPages, TheNextStepAsksForAYesInWords) {
+TEST(UntwistingPages, TheNextStepShowsAYesOrNoRuleInWords) {
   TrainingCentre centre(untwistings());
   centre.untwist("first", "practice", 1);
   Station station(centre);

@@ -37,7 +37,7 @@ struct Shown {
   }
 };
 
-TEST(ColumnWidths, TheWidestGiveWayDownToTheirTitles) {
+TEST(ColumnWidths, TheWidestShrinkDownToTheirTitles) {
   using Widths = std::vector<int>;
   EXPECT_EQ(sharedWidths({{100, 40}, {60, 40}}, 160), (Widths{100, 60})) << "there is room";
   EXPECT_EQ(sharedWidths({{100, 40}, {0, 0}, {60, 40}}, 200), (Widths{125, 0, 75})) << "all take of it";
@@ -48,14 +48,14 @@ TEST(ColumnWidths, TheWidestGiveWayDownToTheirTitles) {
   EXPECT_EQ(sharedWidths({}, 30), Widths{});
 }
 
-TEST(NumberText, GroupsAndHasTheMinusOfPrintButNoneBeforeAZero) {
+TEST(NumberText, IsGroupedWithATypographicMinusButNoneBeforeZero) {
   EXPECT_EQ(numberText(-68219.456, 1), QStringLiteral("\u221268,219.5"));
   EXPECT_EQ(numberText(-0.04, 1), QStringLiteral("0.0"));
   EXPECT_EQ(numberText(-0.06, 1), QStringLiteral("\u22120.1"));
   EXPECT_EQ(countText(-1080), QStringLiteral("\u22121,080"));
 }
 
-TEST(NumberText, OfAFileKeepsItsDecimalsAndWhatIsNoNumberStays) {
+TEST(NumberText, FromAFileKeepsItsDecimalsAndOtherTextIsUnchanged) {
   EXPECT_EQ(numberText(QStringLiteral("-1808.0031")), QStringLiteral("\u22121,808.0031"));
   EXPECT_EQ(numberText(QStringLiteral("7666")), QStringLiteral("7,666"));
   for (const char* none : {"", "007", "1e-5", "2026-01-05", "0.5 N", "-"}) {
@@ -63,7 +63,7 @@ TEST(NumberText, OfAFileKeepsItsDecimalsAndWhatIsNoNumberStays) {
   }
 }
 
-TEST(DataTable, GivesOtherProgramsAMinusThatTheyRead) {
+TEST(DataTable, CopiesAMinusThatOtherProgramsUnderstand) {
   DataTable table{QString()};
   table.setColumns({{"Angle", true}});
   table.setRows({{"a", {{numberText(-58.81, 2), -58.81}}}});
@@ -71,7 +71,7 @@ TEST(DataTable, GivesOtherProgramsAMinusThatTheyRead) {
   EXPECT_EQ(table.asText(), "Angle\n-58.81\n");
 }
 
-/// Colours along the upper edge of a row, each with how often it is there.
+/// Returns the colours along the upper edge of a row with their frequencies.
 std::map<QRgb, int> edgeOf(DataTable& table, int row) {
   const QImage seen = table.view().viewport()->grab().toImage();
   const int y = table.view().rowViewportPosition(row);
@@ -82,7 +82,7 @@ std::map<QRgb, int> edgeOf(DataTable& table, int row) {
   return colours;
 }
 
-TEST(DataTable, ShowsTheKeysAtARowAndNeverAtACellOfIt) {
+TEST(DataTable, ShowsFocusOnARowAndNeverOnACell) {
   applyTheme(*qApp, theme(ThemeKind::kLight));
   Shown shown;
   shown.table.resize(500, 300);
@@ -102,7 +102,7 @@ TEST(DataTable, ShowsTheKeysAtARowAndNeverAtACellOfIt) {
   EXPECT_EQ(edgeOf(shown.table, 0).count(theme(ThemeKind::kLight).accent.rgb()), 0U);
 }
 
-TEST(DataTable, KeepsTheGivenOrderUntilAHeaderIsPressed) {
+TEST(DataTable, KeepsTheGivenOrderUntilAHeaderIsClicked) {
   Shown shown;
 
   EXPECT_EQ(shown.table.asText(), "Code\tMark\nT-2\t8.5\nT-10\t10.0\nT-1\t9.0\n");
@@ -120,7 +120,7 @@ TEST(DataTable, SortsCodesByTheirNumbersAndMarksBySize) {
   EXPECT_EQ(byMark, "Code\tMark\nT-10\t10.0\nT-1\t9.0\nT-2\t8.5\n");
 }
 
-TEST(DataTable, ANumberAtTheEndStandsBesideItsRowHoweverWideTheListIs) {
+TEST(DataTable, ANumberInTheLastColumnStaysNearItsRowHoweverWideTheList) {
   DataTable numbers{QString()};
   DataTable words{QString()};
   numbers.setColumns({{"Code"}, {"Mark", true}});
@@ -135,14 +135,14 @@ TEST(DataTable, ANumberAtTheEndStandsBesideItsRowHoweverWideTheListIs) {
 
   EXPECT_LT(filled_px(numbers), 500);
   EXPECT_EQ(filled_px(words), words.view().viewport()->width());
-  // The last one that is seen counts.
+  // The last visible column counts.
   words.setColumns({{"Code"}, {"State"}, {"Mark", true}});
   EXPECT_FALSE(words.view().horizontalHeader()->stretchLastSection());
   words.setColumnHidden(2, true);
   EXPECT_TRUE(words.view().horizontalHeader()->stretchLastSection());
 }
 
-TEST(DataTable, ANumberKeepsOffTheTextThatFollowsInRowsAndTitles) {
+TEST(DataTable, ANumberIsSeparatedFromTheNextTextInRowsAndTitles) {
   applyTheme(*qApp, theme(ThemeKind::kLight));
   DataTable table{QString()};
   table.resize(300, 200);
@@ -175,7 +175,7 @@ TEST(DataTable, ANumberKeepsOffTheTextThatFollowsInRowsAndTitles) {
             QFontMetrics(titles.font()).horizontalAdvance("Mark") + 3 * kSpace);
 }
 
-TEST(DataTable, RowsGoOnInTheirColoursWhereTheColumnsEnd) {
+TEST(DataTable, RowColoursContinueBeyondTheLastColumn) {
   Shown shown;
   shown.table.resize(1200, 300);
   shown.table.show();
@@ -195,7 +195,7 @@ TEST(DataTable, RowsGoOnInTheirColoursWhereTheColumnsEnd) {
   EXPECT_NE(seen(end + 20, 0), seen(end + 20, 2));
 }
 
-TEST(DataTable, AShortLastColumnLeavesTheOthersTheirRoom) {
+TEST(DataTable, AShortLastColumnLeavesSpaceForTheOthers) {
   DataTable table{QString()};
   table.resize(1200, 200);  // the last column fills it before there are rows
   table.setColumns({{"Name"}, {"State"}});
@@ -210,7 +210,7 @@ TEST(DataTable, AShortLastColumnLeavesTheOthersTheirRoom) {
   EXPECT_GE(table.view().horizontalHeader()->sectionSize(0), table.fontMetrics().horizontalAdvance(name));
 }
 
-TEST(DataTable, AColumnThatWasHiddenIsReadableAsSoonAsItIsShown) {
+TEST(DataTable, AHiddenColumnIsReadableAsSoonAsItIsShown) {
   for (const bool touched : {false, true}) {
     DataTable table{QString()};
     table.resize(600, 200);
@@ -219,7 +219,7 @@ TEST(DataTable, AColumnThatWasHiddenIsReadableAsSoonAsItIsShown) {
     table.setColumnHidden(1, true);
     table.show();
     QApplication::processEvents();
-    table.resize(640, 200);  // the widths are shared anew
+    table.resize(640, 200);  // redistributes the widths
     QApplication::processEvents();
     if (touched) {
       table.view().sortByColumn(0, Qt::AscendingOrder);
@@ -234,7 +234,7 @@ TEST(DataTable, AColumnThatWasHiddenIsReadableAsSoonAsItIsShown) {
   }
 }
 
-TEST(DataTable, NarrowsTheWidestColumnBeforeItScrollsSideways) {
+TEST(DataTable, ShrinksTheWidestColumnBeforeItScrollsHorizontally) {
   DataTable table{QString()};
   table.resize(500, 200);
   table.setColumns({{"Code"}, {"What was done"}, {"Mark", true}});
@@ -249,8 +249,8 @@ TEST(DataTable, NarrowsTheWidestColumnBeforeItScrollsSideways) {
   EXPECT_GT(header.sectionSize(1), header.sectionSize(0));
 }
 
-// As the two lists of the allocation page stand on the smallest screen, one with a tool and one without.
-TEST(DataTable, AnEmptyListOfTitlesThatFitIsNotScrolledAndBeginsWhereItsNeighbourDoes) {
+// Like the two lists of the allocation page on the smallest screen, one with a tool and one without.
+TEST(DataTable, AnEmptyListWithFittingTitlesDoesNotScrollAndAlignsWithItsNeighbour) {
   applyTheme(*qApp, theme(ThemeKind::kLight));
   QWidget window;
   auto* row = new QHBoxLayout(&window);
@@ -295,7 +295,7 @@ TEST(DataTable, CopiesTheSelectionAsShownWithItsHeaders) {
   EXPECT_EQ(QApplication::clipboard()->text(), "Mark\tCode\n9.0\tT-1\n");
 }
 
-TEST(DataTable, KeepsTheSelectionWhenRowsAreReadAnew) {
+TEST(DataTable, KeepsTheSelectionWhenRowsAreReread) {
   Shown shown;
   shown.table.select("b");
 
@@ -316,7 +316,7 @@ TEST(DataTable, OpensTheCurrentRowWithEnter) {
   EXPECT_EQ(opened, "c");
 }
 
-TEST(DataTable, AddsUpWhatIsSeen) {
+TEST(DataTable, ShowsSumsOfVisibleRows) {
   DataTable table{QString()};
   table.setColumns({{"Code"}, {"Mark", true, true}});
   table.setRows(trainees());
@@ -327,7 +327,7 @@ TEST(DataTable, AddsUpWhatIsSeen) {
   EXPECT_EQ(table.totals(), "Total: Mark 19");
 }
 
-/// A page of this role with a list, in which somebody moved a column.
+/// A page of this role with a list in which the user moved a column.
 QString firstColumnOf(const QString& role, bool move) {
   QWidget page;
   page.setProperty("role", role);
@@ -348,7 +348,7 @@ TEST(DataTable, RemembersItsColumnsForEachRole) {
   EXPECT_EQ(firstColumnOf("statistician", false), "Code");
 }
 
-TEST(DataTable, SortsAndChoosesColumnsWithoutTheMouse) {
+TEST(DataTable, SortsAndSelectsColumnsWithoutTheMouse) {
   Shown shown;
   QTableView& view = shown.table.view();
   view.selectionModel()->setCurrentIndex(view.model()->index(0, 1), QItemSelectionModel::NoUpdate);
@@ -362,7 +362,7 @@ TEST(DataTable, SortsAndChoosesColumnsWithoutTheMouse) {
   EXPECT_EQ(shown.table.asText(), "Code\tMark\nT-10\t10.0\nT-1\t9.0\nT-2\t8.5\n");
 }
 
-TEST(SignedBox, ShowsTheMinusOfPrintAndTakesBothSigns) {
+TEST(SignedBox, ShowsATypographicMinusAndAcceptsBothSigns) {
   SignedBox box;
   box.setRange(-180.0, 180.0);
   box.setSuffix(QStringLiteral("\u00b0"));

@@ -66,7 +66,7 @@ TEST(Theme, ContrastOfBlackAndWhiteIsTwentyOne) {
   EXPECT_NEAR(contrast(Qt::red, Qt::red), 1.0, 1e-12);
 }
 
-TEST_P(ThemeContrast, TextIsLegibleOnEveryGround) {
+TEST_P(ThemeContrast, TextIsLegibleOnEveryBackground) {
   const Theme& t = theme(GetParam());
 
   for (const QColor& ground : {t.window, t.surface, t.raised}) {
@@ -80,7 +80,7 @@ TEST_P(ThemeContrast, TextIsLegibleOnEveryGround) {
   EXPECT_GE(contrast(t.onAccent, t.accent), kText);
 }
 
-/// Colour of a text as it is painted: a hint may be a text that shines through.
+/// Returns the painted colour of a text, which may be translucent.
 QColor shownOn(const QColor& ground, const QColor& text) {
   const auto alpha = static_cast<double>(text.alphaF());
   const auto mixed = [alpha](int from, int to) { return static_cast<int>(from + (to - from) * alpha); };
@@ -88,7 +88,7 @@ QColor shownOn(const QColor& ground, const QColor& text) {
                 mixed(ground.blue(), text.blue()));
 }
 
-TEST_P(ThemeContrast, HintsInFieldsAndWhatIsDisabledAreLegible) {
+TEST_P(ThemeContrast, HintsInFieldsAndDisabledTextsAreLegible) {
   const Theme& t = theme(GetParam());
   applyTheme(*qApp, t);
   for (const QColor& ground : {t.window, t.surface, t.raised}) {
@@ -119,7 +119,7 @@ TEST_P(ThemeContrast, HintsInFieldsAndWhatIsDisabledAreLegible) {
   }
 }
 
-TEST(Icons, AreAnotherOneForEachPageOfTheNavigation) {
+TEST(Icons, AreDifferentForEachPageOfTheNavigation) {
   std::map<QString, PageId> pages;
   for (int i = 0; i <= static_cast<int>(PageId::kDevices); ++i) {
     const auto id = static_cast<PageId>(i);
@@ -134,7 +134,7 @@ TEST(Icons, AreAnotherOneForEachPageOfTheNavigation) {
   EXPECT_GT(pages.size(), 20U);
 }
 
-TEST(Icons, TheProgramHasOneOfItsOwnInEverySize) {
+TEST(Icons, TheProgramHasItsOwnInEverySize) {
   const QIcon sign = applicationIcon();
   for (const int size : {16, 32, 64, 256}) {
     const QImage picture = sign.pixmap(size, size).toImage();
@@ -143,7 +143,7 @@ TEST(Icons, TheProgramHasOneOfItsOwnInEverySize) {
   }
 }
 
-TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {
+TEST_P(ThemeContrast, MarksStandOutFromTheirBackground) {
   const Theme& t = theme(GetParam());
 
   EXPECT_GE(contrast(t.border, t.surface), kMark);
@@ -157,7 +157,7 @@ TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {
 
 INSTANTIATE_TEST_SUITE_P(LightAndDark, ThemeContrast, ::testing::Values(ThemeKind::kLight, ThemeKind::kDark));
 
-TEST_P(ThemeContrast, ACardLooksLikeOneWhateverItIsCalled) {
+TEST_P(ThemeContrast, ACardLooksLikeOneWhateverItsObjectName) {
   const Theme& t = theme(GetParam());
   applyTheme(*qApp, t);
   Card card(QStringLiteral("This session"));
@@ -189,12 +189,12 @@ TEST_P(ThemeContrast, TheCurrentEntryOfAnOpenListIsReadable) {
   const QColor ground = picture.pixelColor(row.right() - 12, row.center().y());
 
   EXPECT_GE(contrast(t.onAccent, ground), kText) << ground.name().toStdString();
-  EXPECT_GE(list.viewport()->width(), list.sizeHintForColumn(0));  // no entry is cut off
+  EXPECT_GE(list.viewport()->width(), list.sizeHintForColumn(0));  // no entry is clipped
   box.hidePopup();
 }
 
-// Side by side in a form, and with the keys in them as without.
-TEST_P(ThemeContrast, FieldsOfALineAreOfOneHeight) {
+// Side by side in a form, with and without focus.
+TEST_P(ThemeContrast, FieldsInALineHaveTheSameHeight) {
   applyTheme(*qApp, theme(GetParam()));
   QWidget window;
   QLineEdit line(&window);
@@ -217,8 +217,8 @@ TEST_P(ThemeContrast, FieldsOfALineAreOfOneHeight) {
   }
 }
 
-// The ground of the current entry reaches the edges, what is written keeps off them.
-TEST_P(ThemeContrast, EntriesOfAListKeepOffItsEdges) {
+// The current entry's background reaches the edges, its text has padding.
+TEST_P(ThemeContrast, EntriesOfAListHavePadding) {
   const Theme& t = theme(GetParam());
   applyTheme(*qApp, t);
   QListWidget list;
@@ -274,7 +274,7 @@ SliderLook lookOf(QSlider& slider) {
           seen.copy(handle)};
 }
 
-TEST_P(ThemeContrast, ASliderShowsWhereItStandsAndWhetherTheKeysAreInIt) {
+TEST_P(ThemeContrast, ASliderShowsItsPositionAndFocus) {
   const Theme& t = theme(GetParam());
   applyTheme(*qApp, t);
   for (const Qt::Orientation orientation : {Qt::Horizontal, Qt::Vertical}) {
@@ -310,7 +310,7 @@ TEST_P(ThemeContrast, ASliderShowsWhereItStandsAndWhetherTheKeysAreInIt) {
   }
 }
 
-TEST(Icons, EveryIconOfTheWindowIsThereInBothThemes) {
+TEST(Icons, EveryIconOfTheWindowExistsInBothThemes) {
   for (const char* name : {"record", "stop", "replay", "release", "front", "side", "top", "fit", "lattice",
                            "wireframe", "picture", "theme", "open", "help", "play", "pause", "close"}) {
     for (const ThemeKind kind : {ThemeKind::kLight, ThemeKind::kDark}) {
@@ -336,8 +336,8 @@ TEST(Icons, EveryDrawingOfTheFolderIsInTheProgram) {
   EXPECT_EQ(compiled, drawings) << "list it in app/gui/widgets/CMakeLists.txt";
 }
 
-// The same words in a window of 4K: no line is longer than the eye finds its way back from.
-TEST(Sentence, BreaksItsLinesAtAHundredAndTwentySigns) {
+// The same text in a 4K window: no line exceeds a readable length.
+TEST(Sentence, WrapsAtAHundredAndTwentyCharacters) {
   QLabel& words = *sentence(nullptr);
   const std::unique_ptr<QLabel> owned(&words);
   words.setText(QStringLiteral("one run decides nothing ").repeated(20));
@@ -357,8 +357,8 @@ TEST(Sentence, BreaksItsLinesAtAHundredAndTwentySigns) {
   }
 }
 
-// Beside other cards its right edge is theirs; only a scroll bar takes room from it.
-TEST(ScrollGap, IsThereWhileThereIsAScrollBar) {
+// Its right edge aligns with other cards; only a scroll bar takes space from it.
+TEST(ScrollGap, ExistsWhileThereIsAScrollBar) {
   QScrollArea area;
   area.setFrameShape(QFrame::NoFrame);
   area.setWidgetResizable(true);
