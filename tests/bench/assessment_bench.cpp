@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two targets of the assessment: one million evaluations (Eqs. 25 to 27) of 40 raters x 9 indices within
-// 2 s, and the metrics of a trial of 40 minutes (2.4 million samples) within 2 s.
+// Two targets of the assessment: one million evaluations (Eqs. 25 to 27) of 40 raters x 9 indices within 2 s,
+// and the metrics of a trial of 40 minutes (2.4 million samples) within 2 s.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +43,7 @@ void evaluateAMillionTimes(benchmark::State& state) {
 }
 BENCHMARK(evaluateAMillionTimes)->Unit(benchmark::kMillisecond);
 
-/// Twists of 20 s, one after the other: 3 s free, 1 s contact, 12 s turning, 3 s hold, 1 s release.
+/// Returns successive twists of 20 s: 3 s free, 1 s contact, 12 s turning, 3 s hold, 1 s release.
 TrialTrace longTrial(std::size_t samples) {
   constexpr std::size_t kPeriod = 20'000;
   constexpr double kTarget_rad = 1.2;

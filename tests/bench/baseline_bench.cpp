@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Frames of the compared models on the shipped forearm, 36 ridges and 37 sections: what a frame of finite
-// elements and springs costs in frames of the twist model. Says the load of the machine.
+// Frames of the compared models on the shipped forearm, 36 ridges and 37 sections: the cost of a frame of
+// finite elements and springs in frames of the twist model. Prints the machine's load.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The record on the real clock, as large as a centre ever gets (10,000 trainees, 100,000 marks) in an SQLite
-// file: how long one second of samples takes to be safe on the disk, how long the lists take to open, what it
-// costs to verify all of it, and what the seals add to the storing of a trial. The last column is the ratio
-// to one STREAM triad over a million doubles on this machine.
+// The record in real time, at the largest size of a centre (10,000 trainees, 100,000 marks) in an SQLite
+// file: time to store one second of samples safely, to open the lists, and to verify everything, and the cost
+// of the seals when storing a trial. The last column is the ratio to one STREAM triad over a million doubles
+// on this machine.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -46,17 +46,17 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kTriadDoubles = 1'000'000;
 constexpr std::int64_t kSeconds = 600;
-constexpr std::size_t kSecond_bytes = 16'000;  // what an hour of 60 MB leaves for each
+constexpr std::size_t kSecond_bytes = 16'000;  // share of each in 60 MB per hour
 constexpr int kTrials = 10'000;
 constexpr int kOpenings = 21;
 constexpr double kInsertLimit_ms = 20.0;
 constexpr double kListLimit_ms = 100.0;
-constexpr double kVerifyLimit_s = 6.0;  // of processor
+constexpr double kVerifyLimit_s = 6.0;  // processor time
 constexpr double kVerifyLimit_MB = 200.0;
 constexpr int kStoredTrials = 10;
 constexpr int kStoringTurns = 25;
 constexpr std::int64_t kStoredSeconds = 60;
-constexpr double kSealShare = 1.10;  // of the processor time without seals
+constexpr double kSealShare = 1.10;  // relative to the processor time without seals
 
 double time_ms(const std::function<void()>& action) {
   const auto begun = std::chrono::steady_clock::now();
@@ -69,7 +69,7 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// Median time of a[i] = b[i] + s c[i].
+/// Returns the median time of a[i] = b[i] + s c[i].
 double triad_ms() {
   std::vector<double> a(kTriadDoubles, 0.0);
   const std::vector<double> b(kTriadDoubles, 1.0);
@@ -82,7 +82,7 @@ double triad_ms() {
         a[i] = b[i] + scale * c[i];
       }
     }));
-    scale = a[repeat] * 0.25;  // each pass needs the one before
+    scale = a[repeat] * 0.25;  // each pass depends on the previous one
   }
   return quantile(times_ms, 0.5);
 }
@@ -114,7 +114,7 @@ double processor_s(const std::function<void()>& action) {
   return static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
 }
 
-/// Finished trials of one second, for the lists and to be verified.
+/// Adds finished trials of one second, to list and to verify.
 void addTrials(Connection& connection, SampleRecord& sample) {
   Transaction transaction(connection);
   TrialRepository trials(connection, {.station = "room 1", .enrolmentId = sample.enrolments[0].id});
@@ -132,7 +132,7 @@ void addTrials(Connection& connection, SampleRecord& sample) {
   transaction.commit();
 }
 
-/// The whole program, as somebody calls it: processor time and the most memory that it ever held.
+/// Runs the whole program like a user: prints processor time and peak memory.
 void verifyAll(Bench& bench, const std::string& file) {
 #ifdef TORSIO_PROGRAM
   std::string words[] = {TORSIO_PROGRAM, "audit", "verify", "--database", file};
@@ -160,7 +160,7 @@ void verifyAll(Bench& bench, const std::string& file) {
 #endif
 }
 
-/// Trials of a minute as the recorder stores them, each second by itself.
+/// Stores trials of a minute like the recorder, second by second.
 void storeTrials(Connection& connection, SampleRecord& sample) {
   for (int i = 0; i < kStoredTrials; ++i) {
     TrialRepository trials(connection, {.station = "room 1"});
@@ -198,7 +198,7 @@ void insertSeconds(Bench& bench, Connection& connection, SampleRecord& sample) {
   bench.print("a second of samples, safe on the disk", times_ms, 0.99, kInsertLimit_ms);
 }
 
-/// What the seals add to the first report on a record whose recordings nobody has measured yet.
+/// Cost of the seals in the first report on a record whose recordings have not been measured.
 void storeDigests(Connection& connection) {
   std::vector<TrialDigest> digests;
   for (const TrialListing& trial : TrialRepository(connection).list({.limit = kTrials})) {

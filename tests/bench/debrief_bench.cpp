@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A debrief of a long run: from the stored chunks to strengths and weaknesses, the expert's run included. The
-// run is made with a manual clock. Prints one line a length and fails when a debrief takes longer than the
-// five seconds that a trainee is promised.
+// The debrief of a long run, from the stored chunks to strengths and weaknesses, including the expert's run.
+// The run is made with a manual clock. Prints one line per length and fails if a debrief takes longer than
+// the five seconds promised to trainees.
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -35,7 +35,7 @@ Trial longRun(const Scene& scene, std::int64_t minutes) {
   return sink.trial();
 }
 
-/// Processor time, so that other work on the machine does not count.
+/// Processor time, so that other load does not count.
 double processor_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -55,7 +55,7 @@ int main() {
     const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
     const AttemptMeasures measures = measureAttempt(measured);
     const double counted = processor_s();
-    const Scene again = loadScene(request);  // after a restart of the program nothing is loaded
+    const Scene again = loadScene(request);  // nothing is cached after a restart of the program
     const Trial expert = expertRun(again, trial.header.targetAngle_rad);
     const double shown = processor_s();
     const Debrief debrief = makeDebrief(trial.header, samples, measured, rules, &expert);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What leaves and comes in, large: 10,000 trials and 100,000 marks as a workbook within 10 s and 500 MB and
-// as tables within 5 s; an hour of foreign motion at 1 kHz within 10 s. Seconds of the processor. Exit code
-// 0: all met, 1: missed.
+// Large exports and imports: 10,000 trials and 100,000 marks as a workbook within 10 s and 500 MB and as
+// tables within 5 s; an hour of foreign motion at 1 kHz within 10 s. Processor time. Exit code 0: all met, 1:
+// missed.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -29,14 +29,14 @@ constexpr double kImportTarget_s = 10.0;
 constexpr double kMemoryTarget_MB = 500.0;
 constexpr int kHour_ms = 3'600'000;
 
-/// Most memory that this program has had so far.
+/// Returns the peak memory of this program.
 double mostMemory_MB() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1'024.0;
 }
 
-/// Prints what a piece of work took; whether it met its target (0: it has none).
+/// Runs work and prints its time; returns whether it met its target (0: none).
 bool meets(const char* what, double target_s, const std::function<void()>& work) {
   const std::clock_t begun = std::clock();
   work();
@@ -48,7 +48,7 @@ bool meets(const char* what, double target_s, const std::function<void()>& work)
   return met;
 }
 
-/// An hour at 1 kHz as a table, and its map.
+/// Writes an hour at 1 kHz as a table, with its map.
 fs::path writeHour(const fs::path& folder) {
   std::ofstream out(folder / "hour.csv");
   out << "t,x,y,z,qw,qx,qy,qz,jaw\n";

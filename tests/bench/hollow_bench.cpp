@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shipped hollow organs: set-up of their tables, one look-up of a wrung tube, and what the hand asks in a
-// tick: torque and slope, over all spans. Medians over batches of queries at angles and pressures in no
-// order, in processor time, which a busy machine does not take away. Exit code 1 where a target is missed:
-// set-up 1 s, torque with its slope 300 ns. Then the nearest surface of the twisted organ, by the bounds of
-// its map against the general assumption of DeformedSurface, in turn over the same places. Then the view of
-// each scene, whole frames against the triad over the bytes of vertices that a frame reads and writes
-// (padding not counted), and the kernels alone over 4,000 and 100,000 vertices; wanted: half of the triad.
-// Run from the repository's root.
+// The shipped hollow organs: set-up of their tables, one look-up of a wrung tube, and the torque and slope of
+// a servo tick over all spans. Medians over batches of queries at angles and pressures in random order, in
+// processor time, which is independent of other load. Exit code 1 if a target is missed: set-up 1 s, torque
+// with slope 300 ns. Then the nearest surface of the twisted organ, with the bounds of its map compared with
+// the general assumption of DeformedSurface, alternating over the same places. Then the view of each scene,
+// whole frames against the triad over the bytes of vertices read and written (without padding), and the
+// kernels alone over 4,000 and 100,000 vertices; target: half of the triad. Run from the repository's root.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,10 +19,10 @@
 #include <vector>
 
 #include "sim/core/random.h"
+#include "sim/scene/hollow_map.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/hollow_view.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/hollow_map.h"
 #include "sim/tissue/view/twist_kernels.h"
 #include "tests/support/shipped_scene.h"
 
@@ -42,7 +41,7 @@ double now_ns() {
   return static_cast<double>(std::chrono::duration_cast<std::chrono::nanoseconds>(time).count());
 }
 
-/// Median time of `query(angle, share of the pressure)`.
+/// Returns the median time of `query(angle, fraction of the pressure)`.
 template <typename Query>
 double median_ns(const Query& query) {
   constexpr int kBatches = 201;
@@ -96,8 +95,8 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// Prints how long it takes to find what is nearest to a tip and to a shaft within 20 mm of the surface of
-/// the organ at its largest twist, by either bound, and how often the assumed one misses it.
+/// Prints the time to find the nearest point to a tip and to a shaft within 20 mm of the organ's surface at
+/// its largest twist, with either bound, and how often the assumed one misses it.
 void touchScene(const std::string& id) {
   constexpr int kPlaces = 4000;
   const Scene scene = loadScene(requestOf(id));
@@ -129,7 +128,7 @@ void touchScene(const std::string& id) {
       id.c_str(), 1e-3 * median(assumed_ns), missed, kPlaces, 1e-3 * median(bounded_ns));
 }
 
-/// Prints how long work takes, and the triad over as many bytes against it: medians of pairs in turn.
+/// Prints the time of work, and its ratio to the triad over as many bytes: medians of alternating pairs.
 void beside(const std::string& name, Isa isa, std::size_t bytes, const std::function<void()>& work) {
   constexpr int kRepeats = 301;
   const std::size_t count = bytes / (3 * sizeof(float));
@@ -223,7 +222,7 @@ int main() {
     torsio::touchScene(id);
   }
   for (const torsio::Isa isa : torsio::usableIsas()) {
-    for (const std::size_t blocks : {250U, 6250U}) {  // 4,000 vertices lie in the second-level cache
+    for (const std::size_t blocks : {250U, 6250U}) {  // 4,000 vertices fit into the second-level cache
       torsio::drawTube(isa, false, blocks);
       torsio::drawTube(isa, true, blocks);
     }

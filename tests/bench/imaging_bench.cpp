@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A CT of 275 slices of 512 x 512 pixels, a trunk with lungs, a table and noise, to an organ: seconds of the
-// processor and memory of the process that reads it (docs/organs.md). `torsio_bench_imaging [FOLDER]` keeps
-// the series there.
+// Converts a CT of 275 slices of 512 x 512 pixels (a trunk with lungs, a table and noise) into an organ:
+// processor time, and memory of the process that reads it (docs/organs.md). `torsio_bench_imaging [FOLDER]`
+// keeps the series there.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace {
 using torsio::ScanVolume;
 using torsio::Vec3;
 
-/// Below 1 within an ellipsoid.
+/// Returns less than 1 within an ellipsoid.
 double within(const Vec3& p, const Vec3& centre, const Vec3& half) {
   const Vec3 q = p - centre;
   return (q.x / half.x) * (q.x / half.x) + (q.y / half.y) * (q.y / half.y) + (q.z / half.z) * (q.z / half.z);

@@ -104,7 +104,7 @@ CohortId fillLargeStudy(testing::StudyCentre& centre) {
     trials.append(chunk);
     TrialSummary summary;
     summary.samples = chunk.samples;
-    summary.contentHash = header.trialId;  // all recordings are alike; what is measured is reading them
+    summary.contentHash = header.trialId;  // all recordings are equal; reading is measured
     trials.finish(summary);
   }
   transaction.commit();

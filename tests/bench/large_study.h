@@ -7,7 +7,7 @@
 namespace torsio::bench {
 
 /// Stores a cohort of three groups through the repositories: 3,333 trainees with three recordings and thirty
-/// marks each, 10,000 trials and 100,000 marks in all. Returns it.
+/// marks each, 10,000 trials and 100,000 marks in total. Returns it.
 CohortId fillLargeStudy(testing::StudyCentre& centre);
 
 }  // namespace torsio::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Import of a user's mesh: a bent tube in 200 000 and in a million triangles, read apart, checked and judged.
-// Seconds of the processor, of this process and of the one that reads (docs/organs.md; targets 5 s and 30 s).
+// Import of a user's mesh: a bent tube of 200 000 and of a million triangles, read in a separate process,
+// checked and judged. Processor time of both processes (docs/organs.md; targets 5 s and 30 s).
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Of this process and of its children that have ended.
+/// Returns the processor time of this process and its ended children.
 double processor_s() {
   double sum_s = 0.0;
   for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {

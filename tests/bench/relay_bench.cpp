@@ -31,7 +31,7 @@ double processorNow_us() {
   return 1e6 * static_cast<double>(spent.tv_sec) + 1e-3 * static_cast<double>(spent.tv_nsec);
 }
 
-/// A driver that does nothing: only the way is measured.
+/// A driver without effect, to measure only the relay.
 class NoDriver final : public HapticDevice {
  public:
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
@@ -48,16 +48,15 @@ class NoDriver final : public HapticDevice {
   DeviceCapabilities capabilities_;
 };
 
-/// What both processes share.
+/// Memory shared by both processes.
 struct Shared {
   DeviceChannel channel;
-  std::atomic<double> device_us{0.0};  // of the exchange that the device process has just finished
+  std::atomic<double> device_us{0.0};  // of the exchange that the device process has just completed
   std::atomic<double> wall_us{0.0};
   std::atomic<std::int64_t> finished{0};
 };
 
-/// The device process: a tick an exchange, which carries a sample away and brings the force of the one
-/// before.
+/// Runs the device process: one tick per exchange, which sends a sample and receives the previous force.
 [[noreturn]] void runDevice(Shared& shared) {
   NoDriver driver;
   DeviceRelay relay{&shared.channel, &driver};
@@ -66,7 +65,7 @@ struct Shared {
     const double before_us = processorNow_us();
     relay.tick(number);
     const double spent_us = processorNow_us() - before_us;
-    // The force that answers this sample is the program's next; a servo would find it in its next frame.
+    // The next force answers this sample; a servo would find it in its next frame.
     for (;;) {
       const std::optional<MailedForce> force = shared.channel.force.latest();
       if (force && force->number == static_cast<std::uint64_t>(number)) {

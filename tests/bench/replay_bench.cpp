@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The check of a recorded trial: how many times faster than real time a replay runs, in processor time and in
-// wall time, per scene. Options: seconds of exercise (30), then scenes (forearm stomach intestine).
+// Verification of a recorded trial: speed of a replay relative to real time, in processor and wall time, per
+// scene. Options: seconds of exercise (30), then scenes (forearm stomach intestine).
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -30,7 +30,7 @@ Scene shipped(const std::string& id) {
   return testing::shippedScene(id);
 }
 
-/// A hand of middling skill for so many seconds.
+/// Records a moderately skilled hand for this time.
 Trial recorded(const Scene& scene, std::int64_t seconds) {
   ScriptedHand hand({.seed = kSeed,
                      .task = handTask(scene),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The office with a large record, 10,000 trials and 100,000 marks: the report is built within 3 s, also the
-// first time in a program, and every list opens within 100 ms. Exit code 0: all met, 1: missed, 2: undecided.
+// Administrators' pages with a large record, 10,000 trials and 100,000 marks: the report is built within 3 s,
+// even the first time in a program, and every list opens within 100 ms. Exit code 0: all met, 1: missed, 2:
+// undecided.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -36,7 +37,7 @@ constexpr double kReportTarget_ms = 3'000.0;
 constexpr double kListTarget_ms = 100.0;
 constexpr int kOpenings = 5;
 
-/// What a piece of work took: by the wall clock, and of the processor alone.
+/// Wall time and processor time of work.
 struct Took {
   double elapsed_ms = 0.0;
   double processor_ms = 0.0;
@@ -56,8 +57,7 @@ void print(const char* what, const Took& took) {
 
 enum class Verdict { kMet, kMissed, kUndecided };
 
-/// Whether other programs hold this one up right now: work of the processor alone takes longer than it
-/// should.
+/// Returns whether other programs slow this one down: pure computation takes longer than it should.
 bool machineIsBusy() {
   constexpr double kHeldUp = 1.25;
   volatile double sum = 0.0;
@@ -69,9 +69,9 @@ bool machineIsBusy() {
   return took.elapsed_ms > kHeldUp * took.processor_ms;
 }
 
-/// A target is met by the wall clock: that is what somebody waits for, the disk and a server included. The
-/// time of the processor alone never meets it. But when that lies within the target, and the machine is busy
-/// with other programs' work, the wall clock says nothing about this one: then nothing was measured.
+/// Compares wall time with a target, because users wait for disk and server, too. Processor time alone never
+/// meets a target. But if it is within the target and the machine is busy with other programs, the wall time
+/// says nothing: then the result is undecided.
 Verdict report(const char* what, const Took& took, double target_ms) {
   Verdict verdict = Verdict::kMet;
   if (took.elapsed_ms > target_ms) {
@@ -83,7 +83,7 @@ Verdict report(const char* what, const Took& took, double target_ms) {
   return verdict;
 }
 
-/// A miss is worse than nothing measured.
+/// Returns the worse verdict; missed is worse than undecided.
 Verdict worse(Verdict a, Verdict b) {
   if (a == Verdict::kMissed || b == Verdict::kMissed) {
     return Verdict::kMissed;
@@ -96,7 +96,7 @@ Verdict measureReport(testing::StudyCentre& centre, const CohortId& cohortId) {
   request.cohortId = cohortId;
   SessionContext& session = centre.as("statistician");
   const auto build = [&] {
-    TrialDigests digests(centre.assets());  // as in a program that has just been started
+    TrialDigests digests(centre.assets());  // as in a newly started program
     const ReportModel model = cohortReport(reportInputs(session, request, digests));
     if (model.sections.empty()) {
       std::abort();
@@ -109,19 +109,18 @@ Verdict measureReport(testing::StudyCentre& centre, const CohortId& cohortId) {
   std::printf("   (%zu recordings measured, once)\n", measured);
   const Took first = milliseconds([&] { measured = build(); });
   if (measured != 0) {
-    return Verdict::kMissed;  // everything is kept beside the recordings by now
+    return Verdict::kMissed;  // everything is cached beside the recordings by now
   }
   return report("the report, the first time in a program", first, kReportTarget_ms);
 }
 
-/// Everybody's record is due for review two days later.
+/// Makes everybody's record due for review, two days later.
 void letAllBecomeDue(testing::StudyCentre& centre) {
   setRetentionRule(centre.as("administrator"), kRetainTrainee, 1, "a rule of the bench");
   centre.passTime_us(2 * 86'400'000'000);
 }
 
-/// The shortest of several openings, each by a page of its own: what else goes on on the machine can only add
-/// to it.
+/// Returns the shortest of several openings, each with a new page: other load can only add to it.
 Took openings(const gui::PageEntry& entry, gui::ShellContext& shell) {
   Took shortest{std::numeric_limits<double>::max(), 0.0};
   for (int opening = 0; opening < kOpenings; ++opening) {
@@ -145,7 +144,7 @@ Verdict measureLists(testing::StudyCentre& centre) {
   Verdict worst = Verdict::kMet;
   for (const gui::PageEntry& entry : gui::administratorPages()) {
     if (entry.id == gui::PageId::kResults || entry.id == gui::PageId::kReports) {
-      continue;  // measured above
+      continue;  // already measured
     }
     centre.as(entry.id == gui::PageId::kAllocation ? "allocator" : "administrator");
     worst = worse(worst, report(gui::factsOf(entry.id).text, openings(entry, shell), kListTarget_ms));
@@ -162,7 +161,7 @@ Verdict measureTrials(testing::StudyCentre& centre) {
   return report("trials under their codes, the newest page", took, kListTarget_ms);
 }
 
-/// A roster of ten thousand people, compared and then stored. No target: it happens once a year.
+/// Compares and then stores a roster of ten thousand people. No target: it happens once a year.
 void measureRoster() {
   constexpr int kPeople = 10'000;
   testing::StudyCentre centre;

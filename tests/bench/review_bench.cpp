@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reviewing a recording of 40 minutes: how much memory it takes while it is open, and how long the window
-// takes to answer when somebody scrubs: the moment decoded, the organ and the instrument in their pose, the
-// traces with their cursor. A scripted hand twists the arm; arguments: minutes, width and height of the
-// panel. With a display (xvfb-run) the picture is drawn too and timed apart, and the memory counts what the
-// graphics driver keeps of it, but not the code of a software renderer; a recording of some seconds, opened
-// first, tells how much of it the 40 minutes are.
-// Fails when a scrub takes more work than what a hand feels, or the memory is more than a small machine has
-// to spare. Judged by processor time (of all threads), so that a machine that is busy with something else
-// does not decide; the time on the wall is told beside it.
+// Reviewing a recording of 40 minutes: its memory while open, and the response time of the window while
+// scrubbing: decoding the moment, placing organ and instrument, drawing the traces with their cursor. A
+// scripted hand twists the arm; arguments: minutes, width and height of the panel. With a display (xvfb-run),
+// the picture is also drawn and timed separately, and the memory includes that of the graphics driver, but
+// not the code of a software renderer; a recording of a few seconds, opened first, shows how much of it is
+// due to the 40 minutes. Fails if scrubbing is noticeably slow, or if the memory exceeds that of a small
+// machine. Judged by processor time of all threads, which is independent of other load; wall time is printed
+// as well.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -51,7 +50,7 @@ double worked_ms(std::clock_t since) {
   return 1e3 * static_cast<double>(std::clock() - since) / CLOCKS_PER_SEC;
 }
 
-/// What the program holds in memory; 0 where the system does not tell.
+/// Returns the program's resident memory; 0 if unknown.
 double resident_MB() {
   constexpr double kPage_MB = 4096.0 / 1e6;
   std::ifstream file("/proc/self/statm");
@@ -61,8 +60,8 @@ double resident_MB() {
   return resident * kPage_MB;
 }
 
-/// Of these, what the libraries of a software renderer take, which a machine with a graphics card does not
-/// load; 0 where the system does not tell.
+/// Returns the part of it used by the libraries of a software renderer, which a machine with a graphics card
+/// does not load; 0 if unknown.
 double renderer_MB() {
   std::ifstream file("/proc/self/smaps");
   std::string line;
@@ -115,7 +114,7 @@ void tell(const char* what, const std::vector<double>& sorted_ms) {
               quantile(sorted_ms, 99), sorted_ms.back());
 }
 
-/// Jumps to and fro at random.
+/// Seeks to and fro at random.
 Times scrub(gui::ReplayPanel& panel, int jumps) {
   const auto* view = panel.findChild<gui::SceneView*>();
   auto* traces = panel.findChild<gui::TraceView*>();
@@ -128,7 +127,7 @@ Times scrub(gui::ReplayPanel& panel, int jumps) {
     const std::clock_t begun = std::clock();
     const auto start = SteadyClock::now();
     panel.seek_us(to_us);
-    // With a picture the window is put together once, for the organ and the traces.
+    // With a picture, the window is composed once, for organ and traces.
     if (!gui::SceneView::platformCanRender()) {
       traces->repaint();
     }
@@ -150,7 +149,7 @@ Times scrub(gui::ReplayPanel& panel, int jumps) {
   return into;
 }
 
-/// Loads as a worker thread does, shows, and draws once; the trial is given away.
+/// Loads like a worker thread, shows, and draws once; consumes the trial.
 void open(gui::ReplayPanel& panel, Trial trial, const std::filesystem::path& assets) {
   panel.show(nullptr);
   const auto start = SteadyClock::now();

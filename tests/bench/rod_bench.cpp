@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One tick of the rod in each of its scenes, in processor time of this thread: every tick is done seven times
-// from the same pose and the fastest counts, because neighbours on a shared machine are no part of the rod.
-// Prints median, 99 % and 99.9 % against the target, Newton steps, and the ratio to the median of one STREAM
-// triad over 100,000 doubles.
+// One tick of the rod in each of its scenes, in processor time of this thread: every tick is repeated seven
+// times from the same pose and the fastest counts, to exclude other load on a shared machine. Prints median,
+// 99 % and 99.9 % against the target, Newton steps, and the ratio to the median of one STREAM triad over
+// 100,000 doubles.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -41,14 +41,14 @@ double triad_us() {
       a[i] = b[i] + scale * c[i];
     }
     times_us.push_back(threadTime_us() - begun);
-    scale = a[repeat] * 0.25;  // each pass needs the one before
+    scale = a[repeat] * 0.25;  // each pass depends on the previous one
   }
   std::sort(times_us.begin(), times_us.end());
   return quantile(times_us, 0.5);
 }
 
-/// A wide loop of bowel turned upside down and on, its limbs lying on each other in 43 places. Not among the
-/// scenes whose bits are kept.
+/// A wide loop of bowel turned upside down and further, its limbs touching in 43 places. Not among the scenes
+/// with fixed bits.
 RodScene turnedLoop() {
   RodScene scene;
   scene.name = "wide bowel loop turned by 360 degrees in 3 s";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One whole tick of the servo, by its stages of the exercise: device, collision against the deformed organ,
-// model, passivity, governor, record into the ring, publish. Prints p50, p99 and p99.9 in wall time and in
-// processor time (what a loaded machine takes away shows in the first only), of each phase in processor time,
-// the ratio to one STREAM triad over the organ's vertices, allocations, locks, and a histogram. Then what the
-// device process adds between a sample and its force. Options: seconds of exercise (20).
+// One whole tick of the servo, by stage of the exercise: device, collision with the deformed organ, model,
+// passivity, governor, recording into the ring, publishing. Prints p50, p99 and p99.9 in wall and processor
+// time (other load only affects the former), each phase in processor time, the ratio to one STREAM triad over
+// the organ's vertices, allocations, locks, and a histogram. Then the time that the device process adds
+// between a sample and its force. Options: seconds of exercise (20).
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -54,7 +54,7 @@ Quantiles quantiles(std::vector<double> values_us) {
   return {at(0.5), at(0.99), at(0.999), values_us.back()};
 }
 
-/// Processor time of this thread, to the nanosecond where the system tells it so.
+/// Returns the processor time of this thread, in ns resolution if supported.
 double processor_us() {
 #ifdef CLOCK_THREAD_CPUTIME_ID
   std::timespec spent{};
@@ -65,7 +65,7 @@ double processor_us() {
 #endif
 }
 
-/// Median time of a[i] = b[i] + s c[i] over as many doubles as the organ has coordinates.
+/// Returns the median time of a[i] = b[i] + s c[i] over as many doubles as the organ has coordinates.
 double triad_us(std::size_t vertices) {
   std::vector<double> a(3 * vertices, 0.0);
   const std::vector<double> b(a.size(), 1.0);
@@ -79,7 +79,7 @@ double triad_us(std::size_t vertices) {
     }
     times_us.push_back(
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count());
-    scale = a[static_cast<std::size_t>(repeat)] * 0.25;  // each pass needs the one before
+    scale = a[static_cast<std::size_t>(repeat)] * 0.25;  // each pass depends on the previous one
   }
   return quantiles(std::move(times_us)).median_us;
 }
@@ -149,7 +149,7 @@ void measure(const Scene& scene, double seconds) {
   });
 }
 
-/// The collision alone, with the tool anywhere from 20 mm outside to 20 mm inside the organ at its target.
+/// Measures collision alone, with the tool from 20 mm outside to 20 mm inside the organ at its target.
 void measureAnywhere(const Scene& scene) {
   constexpr int kPlaces = 20'000;
   const OrganState organ = scene.stateAt(scene.pattern.targetAngle_rad);

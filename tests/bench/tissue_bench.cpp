@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of the views one by one, for every instruction set of this processor; then the ratios that
-// `torsio bench` prints. Options: those of Google Benchmark.
+// The kernels of the views separately, for every instruction set of this processor; then the ratios printed
+// by `torsio bench`. Options: those of Google Benchmark.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -20,7 +20,7 @@ namespace {
 constexpr int kVertices = 100'000;
 constexpr int kBlocks = (kVertices + kKernelBlock - 1) / kKernelBlock;
 
-/// Work on `in` floats a vertex read and `out` floats written.
+/// Reads `in` floats and writes `out` floats per vertex.
 using Kernel = std::function<void(const TwistKernels&, const float*, float*)>;
 
 void measure(benchmark::State& state, Isa isa, int in, int out, const Kernel& kernel) {

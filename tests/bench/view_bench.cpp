@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Frame rate and servo timing, measured together: a scripted hand twists an organ at real time through the
+// Frame rate and servo timing, measured simultaneously: a scripted hand twists an organ in real time with the
 // same servo, recorder and view as a trainee's run, first without a picture, then at each level of quality.
 //   torsio_bench_view [--seconds S] [--size WxH] [--organ ID] [--triangles N] [--level fast|fine|best]
 //   [--smoke] [--parts] [--pictures FOLDER]
-// Without --level: fast and fine. --pictures saves what each level drew last.
-// --parts prints what the processor does for a frame of the organ, without drawing one.
+// Without --level: fast and fine. --pictures saves the last picture of each level.
+// --parts prints the processor's work for a frame of the organ, without drawing.
 // --smoke fails unless every level drew and the servo ticked; it asserts no timing.
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ namespace {
 using namespace torsio;
 using namespace torsio::gui;
 
-constexpr double kWarmUp_s = 2.0;  // shaders are built during the first frames
+constexpr double kWarmUp_s = 2.0;  // shaders are compiled during the first frames
 constexpr double kTick_us = 1000.0;
 constexpr int kPulse_ms = 4;
 constexpr double kPatience_s = 120.0;
@@ -49,11 +49,11 @@ struct Options {
   double seconds = 10.0;
   QSize size{1280, 800};
   std::string organ = "stomach";
-  int triangles = 0;  // 0: the shipped organ; else a round bar of so many
+  int triangles = 0;  // 0: the shipped organ; otherwise a round bar with this number
   std::vector<RenderQuality> levels{RenderQuality::kFast, RenderQuality::kFine};
   bool smoke = false;
   bool parts = false;
-  QString pictures;  // folder; empty: none are saved
+  QString pictures;  // output folder; empty: none
 };
 
 const char* nameOf(RenderQuality level) {
@@ -110,7 +110,7 @@ std::unique_ptr<RecordedRun> runOf(const std::shared_ptr<const Scene>& scene, do
                                        std::make_shared<NoSink>());
 }
 
-/// Until something happens; with a time limit Qt would spin and take the processor from the renderer.
+/// Waits for an event; with a timeout, Qt would busy-wait and take the processor from the renderer.
 void wait() {
   QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
 }
@@ -121,7 +121,7 @@ double processor_s() {
   return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
 }
 
-/// `view` null: nothing is drawn.
+/// `view`: null to draw nothing.
 Outcome measure(const std::shared_ptr<const Scene>& scene, SceneView* view, double seconds) {
   Outcome outcome;
   const std::unique_ptr<RecordedRun> run = runOf(scene, seconds + kPatience_s);
@@ -174,7 +174,7 @@ void print(const char* name, const Outcome& outcome, const Outcome& still) {
   std::printf("\n%s\n", name);
   if (!outcome.frames_ms.empty()) {
     const auto frames = static_cast<double>(outcome.frames_ms.size());
-    // What servo and recorder take runs on however slowly the frames come.
+    // Servo and recorder need the same time however slow the frames.
     const double picture_s = outcome.processor_s - outcome.span_s * still.processor_s / still.span_s;
     std::printf(
         "  %.1f frames/s; frame time p50 %.1f, p95 %.1f, p99 %.1f ms; processor a frame %.1f ms, %.1f ms "
@@ -250,8 +250,8 @@ double now_us() {
   return 1e6 * static_cast<double>(used.tv_sec) + 1e-3 * static_cast<double>(used.tv_nsec);
 }
 
-/// Prints what the processor does for a frame of a scene before the scene graph gets it, in us of its time,
-/// medians: where the vertices go; view frame and normals; colours; the buffer for the graphics card.
+/// Prints the processor's work for a frame before the scene graph, in us of processor time, medians: vertex
+/// positions; view frame and normals; colours; the buffer for the graphics card.
 void measureParts(const std::shared_ptr<const Scene>& scene) {
   constexpr int kRepeats = 101;
   ViewScene view = makeViewScene(scene);

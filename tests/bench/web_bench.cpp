@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two hundred raters at once at the review desk in a browser: how long an answer takes, what a saved sheet
-// costs of the processor, how much memory the server holds. `torsio_bench_web [RATERS [SECONDS [DATABASE]]]`.
-// DATABASE: an empty one of PostgreSQL that the record is copied to and served from; else SQLite. Server and
-// raters share this process, and its memory is that of both.
+// Two hundred raters at the browser's review desk: response times, processor time of saving a sheet, memory
+// of the server. `torsio_bench_web [RATERS [SECONDS [DATABASE]]]`. DATABASE: an empty PostgreSQL database to
+// which the record is copied, and which is then served; default: SQLite. Server and raters share this
+// process, and its memory includes both.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -53,7 +53,7 @@ std::string memory() {
   return found;
 }
 
-/// Answers of all raters.
+/// Responses of all raters.
 struct Times {
   std::mutex mutex;
   std::vector<double> all_ms;
@@ -78,7 +78,7 @@ struct Rater {
   std::int64_t revision = 0;
 };
 
-/// Scores as somebody does who watches: a report every two seconds, a mark every three.
+/// Scores like a watching rater: a report every two seconds, a mark every three.
 void score(Rater& rater, Times& times, int seconds, int first_ms) {
   std::this_thread::sleep_for(std::chrono::milliseconds(first_ms));
   for (int second = 0; second < seconds; ++second) {

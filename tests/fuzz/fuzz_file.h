@@ -11,7 +11,7 @@
 
 namespace torsio::fuzz {
 
-/// A file of this process, in memory where the system has such a folder, that holds other bytes each time.
+/// A file of this process, in memory if the system has such a folder, with new contents each time.
 class FuzzFile {
  public:
   explicit FuzzFile(const std::string& ending)

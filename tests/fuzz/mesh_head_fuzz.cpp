@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a mesh file: what looks at it before the importer does refuses it or lets it pass. The first
-// byte says how the file is named.
+// Any bytes as a mesh file: the check before the importer must refuse or accept them. The first byte selects
+// the file name.
 #include <array>
 
 #include "sim/core/error.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mutate_apart SECONDS: DICOM series and meshes, changed at random, read as the program reads users' files,
-// in processes of their own (TORSIO_SCAN_PROGRAM, TORSIO_MESH_PROGRAM). Each is answered with a surface or an
-// Error, whatever becomes of the process: anything else, or an answer that takes longer than its limits, ends
-// this with 1.
+// mutate_apart SECONDS: reads randomly mutated DICOM series and meshes like users' files, in separate
+// processes (TORSIO_SCAN_PROGRAM, TORSIO_MESH_PROGRAM). The result must be a surface or an Error, whatever
+// happens to the process: anything else, or exceeding a time limit, exits with 1.
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -29,7 +28,7 @@ using namespace torsio;
 constexpr HelperLimits kLimits{4'000, 20, 30};
 constexpr auto kMaxAnswer = std::chrono::seconds(40);
 
-/// Numbers that look random, the same from the same start.
+/// Reproducible pseudo-random numbers.
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : state_(seed * 2 + 1) {}
@@ -42,7 +41,7 @@ class Dice {
   std::uint64_t state_;
 };
 
-/// Changes bytes: some flipped, some of the head replaced, a piece taken out, or the end cut off.
+/// Mutates bytes: flips some, replaces part of the head, removes a piece, or truncates.
 std::string changed(std::string bytes, Dice& dice) {
   switch (dice.below(4)) {
     case 0:
@@ -65,7 +64,7 @@ std::string changed(std::string bytes, Dice& dice) {
   return bytes;
 }
 
-/// What was answered, in few words.
+/// Summarises an answer in a few words.
 template <typename Read>
 std::string answerOf(const Read& read) {
   const auto begun = std::chrono::steady_clock::now();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a NIfTI file: an Error or a volume of the size that it says, nothing else. The first byte says
-// whether they are named as a packed file, which may be plain all the same.
+// Any bytes as a NIfTI file: the result must be an Error or a volume of the stated size. The first byte
+// selects the name of a compressed file, whose content may be uncompressed all the same.
 #include <cstdlib>
 
 #include "sim/core/error.h"

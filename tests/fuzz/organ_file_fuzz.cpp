@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as an organ file whose digest is right: an Error or a closed surface, nothing else.
+// Any bytes as an organ file with a correct digest: the result must be an Error or a closed surface.
 #include <cstdlib>
 #include <string>
 

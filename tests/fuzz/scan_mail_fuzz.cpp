@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as the answer of the process that reads scans: an Error or an answer, nothing else. The first
-// byte says which answer was asked for.
+// Any bytes as the answer of the scan reading process: the result must be an Error or an answer. The first
+// byte selects the requested answer.
 #include "sim/core/error.h"
 #include "sim/imaging/apart/scan_mail.h"
 #include "tests/fuzz/fuzz_file.h"

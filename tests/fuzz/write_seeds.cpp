@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_seeds FOLDER: small good inputs to begin with, a folder a target.
+// write_seeds FOLDER: writes small valid inputs, one folder per target.
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -46,7 +46,7 @@ void writeOrgan(const fs::path& folder) {
   writeOrganFile(file, organ);
   constexpr std::size_t kDigestLength = 64;
   std::string bytes = readFile(file);
-  bytes.resize(bytes.size() - kDigestLength);  // the target adds the right one
+  bytes.resize(bytes.size() - kDigestLength);  // the target adds the correct one
   write(folder, "bar.organ", bytes);
 }
 

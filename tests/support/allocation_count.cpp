@@ -11,7 +11,7 @@ thread_local std::int64_t allocations = 0;
 
 void* take(std::size_t size, std::size_t alignment) {
   ++allocations;
-  // aligned_alloc wants a multiple of the alignment.
+  // aligned_alloc requires a multiple of the alignment.
   const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
   void* const memory = alignment <= alignof(std::max_align_t) ? std::malloc(size > 0 ? size : 1)
                                                               : std::aligned_alloc(alignment, rounded);

@@ -5,8 +5,8 @@
 
 namespace torsio::testing {
 
-/// How often this thread has taken memory through operator new since it started. A test program that lists
-/// allocation_count.cpp among its sources counts; compare before and after.
+/// Returns how often this thread has allocated through operator new since it started. Test programs with
+/// allocation_count.cpp in their sources count; compare before and after.
 [[nodiscard]] std::int64_t allocationCount() noexcept;
 
 }  // namespace torsio::testing

@@ -9,11 +9,10 @@
 
 namespace torsio::testing {
 
-/// Copies of shipped data files, not of the organs, in a folder of the test's own, so that one can be
-/// changed.
+/// Copies shipped data files, except organs, to a test's own folder, to change one of them.
 class CopiedSceneFiles : public ::testing::Test {
  protected:
-  /// `names`: below the folder of the shipped data.
+  /// `names`: relative to the folder of the shipped data.
   explicit CopiedSceneFiles(std::initializer_list<const char*> names) {
     namespace fs = std::filesystem;
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();

@@ -5,8 +5,8 @@
 
 namespace torsio::testing {
 
-/// What a report of the paper's study is made from, with marks by the stated rule of the demonstration and
-/// one recording: thirty trainees in three groups, ten raters, forty raters of three models.
+/// Returns the inputs of a report of the paper's study, with marks by the demonstration's rule and one
+/// recording: thirty trainees in three groups, ten raters, forty raters of three models.
 [[nodiscard]] CohortInputs demonstrationCohort();
 
 }  // namespace torsio::testing

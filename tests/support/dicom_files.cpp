@@ -82,7 +82,7 @@ void writeDicomSeries(const std::filesystem::path& folder, const ScanVolume& sca
     data.putAndInsertString(DCM_PatientBirthDate, "19670401");
     data.putAndInsertString(DCM_Modality, style.modality.c_str());
     data.putAndInsertString(DCM_ImageType, "ORIGINAL\\PRIMARY\\AXIAL");
-    putNumbers(data, DCM_SliceThickness, {99.0});  // lies, as they do
+    putNumbers(data, DCM_SliceThickness, {99.0});  // wrong, as in real files
     const Vec3 at = scan.place_mm({0, 0, static_cast<double>(k)});
     putNumbers(data, DCM_ImagePositionPatient, {at.x, at.y, at.z});
     const Vec3 row = normalized(scan.step_mm[0]);
@@ -101,7 +101,7 @@ void writeDicomSeries(const std::filesystem::path& folder, const ScanVolume& sca
                                                   : syntax == EXS_RLELossless
                                                       ? static_cast<const DcmRepresentationParameter*>(&rle)
                                                       : nullptr;
-    // The order of files says nothing about that of slices.
+    // The order of files is unrelated to that of slices.
     const std::size_t number = (7 * k + 3) % 1000 + 1000 * (k / 1000);
     const auto file = folder / (style.names + std::to_string(number) + ".dcm");
     if (data.chooseRepresentation(syntax, how).bad() || format.saveFile(file.c_str(), syntax).bad()) {

@@ -11,7 +11,7 @@ class DcmDataset;
 
 namespace torsio::testing {
 
-/// How a series is written.
+/// Format of a series.
 struct DicomStyle {
   std::string syntax = "plain";  ///< plain, deflated, big-endian, rle, jpeg, jpeg-ls, implicit
   double slope = 1.0;
@@ -19,13 +19,13 @@ struct DicomStyle {
   bool isSigned = false;
   std::string modality = "CT";
   std::string series = "1.2.3.4";
-  std::string names = "slice";  ///< of the files, before their numbers
+  std::string names = "slice";  ///< prefix of the file names
   /// Called with each slice before it is written.
   std::function<void(DcmDataset&, std::size_t slice)> change = nullptr;
 };
 
-/// Writes each layer of a volume along z into a file of a folder, with the name of a patient (Doe^Jane,
-/// PID4711). `tests/sim/imaging` and the bench.
+/// Writes each layer of a volume along z into a file of a folder, with a patient's name (Doe^Jane, PID4711).
+/// For `tests/sim/imaging` and the benchmark.
 void writeDicomSeries(const std::filesystem::path& folder, const ScanVolume& scan,
                       const DicomStyle& style = {});
 

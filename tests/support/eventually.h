@@ -6,7 +6,7 @@
 
 namespace torsio::testing {
 
-/// Waits until another thread or process has made `condition` true; false when it did not in time.
+/// Waits until another thread or process has made `condition` true; false on timeout.
 template <typename Condition>
 bool eventually(const Condition& condition, std::chrono::milliseconds within = std::chrono::seconds(20)) {
   const auto until = std::chrono::steady_clock::now() + within;

@@ -19,7 +19,7 @@
 
 namespace torsio::testing {
 
-/// How a mail server behaves.
+/// Behaviour of a mail server.
 struct MailManner {
   enum class Way { kClear, kTls, kStartTls };
 
@@ -27,20 +27,19 @@ struct MailManner {
   std::string certificate = "server.pem";  ///< of tests/data/mail
   std::string refused = "nobody@example.org";
   std::string password = "a good one";
-  std::string signIn = "AUTH PLAIN LOGIN";  ///< how it is offered; empty: not at all
-  /// What it says instead to a line that begins so ("." ends a message): empty: nothing at all, "drop": it
-  /// hangs up.
+  std::string signIn = "AUTH PLAIN LOGIN";  ///< offered authentication; empty: none
+  /// Replies to lines with this beginning ("." ends a message): empty: none, "drop": hangs up.
   std::map<std::string, std::string> instead{};
-  std::string behindStartTls{};  ///< what somebody puts behind its answer to STARTTLS
+  std::string behindStartTls{};  ///< injected after the answer to STARTTLS
 };
 
-/// A mail server on this computer that refuses one recipient and keeps what it heard, in one conversation
-/// after the other. With encryption it is a TLS peer of its own, by OpenSSL.
+/// A local mail server that refuses one recipient and stores what it receives, one conversation after
+/// another. With encryption it is a separate TLS peer using OpenSSL.
 class FakeMailServer {
  public:
   struct Taken {
     std::string to{};
-    std::string text{};  ///< head and body as they came, lines ended by "\n"
+    std::string text{};  ///< head and body as received, lines ended by "\n"
   };
 
   explicit FakeMailServer(MailManner manner = {}) : manner_(std::move(manner)) {
@@ -63,12 +62,12 @@ class FakeMailServer {
   FakeMailServer& operator=(const FakeMailServer&) = delete;
 
   [[nodiscard]] quint16 port() const { return port_; }
-  /// What was taken, once the last conversation is over.
+  /// Returns the accepted messages after the last conversation.
   const std::vector<Taken>& taken() {
     finish();
     return taken_;
   }
-  /// Lines that came without encryption, and with it, once the last conversation is over.
+  /// Return the lines received unencrypted and encrypted, after the last conversation.
   const std::vector<std::string>& inTheClear() {
     finish();
     return inTheClear_;
@@ -122,7 +121,7 @@ class FakeMailServer {
     socket.write(QByteArray::fromStdString(words) + "\r\n");
     socket.flush();
   }
-  /// Whether the conversation goes on.
+  /// Answers; returns whether the conversation continues.
   bool answer(QSslSocket& socket, const std::string& heard, const std::string& usual) {
     for (const auto& [beginning, words] : manner_.instead) {
       if (heard.starts_with(beginning)) {
@@ -159,7 +158,7 @@ class FakeMailServer {
   static QByteArray unpacked(const std::string& text) {
     return QByteArray::fromBase64(QByteArray::fromStdString(text));
   }
-  /// The usual answer to what was heard.
+  /// Returns the normal answer.
   std::string reply(QSslSocket& socket, const std::string& heard, Taken& message) {
     if (heard.starts_with("EHLO ")) {
       return greeting(socket);
@@ -167,7 +166,7 @@ class FakeMailServer {
     if (heard.starts_with("AUTH PLAIN ")) {
       return verdict(unpacked(heard.substr(11)));
     }
-    if (heard.starts_with("AUTH LOGIN ")) {  // the name follows at once
+    if (heard.starts_with("AUTH LOGIN ")) {  // the name follows immediately
       say(socket, "334 UGFzc3dvcmQ6");
       return verdict(unpacked(line(socket)));
     }

@@ -9,33 +9,33 @@
 
 namespace torsio::testing {
 
-/// The other side of OpenIGTLink, made of the library's own classes: a tracker that waits for Torsio, or
-/// calls it. One thread; a call that waits does so for at most twenty seconds.
+/// The peer of OpenIGTLink, made of the library's own classes: a tracker that waits for Torsio, or connects
+/// to it. One thread; waits at most twenty seconds.
 class FakeTracker {
  public:
-  /// Listens at a free port of this computer.
+  /// Listens on a free local port.
   FakeTracker();
   ~FakeTracker();
   FakeTracker(const FakeTracker&) = delete;
   FakeTracker& operator=(const FakeTracker&) = delete;
 
   [[nodiscard]] std::uint16_t port() const;
-  /// Waits for Torsio to call. False: it did not.
+  /// Waits for Torsio to connect. False: it did not.
   [[nodiscard]] bool wait();
-  /// Calls Torsio, again and again until it answers. False: it did not.
+  /// Connects to Torsio, retrying until it answers. False: it did not.
   [[nodiscard]] bool call(std::uint16_t port);
   void hangUp();
 
-  /// Sends a TRANSFORM without rotation; `sent_us` 0: without a time. False: nobody is there any more.
+  /// Sends a TRANSFORM without rotation; `sent_us` 0: without a time stamp. False: disconnected.
   bool sendTransform(const std::string& device, const Vec3& place_mm, std::int64_t sent_us);
-  /// Sends one with a matrix of which the first number is this.
+  /// Sends a TRANSFORM whose matrix starts with this number.
   bool sendTransformWith(const std::string& device, float first, std::int64_t sent_us);
   /// Sends a TDATA message with one instrument.
   bool sendTracking(const std::string& instrument, const Vec3& place_mm, std::int64_t sent_us);
   bool sendStatus(int code, const std::string& words);
   bool sendBytes(const std::string& bytes);
-  /// Waits for a message; its kind, its device and, of a STRING, its words or, of a TRANSFORM, its place in
-  /// mm ("-1.0 2.5 10.0"). Empty kind: nothing came.
+  /// Waits for a message; returns its kind, device and, for a STRING, its text or, for a TRANSFORM, its
+  /// position in mm ("-1.0 2.5 10.0"). Empty kind: none.
   struct Message {
     std::string kind{};
     std::string device{};

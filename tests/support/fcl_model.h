@@ -10,7 +10,7 @@
 
 namespace torsio::testing {
 
-/// The same triangles for the Flexible Collision Library, whose answers ours are compared with.
+/// Returns the same triangles for the Flexible Collision Library, to compare our answers with.
 inline std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>> fclModel(const TriangleMesh& mesh) {
   auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   std::vector<fcl::Vector3d> points;

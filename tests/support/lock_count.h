@@ -5,12 +5,12 @@
 
 namespace torsio::testing {
 
-/// How often this thread has asked for a mutex, a reader-writer lock or a condition since it started. A test
-/// program that lists lock_count_posix.cpp among its sources (on Windows lock_count_other.cpp) counts;
+/// Returns how often this thread has requested a mutex, a reader-writer lock or a condition variable since it
+/// started. Test programs with lock_count_posix.cpp in their sources (on Windows lock_count_other.cpp) count;
 /// compare before and after.
 [[nodiscard]] std::int64_t lockCount() noexcept;
 
-/// False where nothing is counted: on other platforms, and under a sanitizer that needs these functions
+/// False if counting is not available: on other platforms, and under a sanitizer that needs these functions
 /// itself.
 [[nodiscard]] bool lockCountWorks() noexcept;
 

@@ -14,7 +14,7 @@ constexpr bool kCounts = false;
 #else
 constexpr bool kCounts = true;
 
-/// The function of the C library that ours hides.
+/// Returns the C library's function hidden by ours.
 template <typename Function>
 Function* hidden(const char* name) noexcept {
   void* const found = dlsym(RTLD_NEXT, name);
@@ -40,7 +40,7 @@ bool lockCountWorks() noexcept {
 }  // namespace torsio::testing
 
 #if !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-// No local static with a guard: a guard may lock.
+// No local static with a guard, because a guard may lock.
 extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
   ++locks;
   return hidden<int(pthread_mutex_t*)>("pthread_mutex_lock")(mutex);

@@ -11,7 +11,7 @@
 
 namespace torsio::testing {
 
-/// Meshes in the formats that the program reads and does not write; millimetres, single precision.
+/// Meshes in formats that the program reads but does not write; millimetres, single precision.
 namespace formats {
 
 inline void append(std::string& bytes, const void* from, std::size_t size) {
@@ -43,7 +43,7 @@ inline std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// Corners and places as glTF keeps them.
+/// Returns vertices and indices in glTF's layout.
 inline std::string gltfBuffer(const TriangleMesh& mesh) {
   std::string bytes;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
@@ -54,7 +54,7 @@ inline std::string gltfBuffer(const TriangleMesh& mesh) {
   return bytes;
 }
 
-/// `uri`: of the buffer; empty in a GLB file. `more`: further members of the file, with a comma after each.
+/// `uri`: of the buffer; empty in a GLB file. `more`: further members of the file, each followed by a comma.
 inline std::string gltfJson(const TriangleMesh& mesh, const std::string& uri, const std::string& more = "") {
   const std::string corners = std::to_string(12 * mesh.triangles.size());
   const std::string places = std::to_string(12 * mesh.vertices_m.size());
@@ -161,7 +161,7 @@ inline std::string daeText(const TriangleMesh& mesh) {
 <scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
-/// Every format that is read, as the ending of its name and its bytes.
+/// Returns every supported format: extension and bytes.
 inline std::vector<std::pair<std::string, std::string>> everyFormat(const TriangleMesh& mesh) {
   MeshExportOptions text;
   text.format = PlyFormat::kAscii;

@@ -22,5 +22,5 @@ def node_modules(lock, into):
         cwd=modules.parent, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=240, check=False)
     if done.returncode == 0 and modules.exists():
         return modules
-    shutil.rmtree(modules, ignore_errors=True)  # half of it is none
+    shutil.rmtree(modules, ignore_errors=True)  # an incomplete installation is useless
     return None

@@ -11,32 +11,33 @@
 
 namespace torsio::testing {
 
-/// Closed surfaces of genus 0 that a mesh file may hold although no twist of theirs means anything. Metres.
+/// Closed surfaces of genus 0 that a mesh file may contain although they cannot be twisted meaningfully.
+/// Metres.
 namespace shapes {
 
 using Field = std::function<double(const Vec3&)>;
 
-/// Distance to a round bar from a to b, negative inside.
+/// Signed distance to a round bar from a to b, negative inside.
 inline double bar(const Vec3& p, const Vec3& a, const Vec3& b, double radius_m) {
   const Vec3 along = b - a;
   const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
   return norm(p - (a + t * along)) - radius_m;
 }
 
-/// About the distance to an ellipsoid, negative inside.
+/// Approximate signed distance to an ellipsoid, negative inside.
 inline double egg(const Vec3& p, const Vec3& centre, const Vec3& half_m) {
   const Vec3 q = p - centre;
   const double k = norm(Vec3{q.x / half_m.x, q.y / half_m.y, q.z / half_m.z});
   return (k - 1.0) * std::min({half_m.x, half_m.y, half_m.z});
 }
 
-/// The two together with a fillet of about `round_m`.
+/// Union with a fillet of about `round_m`.
 inline double joined(double a, double b, double round_m) {
   const double h = std::max(round_m - std::abs(a - b), 0.0);
   return std::min(a, b) - h * h / (4.0 * round_m);
 }
 
-/// The bars of a broken line.
+/// Bars along a polyline.
 inline double chain(const Vec3& p, const std::vector<Vec3>& line, double radius_m) {
   double least = 1.0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -63,7 +64,7 @@ inline TriangleMesh ballShape() {
                            [](const Vec3& p) { return norm(p) - 0.05; });
 }
 
-/// A stem that parts into two arms as long as itself.
+/// A stem that divides into two arms of its own length.
 inline TriangleMesh branchingShape() {
   return shapes::surfaceOf({-0.1, -0.03, -0.13}, {0.1, 0.03, 0.11}, 0.004, [](const Vec3& p) {
     const double stem = shapes::bar(p, {0, 0, -0.1}, {0, 0, 0}, 0.016);
@@ -117,7 +118,7 @@ inline TriangleMesh kidneyShape() {
                            [spine](const Vec3& p) { return shapes::chain(p, spine, 0.025); });
 }
 
-/// A horseshoe whose ends turn up and part into two tips each.
+/// A horseshoe with upturned ends of two tips each.
 inline TriangleMesh jawShape() {
   std::vector<Vec3> arch;
   for (int i = -8; i <= 8; ++i) {
@@ -134,7 +135,7 @@ inline TriangleMesh jawShape() {
   });
 }
 
-/// A gently bent, tapering tube: what an organ may look like.
+/// A gently bent, tapering tube: a possible organ.
 inline TriangleMesh tubeShape() {
   return shapes::surfaceOf({-0.05, -0.04, -0.035}, {0.09, 0.04, 0.22}, 0.005, [](const Vec3& p) {
     double tube = 1.0;

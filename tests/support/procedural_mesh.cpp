@@ -198,7 +198,7 @@ TriangleMesh kinkedTube(double radius_m, double leg_m, double turn_rad, int poin
     const double s = (2.0 * t - 1.0) * leg_m;
     const double heading = s < 0.0 ? 0.0 : turn_rad;
     const Vec3 direction{std::sin(heading), 0, std::cos(heading)};
-    // The ring at the joint lies in the mitre plane between the legs.
+    // The ring at the joint is in the mitre plane between the legs.
     if (std::abs(s) < 1e-9 * leg_m) {
       SweepFrame mitre = inPlane({}, 0.5 * turn_rad);
       mitre.e1 = mitre.e1 / std::cos(0.5 * turn_rad);
@@ -212,7 +212,7 @@ TriangleMesh capsule(double radius_m, double length_m, int points, int rings) {
   const double bow = 0.5 * kPi * radius_m;
   const double total = 2.0 * bow + length_m;
   return sweep(circleOutline(radius_m, points), rings, [=](double t) {
-    constexpr double kTip = 0.02;  // radius of the tiny flat tips, of the radius
+    constexpr double kTip = 0.02;  // radius of the tiny flat tips, relative to the radius
     const double s = t * total;
     double z = s - bow;
     double scale = 1.0;

@@ -18,18 +18,18 @@ using Outline2 = std::vector<std::array<double, 2>>;
 [[nodiscard]] inline Outline2 circleOutline(double radius_m, int points) {
   return ellipseOutline(radius_m, radius_m, points);
 }
-/// Centred, sides parallel to x and y, `perSide` equal steps a side starting at a corner.
+/// Centred, sides parallel to x and y, `perSide` equal steps per side, starting at a corner.
 [[nodiscard]] Outline2 rectangleOutline(double width_m, double height_m, int perSide);
 /// Star with `tips` tips: radius outer_m at the tips, inner_m between them.
 [[nodiscard]] Outline2 starOutline(int tips, double outer_m, double inner_m);
-/// Thick letter C of mean radius `radius_m`, `width_m` wide, open by 90 degrees towards +x: its centroid lies
+/// Thick letter C of mean radius `radius_m`, `width_m` wide, open by 90 degrees towards +x: its centroid is
 /// outside, so that it is star-shaped about no point.
 [[nodiscard]] Outline2 letterC(double radius_m, double width_m, int points);
 
 [[nodiscard]] double areaOf(const Outline2& outline);
 [[nodiscard]] std::array<double, 2> centroidOf(const Outline2& outline);
 
-/// Place of a section of a swept bar.
+/// Position of a section of a swept bar.
 struct SweepFrame {
   Vec3 centre_m;
   Vec3 e1{1, 0, 0};
@@ -50,7 +50,7 @@ struct SweepFrame {
 [[nodiscard]] TriangleMesh jTube(double radius_m, double straight_m, double bend_m, int points, int rings);
 /// Two straight legs of `leg_m` that meet at a sharp angle: `turn_rad` is the change of direction.
 [[nodiscard]] TriangleMesh kinkedTube(double radius_m, double leg_m, double turn_rad, int points, int rings);
-/// Round bar with half balls as ends, from z = -radius to length + radius.
+/// Round bar with hemispherical ends, from z = -radius to length + radius.
 [[nodiscard]] TriangleMesh capsule(double radius_m, double length_m, int points, int rings);
 
 [[nodiscard]] TriangleMesh turned(TriangleMesh mesh, const Vec3& axis, double angle_rad);

@@ -10,41 +10,41 @@
 
 namespace torsio::testing {
 
-// What a cohort's report says, word by word, for tests that hold it to the truth.
+// The texts of a cohort's report, for tests of their correctness.
 
-/// The same inputs with scores and summaries of the marks that they have now.
+/// Returns the inputs with scores and summaries updated to their marks.
 [[nodiscard]] CohortInputs scored(CohortInputs in);
-/// The demonstration's cohort without the marks that `lost` says.
+/// Returns the demonstration's cohort without the marks selected by `lost`.
 [[nodiscard]] CohortInputs losing(const std::function<bool(const TrainingMark&)>& lost);
-/// The demonstration's cohort with each mark changed.
+/// Returns the demonstration's cohort with each mark changed.
 [[nodiscard]] CohortInputs marking(const std::function<void(TrainingMark&)>& change);
 
-/// The demonstration's cohort with three untwistings of the first group in one phase: two undone, one of them
-/// after a relapse; in the third blood never came back.
+/// Returns the demonstration's cohort with three untwistings of the first group in one phase: two successful,
+/// one of them after a relapse; in the third, blood flow never returned.
 [[nodiscard]] CohortInputs withUntwistings();
 
-/// The demonstration's cohort, of whose models the class of raters that counts most has given no mark.
+/// Returns the demonstration's cohort without marks of the models by the rater class with the largest weight.
 [[nodiscard]] CohortInputs aClassOfRatersIsMissing();
 
-/// Null: there is none.
+/// Returns null if there is none.
 [[nodiscard]] const ReportFigure* figureNamed(const ReportModel& report, const std::string& id);
 [[nodiscard]] const ReportTable* tableNamed(const ReportModel& report, const std::string& id);
-/// All paragraphs, a line each.
+/// Returns all paragraphs, one per line.
 [[nodiscard]] std::string paragraphsOf(const ReportModel& report);
-/// How many rows of the table of numbers hold the statistic.
+/// Returns the number of rows with this statistic in the table of numbers.
 [[nodiscard]] std::int64_t csvCount(const CohortInputs& in, const std::string& statistic);
 
-/// A sentence or cell of a report, with what heads it.
+/// A sentence or cell of a report, with its heading.
 struct Said {
-  std::string head;  ///< title of the column, where the text is a cell
+  std::string head;  ///< column title, if the text is a cell
   std::string text;
 };
 [[nodiscard]] std::vector<Said> everythingSaid(const ReportModel& report);
-/// All of it, a line each.
+/// Returns everything, one text per line.
 [[nodiscard]] std::string textOfAll(const CohortInputs& in);
 
-/// Fails where a report or its table of numbers holds no number for one, p = 0, an interval without its
-/// level, a text with a hole, or a value that is neither there nor said to be undefined.
+/// Fails if a report or its table of numbers has a NaN or infinity, p = 0.000, an interval without its level,
+/// a text with an unfilled placeholder, or a value neither present nor marked as undefined.
 void expectWellSaid(const CohortInputs& in);
 
 }  // namespace torsio::testing

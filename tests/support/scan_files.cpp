@@ -12,7 +12,7 @@ namespace torsio::testing {
 
 namespace {
 
-/// Writes numbers into a header in the byte order of the file.
+/// Writes numbers into a header in the file's byte order.
 class HeadWriter {
  public:
   explicit HeadWriter(bool swapped) : swapped_(swapped), bytes_(348, '\0') {}
@@ -55,7 +55,7 @@ std::int16_t bitsOf(std::int16_t datatype) {
   }
 }
 
-/// Where a ray along x through (y, z) crosses the surface.
+/// Finds where a ray along x through (y, z) crosses the surface.
 void addCrossings(const TriangleMesh& mesh, const std::array<std::size_t, 2>& rays, const Vec3& first_m,
                   double y_m, double z_m, std::vector<std::vector<double>>& crossings) {
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
@@ -117,7 +117,7 @@ ScanVolume blankScanAround(const TriangleMesh& mesh, const Vec3& voxel_mm, doubl
 }
 
 void fillWith(ScanVolume& scan, const TriangleMesh& mesh, std::int16_t value) {
-  constexpr std::size_t kRays = 2;  // a voxel, each way; slightly off, so that none meets a corner
+  constexpr std::size_t kRays = 2;  // per voxel, each way; slightly shifted, so that none hits a vertex
   const double x_mm = scan.step_mm[0].x;
   const double y_m = 0.001 * scan.step_mm[1].y / kRays;
   const double z_m = 0.001 * scan.step_mm[2].z / kRays;
@@ -179,13 +179,13 @@ std::string niftiHead(const ScanVolume& scan, const NiftiStyle& style) {
   }
   if (style.qform) {
     head.put<std::int16_t>(252, 1);
-    head.put(264, 1.0F);  // a half turn about z: RAS of axes that run as LPS
+    head.put(264, 1.0F);  // a half turn about z: RAS for axes in LPS directions
     head.put(268, static_cast<float>(-scan.origin_mm.x));
     head.put(272, static_cast<float>(-scan.origin_mm.y));
     head.put(276, static_cast<float>(scan.origin_mm.z));
   }
   std::string bytes = head.bytes();
-  bytes.replace(148, 17, "DOE^JANE 19670401");  // what some converters leave in the description
+  bytes.replace(148, 17, "DOE^JANE 19670401");  // left in the description by some converters
   bytes.replace(344, 3, style.twoFiles ? "ni1" : "n+1");
   return style.twoFiles ? bytes : bytes + std::string(4, '\0');
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells a test program where the process that reads scans lies, whoever starts the test.
+// Sets the path of the scan reading process for a test program, however it is started.
 #include <cstdlib>
 
 namespace {

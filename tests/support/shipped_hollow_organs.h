@@ -11,7 +11,7 @@
 
 namespace torsio::testing {
 
-/// A shipped hollow organ with the pattern that undoes its twist, loaded once.
+/// Returns a shipped hollow organ with its untwisting pattern, loaded once.
 inline const Scene& twistedOrgan(const std::string& id) {
   static std::map<std::string, Scene> loaded;
   const auto found = loaded.find(id);
@@ -21,7 +21,7 @@ inline const Scene& twistedOrgan(const std::string& id) {
   return loaded.emplace(id, shippedScene(id, "detorse")).first->second;
 }
 
-/// Its vertices as it lies, without the folds of its wall.
+/// Returns its vertices in this state, without the folds of its wall.
 inline std::vector<Vec3> smoothAt(const Scene& scene, const OrganState& lies) {
   const HollowMap map(scene.lattice(), *scene.hollow, lies);
   std::vector<Vec3> moved_m;

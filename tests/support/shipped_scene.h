@@ -8,7 +8,7 @@
 
 namespace torsio::testing {
 
-/// Request for a scene of assets/scenes; without a pattern its first one.
+/// Returns the request for a scene of assets/scenes; default pattern: its first one.
 inline SceneRequest shippedRequest(const std::string& id = "forearm", const std::string& pattern = {}) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";

@@ -3,11 +3,11 @@
 # A private PostgreSQL for the tests, in a temporary folder on a free port, listening on this machine only.
 #
 #   export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)   prints its address
-#   tests/support/start-postgres.sh stop                                   ends the one of TORSIO_TEST_POSTGRES
+#   tests/support/start-postgres.sh stop                                   stops the server of TORSIO_TEST_POSTGRES
 #
-# PostgreSQL refuses to run as root: then it runs as the user postgres (Debian's package makes one) or nobody.
-# Nothing it holds matters, so it does not wait for the disk. Its certificate is for "localhost" and for no address, signed
-# by an authority of its own (ca.crt in the folder of the cluster).
+# PostgreSQL refuses to run as root: as root, starts it as the user postgres (created by Debian's package) or nobody.
+# Its data are disposable, so it does not wait for the disk. Its certificate is for "localhost" only, not for addresses,
+# signed by its own authority (ca.crt in the folder of the cluster).
 set -euo pipefail
 
 say() { echo "start-postgres: $*" >&2; }
@@ -21,7 +21,7 @@ tools_folder() {
   fail "PostgreSQL is not installed; run: apt-get install postgresql"
 }
 
-# Runs a command as somebody who is not root.
+# Runs a command as a user other than root.
 unprivileged() {
   if [ "$(id -u)" -ne 0 ]; then "$@"
   elif id postgres >/dev/null 2>&1; then runuser -u postgres -- "$@"
@@ -31,7 +31,7 @@ unprivileged() {
 
 cluster_folder() { echo "${TMPDIR:-/tmp}/torsio-postgres-$1"; }
 
-# Whoever connects may ask for TLS: a certificate of the cluster's own authority.
+# Clients may request TLS: a certificate of the cluster's own authority.
 make_certificates() {
   local folder=$1
   openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj "/CN=Torsio test authority" \

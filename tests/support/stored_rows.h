@@ -33,7 +33,7 @@ namespace torsio {
   return {all.begin(), all.end()};
 }
 
-/// Returns what the board shows of one station; empty: it is not there. Throws DbError.
+/// Returns a station's state on the board; empty: not there. Throws DbError.
 [[nodiscard]] inline std::optional<StationState> stationOnBoard(Connection& connection,
                                                                 const std::string& station) {
   for (const StationState& state : StationRepository(connection).board()) {

@@ -43,7 +43,7 @@ bool holdsNull(const nlohmann::json& value) {
   return value.is_null() || (value.is_structured() && std::any_of(value.begin(), value.end(), holdsNull));
 }
 
-/// What is wrong with a statement (xAPI-Data 2.4); empty: nothing that matters here.
+/// Returns the error of a statement (xAPI-Data 2.4); empty: none that matters here.
 std::string wrongWith(const nlohmann::json& statement) {
   static const QRegularExpression kUuid(
       QStringLiteral("^[0-9a-f]{8}-[0-9a-f]{4}-[1-5][0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$"));
@@ -113,7 +113,7 @@ TestLrs::TestLrs() {
 TestLrs::~TestLrs() {
   stop_ = true;
   thread_.join();
-  if (const char* file = std::getenv("TORSIO_LRS_OUT")) {  // for a validator beside the tests
+  if (const char* file = std::getenv("TORSIO_LRS_OUT")) {  // for an external validator
     std::ofstream out(file, std::ios::app);
     for (const Stored& one : stored_) {
       out << one.bytes << "\n";
@@ -273,7 +273,7 @@ QByteArray TestLrs::keep(const QByteArray& body, Fault fault) {
   return reply(200, QByteArray::fromStdString(nlohmann::json::array({id}).dump()));
 }
 
-/// As a store shows it: with what it adds, keys in another order.
+/// Returns it like a store: with additions, keys in another order.
 QByteArray TestLrs::read(const std::string& id, Fault fault) const {
   const auto known =
       std::find_if(stored_.begin(), stored_.end(), [&](const Stored& one) { return one.id == id; });

@@ -14,23 +14,23 @@
 
 namespace torsio::testing {
 
-/// A learning record store on this computer that keeps to xAPI 1.0.3 where it matters to a sender: version
-/// header, sign-in, form of a statement, one statement an id for ever; and that can be told to misbehave.
+/// A local learning record store that follows xAPI 1.0.3 as far as it matters to a sender: version header,
+/// authentication, format of a statement, one statement per id forever; its faults can be set.
 class TestLrs {
  public:
   enum class Fault {
     kNone,
-    kDropsBefore,      ///< hangs up before it keeps anything
-    kDropsAfter,       ///< keeps the statement and hangs up without an answer
+    kDropsBefore,      ///< hangs up before storing
+    kDropsAfter,       ///< stores the statement and hangs up without an answer
     kHangs,            ///< never answers
     kBusy,             ///< 503
     kBroken,           ///< 500
     kTooMany,          ///< 429, Retry-After: 7200
-    kPage,             ///< 200 with a page of a proxy
-    kRedirects,        ///< 302 to somewhere else
-    kNowhere,          ///< 404 to whatever is posted
-    kAlwaysConflicts,  ///< 409 for a known id, also when the statement is the same, as it may
-    kNotReadable,      ///< the same, and 404 when asked for it
+    kPage,             ///< 200 with a proxy's page
+    kRedirects,        ///< 302 to another place
+    kNowhere,          ///< 404 for every POST
+    kAlwaysConflicts,  ///< 409 for a known id even if the statement is identical, which is permitted
+    kNotReadable,      ///< like kAlwaysConflicts, and 404 when queried
     kRefuses,          ///< 400
   };
   struct Stored {
@@ -45,14 +45,14 @@ class TestLrs {
 
   [[nodiscard]] std::string endpoint() const;
   void become(Fault fault) { fault_ = fault; }
-  /// Refuses from now on statements whose bytes hold this; empty: none.
+  /// Refuses further statements containing these bytes; empty: none.
   void refuse(const std::string& part);
-  /// Puts a statement there, as another program may have.
+  /// Stores a statement as if from another program.
   void put(const std::string& id, const std::string& bytes);
 
-  [[nodiscard]] std::vector<Stored> stored() const;           ///< in the order in which they came
-  [[nodiscard]] std::vector<std::string> posted() const;      ///< bytes of every POST with a sound sign-in
-  [[nodiscard]] std::vector<std::string> complaints() const;  ///< what broke the specification
+  [[nodiscard]] std::vector<Stored> stored() const;       ///< in order of arrival
+  [[nodiscard]] std::vector<std::string> posted() const;  ///< bytes of every POST with valid authentication
+  [[nodiscard]] std::vector<std::string> complaints() const;  ///< violations of the specification
 
   static constexpr const char* kUser = "torsio station";
   static constexpr const char* kSecret = "a secret of the store";

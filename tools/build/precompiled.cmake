@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Headers that are parsed once for many sources. They save time and give nothing else: each source still includes
-# what it uses (.ci/lint compiles without them). A kind is used by targets whose definitions include its own.
+# Precompiled headers. They only save time: each source still includes what it uses (.ci/lint compiles without them).
+# A kind is used by targets whose definitions include those of the kind.
 
 set(torsio_standard_headers
   <algorithm> <array> <charconv> <chrono> <cmath> <cstddef> <cstdint> <cstdio> <filesystem> <fstream> <functional>

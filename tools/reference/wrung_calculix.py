@@ -24,8 +24,8 @@ import sys
 
 LENGTH = 6.0
 NU = 0.49
-SEED = 0.02  # of the thickness, each harmonic
-TIME = 5.0  # of a degree where it moves; a shear wave takes 6 from end to end
+SEED = 0.02  # relative to the thickness, for each harmonic
+TIME = 5.0  # per degree while moving; a shear wave takes 6 from end to end
 
 
 class Tube:
@@ -73,7 +73,7 @@ def write(tube, pressure, last, stride, pace, settled):
         out.write('*NODE,NSET=ALL\n')
         for number, place in enumerate(tube.place, 1):
             out.write('%d,%.10g,%.10g,%.10g\n' % (number, *place))
-        cosine = len(tube.place) + 1  # its displacement is cos - 1 of the angle, that of the next node sin
+        cosine = len(tube.place) + 1  # its displacement is cos(angle) - 1, that of the next node sin(angle)
         out.write('%d,0,0,0\n%d,0,0,0\n' % (cosine, cosine + 1))
         out.write('*ELEMENT,TYPE=C3D20R,ELSET=WALL\n')
         for number, nodes in enumerate(tube.elements, 1):
@@ -96,7 +96,7 @@ def write(tube, pressure, last, stride, pace, settled):
             out.write('*AMPLITUDE,NAME=%s,TIME=TOTAL TIME\n0,0\n' % name)
             for half in range(round(2 * last) + 1):
                 out.write('%.10g,%.12g\n' % (1 + 0.5 * half * pace, value(math.radians(0.5 * half))))
-        # The energy is asked for because *DYNAMIC insists.
+        # *DYNAMIC requires requesting the energy.
         printed = ('*NODE PRINT,NSET=RINGS\nU\n*NODE PRINT,NSET=TOP\nRF\n'
                    '*EL PRINT,ELSET=WALL,TOTALS=ONLY\nELSE\n*END STEP\n')
         load = pressure * tube.thinness / 2
@@ -174,7 +174,7 @@ def main():
     dynamic = [float(v) for w in sys.argv if w.startswith('--dynamic=') for v in w[10:].split(',')]
     thinness, pressure, last, stride = numbers[:4]
     around, along = (int(w) for w in numbers[4:6]) if len(numbers) > 4 else (20, 18)
-    settled = [angle + 0.23 for angle in dynamic] or [last, last]  # between the places of the table of angles
+    settled = [angle + 0.23 for angle in dynamic] or [last, last]  # between the entries of the table of angles
     pace = TIME if dynamic else 1.0
     tube = Tube(thinness, around, along)
     if '--report' not in sys.argv:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands for a library that the vendor's needs and that is not installed: linked against, never found.
+// A library that the vendor's needs but that is not installed: linked against, never found.
 extern "C" int fakehd_absent();
 
 int fakehd_absent() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions that steer the fake.
+// The functions that control the fake.
 #include <cstring>
 
 #include "tests/support/fakehd/fake_state.h"
@@ -53,7 +53,7 @@ void fakehd_reset() {
   for (const char* name :
        {"hdBeginFrame", "hdEndFrame", "hdGetDoublev", "hdGetIntegerv", "hdGetBooleanv", "hdSetDoublev",
         "hdGetError", "hdCheckCalibration", "hdUpdateCalibration", "hdEnable", "hdDisable"}) {
-    f.counts[name] = 0;  // so that counting them allocates nothing in the servo thread
+    f.counts[name] = 0;  // so that counting does not allocate in the servo thread
   }
   f.enabled[hd::kForceOutput] = false;
   f.offThread = 0;

@@ -15,8 +15,8 @@ bool nameOpens(const Fake& f, const char* name) {
   return f.onlyName.empty() ? name == nullptr : name != nullptr && f.onlyName == name;
 }
 
-/// A library that unschedules too late: the task is called after it was taken out, and the device with it.
-/// Called with the lock, which the task wants, too.
+/// Imitates a library that unschedules too late: calls a removed task, which uses its device. Called with the
+/// lock, which the task also needs.
 void callLate(Fake& f) {
   const Task task = f.kept;
   f.spin.unlock();
@@ -111,7 +111,7 @@ void hdBeginFrame(hd::Handle device) {
   const Guard guard(f.spin);
   const bool works = enter(f, __func__);
   if (!works) {
-    // A broken connection opens the frame all the same; only a frame error does not.
+    // A broken connection still opens the frame; only a frame error does not.
     const hd::ErrorCode last =
         f.errorCount > 0 ? f.errors[static_cast<std::size_t>(f.errorCount - 1)].error : 0;
     if (last == hd::kIllegalBegin || last == hd::kFrameError) {
@@ -397,7 +397,7 @@ hd::SchedulerHandle hdScheduleAsynchronous(hd::SchedulerCallback callback, void*
     handle = schedule(f, callback, userData, priority, false);
   }
   if (f.running && !f.real && !f.dead) {
-    // With the manual clock nobody else would serve a task that a teardown leaves.
+    // With the manual clock, nobody else would serve a task left over by a teardown.
     const std::lock_guard lock(f.mutex);
     f.pendingOnce = 1;
     f.changed.notify_all();

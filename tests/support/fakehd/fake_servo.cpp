@@ -60,7 +60,7 @@ void place(Fake& f) {
   f.now.buttons = f.buttons;
 }
 
-/// Comes from where it is told within 0.3 s, then presses and slackens a little, twice a second.
+/// Moves from its start within 0.3 s, then presses and slackens slightly, twice per second.
 void press(Fake& f) {
   constexpr double kComes_ticks = 300.0;
   constexpr double kPi = 3.141592653589793;
@@ -213,7 +213,7 @@ void runTick(Fake& f) {
   }
 }
 
-/// Tasks of hdScheduleSynchronous that nobody has served yet.
+/// Returns the number of unserved tasks of hdScheduleSynchronous.
 int waitingTasks(Fake& f) {
   const Guard guard(f.spin);
   int waiting = 0;
@@ -228,7 +228,7 @@ int waitingTasks(Fake& f) {
 void servoLoop(Fake& f) {
   f.servo = std::this_thread::get_id();
   if (f.real) {
-    // As the vendor's own thread: before other work where the system permits it.
+    // Like the vendor's own thread: higher priority if the system permits it.
     sched_param rank{};
     rank.sched_priority = 70;
     (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &rank);

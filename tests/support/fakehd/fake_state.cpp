@@ -88,8 +88,7 @@ void see(Fake& f, Seen what) {
   clock_gettime(CLOCK_MONOTONIC, &now);
   event.what = what;
   event.waited_ns = waited_ns(record->process, record->process) + waited_ns(record->process, record->servo);
-  event.time_ns =
-      1'000'000'000 * static_cast<std::int64_t>(now.tv_sec) + now.tv_nsec;  // last: now it is whole
+  event.time_ns = 1'000'000'000 * static_cast<std::int64_t>(now.tv_sec) + now.tv_nsec;  // last: now complete
 }
 
 void seeFault(Fake& f) {
@@ -118,7 +117,7 @@ void seeMotors(Fake& f) {
 
 namespace {
 
-/// Never returns, or ends the process, when the story says so.
+/// Hangs or ends the process, if the story says so.
 void misbehave(Fake& f, const char* function) {
   if (storyTick(f) < f.hangAtTick) {
     return;
@@ -134,7 +133,7 @@ void misbehave(Fake& f, const char* function) {
   if (f.hangIn == function) {
     seeFault(f);
     if (!f.hangLocked) {
-      f.spin.unlock();  // whoever calls holds it
+      f.spin.unlock();  // held by the caller
     }
     for (;;) {
       std::this_thread::sleep_for(std::chrono::hours(1));

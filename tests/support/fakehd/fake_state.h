@@ -16,9 +16,8 @@
 #include "tests/support/fakehd/fake_record.h"
 #include "tests/support/fakehd/fakehd.h"
 
-/// The inside of the fake vendor library: its state, its servo thread and the bookkeeping of its calls. State
-/// that callbacks reach is behind a spin lock, so that the servo path of the fake itself never takes a system
-/// lock.
+/// The internals of the fake vendor library: state, servo thread and bookkeeping of calls. State used by
+/// callbacks is protected by a spin lock, so that the fake's servo path never takes a system lock.
 namespace fakehd {
 
 namespace hd = torsio::hd;
@@ -26,7 +25,7 @@ namespace hd = torsio::hd;
 class SpinLock {
  public:
   void lock() noexcept {
-    // Not a yield alone: whoever holds it may have to let a thread of higher rank go first.
+    // Not only a yield: the holder may have to wait for a thread of higher priority.
     while (flag_.test_and_set(std::memory_order_acquire)) {
       std::this_thread::sleep_for(std::chrono::microseconds(20));
     }
@@ -61,17 +60,17 @@ struct Latched {
   std::int32_t buttons = 0;
 };
 
-// Joint and gimbal angles of a Touch whose stylus rests in the inkwell, as published in a recording.
+// Joint and gimbal angles of a Touch with its stylus in the inkwell, from a published recording.
 constexpr FakePose kInkwellPose{{0.0, 0.26889, -0.370813}, {0.000108409, 0.797273, -1.94046}, 0, {}};
 constexpr int kMaxErrors = 64;
 constexpr int kMaxCalls = 1 << 16;
 constexpr int kMaxTasks = 16;
 
-/// What a Touch answers.
+/// Returns the answers of a Touch.
 std::map<hd::Enum, std::vector<double>> usualNumbers();
 
 struct Fake {
-  SpinLock spin;  // everything below, unless said otherwise
+  SpinLock spin;  // protects everything below, unless stated otherwise
 
   // Story.
   bool present = true;
@@ -96,21 +95,21 @@ struct Fake {
   int dockAtTick = -1;
   int unplugAtTick = -1;
   std::string logFile;
-  std::string hangIn;       // the function that never returns ...
-  int hangAtTick = 0;       // ... from this tick on
-  bool hangLocked = false;  // ... and holds the library's lock
-  std::string crashIn;      // the function that ends the process at that tick ...
-  int crashSignal = 0;      // ... by this signal; 0: by exit()
-  int dieAtTick = -1;       // the servo thread calls nobody any more
-  std::string lie;          // what it says of the pose ...
-  int lieAtTick = 0;        // ... from this tick on
+  std::string hangIn;       // function that hangs
+  int hangAtTick = 0;       // from this tick on
+  bool hangLocked = false;  // while holding the library's lock
+  std::string crashIn;      // function that ends the process at that tick
+  int crashSignal = 0;      // by this signal; 0: by exit()
+  int dieAtTick = -1;       // the servo thread stops calling
+  std::string lie;          // falsified pose
+  int lieAtTick = 0;        // from this tick on
   bool lateCallbacks = false;
-  std::array<double, 6> press_mm{};  // where the tip comes from and where it presses
+  std::array<double, 6> press_mm{};  // start of the tip and where it presses
   bool presses = false;
-  FakeRecord* record = nullptr;  // null: nobody asks
+  FakeRecord* record = nullptr;  // null: not recording
   bool faultSeen = false;
   bool pushed = false;
-  bool afterPush = false;  // the story's ticks count from the first force on
+  bool afterPush = false;  // the story's ticks count from the first force
   std::int64_t pushTick = -1;
 
   // Library.
@@ -140,11 +139,11 @@ struct Fake {
   std::atomic<std::int64_t> period_us{1000};
   std::atomic<bool> unplugged{false};
   std::atomic<bool> running{false};
-  std::atomic<bool> dead{false};  // the servo thread calls nobody any more
+  std::atomic<bool> dead{false};  // the servo thread stops calling
   std::atomic<bool> real{true};
   std::atomic<std::thread::id> servo{};
 
-  // Hand-over between the test and the servo thread, never taken within a callback.
+  // Synchronises test and servo thread; never taken in a callback.
   std::mutex mutex;
   std::condition_variable changed;
   std::thread thread;
@@ -157,27 +156,26 @@ Fake& fake();
 int loads();
 
 void push(Fake& f, hd::ErrorCode error, std::int32_t internal);
-/// Pushes an error and counts that a rule was broken.
+/// Pushes an error and counts a broken rule.
 void breakRule(Fake& f, hd::ErrorCode error);
 bool onServoThread(const Fake& f);
-/// One line into the file that FAKEHD_LOG names.
+/// Writes a line to the file named by FAKEHD_LOG.
 void writeLog(const Fake& f, const char* line);
-/// The tick of the story; negative: it has not begun.
+/// Returns the tick of the story; negative: not started.
 std::int64_t storyTick(const Fake& f);
-/// What the record is told, with the time.
+/// Adds an event with its time to the record.
 void see(Fake& f, Seen what);
-/// The story's fault has begun.
+/// Records the start of the story's fault.
 void seeFault(Fake& f);
-/// Whether the motors have a force, after whatever may have changed that.
+/// Updates whether the motors have a force; call after any change.
 void seeMotors(Fake& f);
-/// Bookkeeping of one call. False when a fault was scripted for it, or the cable is out: it then does
-/// nothing.
+/// Records a call. False if a fault is scripted for it or the cable is unplugged: it must then do nothing.
 bool enter(Fake& f, const char* function, bool deviceCall = true);
-/// The force that the motors render.
+/// Returns the force rendered by the motors.
 std::array<double, 3> rendered(const Fake& f);
 void readEnvironment(Fake& f);
 
-/// The servo thread.
+/// Runs the servo thread.
 void servoLoop(Fake& f);
 hd::SchedulerHandle schedule(Fake& f, hd::SchedulerCallback callback, void* userData, hd::UShort priority,
                              bool once);

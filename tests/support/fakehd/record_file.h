@@ -11,8 +11,7 @@
 
 namespace fakehd {
 
-/// A FakeRecord as a test sees it: the file is made when it is not there. What cannot be mapped ends the
-/// program.
+/// A test's view of a FakeRecord: the file is created if missing. Ends the program if it cannot be mapped.
 class RecordFile {
  public:
   explicit RecordFile(const std::string& path) {
@@ -31,7 +30,7 @@ class RecordFile {
   RecordFile(const RecordFile&) = delete;
   RecordFile& operator=(const RecordFile&) = delete;
 
-  /// What FAKEHD_RECORD names in this process.
+  /// Returns the value of FAKEHD_RECORD in this process.
   [[nodiscard]] static std::string fromEnvironment() {
     const char* const named = std::getenv("FAKEHD_RECORD");
     return named != nullptr ? named : "/dev/null";
@@ -42,7 +41,7 @@ class RecordFile {
     const std::int64_t most = FakeRecord::kMost;
     return record_->count < most ? record_->count.load() : most;
   }
-  /// The first event of a kind after `after_ns`, the last one of a kind; null: none.
+  /// Return the first event of a kind after `after_ns`, and the last one of a kind; null: none.
   [[nodiscard]] const SeenEvent* first(Seen what, std::int64_t after_ns = 0) const noexcept {
     for (std::int64_t i = 0; i < size(); ++i) {
       const SeenEvent& event = record_->events[static_cast<std::size_t>(i)];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laid before the system's library (LD_PRELOAD), it counts the calls by which a program changes a disk or
-// talks to a server, and lets one of them be its last:
-//   TORSIO_FAULT_COUNT=FILE   writes to FILE how many instants there were
+// Preloaded (LD_PRELOAD), it counts the calls by which a program changes a disk or talks to a server, and can
+// end the program at one of them:
+//   TORSIO_FAULT_COUNT=FILE   writes the number of instants to FILE
 //   TORSIO_FAULT_KILL_AT=K    kills the program at the K-th instant
-//   TORSIO_FAULT_STOP_EVERY=N stops it at every N-th instant (SIGSTOP), so that a kill there can be looked at
-//   TORSIO_FAULT_FULL_AT=K    from the K-th instant on the disk is full
-//   TORSIO_FAULT_CLOCK_S=N    the clock on the wall is N seconds ahead
-// A call is one instant, right before it; one that hands over bytes has a second, when half of them are out.
+//   TORSIO_FAULT_STOP_EVERY=N stops it at every N-th instant (SIGSTOP), so that its state can be inspected
+//   TORSIO_FAULT_FULL_AT=K    the disk is full from the K-th instant on
+//   TORSIO_FAULT_CLOCK_S=N    the wall clock is N seconds ahead
+// Each call has an instant right before it; one that transfers bytes has a second, when half of them are out.
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -53,14 +53,14 @@ void dieAt(long instant) {
   }
 }
 
-/// The next instant. False: the disk is full.
+/// Counts the next instant. False: the disk is full.
 bool passes() {
   const long instant = ++instants;
   dieAt(instant);
   return fullAt == 0 || instant < fullAt;
 }
 
-/// Whether what is written there counts: a file or a server, no terminal and no pipe.
+/// Returns whether writing to a descriptor counts: a file or a server, but no terminal or pipe.
 bool counts(int descriptor) {
   struct stat found {};
   return descriptor > STDERR_FILENO && fstat(descriptor, &found) == 0 &&
@@ -72,7 +72,7 @@ bool isSocket(int descriptor) {
   return fstat(descriptor, &found) == 0 && S_ISSOCK(found.st_mode);
 }
 
-/// Hands `size` bytes over by `hand`, of which `half` are out at the second instant.
+/// Transfers `size` bytes with `hand`; half of them are out at the second instant.
 template <typename Hand>
 ssize_t handOver(int descriptor, size_t size, Hand&& hand) {
   if (!counts(descriptor)) {
@@ -93,7 +93,7 @@ ssize_t handOver(int descriptor, size_t size, Hand&& hand) {
   return hand(size);
 }
 
-/// A call that makes something new.
+/// A call that creates something.
 template <typename Call>
 auto make(Call&& call) -> decltype(call()) {
   if (!passes()) {
