@@ -30,20 +30,20 @@ constexpr double kMemoryTarget_MB = 500.0;
 constexpr int kHour_ms = 3'600'000;
 
 /// Returns the peak memory of this program.
-double mostMemory_MB() {
+double peakMemory_MB() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1'024.0;
 }
 
 /// Runs work and prints its time; returns whether it met its target (0: none).
-bool meets(const char* what, double target_s, const std::function<void()>& work) {
+bool meetsTarget(const char* what, double target_s, const std::function<void()>& work) {
   const std::clock_t begun = std::clock();
   work();
   const double took_s = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
   const bool met = target_s == 0.0 || took_s <= target_s;
   std::printf("%-40s %6.2f s of the processor, target %4.0f s, memory up to %6.1f MB   %s\n", what, took_s,
-              target_s, mostMemory_MB(), met ? "met" : "MISSED");
+              target_s, peakMemory_MB(), met ? "met" : "MISSED");
   std::fflush(stdout);
   return met;
 }
@@ -78,27 +78,29 @@ fs::path writeHour(const fs::path& folder) {
 
 bool measureOut(testing::StudyCentre& centre) {
   CohortId cohort;
-  meets("filling", 0.0, [&] { cohort = fillLargeStudy(centre); });
+  meetsTarget("filling", 0.0, [&] { cohort = fillLargeStudy(centre); });
   TrialDigests digests(centre.assets());
-  meets("measuring the recordings, once", 0.0,
-        [&] { static_cast<void>(exchangeData(centre.as("statistician"), {.cohortId = cohort}, digests)); });
+  meetsTarget("measuring the recordings, once", 0.0, [&] {
+    static_cast<void>(exchangeData(centre.as("statistician"), {.cohortId = cohort}, digests));
+  });
   const auto all = [&] { return exchangeData(centre.as("statistician"), {.cohortId = cohort}, digests); };
-  bool met = meets("tables (.csv)", kTablesTarget_s, [&] {
+  bool met = meetsTarget("tables (.csv)", kTablesTarget_s, [&] {
     exportTables(centre.as("statistician"), all(), TableFormat::kCsv, centre.folder() / "csv");
   });
-  met = meets("tables (.sav)", kTablesTarget_s,
-              [&] {
-                exportTables(centre.as("statistician"), all(), TableFormat::kSpss, centre.folder() / "spss");
-              }) &&
+  met = meetsTarget("tables (.sav)", kTablesTarget_s,
+                    [&] {
+                      exportTables(centre.as("statistician"), all(), TableFormat::kSpss,
+                                   centre.folder() / "spss");
+                    }) &&
         met;
-  met = meets("workbook", kBookTarget_s,
-              [&] {
-                exportWorkbook(
-                    centre.as("statistician"), all(), [](const Text& text) { return text.str(); },
-                    centre.folder() / "book.xlsx");
-              }) &&
+  met = meetsTarget("workbook", kBookTarget_s,
+                    [&] {
+                      exportWorkbook(
+                          centre.as("statistician"), all(), [](const Text& text) { return text.str(); },
+                          centre.folder() / "book.xlsx");
+                    }) &&
         met;
-  if (mostMemory_MB() > kMemoryTarget_MB) {
+  if (peakMemory_MB() > kMemoryTarget_MB) {
     std::printf("memory: MISSED\n");
     met = false;
   }
@@ -113,7 +115,7 @@ int main(int argc, char** argv) {
   torsio::testing::StudyCentre centre;
   const bool out = torsio::bench::measureOut(centre);
   const std::filesystem::path map = torsio::bench::writeHour(centre.folder());
-  const bool in = torsio::bench::meets(
+  const bool in = torsio::bench::meetsTarget(
       "an hour of foreign motion at 1 kHz", torsio::bench::kImportTarget_s,
       [&] { torsio::importForeign(centre.as("administrator"), torsio::ForeignLayout::kCsv, map, ""); });
   return out && in ? 0 : 1;

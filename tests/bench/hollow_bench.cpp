@@ -97,7 +97,7 @@ double median(std::vector<double>& values) {
 
 /// Prints the time to find the nearest point to a tip and to a shaft within 20 mm of the organ's surface at
 /// its largest twist, with either bound, and how often the assumed one misses it.
-void touchScene(const std::string& id) {
+void measureNearestSurface(const std::string& id) {
   constexpr int kPlaces = 4000;
   const Scene scene = loadScene(requestOf(id));
   const OrganState lies = scene.stateAt(scene.hollow->detorsion().start.most_rad);
@@ -219,7 +219,7 @@ int main() {
     met = torsio::measure(id) && met;
   }
   for (const char* id : kScenes) {
-    torsio::touchScene(id);
+    torsio::measureNearestSurface(id);
   }
   for (const torsio::Isa isa : torsio::usableIsas()) {
     for (const std::size_t blocks : {250U, 6250U}) {  // 4,000 vertices fit into the second-level cache

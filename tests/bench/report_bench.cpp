@@ -38,12 +38,12 @@ constexpr double kListTarget_ms = 100.0;
 constexpr int kOpenings = 5;
 
 /// Wall time and processor time of work.
-struct Took {
+struct WorkTime {
   double elapsed_ms = 0.0;
   double processor_ms = 0.0;
 };
 
-Took milliseconds(const std::function<void()>& work) {
+WorkTime milliseconds(const std::function<void()>& work) {
   const auto begun = std::chrono::steady_clock::now();
   const std::clock_t processor = std::clock();
   work();
@@ -51,7 +51,7 @@ Took milliseconds(const std::function<void()>& work) {
           1e3 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC};
 }
 
-void print(const char* what, const Took& took) {
+void print(const char* what, const WorkTime& took) {
   std::printf("%-48s %9.1f ms, processor %8.1f ms", what, took.elapsed_ms, took.processor_ms);
 }
 
@@ -61,7 +61,7 @@ enum class Verdict { kMet, kMissed, kUndecided };
 bool machineIsBusy() {
   constexpr double kHeldUp = 1.25;
   volatile double sum = 0.0;
-  const Took took = milliseconds([&sum] {
+  const WorkTime took = milliseconds([&sum] {
     for (int i = 1; i < 20'000'000; ++i) {
       sum = sum + 1.0 / i;
     }
@@ -72,7 +72,7 @@ bool machineIsBusy() {
 /// Compares wall time with a target, because users wait for disk and server, too. Processor time alone never
 /// meets a target. But if it is within the target and the machine is busy with other programs, the wall time
 /// says nothing: then the result is undecided.
-Verdict report(const char* what, const Took& took, double target_ms) {
+Verdict report(const char* what, const WorkTime& took, double target_ms) {
   Verdict verdict = Verdict::kMet;
   if (took.elapsed_ms > target_ms) {
     verdict = took.processor_ms <= target_ms && machineIsBusy() ? Verdict::kUndecided : Verdict::kMissed;
@@ -104,10 +104,10 @@ Verdict measureReport(testing::StudyCentre& centre, const CohortId& cohortId) {
     return digests.measured();
   };
   std::size_t measured = 0;
-  const Took old = milliseconds([&] { measured = build(); });
+  const WorkTime old = milliseconds([&] { measured = build(); });
   print("the report of a record of an older version", old);
   std::printf("   (%zu recordings measured, once)\n", measured);
-  const Took first = milliseconds([&] { measured = build(); });
+  const WorkTime first = milliseconds([&] { measured = build(); });
   if (measured != 0) {
     return Verdict::kMissed;  // everything is cached beside the recordings by now
   }
@@ -115,18 +115,18 @@ Verdict measureReport(testing::StudyCentre& centre, const CohortId& cohortId) {
 }
 
 /// Makes everybody's record due for review, two days later.
-void letAllBecomeDue(testing::StudyCentre& centre) {
+void makeAllRecordsDue(testing::StudyCentre& centre) {
   setRetentionRule(centre.as("administrator"), kRetainTrainee, 1, "a rule of the bench");
   centre.passTime_us(2 * 86'400'000'000);
 }
 
 /// Returns the shortest of several openings, each with a new page: other load can only add to it.
-Took openings(const gui::PageEntry& entry, gui::ShellContext& shell) {
-  Took shortest{std::numeric_limits<double>::max(), 0.0};
+WorkTime shortestOpening(const gui::PageEntry& entry, gui::ShellContext& shell) {
+  WorkTime shortest{std::numeric_limits<double>::max(), 0.0};
   for (int opening = 0; opening < kOpenings; ++opening) {
     const std::unique_ptr<gui::Page> page(entry.make(shell));
     page->resize(1366, 768);
-    const Took took = milliseconds([&] {
+    const WorkTime took = milliseconds([&] {
       page->enter({});
       page->grab();
     });
@@ -139,7 +139,7 @@ Took openings(const gui::PageEntry& entry, gui::ShellContext& shell) {
 }
 
 Verdict measureLists(testing::StudyCentre& centre) {
-  letAllBecomeDue(centre);
+  makeAllRecordsDue(centre);
   gui::ShellContext shell(centre.session(), centre.assets(), gui::ThemeKind::kLight);
   Verdict worst = Verdict::kMet;
   for (const gui::PageEntry& entry : gui::administratorPages()) {
@@ -147,14 +147,14 @@ Verdict measureLists(testing::StudyCentre& centre) {
       continue;  // already measured
     }
     centre.as(entry.id == gui::PageId::kAllocation ? "allocator" : "administrator");
-    worst = worse(worst, report(gui::factsOf(entry.id).text, openings(entry, shell), kListTarget_ms));
+    worst = worse(worst, report(gui::factsOf(entry.id).text, shortestOpening(entry, shell), kListTarget_ms));
   }
   return worst;
 }
 
 Verdict measureTrials(testing::StudyCentre& centre) {
   std::size_t listed = 0;
-  const Took took = milliseconds([&] { listed = TrialRepository(centre.connection()).list().size(); });
+  const WorkTime took = milliseconds([&] { listed = TrialRepository(centre.connection()).list().size(); });
   if (listed == 0) {
     std::abort();
   }
@@ -173,9 +173,9 @@ void measureRoster() {
   const RosterFile file = parseRoster(text, "roster.csv");
   const RosterColumns columns = suggestColumns(file, RosterKind::kTrainees);
   RosterPreview preview;
-  const Took compared =
+  const WorkTime compared =
       milliseconds([&] { preview = previewRoster(session, file, RosterKind::kTrainees, columns); });
-  const Took stored = milliseconds([&] {
+  const WorkTime stored = milliseconds([&] {
     static_cast<void>(importRoster(session, file, RosterKind::kTrainees, columns, preview.fingerprint,
                                    RosterMode::kCommit));
   });

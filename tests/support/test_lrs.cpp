@@ -44,7 +44,7 @@ bool holdsNull(const nlohmann::json& value) {
 }
 
 /// Returns the error of a statement (xAPI-Data 2.4); empty: none that matters here.
-std::string wrongWith(const nlohmann::json& statement) {
+std::string errorOf(const nlohmann::json& statement) {
   static const QRegularExpression kUuid(
       QStringLiteral("^[0-9a-f]{8}-[0-9a-f]{4}-[1-5][0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$"));
   static const QRegularExpression kTime(
@@ -254,7 +254,7 @@ QByteArray TestLrs::answerTo(const QByteArray& head, const QByteArray& body) {
 
 QByteArray TestLrs::keep(const QByteArray& body, Fault fault) {
   const nlohmann::json statement = nlohmann::json::parse(body.toStdString(), nullptr, false);
-  if (const std::string wrong = wrongWith(statement); !wrong.empty()) {
+  if (const std::string wrong = errorOf(statement); !wrong.empty()) {
     complaints_.push_back(wrong + ": " + body.toStdString());
     return reply(400, QByteArray::fromStdString(wrong));
   }

@@ -15,7 +15,7 @@ namespace torsio::gui {
 namespace {
 
 /// Estimates the remaining time, s, at the average rate so far; negative (unknown) at first.
-double guessedRemaining_s(double elapsed_s, double fraction) {
+double estimatedRemaining_s(double elapsed_s, double fraction) {
   constexpr double kSomething = 0.05;
   constexpr double kLongEnough_s = 2.0;
   if (fraction < kSomething || fraction > 1.0 || elapsed_s < kLongEnough_s) {
@@ -102,7 +102,7 @@ void ShellContext::start(Job job) {
         const double left_s =
             progress.remaining_s >= 0.0
                 ? progress.remaining_s
-                : guessedRemaining_s(static_cast<double>(since.elapsed()) / 1000.0, progress.fraction);
+                : estimatedRemaining_s(static_cast<double>(since.elapsed()) / 1000.0, progress.fraction);
         QMetaObject::invokeMethod(this, [this, progress, left_s] {
           Q_EMIT jobMoved(toQString(progress.step), progress.fraction, left_s);
         });

@@ -61,7 +61,7 @@ void findAxis(OrganTrial& trial) {
 }
 
 /// Maps the progress of the scan reader to a part of the whole.
-ScanProgress passedOn(const ProgressCallback& progress, double whole) {
+ScanProgress partialProgress(const ProgressCallback& progress, double whole) {
   return [&progress, whole](ScanStep step, double fraction) {
     const ScanStepShare share = shareOf(step);
     tellProgress(progress, share.words, whole * share.at(fraction));
@@ -69,7 +69,7 @@ ScanProgress passedOn(const ProgressCallback& progress, double whole) {
 }
 
 /// Makes a static view of a surface without axis.
-ViewScene stillView(const TriangleMesh& mesh, const std::string& anatomy) {
+ViewScene staticView(const TriangleMesh& mesh, const std::string& anatomy) {
   ViewScene view;
   view.look = tissueLook(anatomy);
   view.surface = OrganSurface(mesh);
@@ -91,7 +91,7 @@ OrganTrial trialOf(OrganImport import, const std::filesystem::path& assets) {
   TriangleMesh shown = whole.triangles.size() > kJudgedTriangles ? thinned(whole, kJudgedTriangles) : whole;
   trial.scene = ownAxisScene(trial.import, shown, assets);
   if (trial.scene == nullptr) {
-    trial.view = stillView(shown, trial.import.organ.anatomy);
+    trial.view = staticView(shown, trial.import.organ.anatomy);
     trial.shown = std::make_shared<const TriangleMesh>(std::move(shown));
     return trial;
   }
@@ -103,12 +103,12 @@ OrganTrial trialOf(OrganImport import, const std::filesystem::path& assets) {
 }
 
 ScanPreview previewOf(const ScanRequest& scan, bool find, const ProgressCallback& progress) {
-  return previewApart(scan, find, passedOn(progress, 1.0));
+  return previewApart(scan, find, partialProgress(progress, 1.0));
 }
 
 OrganTrial trialOfScan(const OrganImportRequest& request, const ScanRequest& scan, ScanSurface& surface,
                        const ProgressCallback& progress) {
-  OrganReconstruction made = reconstructOrgan(request, scan, passedOn(progress, 0.8));
+  OrganReconstruction made = reconstructOrgan(request, scan, partialProgress(progress, 0.8));
   surface = std::move(made.scan);
   tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
   return trialOf(std::move(made.import), request.assets);

@@ -32,7 +32,7 @@ namespace {
 constexpr double kNear_points = 0.5;  // smaller differences count as agreement
 
 /// Reduces a rubric to the overall mark, the only one that a panel has agreed on.
-RubricRevision overallOnly(RubricRevision rubric) {
+RubricRevision withoutRows(RubricRevision rubric) {
   rubric.rows.clear();
   return rubric;
 }
@@ -128,7 +128,7 @@ void RaterCalibrationPage::openRun(std::size_t number) {
   }
   Sheet last;
   last.overall_steps = calibration_.runs[number_ - 1].own_steps;
-  sheet_->beginSheet(overallOnly(calibration_.rubric), last);
+  sheet_->beginSheet(withoutRows(calibration_.rubric), last);
   sheet_->takeFocus();
   showResult();
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));

@@ -34,7 +34,7 @@ std::optional<double> numberOf(const QDoubleSpinBox& box) {
 }
 
 /// Returns a combo box with two entries, still without text.
-QComboBox* twoEntries() {
+QComboBox* comboOfTwo() {
   auto* box = new QComboBox;
   box->addItems({QString(), QString()});
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -80,8 +80,8 @@ QWidget* EngineerPanel::createFields() {
   hint_ = sentence(body);
   column->addWidget(hint_);
   modulus_ = numberOrNone(1e6, 0, 500.0);
-  drift_ = twoEntries();
-  interpolation_ = twoEntries();
+  drift_ = comboOfTwo();
+  interpolation_ = comboOfTwo();
   beta_ = numberOrNone(10000.0, 1, 10.0);
   clampLift_ = new QCheckBox;
   poynting_ = new QCheckBox;

@@ -77,7 +77,7 @@ bool seen(const QObject* model) {
 }
 
 /// Returns whether the hand points towards the viewer, where it would hide its work.
-bool handHides(const QObject& root, const QVector3D& eye) {
+bool handHidesWork(const QObject& root, const QVector3D& eye) {
   constexpr float kTowardsViewer = 0.7F;  // cosine
   const QVector3D tip = root.property("toolPosition").value<QVector3D>();
   const auto turn = root.property("toolRotation").value<QQuaternion>();
@@ -204,7 +204,7 @@ void SceneCanvas::setCamera(const OrbitCamera& camera, float distant_mm) {
   constexpr float kHalf_rad = 0.5F * OrbitCamera::kFieldOfView_deg * std::numbers::pi_v<float> / 180.0F;
   const auto pixels = static_cast<float>(quick_->height() * quick_->devicePixelRatioF());
   eye_ = {camera.position(), 2.0F * std::tan(kHalf_rad) / pixels};
-  set("handVisible", hasHand_ && !throughPort(surroundings_) && !handHides(*root_, eye_.position));
+  set("handVisible", hasHand_ && !throughPort(surroundings_) && !handHidesWork(*root_, eye_.position));
   edgeSolids();
 }
 
@@ -289,7 +289,7 @@ void SceneCanvas::setTool(const Pose& pose, double grip) {
   set("jawAngle", shownJaw_deg(grip, jawOpening_deg_));
   placePort(tip_mm, turn.rotatedVector({0.0F, 0.0F, 1.0F}));
   set("handVisible",
-      hasHand_ && !throughPort(surroundings_) && (root_ == nullptr || !handHides(*root_, eye_.position)));
+      hasHand_ && !throughPort(surroundings_) && (root_ == nullptr || !handHidesWork(*root_, eye_.position)));
   edgeSolids();
 }
 

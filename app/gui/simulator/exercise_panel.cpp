@@ -58,7 +58,7 @@ void rename(QComboBox* box, int index, const QString& text) {
 }
 
 /// Makes an open list as wide as its longest line, even if the closed field is narrower.
-void showLinesWhole(QComboBox* box) {
+void fitPopupToLines(QComboBox* box) {
   constexpr int kRoundLine = 28;  // padding of a line and the list
   box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + kRoundLine);
 }
@@ -168,8 +168,8 @@ void ExercisePanel::setOrgans(const std::filesystem::path& assets) {
 
 void ExercisePanel::nameChosen() {
   organ_->setToolTip(organ_->currentText());
-  showLinesWhole(organ_);
-  showLinesWhole(pattern_);
+  fitPopupToLines(organ_);
+  fitPopupToLines(pattern_);
 }
 
 void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrgan) {

@@ -19,7 +19,7 @@ constexpr double kInsideEnd = 0.04;  // a section at the very end is too small t
 const Vec3 kTowardsViewer{0.0, -1.0, 0.0};
 
 /// Returns the possible initial states of an organ; one that comes twisted may have any angle.
-std::vector<OrganState> waysItMayLie(const Scene& scene) {
+std::vector<OrganState> possibleStates(const Scene& scene) {
   std::vector<OrganState> ways{OrganState{}};
   if (scene.hollow) {
     for (int i = 1; i < kParkingTurns; ++i) {
@@ -34,7 +34,7 @@ std::vector<OrganState> waysItMayLie(const Scene& scene) {
 Vec3 parkingPoint_m(const Scene& scene) {
   const double share = std::clamp(scene.pattern.graspArc, kInsideEnd, 1.0 - kInsideEnd);
   const Vec3 centre_m = scene.lattice().frameAt(share * scene.lattice().length_m()).centre_m;
-  const std::vector<OrganState> lies = waysItMayLie(scene);
+  const std::vector<OrganState> lies = possibleStates(scene);
   for (double way_m = 0.0; way_m < kFarthestParking_m; way_m += kParkingStep_m) {
     const Vec3 point_m = centre_m + kTowardsViewer * way_m;
     const bool clear = std::ranges::all_of(lies, [&](const OrganState& organ) {

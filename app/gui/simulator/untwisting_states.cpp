@@ -16,7 +16,7 @@ constexpr double kLongest_s = 12.0 * 3600.0;
 constexpr double kStep_s = 600.0;
 
 /// Blood of an organ, and how long it has been twisted.
-struct Lain {
+struct TwistHistory {
   PerfusionState blood;
   double since_s = 0.0;
 };
@@ -41,15 +41,15 @@ double angleOf(const HollowOrgan& organ, UntwistingState state) {
 
 /// Returns the blood of an organ that has been twisted until it is nearly lost, or for long if that harms it
 /// little.
-Lain starved(const HollowOrgan& organ) {
+TwistHistory twistedUntilNearlyLost(const HollowOrgan& organ) {
   const Detorsion& detorsion = organ.detorsion();
   const double pressure_mmHg = detorsion.wall.pressure_Pa / kPascalsPerMmHg;
-  Lain lain;
-  while (lain.since_s + kStep_s <= kLongest_s && lain.blood.dose < kNearlyLost) {
-    lain.since_s += kStep_s;
-    lain.blood = organ.vessels().after(detorsion.start.most_rad, pressure_mmHg, lain.since_s);
+  TwistHistory history;
+  while (history.since_s + kStep_s <= kLongest_s && history.blood.dose < kNearlyLost) {
+    history.since_s += kStep_s;
+    history.blood = organ.vessels().after(detorsion.start.most_rad, pressure_mmHg, history.since_s);
   }
-  return lain;
+  return history;
 }
 
 void putBlood(const PerfusionState& blood, HollowPose& pose) {
@@ -68,15 +68,15 @@ LiveState untwistingState(const Scene& scene, UntwistingState state) {
   LiveState live = scriptedTwist(scene, detorsion.start.sign * angleOf(organ, state));
   HollowPose& pose = live.hollow;
   if (state == UntwistingState::kIschaemic) {
-    const Lain lain = starved(organ);
-    putBlood(lain.blood, pose);
-    pose.scaled_s = lain.since_s;
+    const TwistHistory history = twistedUntilNearlyLost(organ);
+    putBlood(history.blood, pose);
+    pose.scaled_s = history.since_s;
   } else if (state == UntwistingState::kRecovered) {
-    Lain lain = starved(organ);
+    TwistHistory history = twistedUntilNearlyLost(organ);
     const double back_s = 20.0 * detorsion.vessels.flowTime_s;
-    organ.vessels().step(lain.blood, 0.0, 0.0, back_s);
-    putBlood(lain.blood, pose);
-    pose.scaled_s = lain.since_s + back_s;
+    organ.vessels().step(history.blood, 0.0, 0.0, back_s);
+    putBlood(history.blood, pose);
+    pose.scaled_s = history.since_s + back_s;
     pose.reading.pressure_Pa =
         detorsion.wall.vent ? detorsion.wall.ventedPressure_Pa : detorsion.wall.restPressure_Pa;
     pose.reading.patency = organ.patency(0.0, pose.reading.pressure_Pa);

@@ -66,7 +66,7 @@ constexpr int kBriefingWidth = 340;
 constexpr double kSlowMotion = 0.25;
 
 /// Describes the hand's present action, for a viewer.
-QString doneNow(const LiveState& state, const TrainingModule& module, bool undone) {
+QString presentAction(const LiveState& state, const TrainingModule& module, bool undone) {
   switch (state.phase) {
     case ExercisePhase::kTracking:
       return state.times.released_us >= 0 ? BriefingPage::tr("the organ is released, and the jaw draws back.")
@@ -271,7 +271,7 @@ void BriefingPage::follow(const LiveState& state) {
   }
   const bool over = expert->position_us() >= expert->duration_us();
   const QString said = over ? tr("An expert's run: it is over. Watch again, or start.")
-                            : tr("An expert's run: %1").arg(doneNow(state, step_.module, undone_));
+                            : tr("An expert's run: %1").arg(presentAction(state, step_.module, undone_));
   if (said != caption_->text()) {
     caption_->setText(said);
   }

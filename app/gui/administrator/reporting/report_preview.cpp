@@ -57,7 +57,7 @@ QImage drawn(const ReportFigure& figure, const Wording& wording) {
 }
 
 /// Allows line breaks in hashes, which would otherwise widen their table.
-QString breaking(QString html) {
+QString withHashBreaks(QString html) {
   static const QRegularExpression kSixteen(
       QStringLiteral("((?:(?<=\u200B)|(?<![0-9a-f]))[0-9a-f]{16})(?=[0-9a-f])"));
   qsizetype length = 0;
@@ -107,7 +107,7 @@ QString ReportPreview::tableHtml(const ReportTable& table, const QString& name,
   for (std::size_t r = 0; r < (whole ? table.rows.size() : kRowsShown); ++r) {
     text += QStringLiteral("<tr>");
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
-      const QString cell = inCell(breaking(html(table.rows[r][c])));
+      const QString cell = inCell(withHashBreaks(html(table.rows[r][c])));
       const auto& key = table.rows[r][c].key;
       text += key == nullptr ? QStringLiteral("<td>%1</td>").arg(cell)
                              : QStringLiteral("<td><a href=\"%1%2\" style=\"color:#004a7c\">%3</a></td>")
@@ -161,7 +161,8 @@ void ReportPreview::showReport() {
   }
   text += QStringLiteral("<table cellpadding='3'>");
   for (const auto& [label, value] : model.facts) {
-    text += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>").arg(html(label), breaking(html(value)));
+    text += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>")
+                .arg(html(label), withHashBreaks(html(value)));
   }
   text += QStringLiteral("</table>");
   int tables = 0;

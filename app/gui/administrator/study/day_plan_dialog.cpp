@@ -50,7 +50,7 @@ QDateTime timeOf(std::int64_t utc_us) {
 
 /// Returns the default start of the first slot: in the morning, or today at the next quarter of an hour if
 /// there is one.
-QTime usualFirst(QDate day, const QDateTime& now) {
+QTime defaultFirstSlot(QDate day, const QDateTime& now) {
   const QTime morning(kFirstHour, 0);
   if (day != now.date() || now.time() <= morning) {
     return morning;
@@ -77,7 +77,7 @@ DayPlanDialog::DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trai
       cohortId_(cohortId),
       trainees_(std::move(trainees)),
       day_(new QDateEdit(timeOf(shell.session().now_us()).date(), this)),
-      first_(new QTimeEdit(usualFirst(day_->date(), timeOf(shell.session().now_us())), this)),
+      first_(new QTimeEdit(defaultFirstSlot(day_->date(), timeOf(shell.session().now_us())), this)),
       minutes_(new QSpinBox(this)),
       pause_(new QSpinBox(this)),
       places_(new QLineEdit(this)),
@@ -207,7 +207,7 @@ void DayPlanDialog::suggestFirst() {
   if (first_->time() != suggested_) {
     return;  // the user has set the time
   }
-  suggested_ = usualFirst(day_->date(), timeOf(shell_.session().now_us()));
+  suggested_ = defaultFirstSlot(day_->date(), timeOf(shell_.session().now_us()));
   first_->setTime(suggested_);
 }
 

@@ -280,7 +280,7 @@ int depthOf(const QTreeWidgetItem& item, const QString& kind) {
 }
 
 /// Clicks a group's mean in the preview and traces it to marks and program, then finds a person's numbers.
-void expectNumbersLeadBack(ReportsPage& reports, ShellContext& shell) {
+void expectNumbersAreTraceable(ReportsPage& reports, ShellContext& shell) {
   auto& preview = child<ReportPreview>(reports, "preview");
   const QString page = preview.toHtml();
   const qsizetype at = page.indexOf(QStringLiteral("number:training%2Call%2CGroup%201"));
@@ -335,7 +335,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   ASSERT_TRUE(reports->inputs()->freeze.has_value());
   EXPECT_TRUE(reports->inputs()->freeze->unchanged);
   EXPECT_EQ(reports->inputs()->scores.size(), 90U);
-  expectNumbersLeadBack(*reports, office.shell());
+  expectNumbersAreTraceable(*reports, office.shell());
   const fs::path pdf = office.centre.folder() / "report.pdf";
   const fs::path csv = office.centre.folder() / "report.csv";
   EXPECT_TRUE(reports->exportTo(ReportFormat::kPdf, pdf));

@@ -192,7 +192,7 @@ void drawGroups(AdministratorDesk& office, const CohortId& cohortId) {
   EXPECT_EQ(office.centre.audited("allocation.cards"), 1);
 }
 
-void askTheTen(AdministratorDesk& office, const CohortId& cohortId, const std::vector<std::string>& chiefs) {
+void askChiefs(AdministratorDesk& office, const CohortId& cohortId, const std::vector<std::string>& chiefs) {
   auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, chiefs);
@@ -277,7 +277,7 @@ void makeEvaluation(AdministratorDesk& office, const std::vector<std::string>& e
 
 /// Counts the steps of the guide that this test does not perform: the first run, the two-person rule,
 /// accounts of the allocator, the statistician and everybody on the roster, and the allocator's turn.
-void countTheRest(testing::ByHand& hand) {
+void countRemainingSteps(testing::ByHand& hand) {
   hand.press(8);  // first run
   hand.type(75);
   hand.press(5);  // one administrator disables the two-person rule
@@ -307,9 +307,9 @@ TEST(WholeStudy, GoesFromTheRosterToTheReportWithTheNumbersOfTheCommandLine) {
   makeCurriculum(office);
   const CohortId cohortId = makeCohort(office);
   drawGroups(office, cohortId);
-  askTheTen(office, cohortId, chiefs);
+  askChiefs(office, cohortId, chiefs);
   testing::ByHand& hand = byHand();
-  countTheRest(hand);
+  countRemainingSteps(hand);
   hand.read(fs::path(TORSIO_SOURCE_DIR) / "docs/user-guide/administrator.md", "# For administrators",
             "### 6. Today's sessions");
   EXPECT_LE(hand.minutes(), 45.0) << hand.presses() << " presses, " << hand.keys() << " keys, "

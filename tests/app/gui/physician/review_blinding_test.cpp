@@ -74,7 +74,7 @@ class Gathering {
 };
 
 /// States of a case: waiting, with answers and a remark, confirming, submitted, being amended.
-void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
+void visitCaseStates(DeskOf& desk, Gathering& gathering, const QString& id) {
   auto& page = desk.open<CasePage>(id);
   gathering.look(page);
   desk.press(Qt::Key_N);
@@ -100,7 +100,7 @@ void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
   gathering.look(sealed);
 }
 
-void goThroughTheRest(DeskOf& desk, Gathering& gathering) {
+void visitOtherPages(DeskOf& desk, Gathering& gathering) {
   gathering.look(desk.open<QueuePage>());
   auto& calibrationPage = desk.open<RaterCalibrationPage>();
   gathering.look(calibrationPage);
@@ -157,8 +157,8 @@ TEST(Blinding, NothingReadableRevealsPersonGroupOrStage) {
   for (const PageEntry& entry : reviewPages()) {
     gathering.add({pageTitle(entry.id), pageText(entry.id)});
   }
-  goThroughTheRest(desk, gathering);
-  goThroughACase(desk, gathering, inputOf(centre.caseAbout(0, 1)));
+  visitOtherPages(desk, gathering);
+  visitCaseStates(desk, gathering, inputOf(centre.caseAbout(0, 1)));
   gathering.add(desk.notices());
   gathering.add(desk.failures());
 

@@ -36,7 +36,7 @@ namespace {
 using torsio::testing::ReviewCentre;
 
 /// Alignment and severity as shown to physician `index`: nobody else's marks.
-void expectNothingOfOthers(ReviewCentre& centre, std::size_t index) {
+void expectOnlyOwnMarks(ReviewCentre& centre, std::size_t index) {
   DeskOf desk(centre, index);
   EXPECT_TRUE(discrepancyCases(desk.session()).empty());
   auto& discrepancies = desk.open<DiscrepancyReviewPage>();
@@ -61,10 +61,10 @@ TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
   for (std::size_t rater = 0; rater < 10; ++rater) {
     DeskOf desk(centre, rater);
     if (rater > 0) {
-      expectNothingOfOthers(centre, 0);
+      expectOnlyOwnMarks(centre, 0);
     }
     if (rater > 0) {
-      expectNothingOfOthers(centre, rater);
+      expectOnlyOwnMarks(centre, rater);
     }
     desk.open<CasePage>(inputOf(centre.cases(rater).front()));
     int done = 0;

@@ -53,7 +53,7 @@ struct Cell {
 };
 
 /// Calls `work` for 0 .. count-1, several in parallel.
-void side(int count, const std::function<void(int)>& work) {
+void runInParallel(int count, const std::function<void(int)>& work) {
   std::atomic<int> next{0};
   std::vector<std::thread> threads;
   for (int i = 0; i < kAtOnce; ++i) {
@@ -232,7 +232,7 @@ std::vector<Cell> cellsToRun() {
 
 TEST(FaultMatrix, NoForceRemainsWhateverALibraryDoesAndTheWindowReportsIt) {
   std::vector<Cell> cells = cellsToRun();
-  side(static_cast<int>(cells.size()), [&](int k) {
+  runInParallel(static_cast<int>(cells.size()), [&](int k) {
     Cell& cell = cells[static_cast<std::size_t>(k)];
     const std::string folder = folderOf(std::to_string(k));
     FaultRun run(cell.place, *cell.scenario, folder);
@@ -288,7 +288,7 @@ TEST(KilledWindows, LeaveNoForceAtTheMotorsForMoreThanTwentyMilliseconds) {
   const char* const wanted = std::getenv("TORSIO_KILLS");
   const int kills = wanted != nullptr ? std::atoi(wanted) : 8;
   std::vector<double> rest_ms(static_cast<std::size_t>(kills));
-  side(kills, [&](int k) {
+  runInParallel(kills, [&](int k) {
     Random random(static_cast<std::uint64_t>(k) + 1);
     rest_ms[static_cast<std::size_t>(k)] =
         endWindow(kPlaces[static_cast<std::size_t>(k / 4 % 2)], kSignals[static_cast<std::size_t>(k % 4)],

@@ -45,7 +45,7 @@ constexpr QSize kWide[] = {{1920, 1080}, {3840, 2160}};
 
 /// Returns whether a text is the same in every language: names of the demonstration, codes, units, names of
 /// programs.
-bool staysAsItIs(const QString& text) {
+bool isLanguageNeutral(const QString& text) {
   static const QRegularExpression kKept(QStringLiteral(
       "^("
       "Torsio|English|Skills laboratory|administrator|demo\\.\\w+|"                    // names
@@ -133,10 +133,10 @@ QStringList seenTexts(QWidget& window) {
 }
 
 /// Returns whether a Chinese reader sees a text without any Chinese character.
-bool leftInEnglish(const QString& text) {
+bool lacksChinese(const QString& text) {
   static const QRegularExpression kChinese(QStringLiteral("\\p{Han}"));
   static const QRegularExpression kWord(QStringLiteral("[A-Za-z]{2,}"));
-  return kWord.match(text).hasMatch() && !kChinese.match(text).hasMatch() && !staysAsItIs(text);
+  return kWord.match(text).hasMatch() && !kChinese.match(text).hasMatch() && !isLanguageNeutral(text);
 }
 
 /// Adds accents, 40 % more letters, and brackets that reveal clipping.
@@ -179,7 +179,7 @@ void retranslated() {
 
 /// Returns whether a duration of a minute or more is in plain seconds, or has a leading zero: clock_time.h
 /// formats 1:15.
-bool saysASpanOtherwise(const QString& text) {
+bool hasUnformattedDuration(const QString& text) {
   static const QRegularExpression kOtherwise(
       QStringLiteral("(^|[^\\d.:])([6-9]\\d|\\d{3,})([.,]\\d+)? s($|[ .,;)])|(^|[^\\d])0\\d:\\d\\d[.]\\d"));
   return kOtherwise.match(text).hasMatch();
@@ -256,7 +256,7 @@ class Walk {
       clipped[name].insert(text);
     }
     for (const QString& text : seenTexts(window)) {
-      if (saysASpanOtherwise(text)) {
+      if (hasUnformattedDuration(text)) {
         spans[name].insert(text);
       }
     }
@@ -265,7 +265,7 @@ class Walk {
       chinese.choose(Language::kSimplifiedChinese);
       retranslated();
       for (const QString& text : seenTexts(window)) {
-        if (leftInEnglish(text) && !passes(text)) {
+        if (lacksChinese(text) && !passes(text)) {
           switched[name].insert(text);
         }
       }
@@ -382,7 +382,7 @@ TEST(TranslatedErrors, NamesTheKindOfErrorIfTheSentenceHasNoTranslation) {
   const TranslatedError said =
       translated(Error(ErrorCode::kDatabase, Text::verbatim("zxqv 17"), "", Text::tr("Try again")));
 
-  EXPECT_FALSE(leftInEnglish(said.happened));
+  EXPECT_FALSE(lacksChinese(said.happened));
   EXPECT_TRUE(said.details.contains(QStringLiteral("zxqv 17")));
   language.choose(Language::kEnglish);
   EXPECT_EQ(

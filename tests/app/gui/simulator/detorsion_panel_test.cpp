@@ -22,7 +22,7 @@
 namespace torsio::gui {
 namespace {
 
-LiveState lying(double angle_rad) {
+LiveState stateAtAngle(double angle_rad) {
   LiveState state;
   state.response.angle_rad = angle_rad;
   state.hollow.present = true;
@@ -48,7 +48,7 @@ class UntwistingPanel : public ::testing::Test {
 };
 
 TEST_F(UntwistingPanel, ShowsAnAngleInDegreesTurnsAndDirection) {
-  const LiveState state = lying(-3.0 * std::numbers::pi);  // 540 degrees: one and a half turns
+  const LiveState state = stateAtAngle(-3.0 * std::numbers::pi);  // 540 degrees: one and a half turns
 
   panel_.show(state);
 
@@ -56,7 +56,7 @@ TEST_F(UntwistingPanel, ShowsAnAngleInDegreesTurnsAndDirection) {
 }
 
 TEST_F(UntwistingPanel, ShowsOnlyTheFlowThatACheckHasFound) {
-  LiveState state = lying(1.0);
+  LiveState state = stateAtAngle(1.0);
   state.hollow.reading.flow = 0.31;
   panel_.show(state);
   const QString before = said(panel_, "flowTold");
@@ -70,7 +70,7 @@ TEST_F(UntwistingPanel, ShowsOnlyTheFlowThatACheckHasFound) {
 }
 
 TEST_F(UntwistingPanel, ShowsTheAgeOfACheck) {
-  LiveState state = lying(1.0);
+  LiveState state = stateAtAngle(1.0);
   state.hollow.check = {.done = FlowCheck::kTouch, .flow = 0.4, .done_us = 5'000'000};
   const auto toldAt = [&](std::int64_t time_us) {
     state.time_us = time_us;
@@ -84,7 +84,7 @@ TEST_F(UntwistingPanel, ShowsTheAgeOfACheck) {
 }
 
 TEST_F(UntwistingPanel, ShowsOnTheButtonsWhatTheNextPressDoes) {
-  LiveState state = lying(1.0);
+  LiveState state = stateAtAngle(1.0);
   panel_.show(state);
   const auto* clip = panel_.findChild<QPushButton*>(QStringLiteral("clip"));
   const auto* vent = panel_.findChild<QPushButton*>(QStringLiteral("vent"));
@@ -101,7 +101,7 @@ TEST_F(UntwistingPanel, ShowsOnTheButtonsWhatTheNextPressDoes) {
 }
 
 TEST_F(UntwistingPanel, SaysWhatToDoNextAndWhenTheTwistGrows) {
-  LiveState state = lying(4.0);
+  LiveState state = stateAtAngle(4.0);
   panel_.show(state);
   const QString before = panel_.cue();
   state.phase = ExercisePhase::kTwisting;
@@ -114,7 +114,7 @@ TEST_F(UntwistingPanel, SaysWhatToDoNextAndWhenTheTwistGrows) {
   state.hollow.clipped = true;
   panel_.show(state);
   const QString clipped = panel_.cue();
-  state = lying(0.1);
+  state = stateAtAngle(0.1);
   state.hollow.reading.patency = 1.0;
 
   panel_.show(state);
@@ -127,7 +127,7 @@ TEST_F(UntwistingPanel, SaysWhatToDoNextAndWhenTheTwistGrows) {
 }
 
 TEST_F(UntwistingPanel, SaysWhenTheHandHasReachedItsLimit) {
-  LiveState state = lying(6.0);
+  LiveState state = stateAtAngle(6.0);
   panel_.show(state);
   state.phase = ExercisePhase::kTwisting;
   state.response.angle_rad = 6.0 - radians(153.0);
@@ -143,7 +143,7 @@ TEST_F(UntwistingPanel, SaysWhenTheHandHasReachedItsLimit) {
 }
 
 TEST_F(UntwistingPanel, TwoPressesWithinAFrameUndoEachOther) {
-  panel_.show(lying(1.0));
+  panel_.show(stateAtAngle(1.0));
   panel_.showNormal();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
 
@@ -159,7 +159,7 @@ TEST_F(UntwistingPanel, TwoPressesWithinAFrameUndoEachOther) {
 }
 
 TEST_F(UntwistingPanel, ShowsTheProgressOfACheck) {
-  LiveState state = lying(1.0);
+  LiveState state = stateAtAngle(1.0);
   state.time_us = 3'000'000;
   state.hollow.check.running = FlowCheck::kDoppler;  // takes 5 s
   state.hollow.check.ready_us = 4'000'000;           // 4 of 5 s have passed
@@ -174,7 +174,7 @@ TEST_F(UntwistingPanel, ShowsTheProgressOfACheck) {
 }
 
 TEST_F(UntwistingPanel, CountsHandsOffTimeOnlyWhileNothingHolds) {
-  LiveState state = lying(0.0);
+  LiveState state = stateAtAngle(0.0);
   panel_.show(state);
   state.time_us = 2'000'000;
   panel_.show(state);
@@ -188,7 +188,7 @@ TEST_F(UntwistingPanel, CountsHandsOffTimeOnlyWhileNothingHolds) {
 }
 
 TEST_F(UntwistingPanel, WarnsOfAJawThatPressesTooHardAndOfATear) {
-  LiveState state = lying(1.0);
+  LiveState state = stateAtAngle(1.0);
   state.hollow.jaw_Pa = 2.0 * scene_.hollow->detorsion().limits.bruise_Pa;
   panel_.show(state);
   const QString pressed = said(panel_, "tissueWarning");
@@ -202,7 +202,7 @@ TEST_F(UntwistingPanel, WarnsOfAJawThatPressesTooHardAndOfATear) {
 
 TEST_F(UntwistingPanel, RevealsNoDoseOrLossDuringTheRun) {
   const auto texts = [this](double dose) {
-    LiveState state = lying(1.0);
+    LiveState state = stateAtAngle(1.0);
     state.hollow.reading.dose = dose;
     panel_.show(state);
     QStringList found;
@@ -236,7 +236,7 @@ TEST_F(UntwistingPanel, ItsKeysRequestClipAndChecks) {
 TEST_F(UntwistingPanel, ItsKeyVentsGasAndClosesTheVentAgain) {
   panel_.showNormal();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_));
-  LiveState venting = lying(1.0);
+  LiveState venting = stateAtAngle(1.0);
   venting.hollow.venting = true;
 
   QTest::keyClick(&panel_, Qt::Key_V);

@@ -25,7 +25,7 @@ namespace torsio::gui {
 namespace {
 
 /// Asks ten chiefs for the live sheet of T-01 before training.
-void askTenForTheFirstSheet(torsio::testing::TrainingCentre& centre) {
+void askTenChiefsForFirstSheet(torsio::testing::TrainingCentre& centre) {
   std::vector<Rater> chiefs(10);
   std::vector<Assignment> sheets;
   centre.connection().execute(insertInto("curriculum_occasion", "version_id, occasion, after_exposure_us"),
@@ -54,7 +54,7 @@ void askTenForTheFirstSheet(torsio::testing::TrainingCentre& centre) {
 
 TEST(StationPages, TrainingBeforeAnySheetIsExplainedAndStartsOnlyWithANotedReason) {
   torsio::testing::TrainingCentre centre;
-  askTenForTheFirstSheet(centre);
+  askTenChiefsForFirstSheet(centre);
   Station station(centre);
   QStringList read;
   const auto begin = [&](const std::function<void(QInputDialog&)>& answer) {
