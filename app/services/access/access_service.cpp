@@ -25,8 +25,8 @@ AccessRepository repository(SessionContext& session) {
   return AccessRepository(session.connection(), session.passwordCost());
 }
 
-/// For whoever comes in: the secret that is typed is the right.
-AccessRepository entrance(SessionContext& session) {
+/// Opens accounts for sign-in: the secret being checked is the authorisation.
+AccessRepository signInAccess(SessionContext& session) {
   return AccessRepository(session.connectionWithoutRight(), session.passwordCost());
 }
 
@@ -39,8 +39,8 @@ UserAccount userOf(const AccessRepository& access, const UserId& userId) {
   refuseParameter(Text::tr("there is no such user"), userId, Text::tr("Choose one from the list"));
 }
 
-/// Somebody must be left who can let others in.
-void keepAnAdministrator(SessionContext& session, const std::string& withoutUser) {
+/// Throws unless an active administrator would remain.
+void requireRemainingAdministrator(SessionContext& session, const std::string& withoutUser) {
   const std::vector<UserAccount> all = repository(session).users();
   const bool remains = std::any_of(all.begin(), all.end(), [&](const UserAccount& user) {
     return user.id != withoutUser && isActiveAdministrator(user);
@@ -63,10 +63,10 @@ const char* failureName(SignIn outcome) {
   }
 }
 
-/// A failure, without what was typed: an unknown login may be a password in the wrong field.
+/// Audits a failure without the typed text: an unknown login may be a password typed into the wrong field.
 void noteFailure(SessionContext& session, const std::string& login, SignIn outcome, const char* with) {
   UserId userId;
-  for (const UserAccount& user : entrance(session).users()) {
+  for (const UserAccount& user : signInAccess(session).users()) {
     if (user.login == login) {
       userId = user.id;
     }
@@ -84,8 +84,8 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
     noteFailure(session, login, result.outcome, practiceOnly ? "pin" : "password");
     return answer;
   }
-  const UserAccount user = userOf(entrance(session), result.userId);
-  // Where each signature asks for the password, the one of the sign-in is good for none.
+  const UserAccount user = userOf(signInAccess(session), result.userId);
+  // If every signature asks for the password, the sign-in itself does not count for any.
   const bool signs = !practiceOnly && centreSetting<kSignMinutes>(session.connectionWithoutRight()) > 0;
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
   if (result.outcome == SignIn::kOk) {
@@ -101,7 +101,7 @@ std::string rolesJson(const std::vector<std::string>& roles) {
   return nlohmann::json{{"roles", roles}}.dump();
 }
 
-/// Nobody gets a second way in as a person who has an account.
+/// Throws if the person already has an account: nobody gets a second one.
 void requireNoAccount(SessionContext& session, const PersonId& personId) {
   const std::string login = personId.empty() ? std::string() : repository(session).loginOf(personId);
   if (!login.empty()) {
@@ -110,7 +110,7 @@ void requireNoAccount(SessionContext& session, const PersonId& personId) {
   }
 }
 
-/// A sign-in name that everybody can read and type.
+/// Throws unless the sign-in name is readable and typeable for everybody.
 void requireLegible(const std::string& login) {
   if (login.empty()) {
     refuseParameter(Text::tr("the account has no sign-in name"), Text::tr("login"), Text::tr("Enter one"));
@@ -120,7 +120,7 @@ void requireLegible(const std::string& login) {
   }
 }
 
-/// Nobody is to be taken for somebody else in lists, reports and the audit trail.
+/// Throws if the sign-in name could be mistaken for another one in lists, reports or the audit trail.
 void requireUnlikeOthers(const AccessRepository& access, const std::string& login) {
   const std::string likeness = likenessOf(login);
   for (const std::string& other : access.logins()) {
@@ -147,7 +147,7 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
                     Text::tr("Enter one"));
   }
   requireLegible(first.login);
-  AccessRepository access = entrance(session);
+  AccessRepository access = signInAccess(session);
   const SealedSecret password = access.sealPassword(first.login, first.password);
   const std::int64_t now_us = session.now_us();
   Transaction transaction(session.connectionWithoutRight());
@@ -171,16 +171,16 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
 }
 
 SignInAnswer signIn(SessionContext& session, const std::string& login, const std::string& password) {
-  return answer(session, login, entrance(session).signIn(login, password, session.now_us()), false);
+  return answer(session, login, signInAccess(session).signIn(login, password, session.now_us()), false);
 }
 
 SignInAnswer signInForPractice(SessionContext& session, const std::string& login, const std::string& pin) {
-  return answer(session, login, entrance(session).signInForPractice(login, pin, session.now_us()), true);
+  return answer(session, login, signInAccess(session).signInForPractice(login, pin, session.now_us()), true);
 }
 
 SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
                                const std::string& oldPassword, const std::string& newPassword) {
-  AccessRepository access = entrance(session);
+  AccessRepository access = signInAccess(session);
   const SignInResult old = access.signIn(login, oldPassword, session.now_us());
   if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
     noteFailure(session, login, old.outcome, "password");
@@ -204,7 +204,7 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
 
 SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password) {
   const std::string login = session.actor().login;
-  const SignInResult result = entrance(session).signIn(login, password, session.now_us());
+  const SignInResult result = signInAccess(session).signIn(login, password, session.now_us());
   if (result.outcome != SignIn::kOk) {
     noteFailure(session, login, result.outcome, "password");
   }
@@ -285,7 +285,7 @@ void setUserRoles(SessionContext& session, const UserId& userId, const std::vect
   const UserAccount before = userOf(repository(session), userId);
   const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministratorRole) != roles.end();
   if (isActiveAdministrator(before) && !keepsRole) {
-    keepAnAdministrator(session, userId);
+    requireRemainingAdministrator(session, userId);
   }
   if (givesGuardedRole(session, before.demonstration, before.roles, roles)) {
     throw SecondPersonNeeded(DutyAct::kGrantRoles, userId);
@@ -304,7 +304,7 @@ void setUserActive(SessionContext& session, const UserId& userId, bool active, c
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
   if (!active && isActiveAdministrator(userOf(repository(session), userId))) {
-    keepAnAdministrator(session, userId);
+    requireRemainingAdministrator(session, userId);
   }
   repository(session).setActive(userId, active);
   session.note({.action = active ? AuditAction::kUserEnable : AuditAction::kUserDisable,

@@ -13,54 +13,54 @@ namespace torsio {
 
 class Connection;
 
-/// What the first-run wizard asks for.
+/// Input of the first-run wizard.
 struct FirstRun {
   std::string centre{};
   std::string login{};     ///< of the first administrator
-  std::string password{};  ///< no default exists
+  std::string password{};  ///< there is no default
   std::string language = "en";
-  bool demonstration = false;  ///< whether a demonstration cohort will be made
+  bool demonstration = false;  ///< create a demonstration cohort
 };
 
-/// Whether nobody can sign in yet: the database has no user.
+/// Returns whether the database has no user yet.
 [[nodiscard]] bool needsFirstRun(Connection& connection);
-/// Stores the centre, its settings and the first administrator, whose password is their own from the start.
-/// Throws Error{kPermission} when the database has users already, {kBadParameter} for a weak password.
+/// Stores the centre, its settings and the first administrator, who need not change the password. Throws
+/// Error{kPermission} if the database already has users, {kBadParameter} for a weak password.
 void setUpCentre(SessionContext& session, const FirstRun& first);
 
-/// What came of a try to sign in.
+/// Result of signing in.
 struct SignInAnswer {
   SignIn outcome = SignIn::kWrong;
   Actor actor{};                     ///< for kOk and kMustChange
   std::int64_t waitUntilUtc_us = 0;  ///< for kWait
 };
 
-/// With the password; the session then belongs to the actor (for kOk only). Audited; a failure without what
-/// was typed.
+/// Signs in with a password; for kOk the session then belongs to the actor. Audited; failures without the
+/// typed text.
 [[nodiscard]] SignInAnswer signIn(SessionContext& session, const std::string& login,
                                   const std::string& password);
-/// With the station PIN: practice without a record and nothing else.
+/// Signs in with the station PIN, only for practice without a record.
 [[nodiscard]] SignInAnswer signInForPractice(SessionContext& session, const std::string& login,
                                              const std::string& pin);
-/// After kMustChange, or by the user: the old password must fit. Then signs in. Throws Error{kBadParameter}
-/// for a weak or unchanged password, {kPermission} when the old one is wrong.
+/// Changes the password after kMustChange or on request, and signs in. Throws Error{kBadParameter} for a weak
+/// or unchanged password, {kPermission} if the old one is wrong.
 SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
                                const std::string& oldPassword, const std::string& newPassword);
-/// The password of whoever is signed in, asked again; the session stays as it is. A failure counts and is
-/// audited as at the sign-in.
+/// Checks the signed-in user's password; the session is unchanged. A failure counts and is audited like one
+/// at sign-in.
 [[nodiscard]] SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password);
 void signOut(SessionContext& session);
-/// Whose desk an administrator may see.
+/// Roles that an administrator can preview.
 enum class SimulatedRole { kTrainee, kPhysician };
-/// A simulated person with this role and no other, for an administrator who wants to see what such people
-/// see; the session stays as it is until the caller gives it this actor. What they do stays among the
-/// simulated people, and they sign without a password (signing.h, kNoPasswordToShow). Audited.
-/// kUserManage. Throws Error{kBadParameter} when nobody is simulated.
+/// Returns a simulated person with only this role, for an administrator who wants to see that role's pages;
+/// the session is unchanged until the caller sets this actor. Their actions affect only simulated people, and
+/// they sign without a password (signing.h, kNoPasswordToShow). Audited. kUserManage. Throws
+/// Error{kBadParameter} if there is no simulated person.
 [[nodiscard]] Actor simulatedPerson(SessionContext& session, SimulatedRole role);
 
-/// A user and a start password that must be changed at the first sign-in. kUserManage. Throws
-/// Error{kBadData} for a person who has an account, SecondPersonNeeded (two_people.h) where roles are given
-/// that need two people: makeUser() asks for them.
+/// A user with a start password, which must be changed at the first sign-in. kUserManage. Throws
+/// Error{kBadData} for a person who has an account, SecondPersonNeeded (two_people.h) for roles that need two
+/// people; makeUser() requests the second person.
 struct NewUser {
   std::string login{};
   PersonId personId{};
@@ -70,34 +70,34 @@ struct NewUser {
 };
 UserId addUser(SessionContext& session, const NewUser& user);
 [[nodiscard]] std::vector<UserAccount> users(SessionContext& session);
-/// At least one active administrator must remain: throws Error{kBadParameter} otherwise, SecondPersonNeeded
-/// where roles are given that need two people.
+/// Throws Error{kBadParameter} unless an active administrator remains, SecondPersonNeeded for new roles that
+/// need two people.
 void setUserRoles(SessionContext& session, const UserId& userId, const std::vector<std::string>& roles,
                   const std::string& reason);
 void setUserActive(SessionContext& session, const UserId& userId, bool active, const std::string& reason);
-/// A new start password, to be changed at the next sign-in. Throws SecondPersonNeeded for whoever has a role
-/// that needs two people.
+/// Sets a new start password, to be changed at the next sign-in. Throws SecondPersonNeeded if the user has a
+/// role that needs two people.
 void resetPassword(SessionContext& session, const UserId& userId, const std::string& startPassword,
                    const std::string& reason);
-/// One's own station PIN; empty removes it.
+/// Sets the actor's station PIN; empty removes it.
 void setOwnPin(SessionContext& session, const std::string& pin);
 
-/// Which pages an actor reaches first: the trainee's, the rater's or the administrator's (administrator,
-/// allocator, statistician).
+/// Start page of an actor: the trainee's, the rater's or the administrator's (administrator, allocator,
+/// statistician).
 enum class Home { kStation, kReview, kAdministrator };
 [[nodiscard]] Home homeOf(const Actor& actor);
 
-// What the record has to do with sessions in browsers, which it does not hold.
+// The record's part in browser sessions, which it does not store.
 
-/// Changes whenever this user's password does and with endBrowserSessions(), empty for whoever may not sign
-/// in any more: a session that began under another one is over. Without permission.
+/// Returns a stamp that changes with this user's password and with endBrowserSessions(); empty if the user
+/// may not sign in. A session that began with another stamp is over. Without permission.
 [[nodiscard]] std::string passwordStamp(SessionContext& session, const UserId& userId);
-/// Asks whether the actor may see who is signed in with a browser, and end it. kUserManage.
+/// Throws unless the actor may see and end browser sessions of others. kUserManage.
 void requireSessionsOfOthers(SessionContext& session);
-/// Ends all sessions that this user has in browsers, wherever a server runs on this record: the next request
-/// of each is refused. Audited. kUserManage.
+/// Ends all browser sessions of this user on every server of this record: their next request is refused.
+/// Audited. kUserManage.
 void endBrowserSessions(SessionContext& session, const UserId& userId);
-/// Notes that sessions of somebody else are ended. Audited. kUserManage.
+/// Audits that sessions of another user are ended. kUserManage.
 void noteEndedSessions(SessionContext& session, const UserId& userId);
 
 }  // namespace torsio

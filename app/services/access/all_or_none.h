@@ -7,11 +7,11 @@
 
 namespace torsio {
 
-/// Does `acts` as one step: all that services change in it, or nothing. They ask for their own rights. Throws
-/// what `acts` throws, DbError; then nothing was changed.
+/// Runs `acts` in one transaction: all changes of the services it calls, or none. They check their own
+/// rights. Throws what `acts` throws, DbError; then nothing was changed.
 void asOneStep(SessionContext& session, const std::function<void()>& acts);
 
-/// Does `act`, which calls a service, to each of several in their order: all or none. Throws as asOneStep().
+/// Calls `act`, which calls a service, for each element in order: all or none. Throws like asOneStep().
 template <typename Several, typename Act>
 void allOrNone(SessionContext& session, const Several& several, Act act) {
   asOneStep(session, [&] {

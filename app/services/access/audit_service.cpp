@@ -28,7 +28,7 @@ std::map<std::string, std::string> auditActors(SessionContext& session) {
   for (const UserAccount& user : AccessRepository(session.connection()).users()) {
     logins.emplace(user.id, user.login);
   }
-  // Simulated raters have no account: their marks stand under the person.
+  // Simulated raters have no account: the entries of their marks refer to the person.
   for (const Rater& rater : PeopleRepository(session.connection()).raters()) {
     logins.emplace(rater.person.id, rater.person.code);
   }

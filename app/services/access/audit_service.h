@@ -10,23 +10,25 @@
 
 namespace torsio {
 
-/// Newest first. kAuditView.
+/// Returns entries, latest first. kAuditView.
 [[nodiscard]] std::vector<AuditEntry> auditEntries(SessionContext& session, const AuditFilter& filter = {});
-/// How many there are from `fromUtc_us` to `toUtc_us`, both included. kAuditView.
+/// Counts the entries from `fromUtc_us` to `toUtc_us`, inclusive. kAuditView.
 [[nodiscard]] std::int64_t auditEntryCount(SessionContext& session, std::int64_t fromUtc_us,
                                            std::int64_t toUtc_us = INT64_MAX);
-/// Sign-in names by the ids that stand in the entries. kAuditView.
+/// Returns sign-in names by the ids in the entries. kAuditView.
 [[nodiscard]] std::map<std::string, std::string> auditActors(SessionContext& session);
-/// Codes by the ids of what the entries from `fromSequence` on are about: "T-30", "R-03: 7F". kAuditView.
+/// Returns codes by the ids of the subjects of the entries from `fromSequence` on: "T-30", "R-03: 7F".
+/// kAuditView.
 [[nodiscard]] std::map<std::string, std::string> auditSubjectCodes(SessionContext& session,
                                                                    std::int64_t fromSequence);
-/// Walks the whole chain and compares every sealed mark and trial with its row. That somebody looked, and
-/// what was found, is audited. Takes seconds with many trials. kAuditView.
+/// Verifies the whole chain and compares every sealed mark and trial with its row. The check and its result
+/// are audited. Takes seconds with many trials. kAuditView.
 [[nodiscard]] std::vector<AuditFinding> verifyAudit(SessionContext& session);
 
-/// What is signed of a head of the trail: "torsio-head 1 LENGTH HASH TIME"; `hash` empty: "-".
+/// Returns the text that is signed for a head of the trail: "torsio-head 1 LENGTH HASH TIME"; "-" for an
+/// empty `hash`.
 [[nodiscard]] std::string headWords(std::int64_t length, const std::string& hash, std::int64_t utc_us);
-/// The head now, without a signature, as one cell of a table that leaves the record. Throws DbError.
+/// Returns the current head, unsigned, as one cell of an exported table. Throws DbError.
 [[nodiscard]] std::string plainHead(Connection& connection, std::int64_t now_us);
 
 }  // namespace torsio

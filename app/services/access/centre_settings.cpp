@@ -33,7 +33,7 @@ std::optional<double> numberIn(const CentreSetting& setting, std::string_view te
   return sound ? std::optional(number) : std::nullopt;
 }
 
-/// Numbers that a text stands for, 1 for "yes" and 0 for "no"; none for a text that is not valid.
+/// Parses a text to numbers, 1 for "yes" and 0 for "no"; empty if invalid.
 std::vector<double> numbersIn(const CentreSetting& setting, std::string_view text) {
   if (setting.kind == SettingKind::kYesNo) {
     return text == "yes" ? std::vector{1.0} : text == "no" ? std::vector{0.0} : std::vector<double>();
@@ -57,7 +57,7 @@ std::vector<double> numbersIn(const CentreSetting& setting, std::string_view tex
   return numbers;
 }
 
-/// `written` in the form that is stored; nothing for what is not valid.
+/// Returns `written` in the stored format; empty if invalid.
 std::optional<std::string> canonical(const CentreSetting& setting, const std::string& written) {
   if (setting.kind == SettingKind::kWords) {
     return static_cast<double>(written.size()) <= setting.most ? std::optional(written) : std::nullopt;

@@ -20,23 +20,22 @@ namespace torsio {
 
 class Connection;
 
-/// What a setting holds and how it is stored: "yes" or "no"; a number; playback speeds, rising, with 1 among
-/// them
-/// ("0.5,1,1.5"); words.
+/// Type and stored format of a setting: "yes" or "no"; a number; ascending playback speeds including 1
+/// ("0.5,1,1.5"); a text.
 enum class SettingKind { kYesNo, kWhole, kNumber, kSpeeds, kWords };
 
-/// A choice of the centre, the same for all its stations. Changed under kSettingsEdit, audited with the old
-/// and the new value. A stored name never changes.
+/// A setting of the centre, the same for all stations. Changing it requires kSettingsEdit and is audited with
+/// the old and the new value. Stored names never change.
 struct CentreSetting {
   std::string_view name;
   SettingKind kind;
-  std::string_view initial;  ///< as stored; holds where nothing is stored, or a value that is not valid
-  double least;              ///< bounds of a number and of each speed
+  std::string_view initial;  ///< stored format; default if nothing or an invalid value is stored
+  double least;              ///< range of a number and of each speed
   double most;
   Phrase label;
   Phrase shown{};            ///< pattern of a number: "%1 min"
-  bool inReport = false;     ///< each report states the value in force
-  std::string_view setBy{};  ///< what alone sets it, because one value alone would not make sense
+  bool inReport = false;     ///< stated in each report
+  std::string_view setBy{};  ///< the only function that sets it, if it makes no sense without other settings
 };
 
 inline constexpr CentreSetting kTwoPeople{
@@ -150,24 +149,24 @@ template <SettingKind kind>
 using SettingValue = std::tuple_element_t<static_cast<std::size_t>(kind),
                                           std::tuple<bool, int, double, std::vector<double>, std::string>>;
 
-/// The value in force. Asks for no right: the shell reads some before anybody signs in, and a service asks
-/// for its own. Instantiated for each setting in centre_settings.cpp, so that a setting that nobody reads is
-/// found by .ci/unreachable.
+/// Returns the value in use. Requires no right: the shell reads some settings before anybody signs in, and
+/// services read their own. Instantiated for each setting in centre_settings.cpp, so that .ci/unreachable
+/// finds settings that nobody reads.
 template <const CentreSetting& setting>
 [[nodiscard]] SettingValue<setting.kind> centreSetting(Connection& connection);
 
-/// Changes a setting to what is written as it is stored; nothing happens when that is in force already.
-/// Audited. kSettingsEdit. Throws Error{kBadParameter} for what is not valid; SecondPersonNeeded.
+/// Changes a setting to `written`, in the stored format; does nothing if the value is already in use.
+/// Audited. kSettingsEdit. Throws Error{kBadParameter} for an invalid value; SecondPersonNeeded.
 void changeCentreSetting(SessionContext& session, const CentreSetting& setting, const std::string& written);
-/// For a service that has asked for its own right, inside its transaction: as above, and needs no second
-/// person.
+/// Like changeCentreSetting(), without a second person, for a service that has checked its own right, inside
+/// its transaction.
 void keepCentreSetting(SessionContext& session, const CentreSetting& setting, const std::string& written,
                        const std::string& reason = {});
-/// Numbers of a setting as they are stored; 1 for "yes", 0 for "no".
+/// Formats numbers for storage; 1 for "yes", 0 for "no".
 [[nodiscard]] std::string asStored(const CentreSetting& setting, const std::vector<double>& numbers);
-/// Whether changeCentreSetting() takes what is written.
+/// Returns whether changeCentreSetting() accepts a value.
 [[nodiscard]] bool validCentreSetting(const CentreSetting& setting, const std::string& written);
-/// As changeCentreSetting().
+/// Like changeCentreSetting().
 template <const CentreSetting& setting>
 void setCentreSetting(SessionContext& session,
                       const std::type_identity_t<SettingValue<setting.kind>>& value) {
@@ -180,28 +179,28 @@ void setCentreSetting(SessionContext& session,
   }
 }
 
-/// For a service, inside its transaction: tells the audit trail of a choice that the record itself does not
-/// hold (a file of this station, the review desk that is open).
+/// Audits a setting stored outside the record (a file of this station, the open review desk). For a service,
+/// inside its transaction.
 void noteSetting(const SessionContext& session, std::string_view name, const nlohmann::json& before,
                  const nlohmann::json& after, const std::string& reason = {});
 
-/// Sets what one value alone decides, by its name: for the command line. kSettingsEdit. Throws
-/// Error{kBadParameter} for an unknown name and for what changeCentreSetting() refuses.
+/// Sets a setting by name, for the command line; only those that make sense alone. kSettingsEdit. Throws
+/// Error{kBadParameter} for an unknown name and for what changeCentreSetting() rejects.
 void setCentreSettingNamed(SessionContext& session, const std::string& name, const std::string& value);
-/// As it is stored, or its initial value. kSettingsEdit.
+/// Returns the stored or default value. kSettingsEdit.
 [[nodiscard]] std::string storedCentreSetting(SessionContext& session, const CentreSetting& setting);
-/// Name and value in force of each setting that a report states.
+/// Returns name and value of each setting stated in reports.
 [[nodiscard]] std::vector<std::pair<Text, Text>> settingsInReport(Connection& connection);
 
-/// The name that stands at sign-in, on transcripts and in reports made from now on. Audited. kSettingsEdit.
-/// Throws Error{kBadParameter} for an empty name.
+/// Sets the name shown at sign-in and on new transcripts and reports. Audited. kSettingsEdit. Throws
+/// Error{kBadParameter} for an empty name.
 void setCentreName(SessionContext& session, const std::string& name);
 
-/// After how many minutes without a key or the mouse the window warns and locks, at every station of the
-/// centre. For the shell, before anybody signs in: without permission.
+/// Returns the idle times after which the window warns and locks, for every station of the centre. Called by
+/// the shell before anybody signs in: without permission.
 [[nodiscard]] IdleLimits centreIdleLimits(Connection& connection);
-/// Audited. kSettingsEdit. Throws Error{kBadParameter} unless the warning comes before the lock, and both lie
-/// within their bounds.
+/// Audited. kSettingsEdit. Throws Error{kBadParameter} unless the warning comes before the lock and both are
+/// within their ranges.
 void setCentreIdleLimits(SessionContext& session, int warn_min, int lock_min);
 
 }  // namespace torsio

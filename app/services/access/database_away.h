@@ -5,7 +5,7 @@
 
 namespace torsio {
 
-/// Whether this is a DbError that says that the server cannot be reached: it passes, and is tried again.
+/// Returns whether this is a DbError because the server cannot be reached, which is temporary and retried.
 [[nodiscard]] bool saysDatabaseAway(const std::exception_ptr& thrown);
 
 }  // namespace torsio

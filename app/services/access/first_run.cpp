@@ -22,12 +22,14 @@ namespace torsio {
 
 namespace {
 
-constexpr std::string_view kLegible = "abcdefghijkmnpqrstuvwxyz23456789";  // no l and 1, no o and 0
+constexpr std::string_view kLegible = "abcdefghijkmnpqrstuvwxyz23456789";  // without the look-alikes l and 1,
+                                                                           // o and 0
 constexpr int kGroups = 4;
 constexpr int kLettersInGroup = 5;
 
-/// What a killed program left half done is taken back first, which only somebody who writes can do.
-Connection openToLook(const std::string& locator, const Locator& place) {
+/// Opens a record for reading. Work left unfinished by a killed program is rolled back first, which needs
+/// write access.
+Connection openForReading(const std::string& locator, const Locator& place) {
   try {
     return openDatabase(locator, OpenMode::kReadOnly);
   } catch (const Error&) {
@@ -69,7 +71,7 @@ RecordPlace lookAtRecord(const std::string& locator) {
     }
     return RecordPlace::kNothing;
   }
-  Connection connection = openToLook(locator, place);
+  Connection connection = openForReading(locator, place);
   if (checkSchema(connection, embeddedMigrations()).version == 0) {
     return RecordPlace::kEmpty;
   }
@@ -116,7 +118,7 @@ std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRu
     }
     transaction.commit();
   } catch (...) {
-    session.setActor({});  // nothing was kept, nobody is signed in
+    session.setActor({});  // nothing was stored, so nobody is signed in
     throw;
   }
   return accounts;

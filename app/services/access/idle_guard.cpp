@@ -28,7 +28,7 @@ std::int64_t IdleGuard::idle_us() const noexcept {
 }
 
 void IdleGuard::activity() noexcept {
-  // What the last look at the state missed counts: a key after the limit finds the place locked.
+  // Also counts idle time since the last call: a key press after the limit finds the screen locked.
   if (state() != IdleState::kLocked) {
     lastActivity_us_ = clock_.now_us();
   }

@@ -7,35 +7,35 @@
 
 namespace torsio {
 
-/// After how much time without a key or the mouse; settings of the centre.
+/// Idle times without keyboard or mouse; settings of the centre.
 struct IdleLimits {
   std::int64_t warn_us = 240'000'000;  ///< "the screen will be locked in 60 s"
-  std::int64_t lock_us = 300'000'000;  ///< later than the warning
+  std::int64_t lock_us = 300'000'000;  ///< greater than warn_us
 };
 
 enum class IdleState { kActive, kWarning, kLocked };
 
-/// Locks a place that somebody left, never one at which a run goes on. Only says when: the shell asks state()
-/// about once a second, shows the warning, covers the pages, and asks the same user's password. One thread.
+/// Locks an unattended station, but never during a run. Only decides when: the shell calls state() about once
+/// a second, shows the warning, covers the pages and asks for the same user's password. One thread.
 class IdleGuard {
  public:
   /// `clock` is monotonic and outlives the guard. Throws Error{kBadParameter} unless 0 < warn_us < lock_us.
   explicit IdleGuard(const Clock& clock, IdleLimits limits = {});
 
-  /// From now on; counting begins anew. Throws Error{kBadParameter} as the constructor does.
+  /// Sets new limits and restarts the countdown. Throws Error{kBadParameter} like the constructor.
   void setLimits(IdleLimits limits);
-  /// A key, the mouse, a touch, the haptic device. Does not open what is locked.
+  /// Reports a key press, mouse, touch or the haptic device. Does not unlock.
   void activity() noexcept;
-  /// While a run goes on nothing is counted; afterwards counting begins anew.
+  /// Pauses the countdown during a run; restarts it afterwards.
   void setBusy(bool busy) noexcept;
   [[nodiscard]] bool busy() const noexcept { return busy_; }
 
-  /// Now. Once locked it stays locked until unlock().
+  /// Returns the current state. Once locked, it stays locked until unlock().
   [[nodiscard]] IdleState state() noexcept;
-  /// Time left until the lock; 0 when locked, the whole limit while busy.
+  /// Returns the time until the lock; 0 if locked, the whole limit while busy.
   [[nodiscard]] std::int64_t untilLock_us() noexcept;
 
-  /// After the password was right.
+  /// Call after the correct password.
   void unlock() noexcept;
 
  private:

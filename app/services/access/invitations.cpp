@@ -32,7 +32,7 @@ std::string hashOfInvitation(const std::string& secret, const std::string& code)
   return digest.hex();
 }
 
-/// Where a link leads that no other machine can open.
+/// Returns whether only this machine could open a link to the address.
 bool isThisMachine(const std::string& address) {
   for (const char* own : {"http://127.0.0.1", "http://localhost", "http://[::1]"}) {
     const std::string begin(own);
@@ -253,7 +253,7 @@ SignInAnswer acceptInvitation(SessionContext& session, const std::string& secret
     }
   }
   if (!used) {
-    return refused();  // somebody was quicker, with the same link
+    return refused();  // somebody else used the same link first
   }
   return signIn(session, login, newPassword);
 }

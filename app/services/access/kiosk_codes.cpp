@@ -17,9 +17,9 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kCodeDigits = 20;  // 66 bits: nobody finds one by trying
+constexpr std::size_t kCodeDigits = 20;  // 66 bits: cannot be guessed
 
-/// Digits lie alike on the keyboards that a scanner may take itself for.
+/// Uses digits, which are at the same place on every keyboard layout that a scanner may emulate.
 std::string freshCode() {
   std::string code;
   for (std::size_t i = 0; i < kCodeDigits; ++i) {

@@ -13,26 +13,26 @@
 
 namespace torsio {
 
-/// A code that was made, shown once.
+/// A new code, shown once.
 struct KioskCard {
   UserId userId{};
   std::string login{};
-  std::string code{};  ///< twenty digits; only their hash is kept
+  std::string code{};  ///< twenty digits; only a hash is stored
 };
-/// Makes a new code for each of these users; the one before lets nobody in any more. Audited. kUserManage.
-/// Throws Error{kBadParameter}: the centre does not allow codes, nobody is chosen, somebody has another role
-/// than that of a trainee.
+/// Creates a new code for each of these users; their previous code becomes invalid. Audited. kUserManage.
+/// Throws Error{kBadParameter} if the centre does not allow codes, nobody is chosen, or a user has a role
+/// other than trainee.
 [[nodiscard]] std::vector<KioskCard> makeKioskCodes(SessionContext& session, std::span<const UserId> userIds);
-/// Takes the codes of these users back, those who have one. Audited. kUserManage. Returns how many there
-/// were. Throws Error{kBadParameter} without a reason.
+/// Revokes the codes of those users who have one. Audited. kUserManage. Returns how many there were. Throws
+/// Error{kBadParameter} without a reason.
 std::size_t revokeKioskCodes(SessionContext& session, std::span<const UserId> userIds,
                              const std::string& reason);
-/// Since when each user has a code that is in force. kUserManage.
+/// Returns since when each user has had a valid code. kUserManage.
 [[nodiscard]] std::map<UserId, std::int64_t> kioskCodesInForce(SessionContext& session);
 
-/// At a kiosk, with what a scanner or a hand typed; blanks and hyphens do not matter. The session then
-/// belongs to the trainee, whose password counts as not shown. Audited, a failure without what was typed; too
-/// many failures at a station make it wait. Nobody comes in while the centre does not allow it.
+/// Signs in at a kiosk with a scanned or typed code; spaces and hyphens are ignored. The session then belongs
+/// to the trainee, as if no password had been entered. Audited; failures without the typed text; too many
+/// failures at a station cause a wait. Refused if the centre does not allow codes.
 [[nodiscard]] SignInAnswer signInWithCode(SessionContext& session, const std::string& code);
 
 }  // namespace torsio

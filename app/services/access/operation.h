@@ -6,7 +6,7 @@
 
 namespace torsio {
 
-/// What somebody may be allowed to do. Which role may do what is data: table role_operation.
+/// Operations that need permission. Table role_operation lists the roles that have them.
 enum class Operation {
   kPractice,
   kTrialRecordOwn,
@@ -42,7 +42,7 @@ enum class Operation {
   kSettingsEdit,
 };
 
-/// The codes of table operation, in the order of the enumeration (tested against the migrated database).
+/// Codes of table operation, in enumeration order (tested against the migrated database).
 inline constexpr std::array<std::string_view, 32> kOperationCodes = {"practice",
                                                                      "trial.record_own",
                                                                      "trial.view_own",

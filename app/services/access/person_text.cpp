@@ -11,12 +11,12 @@ QString unicodeOf(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// The two joiners belong to names in Persian and Indic scripts.
+/// Returns whether this is one of the two joiners used in Persian and Indic names.
 bool isJoiner(char32_t character) {
   return character == 0x200C || character == 0x200D;
 }
 
-/// Letters and signs that are drawn as nothing.
+/// Returns whether the character is drawn as nothing.
 bool isFiller(char32_t character) {
   constexpr std::u32string_view kFillers = U"\u115F\u1160\u17B4\u17B5\u2800\u3164\uFFA0";
   return kFillers.find(character) != std::u32string_view::npos;
@@ -25,7 +25,7 @@ bool isFiller(char32_t character) {
 bool cannotBeSeen(char32_t character) {
   switch (QChar::category(character)) {
     case QChar::Other_Control:
-    case QChar::Other_Format:  // direction marks, blanks without width
+    case QChar::Other_Format:  // direction marks, zero-width spaces
     case QChar::Other_Surrogate:
     case QChar::Separator_Line:
     case QChar::Separator_Paragraph:
@@ -35,7 +35,7 @@ bool cannotBeSeen(char32_t character) {
   }
 }
 
-/// Capitals of other scripts beside the Latin letter that they, or their small forms, look like.
+/// Maps a capital of another script to the Latin letter that it, or its lower-case form, resembles.
 char32_t latinFor(char32_t letter) {
   constexpr std::u32string_view kOthers =
       U"\u0410\u0412\u0415\u041A\u041C\u041D\u041E\u0420\u0421\u0422\u0423\u0425\u0406\u0408\u0405"

@@ -6,13 +6,13 @@
 
 namespace torsio {
 
-/// A QR code (ISO/IEC 18004), row by row from above, without the four modules of white that belong round it.
+/// A QR code (ISO/IEC 18004), row by row from the top, without the quiet zone of four modules.
 struct QrCode {
-  std::vector<std::vector<bool>> dark{};  ///< as many rows as columns
+  std::vector<std::vector<bool>> dark{};  ///< square
 };
 
-/// Returns the smallest code of these bytes that can still be read when 15 % of it are spoiled. Throws
-/// Error{kBadParameter} for more than a code holds (2 331 bytes).
+/// Returns the smallest code of these bytes with 15 % error correction. Throws Error{kBadParameter} for more
+/// than a code holds (2 331 bytes).
 [[nodiscard]] QrCode qrCode(const std::string& text);
 
 }  // namespace torsio

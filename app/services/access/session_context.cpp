@@ -35,7 +35,7 @@ struct SessionContext::Owned {
 
 namespace {
 
-/// Who did it, in the audit trail.
+/// Returns the actor's identification for the audit trail.
 std::string actorText(const Actor& actor) {
   if (!actor.systemAccount.empty()) {
     return "system:" + actor.systemAccount;

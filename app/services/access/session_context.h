@@ -18,18 +18,18 @@ namespace torsio {
 class Connection;
 class IdSource;
 
-/// Somebody who has signed in (access_service.h is the only place that makes one from a password).
+/// A signed-in user (only access_service.h creates one from a password).
 struct Actor {
   UserId userId{};
   std::string login{};
-  PersonId personId{};  ///< empty: nobody of the record (an administrator, say)
+  PersonId personId{};  ///< empty: not a person of the record (an administrator, for example)
   std::vector<std::string> roles{};
-  /// Came in with a station PIN: practice without a record and nothing else, whatever the roles say.
+  /// Signed in with a station PIN: only practice without a record, whatever the roles.
   bool practiceOnly = false;
-  /// When the password was shown last, by the clock of the session; 0: never. A signature asks for it.
+  /// Time when the password was last entered, by the session's clock; 0: never. Signatures check it.
   std::int64_t passwordShownUtc_us = 0;
-  /// An account of the operating system that owns the record and takes care of it from the command line
-  /// without signing in: backing up, checking, restoring, moving, and taking results out; nothing else.
+  /// The operating system account that owns the record and maintains it from the command line without signing
+  /// in: backup, check, restore, move, and export of results; nothing else.
   std::string systemAccount{};
 
   [[nodiscard]] bool hasRole(const std::string& role) const;
@@ -38,14 +38,14 @@ struct Actor {
 /// Wall-clock time, microseconds since 1970 UTC.
 using UtcClock = std::function<std::int64_t()>;
 
-/// What a worker thread needs to work for the same person on a connection of its own.
+/// What a worker thread needs to act for the same user on its own connection.
 struct SessionKey {
   std::string locator{};
   std::string station{};
   Actor actor{};
 };
 
-/// What a change leaves in the audit trail. Ids and codes only, never a name.
+/// An entry for the audit trail. Ids and codes only, never names.
 struct AuditNote {
   AuditAction action;
   AuditObject objectKind;
@@ -55,56 +55,56 @@ struct AuditNote {
   std::string reason{};
 };
 
-/// One signed-in person at one station with one database: what every service of the application works
-/// through. Each service function begins with require(), which opens connection() to it: the matrix role x
-/// operation is read from the database each time, so a right that was taken away is gone at once. Default
-/// deny. Belongs to the thread that made it.
+/// One signed-in user at one station with one database; every service of the application uses it. Each
+/// service function starts with require(), which opens connection() for it: permissions are read from the
+/// database each time, so revoking one takes effect at once. Default deny. Belongs to the thread that created
+/// it.
 class SessionContext {
  public:
-  /// Opens (or makes) the database of `key` and brings its schema up to date. Throws Error, DbError.
+  /// Opens (or creates) the database of `key` and migrates its schema. Throws Error, DbError.
   explicit SessionContext(const SessionKey& key);
-  /// Tests and the demonstration: an open connection, ids and time of their own. Both outlive the session.
+  /// For tests and the demonstration: an open connection and custom ids and time. Connection and ids outlive
+  /// the session.
   SessionContext(Connection& connection, IdSource& ids, SessionKey key, UtcClock now);
   ~SessionContext();
   SessionContext(SessionContext&&) noexcept;
   SessionContext& operator=(SessionContext&&) = delete;
 
-  /// Returns the record for a service that has passed require() in this call. Throws ContractError when
-  /// nothing was asked for since beginCall() or since somebody else signed in: a service without a right is a
-  /// fault of Torsio.
+  /// Returns the record for a service that has passed require() in this call. Throws ContractError if no
+  /// right was checked since beginCall() or since the actor changed: a service without a check is a bug.
   [[nodiscard]] Connection& connection() const;
-  /// Returns the record for what is open by design: signing in, the sign of the centre, the station's own
-  /// writing, the demonstration of a new centre.
+  /// Returns the record for what needs no right by design: signing in, the centre's name, the station's own
+  /// writes, the demonstration of a new centre.
   [[nodiscard]] Connection& connectionWithoutRight() const noexcept { return *connection_; }
-  /// Begins the next call of a service: what require() allowed before opens the record no more. Whoever hands
-  /// this session to a service calls it (ShellContext::session(), the centres of the tests).
+  /// Begins a service call: earlier require() calls no longer open the record. Called by whatever passes this
+  /// session to a service (ShellContext::session(), test centres).
   void beginCall() noexcept { asked_ = false; }
   [[nodiscard]] IdSource& ids() const noexcept { return *ids_; }
   [[nodiscard]] const Actor& actor() const noexcept { return key_.actor; }
   [[nodiscard]] const std::string& station() const noexcept { return key_.station; }
   [[nodiscard]] const SessionKey& key() const noexcept { return key_; }
   [[nodiscard]] std::int64_t now_us() const { return now_(); }
-  /// Of every password that is set from now on; tests use a cheap one.
+  /// Returns the hashing cost for new passwords; tests use a cheap one.
   [[nodiscard]] PasswordCost passwordCost() const noexcept { return passwordCost_; }
   void setPasswordCost(PasswordCost cost) noexcept { passwordCost_ = cost; }
-  /// Opens a connection of its own anew, after the server was away. Only between two services; does nothing
-  /// for a borrowed connection. Throws Error, DbError, and then keeps the old one.
+  /// Reopens an owned connection after the server was unreachable. Call only between two services; does
+  /// nothing for a borrowed connection. Throws Error, DbError, and then keeps the old one.
   void reconnect();
-  /// After signing in or out, on the same connection.
+  /// Call after signing in or out, on the same connection.
   void setActor(Actor actor) {
     key_.actor = std::move(actor);
     beginCall();
   }
 
-  /// From now on a signature asks for the password again.
+  /// Makes the next signature ask for the password.
   void forgetPasswordShown() noexcept { key_.actor.passwordShownUtc_us = 0; }
 
   [[nodiscard]] bool may(Operation operation) const;
-  /// Opens connection() to this call, or throws Error{kPermission} that names the operation in words.
+  /// Opens connection() for this call, or throws Error{kPermission} that describes the operation.
   void require(Operation operation) const;
-  /// Asks for either of two operations; a refusal names the second.
+  /// Requires either of two operations; a refusal names the second.
   void requireEither(Operation first, Operation second) const;
-  /// For "own" operations: the record must also belong to the actor's person.
+  /// Requires an "own" operation: the record must also belong to the actor's person.
   void requireOwn(Operation operation, const PersonId& personId) const;
 
   /// Adds an entry to the audit trail; call it inside the transaction of the change.
@@ -112,19 +112,19 @@ class SessionContext {
 
  private:
   struct Owned;
-  std::unique_ptr<Owned> owned_;  // null when connection and ids are borrowed
+  std::unique_ptr<Owned> owned_;  // null if connection and ids are borrowed
   Connection* connection_;
   IdSource* ids_;
   SessionKey key_;
   UtcClock now_;
   PasswordCost passwordCost_ = PasswordCost::kModerate;
-  mutable bool asked_ = false;  // require() was passed in this call
+  mutable bool asked_ = false;  // require() has passed in this call
 };
 
-/// Opens (or makes) a database and brings its schema up to date. Throws Error, DbError.
+/// Opens (or creates) a database and migrates its schema. Throws Error, DbError.
 [[nodiscard]] Connection openUpToDate(const std::string& locator);
 
-/// Name of this machine as it stands on trials and audit entries.
+/// Returns this machine's name for trials and audit entries.
 [[nodiscard]] std::string stationName();
 
 }  // namespace torsio

@@ -17,7 +17,7 @@ namespace torsio {
 
 namespace {
 
-constexpr int kSignWindow_min = 15;  // of a password that was shown, where each signature asks
+constexpr int kSignWindow_min = 15;  // validity of an entered password if each signature asks
 
 AuditObject auditObjectOf(SignedKind kind) {
   switch (kind) {
@@ -40,7 +40,7 @@ bool passwordIsDue(SessionContext& session) {
   }
   const std::int64_t since_us = session.now_us() - shown_us;
   const int minutes = centreSetting<kSignMinutes>(session.connectionWithoutRight());
-  // Where each signature asks, a password that was shown is good for the act that follows at once.
+  // If each signature asks, the entered password covers the act that follows immediately.
   const std::int64_t good_us = (minutes == 0 ? kSignWindow_min : minutes) * kMinute_us;
   return shown_us == 0 || since_us < 0 || since_us > good_us;
 }

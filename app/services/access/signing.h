@@ -10,23 +10,23 @@
 
 namespace torsio {
 
-/// Actor::passwordShownUtc_us of an administrator who entered as a simulated person: there is no password
-/// that anybody knows, and such an account signs only what is simulated.
+/// Actor::passwordShownUtc_us of an administrator acting as a simulated person: nobody knows a password, and
+/// such an account signs only simulated objects.
 inline constexpr std::int64_t kNoPasswordToShow = -1;
 
-/// Whether the next signature asks for the password first.
+/// Returns whether the next signature must ask for the password.
 [[nodiscard]] bool passwordIsDue(SessionContext& session);
-/// The actor's own password, to sign with. A failure counts as one at the sign-in and is audited. Throws
-/// Error{kPermission} when it is wrong, or must not be tried yet.
+/// Enters the actor's own password for signing. A failure counts and is audited like one at sign-in. Throws
+/// Error{kPermission} if it is wrong or must not be tried yet.
 void showPassword(SessionContext& session, const std::string& password);
 
-/// Thrown by a service that seals something: passwordIsDue().
+/// Thrown by a service that needs a signature while passwordIsDue().
 class PasswordDue : public Error {
  public:
   PasswordDue();
 };
 
-/// What is signed, and what the signature means.
+/// The object to sign, and the meaning of the signature.
 struct SignedObject {
   SignedKind kind = SignedKind::kTrainingMark;
   std::string objectId{};
@@ -34,10 +34,10 @@ struct SignedObject {
   std::string reason{};
   bool demonstration = false;
 };
-/// For a service, inside the transaction that seals the object and after it has asked for its right: stores
-/// the actor's signature, audited. Throws PasswordDue.
+/// Stores the actor's signature, audited. For services, inside the transaction that seals the object and
+/// after checking the right. Throws PasswordDue.
 void sign(SessionContext& session, const SignedObject& object);
-/// Uses up the password where each signature asks for it. After the last sign() of one act.
+/// Uses up the password if each signature asks for it. Call after the last sign() of an act.
 void endSigning(SessionContext& session);
 
 }  // namespace torsio

@@ -37,7 +37,7 @@ std::optional<UserAccount> findUser(SessionContext& session, const UserId& userI
   return std::nullopt;
 }
 
-/// Who could confirm: administrators that are real and may sign in.
+/// Counts who could confirm: real administrators who may sign in.
 std::int64_t administrators(SessionContext& session) {
   const std::vector<UserAccount> all = accountsOf(session).users();
   return std::count_if(all.begin(), all.end(), [](const UserAccount& user) {
@@ -45,7 +45,8 @@ std::int64_t administrators(SessionContext& session) {
   });
 }
 
-/// A simulated physician signs nothing of the centre's (signing.cpp). Every other role reaches real data.
+/// Returns whether the role is that of a simulated physician, who signs nothing of the centre's
+/// (signing.cpp). Every other role has access to real data.
 bool isHarmless(bool demonstration, const std::string& role) {
   return demonstration && role == kRaterRole;
 }
@@ -82,7 +83,7 @@ std::vector<DutyRequest> openIn(SessionContext& session) {
   return DutyRepository(session.connection()).open(session.now_us() - kRequestLife_us);
 }
 
-/// Why the actor cannot confirm the request; empty: they can.
+/// Returns why the actor cannot confirm the request; empty if they can.
 Text hindrance(SessionContext& session, const DutyRequest& request) {
   const Actor& actor = session.actor();
   if (request.requestedBy == actor.userId) {
@@ -136,12 +137,12 @@ void confirm(SessionContext& session, const DutyRequest& request) {
   close(session, request, DutyDecision::kConfirmed, request.reason);
 }
 
-/// The system owns the record, and can do anything with it.
+/// Returns whether the actor is the system, which owns the record and can do anything with it.
 bool oneIsEnough(SessionContext& session) {
   return !session.actor().systemAccount.empty() || !needsTwoPeople(session.connection());
 }
 
-/// The request of somebody else for this act, which the actor may confirm.
+/// Returns another person's request for this act that the actor may confirm.
 std::optional<DutyRequest> confirmable(SessionContext& session, DutyAct act, const std::string& subject) {
   for (DutyRequest& request : openIn(session)) {
     if (request.act == act && request.subject == subject && hindrance(session, request).str().empty()) {
@@ -151,7 +152,7 @@ std::optional<DutyRequest> confirmable(SessionContext& session, DutyAct act, con
   return std::nullopt;
 }
 
-/// Gives the account its new start password, and returns the half that was not told yet.
+/// Sets the account's new start password and returns its second half, not yet shown.
 std::string drawSecondHalf(SessionContext& session, const DutyRequest& request, const UserAccount& user,
                            const std::vector<std::string>* roles) {
   const std::string second = randomStartPassword().substr(0, kHalf);
@@ -177,7 +178,7 @@ std::string drawSecondHalf(SessionContext& session, const DutyRequest& request, 
   return second;
 }
 
-/// Makes the link that goes with the code of whoever asked.
+/// Creates the link for the requester's code.
 std::string confirmInvitation(SessionContext& session, const DutyRequest& request, const UserAccount& user) {
   if (!user.active) {
     refuse(Text::tr("this account may not sign in"), user.login,
@@ -299,7 +300,7 @@ std::vector<OpenRequest> openRequests(SessionContext& session) {
                     .shown = shownOf(session, request),
                     .roles = detailOf(request).value("roles", std::vector<std::string>()),
                     .own = request.requestedBy == session.actor().userId});
-    open.back().request.detailJson.clear();  // nobody is shown a half of a password again
+    open.back().request.detailJson.clear();  // half of a password is not shown again
   }
   return open;
 }
@@ -361,7 +362,7 @@ bool passwordNeedsTwo(SessionContext& session, const UserAccount& user) {
   if (givesGuardedRole(session, user.demonstration, {}, user.roles)) {
     return true;
   }
-  // Whoever took the role away first would sign in as a rater's person.
+  // Otherwise, removing the role first would allow signing in as a rater's person.
   const std::vector<Rater> raters = PeopleRepository(session.connection()).raters();
   return needsTwoPeople(session.connection()) && !user.demonstration && !user.personId.empty() &&
          std::any_of(raters.begin(), raters.end(),
@@ -379,7 +380,7 @@ MadeUser makeUser(SessionContext& session, NewUser user) {
     return {addUser(session, user), user.startPassword};
   }
   std::erase_if(user.roles, isGuardedRole);
-  user.startPassword = randomStartPassword();  // nobody is told
+  user.startPassword = randomStartPassword();  // never shown
   Transaction transaction(session.connection());
   MadeUser made{.id = addUser(session, user), .awaitsSecond = true};
   made.startPassword = askSecondPerson(

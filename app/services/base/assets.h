@@ -5,9 +5,9 @@
 
 namespace torsio {
 
-/// The folder with organs, scenes and instruments: $TORSIO_ASSETS when set, else the one beside the
-/// installed program (../share/torsio/assets), else that of the source tree it was built from.
-/// Throws Error{kFileMissing} when none exists.
+/// Returns the folder with organs, scenes and instruments: $TORSIO_ASSETS if set, else that of the
+/// installation (../share/torsio/assets), else that of the source tree. Throws Error{kFileMissing} if none
+/// exists.
 [[nodiscard]] std::filesystem::path assetsFolder();
 
 }  // namespace torsio

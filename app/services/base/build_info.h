@@ -5,11 +5,11 @@
 
 namespace torsio {
 
-/// "0.1.0": stored with every trial, result and report.
+/// Returns the version, such as "0.1.0", which is stored with every trial, result and report.
 [[nodiscard]] std::string softwareVersion();
 
-/// BLAKE2b-256 of the program file that runs: which build it was, to the last bit. Empty where the system
-/// does not tell. Read once.
+/// Returns the BLAKE2b-256 of the running program file, which identifies the build. Empty if the system does
+/// not provide the path. Calculated once.
 [[nodiscard]] const std::string& programHash();
 
 }  // namespace torsio

@@ -17,7 +17,7 @@ bool isFigure(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// The position of the point in "-12.5" and "1.5e-7"; npos: the cell is something else.
+/// Returns the position of the point in "-12.5" and "1.5e-7"; npos for other cells.
 std::size_t pointOf(std::string_view cell) {
   std::size_t at = cell.starts_with('-') || cell.starts_with("'-") ? cell.find('-') + 1 : 0;
   const auto skipDigits = [&] {

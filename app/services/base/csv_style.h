@@ -5,17 +5,17 @@
 
 namespace torsio {
 
-/// How a table is written for the spreadsheet that will open it. The default is what programs read; German
-/// Excel opens a file of its own country only: semicolons between the cells, a comma in the numbers.
+/// Format of a table for a spreadsheet. The default suits programs; German Excel reads only its own format:
+/// semicolons between cells, commas in numbers.
 struct CsvStyle {
   char separator = ',';
   char decimal = '.';
   friend bool operator==(const CsvStyle&, const CsvStyle&) = default;
 };
 
-/// Writes a table of csvLine() (or of any RFC 4180 text) in another look: cells are parted and quoted anew,
-/// and in cells that are a decimal number and nothing else the decimal mark is changed. A byte order mark
-/// stays. Throws Error{kBadData} when the text is no table.
+/// Converts a table of csvLine() (or any RFC 4180 text) to another format: separators and quotes, and the
+/// decimal mark in cells that are decimal numbers. Keeps a byte order mark. Throws Error{kBadData} if the
+/// text is not a table.
 [[nodiscard]] std::string csvInStyle(const std::string& text, const CsvStyle& look);
 
 }  // namespace torsio

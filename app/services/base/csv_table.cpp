@@ -9,14 +9,14 @@
 
 #include "sim/core/contracts.h"
 #include "sim/core/csv_cell.h"
-#include "sim/core/file_io.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr std::size_t kShown = 60;  // characters of a bad value that a message repeats
+constexpr std::size_t kShown = 60;  // characters of an invalid value shown in messages
 
 [[noreturn]] void refuseAt(const std::string& name, std::size_t line, const Text& what, const Text& remedy) {
   refuse(what, Text::tr("%1, line %2", name, line), remedy);
@@ -36,7 +36,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Position of the first byte that is not part of a UTF-8 character (no overlong forms, no surrogates).
+/// Returns the position of the first byte that is not valid UTF-8 (overlong forms and surrogates are
+/// invalid).
 std::size_t firstNoUtf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto byte = [&](std::size_t k) {
@@ -61,13 +62,13 @@ std::size_t firstNoUtf8(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// Reads record by record; a quoted value may span lines.
+/// Reads records; a quoted value may span lines.
 class Reader {
  public:
   Reader(std::string_view text, const std::string& name, char separator)
       : text_(text), name_(name), separator_(separator), valueEnds_({separator, '\r', '\n'}) {}
 
-  /// False at the end. `line`: where the record begins.
+  /// Returns false at the end. `line`: first line of the record.
   bool next(std::vector<std::string>& values, std::size_t& line) {
     while (at_ < text_.size() && endOfLine()) {
     }
@@ -158,7 +159,7 @@ std::string listed(std::initializer_list<std::string_view> names) {
   return text;
 }
 
-/// Digits with one comma among them: 7,5.
+/// Returns whether the text consists of digits with one comma: 7,5.
 bool hasDecimalComma(std::string_view text) {
   const std::size_t comma = text.find(',');
   return comma != std::string_view::npos && text.find(',', comma + 1) == std::string_view::npos &&
@@ -169,7 +170,7 @@ bool isDigits(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// The text without a byte order mark; refuses what is no UTF-8.
+/// Skips a byte order mark and throws if the text is not UTF-8.
 std::string_view checkedText(std::string_view text, const std::string& name) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) {

@@ -8,10 +8,10 @@
 
 namespace torsio {
 
-/// Names in the order in which a file brings them, each once, found in constant time.
+/// Unique names in file order, found in constant time.
 class NamePlaces {
  public:
-  /// Returns the place of a name, to which it is added when it is new.
+  /// Returns the place of a name, adding it if new.
   std::size_t operator()(const std::string& name) {
     const auto [at, isNew] = places_.emplace(name, names_.size());
     if (isNew) {

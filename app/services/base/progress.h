@@ -7,24 +7,24 @@
 
 namespace torsio {
 
-/// How far a long piece of work has come.
+/// Progress of a long operation.
 struct Progress {
   Text step;                  ///< "Recording G1-03"
-  double fraction = 0.0;      ///< of the whole work, 0..1
+  double fraction = 0.0;      ///< of all work, 0..1
   double remaining_s = -1.0;  ///< estimate; negative while unknown
 };
 
 /// Called from the working thread, at most a few times a second.
 using ProgressCallback = std::function<void(const Progress&)>;
 
-/// Tells how far the work is; does nothing without a listener.
+/// Reports progress; does nothing without a callback.
 inline void tellProgress(const ProgressCallback& progress, const Text& step, double fraction) {
   if (progress) {
     progress({step, fraction, -1.0});
   }
 }
 
-/// For a piece of the work that reaches from `from` to `to` of the whole and counts 0..1 itself.
+/// Maps progress 0..1 of a step to `from` .. `to` of the whole.
 [[nodiscard]] inline ProgressCallback partOf(const ProgressCallback& whole, double from, double to) {
   if (!whole) {
     return {};

@@ -10,7 +10,7 @@ namespace torsio {
 
 namespace {
 
-/// [pattern, argument ...], the arguments sentences themselves.
+/// Returns [pattern, argument ...], with the arguments being sentences.
 nlohmann::json jsonOf(const Text& text) {
   nlohmann::json json = nlohmann::json::array({text.pattern()});
   for (const Text& argument : text.arguments()) {

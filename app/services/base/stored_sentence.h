@@ -7,10 +7,10 @@
 
 namespace torsio {
 
-/// A sentence as the record keeps it, with its arguments, so that each reader gets it in their own language.
-/// Empty for an empty one.
+/// Serialises a sentence with its arguments for the record, so that each reader gets it in their own
+/// language. Empty for an empty one.
 [[nodiscard]] std::string storedSentence(const Text& text);
-/// Reads such a sentence; empty for what is none.
+/// Parses a stored sentence; empty if invalid.
 [[nodiscard]] Text readSentence(const std::string& stored);
 
 }  // namespace torsio

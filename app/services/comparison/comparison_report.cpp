@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kMillimetres = 1e3;
 
-/// The name of a model in tables and legends.
+/// Returns a model's name for tables and legends.
 Text shortName(const ModelResult& model) {
   if (model.id == "reference") {
     return Text::tr("reference");
@@ -36,7 +36,7 @@ Text shortName(const ModelResult& model) {
                              : Text::verbatim("MSM");
 }
 
-/// Times from microseconds to minutes in one column: three digits, and all of a whole part.
+/// Formats times from microseconds to minutes in one column: three digits, or the whole integer part.
 std::string readable(double value) {
   const int before = value > 0.0 ? static_cast<int>(std::floor(std::log10(value))) + 1 : 1;
   return formatFixed(value, std::clamp(3 - before, 0, 6));
@@ -279,7 +279,7 @@ Json stateJson(const ModelState& state) {
           {"marker_rmse_m", state.markerRmse_m}, {"marker_displacements_m", state.displacements_m}};
 }
 
-/// Whether the organ has the marker whose course is told.
+/// Returns whether the organ has the marker whose course is reported.
 bool tellsCourse(const ComparisonResult& result) {
   return result.options.courseMarker <= static_cast<int>(result.markers.size());
 }
@@ -331,7 +331,7 @@ Json measuredJson(const ComparisonResult& result) {
   return markers;
 }
 
-/// A line of a table of names without commas and numbers, which may be negative.
+/// Returns a CSV line of names without commas and numbers, possibly negative.
 std::string plainLine(const std::vector<std::string>& cells) {
   std::string line;
   for (const std::string& cell : cells) {

@@ -11,24 +11,24 @@
 
 namespace torsio {
 
-/// The name of the report beside the files of writeComparisonFiles().
+/// File name of the report next to the files of writeComparisonFiles().
 inline constexpr const char* kComparisonReportName = "comparison.pdf";
 
-/// Makes the report of a comparison: Figs. 10, 13 and 14 of the paper with this organ, the tables of accuracy
-/// and time, the machine, and what the figures do not show. English only.
+/// Builds the report of a comparison: Figs. 10, 13 and 14 of the paper for this organ, tables of accuracy and
+/// time, the machine, and limitations of the figures. English only.
 [[nodiscard]] ReportModel comparisonReport(const ComparisonResult& result, const std::string& softwareVersion,
                                            std::int64_t createdUtc_us);
 
-/// Says what the figures of a comparison do not: that a linear FEM could compute in advance too, that set-up
-/// counts, that linear tetrahedra lock, how the ends differ. A paragraph each.
+/// Describes the limitations of the figures, one paragraph each: a linear FEM could also precompute, set-up
+/// counts, linear tetrahedra lock, boundary conditions differ.
 [[nodiscard]] std::vector<Text> comparisonLimits();
 
-/// Puts all numbers of a comparison in JSON, units in the names, indented. What is not defined is
+/// Formats all numbers of a comparison as indented JSON, units in the names. Undefined values are
 /// {"undefined": reason}.
 [[nodiscard]] std::string comparisonJson(const ComparisonResult& result);
 
-/// Writes comparison.json, models.csv (a line a model), markers.csv (a line a marker: Fig. 13) and course.csv
-/// (a line a moment and model: Fig. 14) into a folder, which is made if missing. Returns their names. Throws
+/// Writes comparison.json, models.csv (one row per model), markers.csv (per marker: Fig. 13) and course.csv
+/// (per moment and model: Fig. 14) into a folder, created if missing. Returns their names. Throws
 /// Error{kFileUnwritable}.
 std::vector<std::string> writeComparisonFiles(const ComparisonResult& result,
                                               const std::filesystem::path& folder);

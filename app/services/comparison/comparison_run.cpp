@@ -24,9 +24,9 @@ namespace {
 
 using RunClock = std::chrono::steady_clock;
 constexpr int kReferenceSteps = 12;   ///< of the ramp
-constexpr double kMaxTime_s = 6.0;    ///< simulated, until a model counts as at rest
-constexpr int kRestFrames = 10;       ///< over so many frames
-constexpr double kRestChange = 1e-3;  ///< the angle changes by less than this share
+constexpr double kMaxTime_s = 6.0;    ///< simulated time after which a model counts as at rest
+constexpr int kRestFrames = 10;       ///< number of frames for the criterion of rest
+constexpr double kRestChange = 1e-3;  ///< relative change of the angle below which a model is at rest
 constexpr double kMaxTorque_Nm = 100.0;
 
 double secondsSince(RunClock::time_point start) {
@@ -56,25 +56,24 @@ void checkOptions(const ComparisonOptions& options) {
   }
 }
 
-/// Tells the progress of a piece of the work again and again while the work has nothing new to tell, so that
-/// who listens can end it. Several threads may call.
+/// Repeats the last progress report while there is nothing new, so that the listener can cancel. Thread-safe.
 class Heartbeat {
  public:
   explicit Heartbeat(const ProgressCallback& progress) : progress_(progress) {}
 
-  /// The work has come to another step.
+  /// Reports a new step.
   void tell(const Text& step, double fraction) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const bool another = !(step == now_.step);
     now_ = {step, std::max(now_.fraction, fraction), -1.0};
     pass(another);
   }
-  /// Passes on what was told last, unless it was passed on a moment ago.
+  /// Repeats the last report unless it is recent.
   void beat() {
     const std::lock_guard<std::mutex> lock(mutex_);
     pass(false);
   }
-  /// Makes the callback of a part of the work that reaches from `from` to `to`.
+  /// Returns the callback of a step that covers `from` to `to` of the whole.
   [[nodiscard]] ProgressCallback part(double from, double to) {
     return partOf([this](const Progress& progress) { tell(progress.step, progress.fraction); }, from, to);
   }
@@ -94,7 +93,7 @@ class Heartbeat {
   RunClock::time_point passed_ = RunClock::now();
 };
 
-/// One organ with everything that its models share, and how they are read.
+/// One organ with the data and measurements common to all models.
 class ComparisonBench {
  public:
   ComparisonBench(const Scene& scene, const ComparedOrgan& organ, ComparisonResult& result)
@@ -122,7 +121,7 @@ class ComparisonBench {
     return point;
   }
 
-  /// Keeps the pose of a model if it is time for another one.
+  /// Stores a model's pose if the next one is due.
   void keep(const TwistSimulation& model, double processing_s, ModelResult& run) const {
     const double every_s = result_.options.poseEvery_s;
     const auto due = static_cast<double>(run.poses.size()) * every_s;
@@ -149,7 +148,7 @@ class ComparisonBench {
     return state;
   }
 
-  /// The reference goes first: it only knows equilibria, and shows a few of the ramp.
+  /// The reference runs first: it computes only equilibria, a few along the ramp.
   void runReference(const ComparedOrgan& organ, const ProgressCallback& progress) {
     const auto start = RunClock::now();
     const auto model = referenceSimulation(organ, result_.options.referenceRings);
@@ -171,7 +170,7 @@ class ComparisonBench {
     result_.models.push_back(std::move(run));
   }
 
-  /// Frames until the torque is reached and the end stands still.
+  /// Runs frames until the torque is reached and the end is at rest.
   [[nodiscard]] ModelResult runFrames(const std::string& id, const Text& title, const ComparedOrgan& organ,
                                       TwistSimulation& model, RunClock::time_point start,
                                       const ProgressCallback& progress) const {
@@ -192,10 +191,11 @@ class ComparisonBench {
       run.course.push_back(coursePoint(model, frame * frame_s, torque_Nm));
       keep(model, processing_s, run);
       tellProgress(progress, title, std::min(1.0, 0.5 * frame / ramp));
-      if (frame >= ramp + kRestFrames || (frame >= ramp && run.course.size() > 1 && stillAtOnce(id))) {
+      if (frame >= ramp + kRestFrames ||
+          (frame >= ramp && run.course.size() > 1 && reachesRestImmediately(id))) {
         const double before = run.course[run.course.size() - 1 - kRestFrames].angle_rad;
         const double now = run.course.back().angle_rad;
-        if (stillAtOnce(id) || std::abs(now - before) <= kRestChange * std::abs(now)) {
+        if (reachesRestImmediately(id) || std::abs(now - before) <= kRestChange * std::abs(now)) {
           break;
         }
       }
@@ -210,7 +210,7 @@ class ComparisonBench {
   }
 
  private:
-  static bool stillAtOnce(const std::string& id) { return id == "pm" || id == "paper"; }
+  static bool reachesRestImmediately(const std::string& id) { return id == "pm" || id == "paper"; }
 
   static ModelResult opened(const std::string& id, const Text& title, const TwistSimulation& model,
                             RunClock::time_point start) {
@@ -240,7 +240,7 @@ class ComparisonBench {
     return wanted.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(wanted.size()));
   }
 
-  /// Over the moments of the reference's course: where the model's marker is then.
+  /// Returns the error of the marker's course at the moments of the reference's course.
   [[nodiscard]] double courseRmse_m(const ModelResult& run) const {
     const std::vector<CoursePoint>& wanted = result_.models.front().course;
     double sum = 0.0;
@@ -261,7 +261,7 @@ class ComparisonBench {
   std::vector<MarkerAnchor> anchors_;
 };
 
-/// Brings a model to equilibrium and reads it there; a model that has none says why.
+/// Brings a model to equilibrium and measures it there; stores the reason if there is none.
 void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBench& bench, ModelResult& run) {
   const auto start = RunClock::now();
   try {
@@ -274,7 +274,7 @@ void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBen
   run.settle_s = secondsSince(start);
 }
 
-/// The curved rod: frames of its ticks, then its equilibrium.
+/// Runs the curved rod: frames of its ticks, then its equilibrium.
 void runRod(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
             ComparisonResult& result) {
   const auto start = RunClock::now();
@@ -285,7 +285,8 @@ void runRod(const ComparedOrgan& organ, const TwistModel& twist, const Compariso
   result.models.push_back(std::move(run));
 }
 
-/// Finite elements and springs: frames first, undisturbed; then both look for their equilibrium side by side.
+/// Runs finite elements and springs: frames one after the other for undisturbed timing, then both equilibria
+/// in parallel.
 void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
                      ComparisonResult& result, Heartbeat& heart) {
   const ComparisonOptions& options = result.options;

@@ -15,40 +15,40 @@
 
 namespace torsio {
 
-/// What a time depends on besides the program; stands in every result that holds times.
+/// What timings depend on besides the program; part of every result with timings.
 struct MachineFacts {
-  std::string processor;       ///< as the system names it; "unknown"
-  int cores = 0;               ///< that the program may use; 0: unknown
+  std::string processor;       ///< name from the system, or "unknown"
+  int cores = 0;               ///< available to the program; 0: unknown
   double loadAverage = -1.0;   ///< over the last minute; -1: unknown
-  std::string instructionSet;  ///< that the view's kernels use; all else is built for the plain processor
+  std::string instructionSet;  ///< of the view's kernels; everything else is built for the baseline processor
   std::string compiler;        ///< "GNU 12.2.0"
-  std::string flags;           ///< that decide about speed and rounding
+  std::string flags;           ///< those that affect speed and rounding
 };
 
-/// Reads the facts of this machine now.
+/// Reads the facts of this machine.
 [[nodiscard]] MachineFacts machineFacts();
 
-/// The lattice of a comparison unless another is asked for: the reference is then quadratic.
+/// Default lattice of a comparison; it makes the reference quadratic.
 inline constexpr int kComparedRidges = 36;
 inline constexpr int kComparedSections = 37;
 
 struct ComparisonOptions {
-  std::optional<double> torque_Nm;  ///< none: usualTorque_Nm()
+  std::optional<double> torque_Nm;  ///< empty: usualTorque_Nm()
   double poissonRatio = 0.45;       ///< of the elements; the twist model is incompressible
-  double ramp_s = 1.0;              ///< the torque grows evenly for so long, then stays
-  int rings = 4;                    ///< of tetrahedra and springs round the centre
-  int referenceRings = 2;           ///< of the reference, even
-  int courseMarker = 8;             ///< whose way over time is told (Fig. 14)
+  double ramp_s = 1.0;              ///< the torque grows linearly for this time, then stays constant
+  int rings = 4;                    ///< rings of tetrahedra and springs around the centre
+  int referenceRings = 2;           ///< of the reference; an even number
+  int courseMarker = 8;             ///< marker whose course is reported (Fig. 14)
   MassSpringOptions springs;
-  double poseEvery_s = 0.0;  ///< simulated time between the poses that a model keeps; 0: it keeps none
-  /// Where a jaw turns the organ, a fraction of its length, all beyond it free; none: the last section is
-  /// turned in its place.
+  double poseEvery_s = 0.0;  ///< simulated time between stored poses of a model; 0: none are stored
+  /// Position at which a jaw turns the organ, as a fraction of its length, with everything beyond it free;
+  /// empty: the last section is turned.
   std::optional<double> grasp{};
 };
 
-/// Where the key points were at a moment of a model's course, to be shown.
+/// Positions of the key points at a moment, for display.
 struct ModelPose {
-  double processing_s = 0.0;  ///< since rest: when a view would have had it
+  double processing_s = 0.0;  ///< since rest: when a live view would have shown it
   double angle_rad = 0.0;     ///< of the free end
   LatticePlaces places;
 };
@@ -68,8 +68,8 @@ struct ModelState {
   double volumeRatio = 1.0;
   double radiusChange = 0.0;
   double roughness_m = 0.0;
-  double rmse_m = 0.0;                  ///< of the key points against the reference
-  double markerRmse_m = 0.0;            ///< of the markers' displacements (Eq. 24) against the reference
+  double rmse_m = 0.0;                  ///< of the key points, from the reference
+  double markerRmse_m = 0.0;            ///< of the markers' displacements (Eq. 24), from the reference
   std::vector<double> displacements_m;  ///< of the markers (Eq. 24)
 };
 
@@ -78,22 +78,22 @@ struct ModelResult {
   Text title;
   int unknowns = 0;
   double setUp_s = 0.0;
-  int frames = 0;              ///< until the twist stood still
-  double frameMedian_s = 0.0;  ///< processing time of a frame
+  int frames = 0;              ///< until the twist was at rest
+  double frameMedian_s = 0.0;  ///< processing time per frame
   double frameWorst_s = 0.0;
   double deformation_s = 0.0;  ///< processing time of the whole twist (Fig. 10)
-  double settle_s = 0.0;       ///< from the last frame to equilibrium; not part of the deformation time
-  ModelState moving;           ///< as the last frame showed it
-  Text noEquilibrium;          ///< why none was found; then `settled` is as `moving`. Empty: found
-  ModelState settled;          ///< in equilibrium: what accuracy is read from
+  double settle_s = 0.0;       ///< from the last frame to equilibrium; not part of deformation_s
+  ModelState moving;           ///< state in the last frame
+  Text noEquilibrium;          ///< why no equilibrium was found; `settled` is then `moving`. Empty: found
+  ModelState settled;          ///< equilibrium, from which accuracy is measured
   std::vector<CoursePoint> course;
-  double courseRmse_m = 0.0;     ///< of the marker's course against the reference's
+  double courseRmse_m = 0.0;     ///< of the marker's course, from the reference
   std::vector<ModelPose> poses;  ///< from rest to the last frame; see poseEvery_s
 };
 
 struct ComparisonResult {
   std::string organ;
-  std::vector<OrganWarning> organWarnings;  ///< with which a user's organ was accepted
+  std::vector<OrganWarning> organWarnings;  ///< warnings with which a user's organ was accepted
   int ridges = 0;
   int sections = 0;
   std::size_t vertices = 0;
@@ -102,24 +102,23 @@ struct ComparisonResult {
   double torque_Nm = 0.0;
   ComparisonOptions options;
   MachineFacts machine;
-  double latticeUpdate_s = 0.0;  ///< of the twist model, all key points
+  double latticeUpdate_s = 0.0;  ///< time of the twist model for all key points
   std::vector<OrganMarker> markers;
   std::vector<ModelResult> models;  ///< the reference first
   std::vector<MeasuredSubject> measured;
 
-  /// Returns the model with this id, which must be among them (contract).
+  /// Returns the model with this id, which must exist (contract).
   [[nodiscard]] const ModelResult& model(const std::string& id) const;
 };
 
-/// Computes the torque at the free end that turns it by the angle of the scene's pattern, N m, as the twist
-/// model about the organ's own axis says. Builds that model: a tenth of a second.
+/// Computes the torque at the free end that turns it by the angle of the scene's pattern, N m, with the twist
+/// model about the organ's own axis. Builds that model, which takes a tenth of a second.
 [[nodiscard]] double usualTorque_Nm(const Scene& scene);
 
-/// Twists the organ of a scene about its own axis by every model: one end held, the same torque growing on
-/// the other, or on a jaw. Takes about a minute on two cores. `measured`: see readMeasuredMarkers. Throws
-/// Error{kBadParameter} for options out of range and a torque that a model finds no equilibrium for.
-/// `progress`: called several times a second all the while, from one thread at a time; what it throws ends
-/// the comparison.
+/// Twists the organ of a scene about its own axis with every model: one end fixed, the same increasing torque
+/// on the other end or on a jaw. Takes about a minute on two cores. `measured`: see readMeasuredMarkers.
+/// Throws Error{kBadParameter} for options out of range and a torque without equilibrium in some model.
+/// `progress`: called several times per second, by one thread at a time; throwing cancels the comparison.
 [[nodiscard]] ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker>& markers,
                                              const std::vector<MeasuredSubject>& measured,
                                              const ComparisonOptions& options,

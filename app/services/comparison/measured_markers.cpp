@@ -46,7 +46,7 @@ void takeSample(const CsvTable& table, std::size_t row, int markers, MeasuredSub
   samples.push_back(sample);
 }
 
-/// The subjects of a table of comma-separated values.
+/// Returns the subjects of a CSV table.
 std::vector<MeasuredSubject> subjectsOfTable(const std::filesystem::path& file, int markers) {
   const CsvTable table = CsvTable::read(file, {"marker", "time", "x", "y", "z", "unit", "subject"});
   std::vector<MeasuredSubject> subjects;
@@ -63,7 +63,7 @@ std::vector<MeasuredSubject> subjectsOfTable(const std::filesystem::path& file, 
   return subjects;
 }
 
-/// A place at rest and a later one of each marker.
+/// Throws unless each marker has a position at rest and a later one.
 void requireTwoSamples(const std::vector<MeasuredSubject>& subjects, const std::string& file) {
   bool any = false;
   for (const MeasuredSubject& subject : subjects) {
@@ -113,7 +113,7 @@ MeasuredDisplacement finalDisplacement(const std::vector<MeasuredSubject>& subje
 namespace {
 
 constexpr std::string_view kFirstWord = "PathFileType";
-constexpr std::size_t kFieldsBefore = 2;  ///< frame and time, before the places
+constexpr std::size_t kFieldsBefore = 2;  ///< frame and time, before the coordinates
 
 std::string trimmed(std::string_view field) {
   const auto first = field.find_first_not_of(" \r\n");
@@ -122,7 +122,7 @@ std::string trimmed(std::string_view field) {
              : std::string(field.substr(first, field.find_last_not_of(" \r\n") - first + 1));
 }
 
-/// The lines of a table whose fields stand between tabs, and where a refusal finds them.
+/// The lines of a tab-separated table, with positions for error messages.
 class TrackTable {
  public:
   explicit TrackTable(const std::filesystem::path& file) : name_(file.string()) {
@@ -145,12 +145,12 @@ class TrackTable {
 
   [[nodiscard]] std::size_t lines() const noexcept { return lines_.size(); }
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
-  /// The fields of a line, from 1, without empty ones at its end.
+  /// Returns the fields of a line (from 1), without empty ones at its end.
   [[nodiscard]] const std::vector<std::string>& fields(std::size_t line) const {
     static const std::vector<std::string> kNone;
     return line <= lines_.size() ? lines_[line - 1] : kNone;
   }
-  /// A field, from 1; "" beyond the end of the line.
+  /// Returns a field (from 1); "" beyond the end of the line.
   [[nodiscard]] const std::string& field(std::size_t line, std::size_t number) const {
     static const std::string kEmpty;
     return number <= fields(line).size() ? fields(line)[number - 1] : kEmpty;
@@ -175,7 +175,7 @@ class TrackTable {
   std::vector<std::vector<std::string>> lines_;
 };
 
-/// What the second and third line say.
+/// Contents of the second and third line.
 struct TrackHeader {
   std::size_t frames = 0;
   std::size_t markers = 0;
@@ -226,7 +226,7 @@ std::string inLowerCase(std::string text) {
   return text;
 }
 
-/// The number of the organ's marker that a track means; 0: none.
+/// Returns the number of the organ's marker that a track name refers to; 0 if none.
 int markerOfTrack(const std::string& track, const std::vector<OrganMarker>& markers) {
   const std::string name = inLowerCase(track);
   for (const OrganMarker& marker : markers) {
@@ -239,7 +239,7 @@ int markerOfTrack(const std::string& track, const std::vector<OrganMarker>& mark
   return 0;
 }
 
-/// The markers of the tracks in their order, as lines 4 and 5 name them.
+/// Returns the marker of each track, as named in lines 4 and 5.
 std::vector<int> tracksOf(const TrackTable& table, const TrackHeader& header,
                           const std::vector<OrganMarker>& markers) {
   if (table.field(4, 1) != "Frame#" || table.field(4, 2) != "Time") {
@@ -286,7 +286,7 @@ void takeFrame(const TrackTable& table, std::size_t line, const TrackHeader& hea
       given += table.field(line, first + axis).empty() ? 0 : 1;
     }
     if (given == 0) {
-      continue;  // the cameras lost it
+      continue;  // not seen by the cameras
     }
     std::array<double, 3> place{};
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -23,9 +23,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMillimetre_m = 1e-3;
 constexpr double kFarthestFromSkin_m = 5e-3;
-constexpr double kSumTolerance = 1e-6;  ///< of barycentric coordinates, which a file gives rounded
+constexpr double kSumTolerance = 1e-6;  ///< for barycentric coordinates, which files contain rounded
 
-/// A field of one marker of a file, for refusals.
+/// A field of one marker in a file, for error messages.
 struct MarkerField {
   const std::string& file;
   std::size_t marker;  ///< from 1
@@ -36,7 +36,7 @@ struct MarkerField {
   }
 };
 
-/// Three finite numbers of a field.
+/// Reads three finite numbers from a field.
 std::array<double, 3> threeNumbers(const Json& entry, const MarkerField& at) {
   const Json& value = entry.at(at.field);
   const auto isNumber = [](const Json& number) {

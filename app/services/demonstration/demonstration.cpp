@@ -41,10 +41,10 @@ namespace {
 
 constexpr double kPhaseLength_min = 20.0;
 constexpr std::int64_t kWeek_us = 7 * kDay_us;
-constexpr double kUntwistingsFrom = 0.68;  // of the whole work
+constexpr double kUntwistingsFrom = 0.68;  // share of the total progress
 constexpr double kUntwistingsShare = 0.2;
 
-/// Phases on the simulator, by group; the other phases happen on a real arm and leave marks only.
+/// Phases on the simulator, by group; the other phases happen on a real arm and only have marks.
 struct VirtualPhase {
   std::size_t group;
   const char* label;
@@ -53,7 +53,7 @@ struct VirtualPhase {
 constexpr std::array<VirtualPhase, 3> kVirtualPhases{
     {{0, "virtual 0-20 min", 0.0}, {0, "virtual 20-40 min", kPhaseLength_min}, {1, "virtual 0-20 min", 0.0}}};
 
-/// Steps with their share of the whole work, and the time left as far as the past tells.
+/// Reports steps with their share of the work, and estimates the remaining time.
 class ProgressMeter {
  public:
   explicit ProgressMeter(const ProgressCallback& callback) : callback_(callback) {}
@@ -72,7 +72,7 @@ class ProgressMeter {
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
-/// One run of the demonstration: what its steps hand to each other.
+/// State shared by the steps of one demonstration run.
 class Demonstration {
  public:
   Demonstration(const DemonstrationOptions& options, Connection& connection)
@@ -137,7 +137,7 @@ class Demonstration {
     }
   }
 
-  /// Organs that come twisted take the time that they take: nothing is shortened.
+  /// Untwistings are recorded in full length, never shortened.
   void recordUntwistings() {
     std::map<std::string, Scene> scenes;
     const std::vector<DemonstrationUntwisting> all = storeDemonstrationUntwisting(
@@ -184,7 +184,7 @@ class Demonstration {
     }
   }
 
-  /// Records, measures and counts; of a trainee's recording what was measured is kept.
+  /// Records, measures and counts; if `keep`, stores the measures of a trainee's recording.
   void store(const Scene& scene, const ScriptedTrial& trial, bool keep) {
     const RecordingSpec& recording = trial.recording;
     TrialRepository repository(connection_, recording.context);
@@ -202,7 +202,7 @@ class Demonstration {
     }
   }
 
-  /// The working week of the study is over.
+  /// Returns the end of the study's working week.
   [[nodiscard]] std::int64_t studyOver_us() const { return options_.simulatedUtc_us + kWeek_us; }
 
   CohortInputs assess(const Scene& training, const Scene& example) {
@@ -251,7 +251,7 @@ class Demonstration {
   DemonstrationSummary summary_;
 };
 
-/// Refuses to let a demonstration take the place of a record in which anything is real.
+/// Throws if the demonstration would replace a record that contains real data.
 void requireOnlySimulated(const fs::path& record) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(record, ignored))) {
@@ -270,8 +270,8 @@ void requireOnlySimulated(const fs::path& record) {
               Text::tr("Give the demonstration a folder of its own; this file was not touched"));
 }
 
-/// The finished demonstration replaces an older one that nobody has open.
-void takeItsPlace(const fs::path& finished, const fs::path& record) {
+/// Replaces an older demonstration that nobody has open by the finished one.
+void replaceDemonstration(const fs::path& finished, const fs::path& record) {
   requireOnlySimulated(record);
   std::error_code failed;
   if (fs::exists(record, failed)) {
@@ -328,7 +328,7 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
     summary.database = record;
     options.writeReport(inputs, summary);
   }
-  takeItsPlace(database.path(), record);
+  replaceDemonstration(database.path(), record);
   if (options.progress) {
     options.progress({Text::tr("Done"), 1.0, 0.0});
   }

@@ -16,10 +16,10 @@ namespace torsio {
 class Connection;
 struct CohortInputs;
 
-/// Twists in a phase that give everybody a learning curve, with some to spare.
+/// Twists per phase that are more than enough for a learning curve.
 inline constexpr std::size_t kDemonstrationTwists = 10;
 
-/// What was written, for the last lines on the screen.
+/// Results, for the last lines of output.
 struct DemonstrationSummary {
   std::filesystem::path report;    ///< cohort.pdf
   std::filesystem::path table;     ///< cohort.csv
@@ -28,36 +28,36 @@ struct DemonstrationSummary {
   std::int64_t samples = 0;
   std::int64_t twists = 0;
   double recorded_min = 0.0;  ///< simulated time
-  TrialId firstTrialId;       ///< to try `torsio replay` with
+  TrialId firstTrialId;       ///< for trying `torsio replay`
 };
 
 struct DemonstrationOptions {
-  std::filesystem::path out;  ///< folder; made if missing
+  std::filesystem::path out;  ///< folder; created if missing
   std::uint64_t seed = 1;
-  /// One second of a simulated trial stands for this many seconds of training; 1: full length.
+  /// One second of a simulated trial represents this many seconds of training; 1: full length.
   std::int64_t shortening = 60;
-  /// Twists in every phase on the simulator at least, whatever the shortening: 0 leaves it to the time. Eight
-  /// are the fewest for a learning curve.
+  /// Minimum twists per phase on the simulator, whatever the shortening; 0: as many as the time allows. A
+  /// learning curve needs eight.
   std::size_t fewestTwists = 0;
-  SceneRequest training;  ///< what the trainees twist
+  SceneRequest training;  ///< organ that the trainees twist
   SceneRequest example;   ///< a second organ, twisted once before the training
-  /// Stamped on every row: a stated, invented date (2026-01-05 08:00 UTC), so that the same seed gives the
-  /// same record, content hashes included.
+  /// Time of every row: a fixed, invented date (2026-01-05 08:00 UTC), so that the same seed gives the same
+  /// record, including content hashes.
   std::int64_t simulatedUtc_us = 1'767'600'000'000'000;
   std::int64_t createdUtc_us = 0;  ///< printed on the report
   ProgressCallback progress;       ///< may be empty
-  /// Writes `report` and `table` of the summary; runDemonstration() needs it.
+  /// Writes `report` and `table` of the summary; required by runDemonstration().
   std::function<void(const CohortInputs&, const DemonstrationSummary&)> writeReport;
 };
 
-/// The main job, end to end, through the same code as the real thing but on a manual clock: load the organs,
-/// let simulated trainees twist them, record every tick, submit simulated marks, compute and store the
-/// evaluation, write report and table. Same options, same numbers. Throws Error; then the record has not been
-/// replaced.
+/// Runs the whole demonstration with production code on a manual clock: loads the organs, lets simulated
+/// trainees twist them, records every tick, submits simulated marks, computes and stores the evaluation,
+/// writes report and table. The same options give the same numbers. Throws Error; then the record has not
+/// been replaced.
 DemonstrationSummary runDemonstration(const DemonstrationOptions& options);
 
-/// Stores the people, trials and marks of a demonstration in an existing record, for a centre that wants data
-/// to try things on. `options.out` is not used; no report is written. All or nothing. Throws Error, DbError.
+/// Stores people, trials and marks of a demonstration in an existing record, for a centre that wants to try
+/// Torsio with data. Ignores `options.out`; writes no report. All or nothing. Throws Error, DbError.
 DemonstrationSummary fillDemonstration(const DemonstrationOptions& options, Connection& connection);
 
 }  // namespace torsio

@@ -39,7 +39,7 @@ CurriculumTemplate templateOf(const std::filesystem::path& assets, const std::st
               Text::tr("Repair the installation"));
 }
 
-/// What the simulated trainees twist, in place of the template's own exercise.
+/// Replaces the template's exercise by the one that the simulated trainees do.
 void fitTo(TrainingModule& module, const Scene& training) {
   module.title = training.title + ": " + training.pattern.title;
   module.sceneId = training.id;

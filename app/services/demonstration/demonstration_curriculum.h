@@ -13,55 +13,55 @@
 
 namespace torsio {
 
-inline constexpr const char* kDemonstrationName = "demonstration";  ///< who made what the demonstration makes
+inline constexpr const char* kDemonstrationName = "demonstration";  ///< author of the demonstration's data
 
 class Connection;
 class IdSource;
 
-/// Where a simulated trial belongs in the curriculum, and when it begins; empty ids: nowhere.
+/// Position of a simulated trial in the curriculum, and its start time; empty ids: none.
 struct DemonstrationPlace {
   ModuleId moduleId;
   PhaseId phaseId;
   std::int64_t startedUtc_us = 0;
 };
 
-/// Stores the paper's protocol as a curriculum of its own that runs, with what `training` twists as its
-/// exercise, and lets the cohort follow it. Its ids come from a stream of their own: everything else keeps
-/// the ids that the seed gives it. Throws Error{kFileMissing} when the template is not among the assets.
+/// Stores the paper's protocol as an active curriculum, with the scene of `training` as its exercise, and
+/// assigns it to the cohort. Its ids come from a separate random stream, so the seed's other ids do not
+/// change. Throws Error{kFileMissing} if the template is not among the assets.
 [[nodiscard]] CurriculumVersion storeDemonstrationCurriculum(Connection& connection,
                                                              const DemonstrationStudy& study,
                                                              const Scene& training,
                                                              const std::filesystem::path& assets,
                                                              std::uint64_t seed, std::int64_t utc_us);
 
-/// Stores a shipped curriculum as one of the demonstration's that runs: its modules, with these arms in place
-/// of its own and without occasions. Throws Error{kFileMissing} when it is not among the assets.
+/// Stores a shipped curriculum as an active one of the demonstration: its modules, with the given arms
+/// instead of its own and without occasions. Throws Error{kFileMissing} if it is not among the assets.
 [[nodiscard]] CurriculumVersion storeDemonstrationTemplate(Connection& connection, IdSource& ids,
                                                            const std::filesystem::path& assets,
                                                            const std::string& templateId,
                                                            std::vector<StudyArm> arms, std::int64_t utc_us);
 
-/// The trainees in the order in which they come: the groups take turns.
+/// Returns the trainees in order of arrival: the groups alternate.
 [[nodiscard]] std::vector<DemonstrationTrainee> inOrderOfComing(std::vector<DemonstrationTrainee> trainees);
 
-/// When each phase of a trainee begins, and at the end when the last one is over. One trainee an hour, six a
-/// day from `utc_us` on; every second trainee of a group rests between the first two phases.
+/// Returns the start times of a trainee's phases, and finally the end of the last one. One trainee per hour,
+/// six per day from `utc_us`; every second trainee of a group rests between the first two phases.
 [[nodiscard]] std::vector<std::int64_t> demonstrationTimes(const CurriculumVersion& curriculum,
                                                            const DemonstrationTrainee& trainee,
                                                            std::int64_t utc_us);
 
-/// The phase with this label in the arm of a trainee, its exercise and when it begins.
+/// Returns the phase with this label in the trainee's arm, its exercise and its start time.
 [[nodiscard]] DemonstrationPlace demonstrationPlace(const CurriculumVersion& curriculum,
                                                     const DemonstrationTrainee& trainee,
                                                     const std::string& phaseLabel, std::int64_t utc_us);
 
-/// The time that everybody spent: each phase of the arm in full length, and for every second trainee the rest
-/// between the first two.
+/// Stores everybody's training times: each phase of the arm in full length, and for every second trainee the
+/// rest between the first two.
 void storeDemonstrationExposures(Connection& connection, const DemonstrationStudy& study,
                                  const CurriculumVersion& curriculum, std::uint64_t seed,
                                  std::int64_t utc_us);
 
-/// The stated rule of these times, for the report.
+/// Describes the rule of these times, for the report.
 [[nodiscard]] Text demonstrationTimeRule();
 
 }  // namespace torsio

@@ -25,8 +25,8 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/random.h"
 #include "sim/core/error.h"
+#include "sim/core/random.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {
@@ -44,14 +44,14 @@ std::string numbered(const std::string& prefix, int number) {
   return prefix + (number < 10 ? "0" : "") + std::to_string(number);
 }
 
-/// A label that tells nothing: a number and a letter, no two alike.
+/// Returns a unique label without meaning: a number and a letter.
 std::string caseLabel(int rater, int number) {
   constexpr std::string_view kLetters = "ACDEFHJKLMNPRTUVWXY";
   const auto at = static_cast<std::size_t>(rater) * 7 + static_cast<std::size_t>(number) * 5;
   return std::to_string(2 + (number * 3 + rater) % 8) + kLetters[at % kLetters.size()];
 }
 
-/// One desk after the other.
+/// Creates the desks one by one.
 class DeskMaker {
  public:
   DeskMaker(Connection& connection, IdSource& ids, const Scene& scene,
@@ -152,7 +152,7 @@ class DeskMaker {
       for (int k = 0; k < 2 * options_.cases; ++k) {
         const int number = k % options_.cases;
         const bool live = k >= options_.cases;
-        // Another order for each rater: a walk round the cases that begins elsewhere.
+        // A different order for each rater: the same cycle of cases with another start.
         const int shuffled = (number * 3 + static_cast<int>(rater)) % options_.cases;
         const auto at = static_cast<std::size_t>(live ? number : shuffled);
         Assignment one;
@@ -178,10 +178,11 @@ class DeskMaker {
     assignments_ = std::move(assignments);
   }
 
-  /// Two trainees have been called to the real arm: one whose sheets are late, one who stands there.
+  /// Adds two calls to the real arm: a trainee whose sheets are overdue, and one who is there now.
   void addCalls() {
     constexpr std::int64_t kCall_us = 5 * 60 * 1'000'000LL;
-    SeededIdSource ids(options_.seed ^ kCallStream);  // everything else keeps the ids that its seed gives it
+    SeededIdSource ids(options_.seed ^ kCallStream);  // a separate stream, so that all other ids stay the
+                                                      // same
     std::vector<LiveCall> calls;
     for (std::size_t i = 0; i < std::min<std::size_t>(2, enrolmentIds_.size()); ++i) {
       LiveCall call{.id = ids.newUuid(),
@@ -215,7 +216,8 @@ class DeskMaker {
     DeskRepository(connection_).addReferenceRuns(runs);
   }
 
-  /// The marks of one rater: ability of the trainee, strictness of the rater, a little chance; half points.
+  /// Generates the marks of one rater in half points: the trainee's ability, the rater's strictness and some
+  /// noise.
   Sheet sheetFor(std::size_t trainee, std::size_t rater) {
     const double strictness = static_cast<double>(rater % 5) * 0.4 - 0.8 - (rater == 0 ? 0.9 : 0.0);
     const double ability = 4.0 + 0.45 * static_cast<double>(trainee);
@@ -234,7 +236,7 @@ class DeskMaker {
     return sheet;
   }
 
-  /// The first four recorded cases of R-01 are committed by all; of the rest R-01 has one draft.
+  /// All raters submit the first four recorded cases of R-01; of the rest, R-01 has one draft.
   void submitSheets(std::size_t rater) {
     SheetRepository sheets(connection_);
     DeskRepository desk(connection_);

@@ -81,7 +81,7 @@ std::vector<Trainee> makeTrainees(IdSource& ids, std::int64_t utc_us) {
   constexpr std::array<const char*, 3> kLevels{"first-year graduate", "master's student", "doctoral student"};
   std::vector<Trainee> trainees;
   for (std::size_t i = 0; i < kTrainees; ++i) {
-    // Men and women alternate as far as both last, so that order of arrival and sex are not the same thing.
+    // Alternate men and women as long as there are both, so that arrival order and sex are independent.
     const bool male = (i * kMaleTrainees) / kTrainees != ((i + 1) * kMaleTrainees) / kTrainees;
     trainees.push_back(
         {person(ids, numbered("T", i + 1), male, kLevels[i % kLevels.size()], utc_us), "right"});
@@ -98,7 +98,7 @@ std::vector<Rater> makeRaters(IdSource& ids, const std::string& prefix, std::siz
   return raters;
 }
 
-/// Draws the groups by one seeded permutation and stores design, commitment and every record.
+/// Allocates the groups by one seeded permutation and stores design, commitment and records.
 void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<Trainee>& trainees,
                       const std::vector<StudyGroup>& groups, std::uint64_t seed, std::int64_t utc_us,
                       DemonstrationStudy& study) {
@@ -122,7 +122,7 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<T
   for (const StudyGroup& group : groups) {
     design.arms.push_back(group.code);
   }
-  // A stream of its own: every other number of the demonstration stays what it was.
+  // A separate stream, so that all other numbers of the demonstration stay the same.
   Digest salt;
   salt.update("salt of the demonstration");
   salt.update(static_cast<std::int64_t>(seed));
@@ -165,7 +165,7 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<T
         {drawn.person, record.enrolmentId, drawn.arm, static_cast<std::size_t>(record.numberInGroup)});
   }
   repository.allocate(records);
-  repository.revealSeed(stored.id, utc_us);  // nobody real waits for an arm
+  repository.revealSeed(stored.id, utc_us);  // no real person is affected
   std::sort(study.trainees.begin(), study.trainees.end(), [](const auto& a, const auto& b) {
     return std::pair(a.group, a.number) < std::pair(b.group, b.number);
   });
@@ -182,7 +182,7 @@ Campaign makeCampaign(IdSource& ids, const std::vector<std::vector<Rater>>& rate
   campaign.models = {{"PM", "proposed model (Kriging + membrane)", "X", 1},
                      {"FEM", "finite elements", "Y", 2},
                      {"MSM", "mass-spring", "Z", 3}};
-  // Counterbalanced: the six orders of three models, one rater after the other.
+  // Counterbalanced: the six orders of three models, one rater after another.
   constexpr std::array<const char*, 6> kOrders{"PM,FEM,MSM", "FEM,MSM,PM", "MSM,PM,FEM",
                                                "PM,MSM,FEM", "FEM,PM,MSM", "MSM,FEM,PM"};
   std::size_t next = 0;
@@ -196,7 +196,7 @@ Campaign makeCampaign(IdSource& ids, const std::vector<std::vector<Rater>>& rate
   return campaign;
 }
 
-/// An overall mark and nothing else: that is what the paper's physicians gave on the real arm.
+/// Adds a rubric with only an overall mark, as the paper's physicians gave on the real arm.
 RubricRevisionId addOverallRubric(Connection& connection, IdSource& ids, const ScoreScale& scale,
                                   std::int64_t utc_us) {
   RubricRepository rubrics(connection);
@@ -212,7 +212,7 @@ RubricRevisionId addOverallRubric(Connection& connection, IdSource& ids, const S
   return rubric.id;
 }
 
-/// The labels of live cases: those with one figure stay free for cases that are scored from recordings.
+/// Returns labels of live cases; labels with one digit are left for recorded cases.
 std::vector<std::string> liveLabels(std::size_t count, std::uint64_t seed) {
   std::set<std::string> taken;
   for (char figure = '1'; figure <= '9'; ++figure) {
@@ -223,7 +223,7 @@ std::vector<std::string> liveLabels(std::size_t count, std::uint64_t seed) {
   return caseLabels(count, taken, seed, 0);
 }
 
-/// When a trainee is called to the real arm: before the first phase, and when a phase is over.
+/// Returns when a trainee is called to the real arm: before the first phase and after each phase.
 std::vector<std::int64_t> callTimes(const CurriculumVersion& curriculum, const DemonstrationTrainee& trainee,
                                     std::int64_t utc_us) {
   std::vector<std::int64_t> times = demonstrationTimes(curriculum, trainee, utc_us);
@@ -235,8 +235,8 @@ std::vector<std::int64_t> callTimes(const CurriculumVersion& curriculum, const D
   return times;
 }
 
-/// Each physician was asked for every mark that they gave, live on the real arm; the marks answer the
-/// requests. Ids of their own, so that everything else keeps the ids that its seed gives it.
+/// Assigns each mark to a request, live on the real arm. Uses separate ids, so that all other ids stay the
+/// same.
 void assignMarks(Connection& connection, std::vector<SubmittedMark>& marks, std::uint64_t seed,
                  std::int64_t utc_us) {
   constexpr std::uint64_t kOwnStream = 0x61'7373'6967'6eULL;
@@ -245,7 +245,8 @@ void assignMarks(Connection& connection, std::vector<SubmittedMark>& marks, std:
   }
   SeededIdSource ids(seed ^ kOwnStream);
   const RubricRevisionId rubric = addOverallRubric(connection, ids, marks.front().scale, utc_us);
-  std::map<std::pair<std::string, std::string>, std::string> labels;  // one for all raters: it is called out
+  std::map<std::pair<std::string, std::string>, std::string> labels;  // the same for all raters, since it is
+                                                                      // called out
   std::map<std::pair<std::string, std::string>, std::int64_t> called_us;
   for (const SubmittedMark& mark : marks) {
     labels[{mark.enrolmentId, mark.occasionCode}];
@@ -351,7 +352,8 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
     raterIds[rater.person.code] = rater.person.id;
   }
   std::map<std::string, EnrolmentId> enrolmentIds;
-  std::map<std::string, std::vector<std::int64_t>> called;  // by trainee: before, after each phase
+  std::map<std::string, std::vector<std::int64_t>> called;  // by trainee: before the first and after each
+                                                            // phase
   for (const DemonstrationTrainee& trainee : study.trainees) {
     enrolmentIds[trainee.code] = trainee.enrolmentId;
     called[trainee.code] = callTimes(curriculum, trainee, utc_us);
@@ -404,9 +406,9 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
 
 namespace {
 
-constexpr double kDesksAt = 0.97;  // of the whole work
+constexpr double kDesksAt = 0.97;  // share of the total progress
 
-/// Whose accounts are worth signing in with: their pages hold something.
+/// People whose pages have content, and who therefore get accounts.
 struct DemonstrationUsers {
   TraineeId traineeId;
   RaterId raterId;
@@ -422,7 +424,7 @@ DemonstrationUsers fillWithPeople(SessionContext& session, const std::filesystem
   options.fewestTwists = kDemonstrationTwists;
   options.progress = progress;
   static_cast<void>(fillDemonstration(options, session.connectionWithoutRight()));
-  // What the trainee and the physician of the demonstration find when they sign in.
+  // Content of the pages of the demonstration's trainee and physician.
   if (progress) {
     progress({Text::tr("Laying out the desks"), kDesksAt, -1.0});
   }

@@ -25,30 +25,30 @@ struct DemonstrationTrainee {
   std::size_t number = 0;  ///< 1..10 within the group
 };
 
-/// The people and the study of the paper's section 6, as stored.
+/// People and study of the paper's section 6, as stored.
 struct DemonstrationStudy {
   CohortId cohortId;
   CampaignId campaignId;
   std::vector<std::string> groupLabels;        ///< "40 min virtual" ...
-  std::vector<DemonstrationTrainee> trainees;  ///< by group, then number
+  std::vector<DemonstrationTrainee> trainees;  ///< sorted by group, then number
   DemonstrationPeople people;                  ///< codes, for the rule that simulates marks
   std::string seedCommitment;
   std::int64_t allocationSeed = 0;
 };
 
 /// Stores 30 trainees in three groups by seeded allocation, ten chief physicians who mark them, 20/10/10
-/// raters of three tissue models and the campaign. Every row carries the demonstration flag.
+/// raters of three tissue models and the campaign. Every row has the demonstration flag.
 [[nodiscard]] DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& ids,
                                                           std::uint64_t seed, std::int64_t utc_us);
 
-/// Simulates all marks by the stated rules and submits them: 900 training marks, each on the request that it
-/// answers (live, on the real arm, when the trainee was called), and 1,080 evaluation marks.
+/// Simulates and submits all marks by the stated rules: 900 training marks, each for its request (live, on
+/// the real arm, when the trainee was called), and 1,080 evaluation marks.
 void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study,
                               const CurriculumVersion& curriculum, IdSource& ids, std::uint64_t seed,
                               std::int64_t utc_us);
 
-/// Stores the demonstration cohort with what a trainee and a physician find at their desks, and makes one
-/// account for each of the two. `assets`: where the organs are. Runs in the caller's transaction; throws what
+/// Stores the demonstration cohort with content for a trainee and a physician, and creates an account for
+/// each of the two. `assets`: folder with the organs. Runs in the caller's transaction; throws what
 /// `progress` and the repositories throw.
 std::vector<StartAccount> addDemonstration(SessionContext& session, const std::filesystem::path& assets,
                                            const ProgressCallback& progress);

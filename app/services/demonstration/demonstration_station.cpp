@@ -33,7 +33,7 @@ constexpr std::size_t kSecondAttempts = 4;
 constexpr double kPractisedPerAttempt_min = 2.0;
 constexpr std::uint64_t kPersonSeed = 4;
 
-/// Simulated attempts at one module; returns the last trial.
+/// Records simulated attempts at one module; returns the last trial.
 std::string recordAttempts(Connection& connection, IdSource& ids, const std::filesystem::path& assets,
                            const TrainingModule& module, const EnrolmentId& enrolmentId,
                            const std::string& traineeCode, std::size_t count, double practised_min,
@@ -96,7 +96,7 @@ void addRemark(Connection& connection, IdSource& ids, const TrialId& trialId, st
             .demonstration = true});
 }
 
-/// The name of the cohort as it is stored; shown in the language of the window.
+/// Returns the stored cohort name; displayed in the window's language.
 Text cohortOfStation() {
   return Text::tr("First steps (demonstration)");
 }
@@ -138,7 +138,7 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
       storeDemonstrationTemplate(connection, ids, assets, kStationTemplate, {}, utc_us);
   station.cohortId = ids.newUuid();
   station.firstModuleId = version.modules.front().id;
-  // After the other cohorts of the demonstration, whatever time they carry.
+  // After the other cohorts of the demonstration, whatever their times.
   std::int64_t newest_us = utc_us;
   for (const Cohort& cohort : studies.cohorts()) {
     newest_us = std::max(newest_us, cohort.createdUtc_us + 1);

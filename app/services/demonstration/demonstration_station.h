@@ -12,7 +12,7 @@ namespace torsio {
 class Connection;
 class IdSource;
 
-/// What was laid out for the trainee of the demonstration.
+/// Content for the demonstration's trainee.
 struct DemonstrationStation {
   CohortId cohortId{};
   PersonId personId{};
@@ -20,10 +20,10 @@ struct DemonstrationStation {
   TrialId newestTrialId{};
 };
 
-/// A second demonstration cohort that follows the curriculum "First steps" of `assets`: the first simulated
-/// trainee has agreed to be recorded, has mastered the first module after some attempts, has begun the
-/// second, and a simulated physician has remarked on a run. Every row carries the demonstration flag. Needs
-/// storeDemonstrationPeople() before; does nothing the second time. One transaction. Throws Error.
+/// Stores a second demonstration cohort that follows the curriculum "First steps" of `assets`: the first
+/// simulated trainee has consented to recording, mastered the first module after some attempts and begun the
+/// second, and a simulated physician has commented on a run. Every row has the demonstration flag. Needs
+/// storeDemonstrationPeople() before; does nothing if called again. One transaction. Throws Error.
 DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource& ids,
                                                const std::filesystem::path& assets, std::int64_t utc_us);
 

@@ -27,7 +27,7 @@ constexpr const char* kGroupLabel = "untwisting";
 constexpr std::uint64_t kUntwistingStream = 0x75'6e74'7769'7374ULL;
 constexpr std::int64_t kBetweenAttempts_us = 600'000'000;
 
-/// What one trainee tries, and what goes wrong by design.
+/// A trainee's planned attempt, with its deliberate mistake.
 struct PlannedUntwisting {
   std::size_t group;
   std::size_t number;  ///< within the group
@@ -37,8 +37,8 @@ struct PlannedUntwisting {
   std::optional<double> closure{};
 };
 
-/// Jaw that closes so far presses the thin wall of the small bowel with 400 kPa: a bruise, no tear
-/// (assets/scenes/small-bowel-loop.json: 6 N on 15 mm2, limits 330 and 660 kPa of healthy wall).
+/// Jaw closure that presses the thin wall of the small bowel with 400 kPa: a bruise, no tear
+/// (assets/scenes/small-bowel-loop.json: 6 N on 15 mm2, limits of the healthy wall 330 and 660 kPa).
 constexpr double kTooTight = 1.0;
 
 constexpr std::array<PlannedUntwisting, 7> kPlan{{{0, 1, "B1", 0.0},
@@ -60,7 +60,7 @@ const TrainingModule& moduleOf(const CurriculumVersion& version, const std::stri
                        [&](const TrainingModule& module) { return module.code == code; });
 }
 
-/// The cohort with its one group; enrolments by code of the trainee.
+/// Stores the cohort with its single group; returns enrolments by trainee code.
 std::map<std::string, EnrolmentId> storeCohort(Connection& connection, IdSource& ids,
                                                const DemonstrationStudy& study,
                                                const CurriculumVersionId& versionId, std::int64_t utc_us) {

@@ -14,23 +14,23 @@ namespace torsio {
 
 class Connection;
 
-/// One simulated untwisting, ready to be recorded.
+/// A simulated untwisting, ready to record.
 struct DemonstrationUntwisting {
-  std::size_t group = 0;  ///< of the trainee in the study of the demonstration
+  std::size_t group = 0;  ///< of the trainee in the demonstration's study
   SceneId sceneId;
   PatternId patternId;
-  ScriptedTrial trial{};  ///< with its place: trainee, enrolment, module, time
+  ScriptedTrial trial{};  ///< with trainee, enrolment, module and time
 };
 
-/// Stores a cohort of its own, in which four trainees of the study follow the shipped curriculum "Volvulus
-/// and torsion: undo it", and returns what they do there, in order. Ids come from a stream of their own:
-/// everything else keeps the ids that the seed gives it. Runs in the caller's transaction. Throws
-/// Error{kFileMissing} when the curriculum is not among the assets.
+/// Stores a separate cohort in which four trainees of the study follow the shipped curriculum "Volvulus and
+/// torsion: undo it", and returns their trials in order. Ids come from a separate random stream, so the
+/// seed's other ids do not change. Runs in the caller's transaction. Throws Error{kFileMissing} if the
+/// curriculum is not among the assets.
 [[nodiscard]] std::vector<DemonstrationUntwisting> storeDemonstrationUntwisting(
     Connection& connection, const DemonstrationStudy& study, const std::filesystem::path& assets,
     std::uint64_t seed, std::int64_t utc_us);
 
-/// The stated rule of these hands, for the report.
+/// Describes the rule of these simulated hands, for the report.
 [[nodiscard]] Text demonstrationUntwistingRule();
 
 }  // namespace torsio

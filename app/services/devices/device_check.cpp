@@ -25,22 +25,22 @@ constexpr double kWriteEvery_s = 0.001;
 // The vendor asks for 1000 Hz and discourages 500 Hz.
 constexpr double kGoodRate_Hz = 950.0;
 constexpr double kGoodRegularShare = 0.95;
-// A hand moves with less than 10 Hz; slower readings than these are seen as steps.
+// A hand moves at less than 10 Hz; readings slower than this look like steps.
 constexpr double kGoodReadings_Hz = 60.0;
 constexpr double kGeometryTolerance_m = 0.005;
 constexpr double kRollNoise_deg = 2.0;
-// Share of the frames that may come without a position: the device skips one now and then.
+// Share of frames that may lack a position: the device occasionally skips one.
 constexpr double kPosesForgiven = 0.01;
-// Frames with force in two seconds below which nothing was felt.
+// Frames with force in two seconds below which the force test was not felt.
 constexpr std::int64_t kForcesSeen = 100;
-// For taking the stylus out of the inkwell before the force test.
+// Time for taking the stylus out of the inkwell before the force test.
 constexpr double kUndockWait_s = 15.0;
 
 Text orNotReported(const std::string& value) {
   return value.empty() ? Text::tr("not reported") : Text(value);
 }
 
-/// One check, step by step; every step returns false when the next ones make no sense.
+/// One check, step by step; each step returns false if the next ones make no sense.
 class Check {
  public:
   explicit Check(const DeviceCheckRequest& request) : request_(request) {}
@@ -138,7 +138,7 @@ class Check {
     return true;
   }
 
-  /// False, with a finding, when the device was lost or the user gave up.
+  /// Returns false, with a finding, if the device was lost or the user cancelled.
   bool stillThere(const DeviceSnapshot& now) {
     if (now.state == DeviceState::kSilent && now.timing.ticks > 0) {
       add(FindingGrade::kBad, Text::tr("Connection"),
@@ -275,7 +275,7 @@ class Check {
     judgeScheduling(calm);
   }
 
-  /// What the system refuses matters where it is felt: a servo that keeps its time all the same is good.
+  /// A refused real-time privilege matters only if felt: a servo that keeps its timing anyway is good.
   void judgeScheduling(bool calm) {
     const RealTimeGrant grant = askForRealTime();
     if (grant.scheduling && grant.memory) {
@@ -288,7 +288,7 @@ class Check {
         calm ? Text::tr("%1; the servo kept its time all the same", refused) : refused, grantRealTime());
   }
 
-  /// False when the device gives no position that force could be computed from.
+  /// Returns false if the device gives no position from which force could be computed.
   bool judgePosition() {
     if (!positionIsSound()) {
       return false;
@@ -299,7 +299,7 @@ class Check {
     return true;
   }
 
-  /// The same of the frames between two instants, the later of which becomes last_.
+  /// Checks the frames between two snapshots, the later of which becomes last_.
   bool soundBetween(const DeviceSnapshot& first, const DeviceSnapshot& now) {
     last_ = now;
     validPoses_ = now.validPoses - first.validPoses;

@@ -19,7 +19,7 @@ namespace {
 const QString kDriverKey = QStringLiteral("device/driver");
 const QString kNameKey = QStringLiteral("device/name");
 
-/// One place for the window and the command line, whatever either calls itself.
+/// The same settings for the window and the command line, whatever their application names.
 QSettings stationSettings() {
   return {QSettings::IniFormat, QSettings::UserScope, QStringLiteral("torsio"), QStringLiteral("station")};
 }

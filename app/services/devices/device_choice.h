@@ -9,29 +9,28 @@
 
 namespace torsio {
 
-/// Which device. Empty: what this station remembers, else the usual ones.
+/// A choice of device. Empty: the one remembered by this station, or the default.
 struct DeviceChoice {
   std::string driver{};        ///< DeviceDriver::id
-  std::string library{};       ///< path or name of the vendor's library, of a driver that needs one
-  std::string name{};          ///< of one of several devices, as the driver names them
-  bool inThisProcess = false;  ///< for tests that steer a fake library; else torsio-device drives
+  std::string library{};       ///< path or name of the vendor's library, if the driver needs one
+  std::string name{};          ///< of one of several devices, as named by the driver
+  bool inThisProcess = false;  ///< for tests with a fake library; otherwise torsio-device drives the device
 };
 
-/// Returns the request that opens the chosen device.
+/// Returns the request for opening the chosen device.
 [[nodiscard]] DeviceRequest deviceRequest(const DeviceChoice& choice,
                                           const std::function<bool()>& cancelled = {});
-/// Returns the driver of a choice: the one that is named; the one that takes a library that is named; the one
-/// that this station remembers; else the first of the list that is there now, or the first. May take seconds.
-/// Throws Error{kBadParameter} for a name that no driver of a station has.
+/// Returns the driver of a choice: the one named; else the one for the named library; else the one remembered
+/// by this station; else the first one available, or the first in the list. May take seconds. Throws
+/// Error{kBadParameter} for an unknown driver.
 [[nodiscard]] const DeviceDriver& chosenDriver(const DeviceChoice& choice);
-/// Reads what this station remembers (settings of the user who runs Torsio); empty: nothing.
+/// Reads the choice remembered by this station (settings of the account that runs Torsio); empty: none.
 [[nodiscard]] DeviceChoice rememberedDevice();
-/// Remembers driver and name for this station; an empty driver forgets. Throws as chosenDriver does.
+/// Stores driver and name for this station; an empty driver forgets them. Throws like chosenDriver().
 void rememberDevice(const DeviceChoice& choice);
-/// Refuses a time that a device is to be watched for unless 0 < `seconds` <= `longest`. Throws
-/// Error{kBadParameter} that names it as `what`.
+/// Throws Error{kBadParameter}, naming the time as `what`, unless 0 < `seconds` <= `longest`.
 void requireTime(double seconds, double longest, Phrase what);
-/// Waits so long in this thread.
+/// Blocks this thread for a time.
 void pause_s(double seconds);
 
 }  // namespace torsio

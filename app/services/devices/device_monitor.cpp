@@ -11,7 +11,7 @@ namespace torsio {
 
 namespace {
 
-/// The state of the device in plain words.
+/// Describes the device's state in words.
 std::string deviceStateText(const DeviceSnapshot& snapshot) {
   switch (snapshot.state) {
     case DeviceState::kOpened:
@@ -41,7 +41,7 @@ std::string deviceStateText(const DeviceSnapshot& snapshot) {
   return "";
 }
 
-/// What happened, in a word or two.
+/// Describes an event in a word or two.
 std::string eventText(const DeviceEvent& event) {
   switch (event.kind) {
     case DeviceEvent::Kind::kButtons:
@@ -123,7 +123,7 @@ void monitorDevice(const DeviceMonitorRequest& request) {
     requireServo(now, device.capabilities().model);
   }
   if (now.timing.ticks == 0) {
-    now.state = DeviceState::kSilent;  // watched for less than the patience
+    now.state = DeviceState::kSilent;  // not watched long enough to know
   }
   requireServo(now, device.capabilities().model);
 }

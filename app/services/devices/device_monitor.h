@@ -11,12 +11,12 @@
 
 namespace torsio {
 
-/// One reading for people.
+/// One reading in text form.
 struct DeviceReadout {
   double time_s = 0.0;
   std::string state;      ///< "ready", "put the stylus into the inkwell" ...
-  Vec3 tip_mm;            ///< world frame, about the centre of the workspace
-  double roll_deg = 0.0;  ///< from the docked reference
+  Vec3 tip_mm;            ///< world frame, from the centre of the workspace
+  double roll_deg = 0.0;  ///< from the docked position
   bool rollAtStop = false;
   double grip = 0.0;
   bool firstButton = false;
@@ -25,7 +25,7 @@ struct DeviceReadout {
   double warmest = 0.0;
   double rate_Hz = 0.0;
   std::int64_t lateTicks = 0;
-  std::vector<std::string> events;  ///< since the reading before
+  std::vector<std::string> events;  ///< since the previous reading
 };
 
 struct DeviceMonitorRequest {
@@ -36,8 +36,8 @@ struct DeviceMonitorRequest {
   std::function<bool()> cancelled;  ///< may be empty
 };
 
-/// Shows readings until the time is over or somebody cancels; no force. Throws Error{kDevice} when there is
-/// no device or it is lost; it is closed in order on every way out.
+/// Shows readings until the time is over or the user cancels; without force. Throws Error{kDevice} if there
+/// is no device or it is lost; always closes it properly.
 void monitorDevice(const DeviceMonitorRequest& request);
 
 }  // namespace torsio

@@ -13,7 +13,7 @@ namespace torsio {
 
 namespace {
 
-/// Subject of the check -> line of the trainee's device check; what is not listed belongs to "connected".
+/// Subject of the check -> line of the trainee's device check; others belong to "connected".
 constexpr std::array<std::pair<const char*, const char*>, 7> kLines{{{"Calibration", "calibrated"},
                                                                      {"Roll", "docked"},
                                                                      {"Rate", "rate"},

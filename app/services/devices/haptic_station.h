@@ -11,18 +11,19 @@
 
 namespace torsio {
 
-/// What this station works with: what it remembers, else the first device that is there. May take seconds.
+/// Returns the device of this station: the one remembered, else the first available. May take seconds.
 [[nodiscard]] DeviceChoice stationChoice();
-/// Whether this station has the chosen device, or the library of one, so that it may be asked for. Opens
-/// none.
+/// Returns whether this station has the chosen device, or its library, and may try it. Opens nothing.
 [[nodiscard]] bool deviceInstalled(const DeviceChoice& choice = {});
 
-/// The device check as a trainee reads it: the findings of each subject as one light, the worst one counts.
+/// Summarises a device check for a trainee: one light per subject, from its worst finding.
 [[nodiscard]] DeviceReadiness hapticReadiness(const DeviceCheckResult& check);
-/// Runs the whole check without the force self-test (which wants consent: `torsio device check`).
+/// Returns a probe that runs the whole check without the force self-test, which needs consent (`torsio device
+/// check`).
 [[nodiscard]] DeviceProbe hapticProbe(const DeviceChoice& choice = {});
 
-/// While it lives, openHapticDevice in this thread gives up as soon as `unwanted` says so: a driver may hang.
+/// During its lifetime, openHapticDevice in this thread gives up as soon as `unwanted` returns true, since a
+/// driver may hang.
 class WhileWanted {
  public:
   explicit WhileWanted(std::function<bool()> unwanted);
@@ -31,9 +32,8 @@ class WhileWanted {
   WhileWanted& operator=(const WhileWanted&) = delete;
 };
 
-/// The haptic device of this station, started with its force on, its workspace centred on the point of the
-/// scene that is to be grasped. Driven over mailboxes by the caller's servo. Takes up to seconds. Throws
-/// Error{kDevice}.
+/// Opens this station's haptic device with its force on and its workspace centred on the scene's grasping
+/// point. The caller's servo drives it through mailboxes. May take seconds. Throws Error{kDevice}.
 [[nodiscard]] std::unique_ptr<HapticDevice> openHapticDevice(const Scene& scene,
                                                              const DeviceChoice& choice = {});
 

@@ -37,7 +37,7 @@ std::string signedText(const Head& head) {
          Text::tr("Give a line that torsio audit head printed"));
 }
 
-/// Whether nothing of a line that can be kept was cut off.
+/// Returns whether a line is complete.
 bool isWhole(const std::string& line) {
   if (isReplacementLine(line)) {
     const auto made = replacementOf(line);
@@ -51,19 +51,19 @@ bool isWhole(const std::string& line) {
   }
 }
 
-/// What a program that was killed, or a disk that was full, left of a line behind the last whole one.
+/// Returns what follows the last complete line, left by a killed program or a full disk.
 std::string cutOffEnd(const std::string& kept) {
   const std::size_t last = kept.rfind('\n');
   std::string end = last == std::string::npos ? kept : kept.substr(last + 1);
   const auto begins = [&end](std::string_view word) {
     return end.starts_with(word) || word.starts_with(end);
   };
-  const bool ours = begins(kHeadWord) || begins(kReplacedWord);  // whatever else lies there stays
+  const bool ours = begins(kHeadWord) || begins(kReplacedWord);  // leave anything else alone
   return !ours || isWhole(end) ? std::string() : end;
 }
 
-/// The replacement of `old` that an earlier call wrote with the key in `file`. None: the file is not there,
-/// or something else.
+/// Returns the replacement of `old` that an earlier call wrote with the key in `file`. Empty if the file is
+/// missing or contains something else.
 std::optional<KeyReplacement> replacementIn(const fs::path& file, const std::string& old) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) {
@@ -77,7 +77,7 @@ std::optional<KeyReplacement> replacementIn(const fs::path& file, const std::str
   return std::nullopt;
 }
 
-/// Whether the witness file has the line.
+/// Returns whether the witness file contains the line.
 bool keeps(const fs::path& witness, const std::string& line) {
   std::error_code ignored;
   if (!fs::is_regular_file(witness, ignored)) {
@@ -86,10 +86,10 @@ bool keeps(const fs::path& witness, const std::string& line) {
   return readFile(witness).find(line + "\n") != std::string::npos;
 }
 
-/// What was kept elsewhere, sorted.
+/// Lines kept elsewhere, sorted by kind.
 struct KeptLines {
   std::vector<Head> heads;
-  std::vector<KeyReplacement> replacements;  ///< both signatures genuine
+  std::vector<KeyReplacement> replacements;  ///< both signatures valid
   std::vector<KeyReplacement> forged;
   std::string firstKey;  ///< that signed a head
 };
@@ -113,7 +113,7 @@ KeptLines sorted(const std::vector<std::string>& lines) {
   return kept;
 }
 
-/// Empty: the trail has the head's entry as it was.
+/// Returns empty if the trail still contains the head's entry.
 std::string flawOfTrail(const Head& head, const std::map<std::int64_t, std::string>& hashes) {
   if (head.length == 0) {
     return {};
@@ -157,7 +157,7 @@ ReplacedKey replaceAnchorKey(Connection& connection, const fs::path& old, const 
                       .utc_us = now_us};
   made.signatureOfOld = signedWith(before, made.signedText());
   made.signatureOfFresh = signedWith(secret, made.signedText());
-  writeKey(file, secret, made.line());  // first: a call that ends here is taken up again by the next
+  writeKey(file, secret, made.line());  // first, so that a later call can resume after an interruption
   if (!witness.empty()) {
     appendToWitness(witness, made.line());
   }
@@ -201,7 +201,7 @@ void appendToWitness(const fs::path& witness, const std::string& head) {
   std::error_code ignored;
   if (const fs::file_status there = fs::status(witness, ignored);
       fs::exists(there) && !fs::is_regular_file(there)) {
-    refuseUnwritable(witness);  // a pipe would wait for somebody who reads
+    refuseUnwritable(witness);  // opening a pipe would wait for a reader
   }
   const std::string kept = fs::exists(witness, ignored) ? readFile(witness) : std::string();
   const std::uintmax_t before = kept.size() - cutOffEnd(kept).size();
@@ -210,14 +210,14 @@ void appendToWitness(const fs::path& witness, const std::string& head) {
   }
   std::string line = head + "\n";
   if (before > 0 && kept[before - 1] != '\n') {
-    line.insert(0, 1, '\n');  // somebody took the last end of a line away
+    line.insert(0, 1, '\n');  // somebody removed the last line end
   }
   std::ofstream out(witness, std::ios::binary | std::ios::app);
   out << line;
   out.close();
   if (!out) {
     if (fs::is_regular_file(witness, ignored)) {
-      fs::resize_file(witness, before, ignored);  // a full disk takes the first half of a line
+      fs::resize_file(witness, before, ignored);  // remove a partial line if the disk is full
     }
     refuseUnwritable(witness);
   }
@@ -234,7 +234,7 @@ std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::ve
   const KeptLines kept = sorted(lines);
   const TrustedKeys keys(publicKey.empty() ? kept.firstKey : publicKey, kept.replacements,
                          &KeyReplacement::length);
-  std::map<std::int64_t, std::string> hashes;  // of the entries that a head names; empty: not there
+  std::map<std::int64_t, std::string> hashes;  // of the entries that heads refer to; empty: not found
   for (const Head& head : kept.heads) {
     hashes[head.length];
   }
@@ -246,7 +246,7 @@ std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::ve
   const auto flawOf = [&keys](const Head& head) {
     return keys.flawOf(signedText(head), head.signature, head.publicKey, head.length);
   };
-  std::int64_t vouchedFor = -1;  // the longest trail that a signed head fits
+  std::int64_t vouchedFor = -1;  // greatest length confirmed by a signed head
   for (const Head& head : kept.heads) {
     if (keys.asksForSignatures() && flawOf(head).empty() && flawOfTrail(head, hashes).empty()) {
       vouchedFor = std::max(vouchedFor, head.length);

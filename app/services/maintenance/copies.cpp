@@ -24,14 +24,14 @@ bool onServer(const RecordCopy& copy) {
   return copy.place.starts_with("postgresql://");
 }
 
-/// Where a record lies, as the register names it.
+/// Returns a record's location in the format of the register.
 std::string placeOf(const std::string& locator) {
   const Locator place = parseLocator(locator);
   return place.engine == Engine::kSqlite ? fs::absolute(place.file).lexically_normal().string()
                                          : place.shown();
 }
 
-/// Whether an end of a move is the record at `locator` itself.
+/// Returns whether this end of a move is the record at `locator` itself.
 bool isSelf(const RecordCopy& copy, const std::string& locator) {
   return copy.kind == CopyKind::kMoved && copy.place == placeOf(locator) &&
          (onServer(copy) || copy.station == stationName());

@@ -15,18 +15,18 @@ namespace torsio {
 
 class Connection;
 
-/// A copy with the day on which the centre's rule wants it gone. Torsio deletes no copy by itself.
+/// A copy with the date by which the centre's rule wants it deleted. Torsio deletes no copy by itself.
 struct ListedCopy {
   RecordCopy copy;
   std::int64_t dueUtc_us = 0;
 };
 
-/// Puts a copy that was made just now at this machine into the register.
+/// Registers a copy just made on this machine.
 void registerCopy(Connection& connection, CopyKind kind, const std::filesystem::path& place,
                   std::int64_t now_us, const PersonId& personId = {});
 
-/// Puts both ends of a move into the register, so that the record at either of them knows the other one. What
-/// becomes known as given up is taken back, unless a copy was known there before.
+/// Registers both ends of a move, so that the record at either end knows the other. giveUp() removes the new
+/// entries again, but not copies that were known before.
 class RegisteredMove {
  public:
   RegisteredMove(Connection& connection, const std::string& from, const std::string& to, std::int64_t now_us);
@@ -34,21 +34,21 @@ class RegisteredMove {
 
  private:
   Connection& connection_;
-  std::vector<std::string> fresh_;  // ids at places where nothing was known
+  std::vector<std::string> fresh_;  // ids of entries that did not exist before
 };
 
-/// Closes the copies of this machine that other accounts could read: files and packages that are still there.
-/// Returns one sentence each.
+/// Removes other accounts' access to copies on this machine: existing files and packages. Returns one
+/// sentence each.
 [[nodiscard]] std::vector<Text> closeKnownCopies(Connection& connection);
 
-/// Every place that still holds a person besides the record, newest first; those of this machine that are
-/// there no more are left out and noted as gone. kPersonErase.
+/// Returns every place besides the record that still holds data of a person, latest first; copies missing
+/// from this machine are noted as gone and omitted. kPersonErase.
 [[nodiscard]] std::vector<ListedCopy> copiesHolding(SessionContext& session, const PersonId& personId);
-/// All copies of the record at `locator`. For the command line, where whoever may read the file may do this;
-/// changes nothing. Throws Error, DbError.
+/// Returns all copies of the record at `locator`, without changing anything. For the command line, where
+/// reading the file is permission enough. Throws Error, DbError.
 [[nodiscard]] std::vector<ListedCopy> copiesOf(const std::string& locator);
 
-/// Adds a copy to the register of a record that nobody has open in this program.
+/// Registers a copy in a record that this program does not have open.
 void registerCopyIn(const std::string& locator, CopyKind kind, const std::filesystem::path& place);
 
 }  // namespace torsio

@@ -34,7 +34,7 @@ Text wordsOf(const CopyStep& step) {
   return Text::tr("Checking the audit trail of the copy");
 }
 
-/// Shares of the whole as they turned out with recordings of an hour.
+/// Progress fractions measured with recordings of an hour.
 double fractionOf(const CopyStep& step) {
   constexpr double kFrom[] = {0.0, 0.15, 0.55, 0.85, 1.0};
   const auto phase = static_cast<std::size_t>(step.phase);
@@ -55,7 +55,7 @@ void requireOther(const std::string& from, const std::string& to) {
 
 CopyReport copyInto(Connection& reading, const std::string& to, const ProgressCallback& progress) {
   Connection writing = openDatabase(to, OpenMode::kCreate);
-  Transaction together(writing);  // the tables come with the rows, or neither
+  Transaction together(writing);  // tables and rows in one transaction
   migrate(writing, embeddedMigrations(), {.softwareVersion = softwareVersion(), .backup = false});
   CopyReport report = copyRecord(reading, writing, [&](const CopyStep& step) {
     tellProgress(progress, wordsOf(step), fractionOf(step));
@@ -85,7 +85,7 @@ CopyReport copyAll(const std::string& from, const std::string& to, const Progres
   if (!checkpointSqlite(making.path())) {
     refuseUnwritable(target.file);
   }
-  refuseTaken(target.file);  // whoever was faster keeps what he wrote
+  refuseTaken(target.file);  // if another program was faster, keep its file
   fs::rename(making.path(), target.file, failed);
   if (failed) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("cannot be written"), target.file,
@@ -102,7 +102,7 @@ CopyReport copyDatabase(SessionContext& session, const std::string& to, const Pr
   AuditNote note{.action = AuditAction::kDatabaseMove,
                  .objectKind = AuditObject::kDatabase,
                  .objectId = parseLocator(to).shown()};
-  // Before the copy, so that both tell of it.
+  // Before copying, so that both records contain the entry.
   Transaction together(session.connection());
   RegisteredMove move(session.connection(), session.key().locator, to, session.now_us());
   session.note(note);

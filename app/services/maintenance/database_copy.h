@@ -9,13 +9,12 @@
 
 namespace torsio {
 
-/// Moves a centre to another database: SQLite to PostgreSQL or back. The source is read as it was at one
-/// moment and stays as it is; the target must be a new file or an empty database, and gets all, tables and
-/// rows, in one transaction, or stays as it was.
-/// Counts and hashes of every table are compared, and the audit trail of the target is verified, before the
-/// copy is kept. The source gets an audit entry before, which is copied too, and another when it failed.
-/// kDatabaseRestore. Throws Error: kUsage when both are the same, kBadData when the target is not empty,
-/// kVerifyFailed when the copy differs.
+/// Copies a record to another database: SQLite to PostgreSQL or back. Reads the source as of one moment
+/// without changing it; the target must be a new file or an empty database, and receives everything in one
+/// transaction or stays as it was. Compares counts and hashes of every table and verifies the target's audit
+/// trail before committing. Audited in the source before copying (so in the copy too) and after a failure.
+/// kDatabaseRestore. Throws Error: kUsage if both are the same, kBadData if the target is not empty,
+/// kVerifyFailed if the copy differs.
 [[nodiscard]] CopyReport copyDatabase(SessionContext& session, const std::string& to,
                                       const ProgressCallback& progress = {});
 

@@ -37,9 +37,9 @@ void requireSqlite(const std::string& locator, Phrase remedy) {
 }
 
 constexpr std::size_t kCopyStep_bytes = 4 << 20;
-constexpr double kReferencesShare = 0.3;  // of a check; the rest goes to the recordings
+constexpr double kReferencesShare = 0.3;  // share of a check; the rest is for the recordings
 
-constexpr const char* kCheckFolder = "torsio-check-";  // of copies that are being checked
+constexpr const char* kCheckFolder = "torsio-check-";  // prefix for copies being checked
 constexpr const char* kCheckLock = "in-use";
 
 DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {}) {
@@ -50,7 +50,7 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
   try {
     result.damage = integrityFindings(connection);
     if (!result.damage.empty()) {
-      return result;  // a damaged file cannot be read to its end
+      return result;  // a damaged file cannot be read completely
     }
     tellProgress(progress, Text::tr("Checking the audit trail"), kReferencesShare);
     const std::vector<SchemaFinding> schema = schemaFindings(connection, serverParts());
@@ -67,13 +67,13 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
     if (error.fault() != DbFault::kCorrupt && error.fault() != DbFault::kOther) {
       throw;
     }
-    result.damage.push_back(error.happened());  // a page or a table that cannot be read
+    result.damage.push_back(error.happened());  // an unreadable page or table
   }
   return result;
 }
 
-/// A copy in a folder of its own, since others may check a backup of the same name; gone at the end. The lock
-/// tells sweepLeftovers() that somebody is at it.
+/// A copy in its own folder, because others may be checking a backup of the same name; removed by the
+/// destructor. Its lock tells sweepLeftovers() that it is in use.
 class ScratchFile {
  public:
   explicit ScratchFile(const fs::path& original)
@@ -93,7 +93,7 @@ class ScratchFile {
   fs::path path_;
 };
 
-/// Removes the folder of a check whose program is gone.
+/// Removes a check's folder if its program is gone.
 void sweepCheck(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(folder / kCheckLock, ignored)) {
@@ -185,7 +185,7 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
   if (session.connection().engine() != Engine::kSqlite) {
     requireOwnBackups(session.key().locator);
   }
-  // Before the copy, so that the backup itself tells of it.
+  // Audited before copying, so that the backup contains the entry.
   requireReplaceable(target, replace);
   Transaction together(session.connection());
   registerCopy(session.connection(), CopyKind::kBackup, target, session.now_us());

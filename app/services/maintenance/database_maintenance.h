@@ -16,51 +16,51 @@ namespace torsio {
 
 class Connection;
 
-/// What a look at a whole database found.
+/// Result of checking a whole database.
 struct DatabaseCheck {
   std::string location{};  ///< without a password
   std::int64_t schemaVersion = 0;
-  std::vector<std::string> damage{};  ///< what the engine finds wrong with file and references
-  std::vector<AuditFinding> audit{};  ///< what does not fit the audit trail
+  std::vector<std::string> damage{};  ///< problems of file and references reported by the engine
+  std::vector<AuditFinding> audit{};  ///< mismatches with the audit trail
   std::int64_t auditEntries = 0;
 
   [[nodiscard]] bool sound() const noexcept { return damage.empty() && audit.empty(); }
 };
 
-/// A backup that was read from end to end like a database in use.
+/// Result of reading a backup completely.
 struct BackupCheck {
   BackupContent content{};
   DatabaseCheck database{};
 };
 
-/// A server has tools of its own: throw Error (kUsage) that names them, for a PostgreSQL address.
+/// Throws Error (kUsage) for a PostgreSQL address, naming the server's own backup tools.
 void requireOwnBackups(const std::string& locator);
 void requireOwnRestore(const std::string& locator);
 
-/// A test restore: reads all of the backup in a copy of its own, with its audit trail; the file stays as it
-/// is. `look` may read the copy, brought up to date, when it was found sound.
+/// Test restore: reads the whole backup in a separate copy, including its audit trail; the file is not
+/// changed. `look` may read the copy, with its schema migrated, if it is sound.
 [[nodiscard]] BackupCheck verifyBackup(const std::filesystem::path& backup,
                                        const ProgressCallback& progress = {},
                                        const std::function<void(Connection&)>& look = {});
-/// Removes what killed programs left: databases in the making in the folder of the record at `locator`, and
-/// copies of backups that were being checked. Leaves alone what another program is at.
+/// Removes leftovers of killed programs: unfinished databases in the folder of the record at `locator`, and
+/// copies of backups that were being checked. Leaves alone what another program is using.
 void sweepLeftovers(const std::string& locator);
 
-/// Opens for reading only, as whoever may read the file; damage is a finding, not an error. For PostgreSQL
-/// the server keeps its own files: schema and audit trail are checked.
+/// Checks a database read-only; needs only read access to the file. Damage is a finding, not an error.
+/// PostgreSQL servers check their own files; here only schema and audit trail are checked.
 [[nodiscard]] DatabaseCheck checkDatabase(const std::string& locator);
 
-/// Copies the database while others work, into one file that is checked before it gets its name; the audit
-/// entry is in the copy, too. By default an older backup of that name goes: the dialog has asked.
-/// kDatabaseBackup. Throws Error: kUsage for PostgreSQL (its own pg_dump does it), kFileUnwritable when
-/// `target` exists and may not be replaced.
+/// Backs up the database into one file while others work; the file is checked before it gets its name, and
+/// contains the audit entry. Replaces an older backup of that name by default, because the dialog has asked.
+/// kDatabaseBackup. Throws Error: kUsage for PostgreSQL (use pg_dump), kFileUnwritable if `target` exists and
+/// may not be replaced.
 BackupContent backUpDatabase(SessionContext& session, const std::filesystem::path& target,
                              const ProgressCallback& progress = {}, Replace replace = Replace::kBackup);
-/// kDatabaseBackup, audited with the result.
+/// Checks the session's database. kDatabaseBackup; audited with the result.
 [[nodiscard]] DatabaseCheck checkDatabase(SessionContext& session, const ProgressCallback& progress = {});
 
-/// Copies a file in steps, telling the fraction; what was begun is removed again when `progress` throws.
-/// Throws Error (kFileUnwritable, kFileMissing).
+/// Copies a file in steps with progress; removes a partial copy if `progress` throws. Throws Error
+/// (kFileUnwritable, kFileMissing).
 void copyStepwise(const std::filesystem::path& from, const std::filesystem::path& to,
                   const ProgressCallback& progress = {});
 

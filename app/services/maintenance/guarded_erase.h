@@ -8,11 +8,11 @@
 
 namespace torsio {
 
-/// Whether somebody else has asked to erase this person, or nobody needs to: the centre asks for one person
-/// only, or the person is simulated. In a call that has asked for kPersonErase.
+/// Returns whether the person can be erased now: somebody else has requested it, the centre requires only one
+/// person, or the person is simulated. Call after checking kPersonErase.
 [[nodiscard]] bool mayEraseNow(SessionContext& session, const PersonId& personId);
 
-/// Erases in one transaction, and uses up the request. In a call that has asked for kPersonErase. Throws
+/// Erases in one transaction and uses up the request. Call after checking kPersonErase. Throws
 /// SecondPersonNeeded, and what erasePerson() throws.
 void eraseGuarded(SessionContext& session, const PersonId& personId, const std::string& reason);
 

@@ -23,7 +23,7 @@ namespace {
   throw Error(ErrorCode::kPermission, what, where, remedy);
 }
 
-/// The record of this file, or this database of a server, is the account's own.
+/// Throws unless the account owns the record: its file, or the server's database.
 void requireOwner(const Maintainer& maintainer, Connection& connection, const std::string& owned) {
   const Locator place = parseLocator(owned);
   const bool own =

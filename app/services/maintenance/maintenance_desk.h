@@ -12,35 +12,37 @@
 
 namespace torsio {
 
-/// Who takes care of a record without the window: somebody who signs in, or the account of the operating
-/// system that owns it.
+/// Who maintains a record without the window: a user who signs in, or the operating system account that owns
+/// it.
 struct Maintainer {
   std::string login{};                      ///< empty: the system
-  std::function<std::string()> password{};  ///< asked once, when the record is open
-  std::string secondLogin{};  ///< of another administrator, for what needs two people; empty: nobody
+  std::function<std::string()> password{};  ///< called once, when the record is open
+  std::string secondLogin{};  ///< of another administrator, for acts that need two people; empty: nobody
   std::function<std::string()> secondPassword{};
-  std::string systemAccount{};                              ///< empty, and no login: nobody, who may nothing
-  std::function<bool(const std::string& file)> ownsFile{};  ///< of that account; for SQLite
-  std::function<void(const Text&)> tell{};                  ///< hears what was mended; may be empty
+  std::string systemAccount{};                              ///< if this and the login are empty: nobody,
+                                                            ///< without any rights
+  std::function<bool(const std::string& file)> ownsFile{};  ///< whether the account owns a file; for SQLite
+  std::function<void(const Text&)> tell{};                  ///< called with what was repaired; may be empty
 };
 
-/// A record with whoever takes care of it, signed in; its files and copies are closed to other accounts of
-/// this computer. Both constructors throw Error (kPermission) when nobody
-/// was named, the password is not right, or the record belongs to another account of the system; DbError.
+/// A record with its maintainer signed in; other accounts of this computer lose access to its files and
+/// copies. Both constructors throw Error (kPermission) if no maintainer was named, the password is wrong, or
+/// the record belongs to another system account; DbError.
 class MaintenanceDesk {
  public:
   /// Opens the record at `locator` for writing.
   MaintenanceDesk(const Maintainer& maintainer, const std::string& locator);
-  /// Takes over the record that is open already. `owned`: the locator that the system must own.
+  /// Takes over an open record. `owned`: the locator that the system account must own.
   MaintenanceDesk(const Maintainer& maintainer, Connection opened, const std::string& owned);
 
-  /// Begins the next call of a service.
+  /// Returns the session and begins the next service call.
   [[nodiscard]] SessionContext& session() {
     session_.beginCall();
     return session_;
   }
 
-  /// The first person asks for `wish`, and the second one signs in, to do it. Does nothing without a second.
+  /// Requests `wish` as the first person and signs in the second one to carry it out. Does nothing without a
+  /// second person.
   void handOver(const Maintainer& maintainer, const DutyWish& wish);
 
  private:

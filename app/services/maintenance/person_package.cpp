@@ -84,7 +84,7 @@ void writeTable(const fs::path& folder, const PersonTable& table) {
   writeFileAtomically(folder / (table.table + ".json"), rows.dump(2) + "\n");
 }
 
-/// A trial that still runs or lost its samples to an erase has no whole file.
+/// Returns false for a trial that is running or whose samples were erased: it has no complete file.
 bool writeRecording(Connection& connection, const TrialId& trialId, const fs::path& folder) {
   const Trial trial = TrialRepository(connection).load(trialId);
   if (trial.summary.contentHash.empty() || trial.chunks.empty()) {

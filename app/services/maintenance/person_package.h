@@ -13,7 +13,7 @@
 
 namespace torsio {
 
-/// What a person's package holds.
+/// Summary of a person's package.
 struct PersonPackage {
   std::filesystem::path folder;
   std::int64_t tables = 0;
@@ -21,22 +21,22 @@ struct PersonPackage {
   std::int64_t recordings = 0;
 };
 
-/// Writes everything about one person into a new folder: each table as CSV and JSON, their recordings as
-/// trial files, manifest.json with the BLAKE2b-256 of every file, README.txt in plain words. The folder gets
-/// its name when it is complete. kPersonExport, audited. Throws Error: kFileUnwritable when the folder exists
-/// already, kBadData when there is no such person.
+/// Writes all data of a person into a new folder: each table as CSV and JSON, recordings as trial files,
+/// manifest.json with the BLAKE2b-256 of every file, README.txt in plain language. The folder gets its name
+/// when it is complete. kPersonExport, audited. Throws Error: kFileUnwritable if the folder exists, kBadData
+/// if there is no such person.
 PersonPackage exportPersonPackage(SessionContext& session, const PersonId& personId,
                                   const std::filesystem::path& folder, const std::string& reason);
 
-/// The same of several people, each in a folder "record-CODE" of their own in a new folder. kPersonExport,
-/// each audited. Throws as above, and Cancelled; what was complete by then stays.
+/// Writes packages of several people into a new folder, each in a folder "record-CODE". kPersonExport, each
+/// audited. Throws like exportPersonPackage(), and Cancelled; completed packages stay.
 std::vector<PersonPackage> exportPersonPackages(SessionContext& session, std::span<const PersonId> people,
                                                 const std::filesystem::path& folder,
                                                 const std::string& reason,
                                                 const ProgressCallback& progress = {});
 
-/// Erases a person: what goes and what stays is said at erasePerson (db/repository/people/person_data.h).
-/// kPersonErase, audited. Throws Error (kBadParameter) without a reason.
+/// Erases a person as described at erasePerson (db/repository/people/person_data.h). kPersonErase, audited.
+/// Throws Error (kBadParameter) without a reason.
 void erasePersonRecord(SessionContext& session, const PersonId& personId, const std::string& reason);
 
 }  // namespace torsio

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether it is where Torsio keeps a record for which nobody chose a place.
+/// Returns whether this is Torsio's default folder for records.
 bool isOwnFolder(const fs::path& folder) {
   std::error_code missing;
   return fs::equivalent(
@@ -40,7 +40,7 @@ std::vector<Text> closeRecordFiles(const std::string& locator, const fs::path& f
     return told;
   }
   std::error_code unreadable;
-  const fs::path record = fs::weakly_canonical(place.file, unreadable);  // beyond links
+  const fs::path record = fs::weakly_canonical(place.file, unreadable);  // with links resolved
   const std::string copies = record.stem().string() + "-before-restore-";
   if (isOwnFolder(record.parent_path())) {
     close(record.parent_path());

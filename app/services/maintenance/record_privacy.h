@@ -9,14 +9,13 @@
 
 namespace torsio {
 
-/// "Other accounts of this computer could read FILE; now only yours can"
+/// Returns "Other accounts of this computer could read FILE; now only yours can".
 [[nodiscard]] Text othersCouldRead(const std::filesystem::path& file);
 
-/// Takes the rights of other accounts away from the record at `locator`, from the copies that lie beside it
-/// under its name (backups before a restore, copies before a new schema), from Torsio's own folder of data
-/// when the record lies there (a folder that somebody chose keeps its mode), and from `folder` with all in
-/// it; empty: none. Returns one sentence a file that could be read by others until now. A record on a server
-/// has no files.
+/// Removes other accounts' access to the record at `locator`, to the copies of its name next to it (backups
+/// before a restore, copies before a migration), to Torsio's own data folder if the record is there (a folder
+/// chosen by the user keeps its mode), and to `folder` with its contents unless it is empty. Returns one
+/// sentence per file that others could read before. A record on a server has no files.
 [[nodiscard]] std::vector<Text> closeRecordFiles(const std::string& locator,
                                                  const std::filesystem::path& folder);
 

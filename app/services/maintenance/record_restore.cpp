@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t kSpareRoom_bytes = 64ULL << 20;  // the write-ahead log of the copy, and some air
+constexpr std::uintmax_t kSpareRoom_bytes = 64ULL << 20;  // for the copy's write-ahead log, plus a margin
 
 void requireFile(SessionContext& session) {
   if (session.connection().engine() == Engine::kSqlite) {
@@ -75,7 +75,7 @@ std::int64_t newest(Connection& connection) {
   return newest_us;
 }
 
-/// What two records are compared by.
+/// Basis for comparing two records.
 struct Contents {
   explicit Contents(Connection& connection)
       : people(idsOf(connection, "person")),
@@ -101,7 +101,7 @@ struct Erasure {
   std::int64_t erasedUtc_us = 0;
 };
 
-/// Erased in the present record, and still whole in the other one.
+/// Returns people erased in the present record but still complete in the older one.
 std::vector<Erasure> erasedSince(Connection& present, Connection& older) {
   std::set<std::string> already;
   Statement there = older.prepare("SELECT person_id FROM erasure");
@@ -121,14 +121,14 @@ std::vector<Erasure> erasedSince(Connection& present, Connection& older) {
   return out;
 }
 
-/// Id and name of the centre whose record it is; empty: it has none yet.
+/// Returns id and name of the record's centre; empty if it has none yet.
 std::pair<std::string, std::string> centreOf(Connection& connection) {
   Statement row = connection.prepare("SELECT id, name FROM centre");
   row.execute();
   return row.step() ? std::pair(row.text(0), row.text(1)) : std::pair<std::string, std::string>();
 }
 
-/// "record-before-restore-20261121T143000Z.sqlite", beside the record.
+/// Returns "record-before-restore-20261121T143000Z.sqlite", next to the record.
 fs::path safetyName(const fs::path& record, std::int64_t now_us) {
   const QString when =
       QDateTime::fromMSecsSinceEpoch(now_us / 1000, Qt::UTC).toString(QStringLiteral("yyyyMMddTHHmmssZ"));
@@ -141,7 +141,7 @@ void requireRoom(const fs::path& record, const fs::path& backup) {
   const fs::path folder = fs::absolute(record).parent_path();
   const fs::space_info space = fs::space(folder, failed);
   if (failed) {
-    return;  // then writing says what is wrong
+    return;  // writing will report the problem
   }
   if (!fs::exists(backup)) {
     throw Error(ErrorCode::kFileMissing, Text::tr("the backup is not there any more"), backup.string(),
@@ -185,12 +185,13 @@ void requireSoundBackup(const BackupCheck& check, const fs::path& backup) {
   }
 }
 
-/// The record at `file` as it is. None, with the reason where there is one, when it cannot be opened.
+/// Opens the current record at `file`. Empty if it cannot be opened, with the reason in `unreadable` if there
+/// is one.
 std::optional<Connection> presentRecord(const std::string& file, std::string& unreadable) {
   if (!fs::exists(file)) {
     return std::nullopt;
   }
-  (void)checkpointSqlite(file);  // refuses while another program has it
+  (void)checkpointSqlite(file);  // throws while another program has it open
   try {
     return openRecord(file, OpenMode::kReadWrite);
   } catch (const Error& error) {
@@ -199,7 +200,8 @@ std::optional<Connection> presentRecord(const std::string& file, std::string& un
   }
 }
 
-/// Adds who asked and who did it, where two people were needed: the requests stay in the record that goes.
+/// Adds who requested and who carried it out, if two people were needed: the requests are in the record being
+/// replaced.
 std::string withPeople(nlohmann::ordered_json what, const SessionContext& session, const UserId& askedBy) {
   if (!askedBy.empty()) {
     what["asked_by"] = askedBy.text();
@@ -208,7 +210,7 @@ std::string withPeople(nlohmann::ordered_json what, const SessionContext& sessio
   return what.dump();
 }
 
-/// The audit entry in the trail of `connection`.
+/// Adds an audit entry to the trail of `connection`.
 void tell(SessionContext& session, Connection& connection, AuditAction action, const RestorePlan& plan,
           const fs::path& safety, const UserId& askedBy) {
   SessionKey key = session.key();
@@ -224,9 +226,9 @@ void tell(SessionContext& session, Connection& connection, AuditAction action, c
                                     session, askedBy)});
 }
 
-/// Copies that were made since hold people of the older record too: it has to know them. Those of a person
-/// whom it does not have are left out.
-void keepRegister(Connection& present, Connection& older) {
+/// Transfers the register of later copies, which also contain people of the older record; omits copies of
+/// people whom it does not have.
+void transferCopyRegister(Connection& present, Connection& older) {
   const std::set<std::string> known = idsOf(older, "record_copy");
   const std::set<std::string> people = idsOf(older, "person");
   for (const RecordCopy& copy : CopyRegister(present).all()) {
@@ -236,15 +238,15 @@ void keepRegister(Connection& present, Connection& older) {
   }
 }
 
-/// Brings the copy up to date, erases again, tells of the restore.
-void bringToday(SessionContext& session, const fs::path& ready, const RestorePlan& plan,
-                const fs::path& safety, const UserId& askedBy) {
+/// Migrates the copy, repeats later erasures and audits the restore.
+void updateRestoredCopy(SessionContext& session, const fs::path& ready, const RestorePlan& plan,
+                        const fs::path& safety, const UserId& askedBy) {
   Connection copy = openRecord(ready.string(), OpenMode::kReadWrite,
                                {.softwareVersion = softwareVersion(), .backup = false});
   for (const Erasure& erasure : erasedSince(session.connection(), copy)) {
     erasePerson(copy, erasure.personId, erasure.requestedBy, erasure.reason, erasure.erasedUtc_us);
   }
-  keepRegister(session.connection(), copy);
+  transferCopyRegister(session.connection(), copy);
   registerCopy(copy, CopyKind::kBeforeRestore, safety, session.now_us());
   registerCopy(copy, CopyKind::kBackup, plan.backup, session.now_us());
   tell(session, copy, AuditAction::kDatabaseRestore, plan, safety, askedBy);
@@ -301,7 +303,7 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   const fs::path& ready = prepared->ready();
   copyStepwise(plan.backup, ready, partOf(progress, 0.5, 0.7));
   tellProgress(progress, Text::tr("Preparing the restored record"), 0.7);
-  bringToday(session, ready, plan, safety, askedBy);
+  updateRestoredCopy(session, ready, plan, safety, askedBy);
   tellProgress(progress, Text::tr("Checking the restored record"), 0.8);
   flushSqlite(ready);
   tellProgress(progress, Text::tr("Ready"), 1.0);

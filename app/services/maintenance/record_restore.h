@@ -18,41 +18,42 @@ namespace torsio {
 class FileInTheMaking;
 struct Maintainer;
 
-/// How much a record holds.
+/// Amount of data in a record.
 struct RecordExtent {
   std::int64_t people = 0;
   std::int64_t trials = 0;
-  std::int64_t marks = 0;         ///< of training and of evaluations, every version
-  std::int64_t newestUtc_us = 0;  ///< of a recording or mark; 0: there is none
+  std::int64_t marks = 0;         ///< of training and evaluations, all versions
+  std::int64_t newestUtc_us = 0;  ///< of the latest recording or mark; 0: none
 };
 
-/// What a restore would do, told before anything is done.
+/// Effect of a restore, shown before anything is done.
 struct RestorePlan {
   std::filesystem::path backup{};
-  std::string backupHash{};     ///< of the file's bytes: what two people agree about
-  RecordExtent present{};       ///< the record as it is now
-  RecordExtent restored{};      ///< as the backup has it
-  std::int64_t lostPeople = 0;  ///< in the present record, but not in the backup
+  std::string backupHash{};     ///< of the file's bytes: identifies what two people agree on
+  RecordExtent present{};       ///< the current record
+  RecordExtent restored{};      ///< the backup
+  std::int64_t lostPeople = 0;  ///< in the current record but not in the backup
   std::int64_t lostTrials = 0;
   std::int64_t lostMarks = 0;
-  std::string presentCentre{};   ///< whose record it is
-  std::string backupCentre{};    ///< whose record the backup is
-  bool otherCentre = false;      ///< the backup is not of this centre, whatever it is called
-  std::int64_t erasedSince = 0;  ///< people of the backup who were erased later: they stay erased
+  std::string presentCentre{};   ///< name of the record's centre
+  std::string backupCentre{};    ///< name of the backup's centre
+  bool otherCentre = false;      ///< the backup belongs to another centre, even if it has the same name
+  std::int64_t erasedSince = 0;  ///< people of the backup who were erased later; they stay erased
 };
 
-/// Reads the backup from end to end in a copy of its own, and compares it with the record. Changes nothing.
-/// kDatabaseRestore. Throws Error: kUsage when the record is no file (a server has its own tools), kDatabase
-/// while others work at the record, kVerifyFailed and others when the backup is not sound; whatever
+/// Reads the whole backup in a separate copy and compares it with the record, without changing anything.
+/// kDatabaseRestore. Throws Error: kUsage if the record is not a file (servers have their own tools),
+/// kDatabase while others work on the record, kVerifyFailed and others if the backup is damaged; what
 /// `progress` throws.
 [[nodiscard]] RestorePlan planRestore(SessionContext& session, const std::filesystem::path& backup,
                                       const ProgressCallback& progress = {});
 
-/// Whether prepareRestore() would go on: somebody else has asked for this restore, or nobody needs to.
-/// kDatabaseRestore.
+/// Returns whether prepareRestore() can proceed: somebody else has requested this restore, or nobody needs
+/// to. kDatabaseRestore.
 [[nodiscard]] bool mayRestoreNow(SessionContext& session, const RestorePlan& plan);
 
-/// A backup that stands ready beside the record. Removes itself unless it has taken the record's place.
+/// A restored copy next to the record, ready to replace it. The destructor removes it unless it has replaced
+/// the record.
 class PreparedRestore {
  public:
   PreparedRestore(const std::filesystem::path& target, std::filesystem::path safety);
@@ -60,14 +61,13 @@ class PreparedRestore {
   PreparedRestore& operator=(const PreparedRestore&) = delete;
   ~PreparedRestore();
 
-  /// Where the restored record is being made.
+  /// Returns the path of the restored copy.
   [[nodiscard]] const std::filesystem::path& ready() const noexcept;
-  /// Takes the place of the record; what was there is kept as "<record>.before-restore-N" besides. Quick.
-  /// Every connection to the record must be closed. Throws Error: kDatabase when somebody has it open,
-  /// kFileUnwritable; then the record is as before.
-  /// Returns that name.
+  /// Replaces the record, keeping the old one as "<record>.before-restore-N". Quick. All connections to the
+  /// record must be closed. Returns the old record's new path. Throws Error: kDatabase if somebody has it
+  /// open, kFileUnwritable; then the record is unchanged.
   std::filesystem::path takeOver();
-  /// The backup that was made of the record as it was.
+  /// Returns the backup of the record as it was before.
   [[nodiscard]] const std::filesystem::path& safety() const noexcept { return safety_; }
 
  private:
@@ -76,41 +76,40 @@ class PreparedRestore {
   std::filesystem::path safety_;
 };
 
-/// Makes a backup of the record as it is now, checked, with its date in the name, beside the record; then a
-/// checked copy of the planned backup, brought up to date, in which those who were erased since stay erased,
-/// and whose audit trail tells of the restore, who did it and what was lost. The record itself gets an audit
-/// entry and is else unchanged until takeOver(). kDatabaseRestore. Throws SecondPersonNeeded (subject: the
-/// hash of the backup) where nobody else has asked for this restore, as planRestore does, and kFileUnwritable
-/// when there is not enough room; then nothing is left but the finished safety backup, if any.
+/// Backs up the current record, checked, next to it with the date in its name; then creates a checked copy of
+/// the planned backup with its schema migrated, in which people erased since then stay erased, and whose
+/// audit trail contains the restore, who did it and what was lost. The record itself only gets an audit entry
+/// until takeOver(). kDatabaseRestore. Throws SecondPersonNeeded (subject: the backup's hash) if nobody else
+/// has requested this restore, what planRestore() throws, and kFileUnwritable if there is not enough space;
+/// then at most the finished safety backup remains.
 [[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session,
                                                               const RestorePlan& plan,
                                                               const ProgressCallback& progress = {});
 
-/// What a restore without the window did.
+/// Result of a restore without the window.
 struct Restored {
   BackupContent content{};
-  std::filesystem::path before{};     ///< the record as it was; empty: there was none
-  std::optional<RestorePlan> plan{};  ///< what was lost; none when there was no record to compare with
-  std::string unreadable{};           ///< why what was there could not be compared; empty: it could
+  std::filesystem::path before{};     ///< the previous record; empty: there was none
+  std::optional<RestorePlan> plan{};  ///< what was lost; empty if there was no record to compare with
+  std::string unreadable{};           ///< why the previous record could not be compared; empty: it could
 };
 
-/// Puts a sound backup in the place of the record at `locator`, as planRestore, prepareRestore and takeOver
-/// do. Where no record can be read, `maintainer` signs in to the backup, and it cannot be known who was
-/// erased since. Throws Error: kUsage for an address of a server, kPermission, and what those throw; nothing
-/// is changed then.
+/// Replaces the record at `locator` by a sound backup, with planRestore(), prepareRestore() and takeOver().
+/// If the record cannot be read, `maintainer` signs in to the backup, and later erasures are unknown. Throws
+/// Error: kUsage for a server address, kPermission, and what those throw; nothing is changed then.
 Restored restoreRecord(const Maintainer& maintainer, const std::filesystem::path& backup,
                        const std::string& locator);
 
-/// Tells in the restored record that it was restored from `backup`, without a record to compare it with.
+/// Audits in the restored record that it was restored from `backup` without a record to compare with.
 /// kDatabaseRestore.
 void noteRestore(SessionContext& session, const std::filesystem::path& backup);
 
-/// Who else works at this record now, one plain sentence each: runs that go on, at this station too, and
-/// other stations that sent a heartbeat in the last kStationSilence_us. kDatabaseRestore.
+/// Returns one sentence for each current activity of others on this record: runs in progress (also at this
+/// station) and other stations with a heartbeat within kStationSilence_us. kDatabaseRestore.
 [[nodiscard]] std::vector<Text> othersAtWork(SessionContext& session);
 
-/// Before a record is replaced or moved. kDatabaseRestore. Throws Error (kDatabase) with the first of
-/// othersAtWork.
+/// Call before a record is replaced or moved. kDatabaseRestore. Throws Error (kDatabase) with the first of
+/// othersAtWork().
 void requireNobodyAtWork(SessionContext& session);
 
 }  // namespace torsio

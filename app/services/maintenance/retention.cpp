@@ -129,7 +129,7 @@ RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> per
   }
   for (const RetentionItem& item : outcome.erased) {
     if (!dryRun && !mayEraseNow(session, item.personId)) {
-      throw SecondPersonNeeded(DutyAct::kErase, item.personId);  // before anybody is erased
+      throw SecondPersonNeeded(DutyAct::kErase, item.personId);  // checked before anybody is erased
     }
   }
   for (const RetentionItem& item : outcome.erased) {

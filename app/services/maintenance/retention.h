@@ -12,33 +12,33 @@
 
 namespace torsio {
 
-/// kRetentionManage, as all below; every change is audited.
+/// All functions below require kRetentionManage; changes are audited.
 [[nodiscard]] std::vector<RetentionRule> retentionRules(SessionContext& session);
 void setRetentionRule(SessionContext& session, const std::string& category, std::int64_t keep_days,
                       const std::string& basis);
-/// Takes the rule of a category away: its records are kept without limit.
+/// Removes the rule of a category: its records are kept indefinitely.
 void removeRetentionRule(SessionContext& session, const std::string& category);
 
-/// The review queue: whose record is due now and why, those who are held among them, longest due first.
+/// Returns the review queue: whose record is due now and why, including those on hold, longest due first.
 [[nodiscard]] std::vector<RetentionItem> retentionQueue(SessionContext& session);
 
-/// Keeps records for good, or until a day; release ends it: all of them or none. Throws Error (kBadParameter)
-/// without anybody or a reason, or for a day that has passed.
+/// Puts records on hold, indefinitely or until a date, or releases them; all or nothing. Throws Error
+/// (kBadParameter) if nobody is chosen, without a reason, or for a past date.
 void lockRecords(SessionContext& session, std::span<const PersonId> personIds, const std::string& reason);
 void extendRecords(SessionContext& session, std::span<const PersonId> personIds, std::int64_t untilUtc_us,
                    const std::string& reason);
 void releaseRecords(SessionContext& session, std::span<const PersonId> personIds, const std::string& reason);
 
-/// What an erase of due records would do, or did.
+/// Result of erasing due records, or of its dry run.
 struct RetentionOutcome {
-  std::vector<RetentionItem> erased{};   ///< or would be
-  std::vector<RetentionItem> skipped{};  ///< held
-  std::int64_t recordings = 0;           ///< trials whose samples go with them
+  std::vector<RetentionItem> erased{};   ///< erased, or to be erased
+  std::vector<RetentionItem> skipped{};  ///< on hold
+  std::int64_t recordings = 0;           ///< trials whose samples are erased
   bool dryRun = true;
 };
-/// The reviewer's choice out of the queue. A dry run changes nothing. Else also kPersonErase: each person is
-/// erased in a transaction of their own through erasePerson. Throws Error (kBadData) before anything is
-/// erased when somebody is not due.
+/// Erases the people chosen from the queue, each in a separate transaction through erasePerson(); also
+/// requires kPersonErase. A dry run changes nothing. Throws Error (kBadData), before anything is erased, if
+/// somebody is not due.
 RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> personIds,
                           const std::string& reason, bool dryRun);
 

@@ -41,7 +41,7 @@ std::string locatorOf(const ServerAddress& address, const std::string& password)
     server.parameters.push_back({"sslrootcert", address.rootCertificate});
   }
   std::string locator = addressOf(server);
-  (void)parseLocator(locator);  // refuses what no address can be made of
+  (void)parseLocator(locator);  // throws if no valid address results
   return locator;
 }
 
@@ -64,8 +64,8 @@ bool opens(const std::string& locator) {
   }
 }
 
-/// Fills in what the database holds and why the record cannot go there.
-void lookInto(Connection& connection, ServerCheck& check) {
+/// Fills in the database's content and why the record cannot be moved there.
+void inspectDatabase(Connection& connection, ServerCheck& check) {
   try {
     check.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
   } catch (const Error& error) {
@@ -89,8 +89,8 @@ void lookInto(Connection& connection, ServerCheck& check) {
   }
 }
 
-/// The locator to keep. Throws when it does not open.
-std::string openLasting(const ServerAddress& address) {
+/// Returns the locator to store. Throws if it cannot be opened.
+std::string requireLastingLocator(const ServerAddress& address) {
   std::string locator = lastingLocator(address);
   if (opens(locator)) {
     return locator;
@@ -101,7 +101,7 @@ std::string openLasting(const ServerAddress& address) {
               Text::tr("Put the line shown here into the password file of this computer's account"));
 }
 
-void requireNothingWaits(const std::string& locator, const std::filesystem::path& folder) {
+void requireNoUnstoredTrials(const std::string& locator, const std::filesystem::path& folder) {
   const UnstoredTrials waiting = unstoredTrials(locator, folder);
   if (waiting.trials.empty()) {
     return;
@@ -110,7 +110,7 @@ void requireNothingWaits(const std::string& locator, const std::filesystem::path
          folder.string(), Text::tr("Start Torsio again at this station, which stores them, then try again"));
 }
 
-constexpr double kCopyFrom = 0.02;  // of the whole work; looking at the server comes before
+constexpr double kCopyFrom = 0.02;  // share of the total progress; before it, the server is checked
 
 }  // namespace
 
@@ -133,7 +133,7 @@ ServerCheck checkServer(SessionContext& session, const ServerAddress& address) {
   Connection connection = openDatabase(typedLocator(address), OpenMode::kReadOnly);
   check.location = connection.location();
   check.server = "PostgreSQL " + oneText(connection, "SELECT current_setting('server_version')");
-  lookInto(connection, check);
+  inspectDatabase(connection, check);
   check.opensWithoutPassword = address.password.empty() || opens(lastingLocator(address));
   return check;
 }
@@ -142,7 +142,7 @@ CopyReport moveToServer(SessionContext& session, const ServerAddress& address,
                         const ProgressCallback& progress, const std::filesystem::path& unstored) {
   session.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(session);
-  requireNothingWaits(session.key().locator, unstored);
+  requireNoUnstoredTrials(session.key().locator, unstored);
   tellProgress(progress, Text::tr("Checking the server"), 0.0);
   const ServerCheck check = checkServer(session, address);
   if (!check.hindrance.empty()) {
@@ -159,7 +159,7 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
     refuse(Text::tr("something was written to this record after it was copied"),
            session.connection().location(), Text::tr("Make an empty database on the server and copy again"));
   }
-  std::string locator = openLasting(address);
+  std::string locator = requireLastingLocator(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
   const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
   server.note({.action = AuditAction::kDatabaseSwitch,
@@ -173,13 +173,13 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
 std::string joinServer(SessionContext& session, const ServerAddress& address,
                        const std::filesystem::path& unstored) {
   session.require(Operation::kDatabaseRestore);
-  requireNothingWaits(session.key().locator, unstored);
+  requireNoUnstoredTrials(session.key().locator, unstored);
   const ServerCheck check = checkServer(session, address);
   if (!check.holdsRecord) {
     refuse(Text::tr("there is no record in this database"), check.location,
            Text::tr("Copy the record of this station there"));
   }
-  std::string locator = openLasting(address);
+  std::string locator = requireLastingLocator(address);
   if (lookAtRecord(locator) != RecordPlace::kCentre) {
     refuse(Text::tr("the record in this database holds no centre"), check.location,
            Text::tr("Set the centre up at the first station; this one can join then"));

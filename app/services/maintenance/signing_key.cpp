@@ -165,7 +165,7 @@ TrustedKeys::TrustedKeys(const std::string& publicKey, const std::vector<KeyRepl
     return;
   }
   const std::optional<PublicKey> bytes = bytesOf<PublicKey>(publicKey);
-  const std::string root = bytes ? toHex(*bytes) : publicKey;  // also where somebody typed capitals
+  const std::string root = bytes ? toHex(*bytes) : publicKey;  // accepts upper-case digits
   times_[root] = {};
   for (std::string later = root;
        const KeyReplacement* next = replacementFrom(replacements, &KeyReplacement::old, later);) {

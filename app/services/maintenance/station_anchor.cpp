@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kWitness = "witness";
 constexpr const char* kKey = "key";
 
-/// A file of its own in the settings of the account.
+/// A separate file in the account's settings.
 QSettings settings() {
   return {QSettings::IniFormat, QSettings::UserScope, QStringLiteral("torsio"), QStringLiteral("anchor")};
 }

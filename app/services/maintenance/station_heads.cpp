@@ -27,12 +27,12 @@ namespace {
 constexpr const char* kWitnessSetting = "station_witness";
 constexpr const char* kKeySetting = "station_key";
 
-/// The folder of a file that may not be there yet.
+/// Returns the folder of a file that may not exist yet.
 fs::path folderOf(const fs::path& file) {
   return fs::absolute(file).lexically_normal().parent_path();
 }
 
-/// Asks the files themselves where it can: a list of mounts does not know the disk of a changed root.
+/// Compares the files themselves if possible: a list of mounts is wrong after chroot.
 bool onOneDisk(const fs::path& one, const fs::path& other) {
 #ifdef _WIN32
   const QStorageInfo first(QString::fromStdString(folderOf(one).string()));
@@ -46,13 +46,13 @@ bool onOneDisk(const fs::path& one, const fs::path& other) {
 #endif
 }
 
-/// The file of the record; empty: it lies on a server.
+/// Returns the record's file; empty if it is on a server.
 fs::path recordFile(const SessionContext& session) {
   const Locator locator = parseLocator(session.key().locator);
   return locator.engine == Engine::kSqlite ? fs::path(locator.file) : fs::path();
 }
 
-/// Public part of a key that may be gone; empty: none.
+/// Returns the public key of a key file that may be gone; empty if none.
 std::string publicPart(const fs::path& key) {
   try {
     return key.empty() ? std::string() : publicAnchorKey(key);
@@ -111,7 +111,7 @@ void chooseWitness(SessionContext& session, const fs::path& file) {
   session.require(Operation::kSettingsEdit);
   StationAnchor anchor = stationAnchor();
   const fs::path before = anchor.witness;
-  if (!file.empty()) {  // before anything is changed: it must be possible to write there
+  if (!file.empty()) {  // before anything is changed, check that the file is writable
     appendToWitness(file, anchoredHead(session.connection(), anchor.key, session.now_us()));
   }
   anchor.witness = file;

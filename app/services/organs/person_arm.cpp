@@ -3,8 +3,8 @@
 
 #include "sim/anatomy/forearm.h"
 #include "sim/anatomy/shipped_files.h"
-#include "sim/core/file_io.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/core/short_number.h"
 
 namespace torsio {
@@ -49,7 +49,7 @@ JudgedArm importArm(const PersonArm& person, const std::filesystem::path& assets
   OrganImportRequest request;
   request.assets = assets;
   request.file = "arm.ply";
-  // The patterns of the shipped forearm: the elbow is held, the hand follows the wrist.
+  // The patterns of the shipped forearm: the elbow is fixed, the hand follows the wrist.
   request.anatomy = "forearm";
   request.ends = {
       .fixedEnd_m = arm->fixedEnd_m, .freeEnd_m = arm->wrist_m, .fixedCut = {}, .freeCut = {0.0, 0.0, 1.0}};

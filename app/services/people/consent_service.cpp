@@ -48,7 +48,7 @@ void checkTexts(const ConsentWords& words) {
   }
 }
 
-/// Throws for words that nobody can be asked to agree to.
+/// Throws if the texts are incomplete or inconsistent.
 void checkWords(const std::vector<ConsentWords>& languages, const std::vector<std::string>& known) {
   if (languages.empty()) {
     refuseParameter(Text::tr("there is no language"), Text::tr("consent"), Text::tr("Add at least one"));
@@ -81,7 +81,7 @@ void checkWords(const std::vector<ConsentWords>& languages, const std::vector<st
   }
 }
 
-/// Codes for the texts without a purpose, the same in each language.
+/// Gives the texts without a purpose new codes, the same in each language.
 void nameNewPurposes(ConsentRepository& repository, std::vector<ConsentWords>& languages) {
   std::vector<std::string> known = repository.purposes();
   for (std::size_t i = 0; i < languages.front().texts.size(); ++i) {

@@ -80,7 +80,7 @@ PersonRow rowOf(PeopleRepository& repository, const PersonId& personId) {
   return row;
 }
 
-/// Texts that can be read, compared and printed.
+/// Throws unless the texts can be read, compared and printed.
 void checkTexts(const PersonEntry& entry) {
   const std::initializer_list<std::tuple<const std::string*, Text, std::size_t>> texts{
       {&entry.fullName, Text::tr("name"), kLongestField},
@@ -144,7 +144,7 @@ Person personFrom(const PersonEntry& entry, Person person) {
   return person;
 }
 
-/// What the trail may know of a person: codes and what groups are balanced by.
+/// Returns what the audit trail may know of a person: codes and allocation factors.
 nlohmann::json codedJson(const Person& person, const std::string& handedness, const std::string& raterClass) {
   nlohmann::json json{{"code", person.code},      {"sex", person.sex},
                       {"level", person.level},    {"experience", person.experience},
@@ -155,7 +155,7 @@ nlohmann::json codedJson(const Person& person, const std::string& handedness, co
   return json;
 }
 
-/// Names of the identity fields that differ, never what stands in them.
+/// Returns the names of identity fields that differ, never their contents.
 nlohmann::json changedIdentity(const Identity& before, const PersonEntry& after) {
   nlohmann::json fields = nlohmann::json::array();
   if (before.fullName != after.fullName) {
@@ -374,8 +374,8 @@ std::size_t exportPeople(SessionContext& session, const std::filesystem::path& f
   text = csvInStyle(text, look);
   Digest digest;
   digest.update(text);
-  // First the trail, then the file: names that left the house without a trace would be worse than a trace
-  // of a file that could not be written.
+  // Audit first, then write: exported names without an entry would be worse than an entry for a file that
+  // could not be written.
   session.note({.action = withNames ? AuditAction::kPeopleExportNamed : AuditAction::kPeopleExportCoded,
                 .objectKind = AuditObject::kPerson,
                 .newJson = nlohmann::json{{"people", count}, {"blake2b", digest.hex()}}.dump()});

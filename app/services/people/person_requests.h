@@ -9,19 +9,20 @@
 
 namespace torsio {
 
-/// The actor asks for a copy of their own record, or that it be erased; whoever is in charge finds it in
-/// their list. Audited. kTrialViewOwn. Throws Error{kBadParameter}: nobody of the record, or the same
-/// waits already.
+/// Requests a copy of the actor's own record, or its erasure; administrators see it in their list. Audited.
+/// kTrialViewOwn. Throws Error{kBadParameter} if the actor is not a person of the record, or the same request
+/// is pending.
 void requestAboutOwnRecord(SessionContext& session, PersonRequestKind kind);
-/// While it waits. Audited. kTrialViewOwn. Throws Error{kBadData}: not the actor's, or answered already.
+/// Withdraws a pending request. Audited. kTrialViewOwn. Throws Error{kBadData} if it is not the actor's, or
+/// answered already.
 void takeBackOwnRequest(SessionContext& session, const std::string& requestId);
-/// The actor's, newest first. kTrialViewOwn.
+/// Returns the actor's requests, latest first. kTrialViewOwn.
 [[nodiscard]] std::vector<PersonRequest> ownRequests(SessionContext& session);
 
-/// Everybody's, newest first. kPersonExport.
+/// Returns everybody's requests, latest first. kPersonExport.
 [[nodiscard]] std::vector<PersonRequest> personRequests(SessionContext& session);
-/// Says what became of a request: done, or declined with a reason. Audited. kPersonExport. Throws
-/// Error{kBadParameter}: declined without a reason; {kBadData}: answered already.
+/// Marks a request as done, or declined with a reason. Audited. kPersonExport. Throws Error{kBadParameter}:
+/// declined without a reason; {kBadData}: answered already.
 void answerPersonRequest(SessionContext& session, const std::string& requestId, bool done,
                          const std::string& reason);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading a roster and guessing what its columns mean; what is done with it stands in roster_import.cpp.
+// Reads a roster and guesses what its columns mean; roster_import.cpp imports it.
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -9,8 +9,8 @@
 #include "app/services/people/roster_import.h"
 #include "app/services/people/roster_text.h"
 #include "sim/core/digest.h"
-#include "sim/core/file_io.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 
@@ -32,7 +32,7 @@ constexpr std::array<FieldName, kRosterFields> kFields{
      {RosterField::kHandedness, "handedness", "right"},
      {RosterField::kRaterClass, "rater_class", "chief"}}};
 
-/// Lower case without blanks, dashes, underscores and dots: "E-Mail" and "e_mail" are the same header.
+/// Lower case without spaces, dashes, underscores and dots, so that "E-Mail" and "e_mail" match.
 std::string plain(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -133,7 +133,7 @@ std::string rosterTemplate(RosterKind kind) {
 }
 
 RosterFile readRoster(const std::filesystem::path& file) {
-  constexpr std::uintmax_t kLargest_bytes = 16U << 20U;  // 80,000 people with every field filled
+  constexpr std::uintmax_t kLargest_bytes = 16U << 20U;  // 80,000 people with all fields filled
   std::error_code unknown;
   if (const std::uintmax_t size = std::filesystem::file_size(file, unknown);
       !unknown && size > kLargest_bytes) {

@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::size_t kLinesBetweenSigns = 200;
 
-/// Says now and then how many of the lines are done.
+/// Reports occasionally how many lines are done.
 class LineCount {
  public:
   LineCount(const ProgressCallback& progress, Text step, std::size_t total, double from, double to)
@@ -88,8 +88,8 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
   const KnownPeople known = readKnown(session);
   RosterPreview preview;
   preview.kind = kind;
-  std::map<std::string, std::size_t> firstOf;  // number: place in the preview
-  std::map<std::string, std::size_t> alike;    // by likenessOf() the number
+  std::map<std::string, std::size_t> firstOf;  // number -> place in the preview
+  std::map<std::string, std::size_t> alike;    // keyed by likenessOf() the number
   LineCount count(progress, Text::tr("Comparing with the record"), file.rows.size(), 0.0, share);
   for (const CsvRecord& record : file.rows) {
     count.next();
@@ -154,7 +154,7 @@ nlohmann::json addedJson(const Person& person, const std::string& part) {
           {"experience", person.experience}};
 }
 
-/// Adds the new people; ids are random, so giving codes in their order hides the order of the roster.
+/// Adds the new people. Codes are given in the order of the random ids, which hides the order of the roster.
 std::vector<std::string> addNew(SessionContext& session, const RosterPreview& preview, LineCount& count,
                                 std::vector<StoredRosterPerson>& done) {
   PeopleRepository repository(session.connection());
@@ -231,7 +231,7 @@ RosterPreview previewRoster(SessionContext& session, const RosterFile& file, Ros
 RosterOutcome importRoster(SessionContext& session, const RosterFile& file, RosterKind kind,
                            const RosterColumns& columns, const std::string& fingerprint, RosterMode mode,
                            const ProgressCallback& progress) {
-  constexpr double kComparing = 0.2;  // of the whole work
+  constexpr double kComparing = 0.2;  // share of the total progress
   requireRosterRights(session);
   Transaction transaction(session.connection());
   const RosterPreview now = preview(session, file, kind, columns, progress, kComparing);
@@ -272,7 +272,7 @@ RosterOutcome importRoster(SessionContext& session, const RosterFile& file, Rost
 
 namespace {
 
-/// `taken`: what the names in use look like.
+/// `taken`: likenessOf() the names in use.
 std::string signInName(const std::string& personCode, const std::set<std::string>& taken) {
   std::string login = personCode;
   std::transform(login.begin(), login.end(), login.begin(),

@@ -19,12 +19,12 @@
 
 namespace torsio {
 
-/// Whom a roster lists.
+/// People listed by a roster.
 enum class RosterKind { kTrainees, kRaters };
 
-/// What a column of a roster may mean.
+/// Meaning of a roster's column.
 enum class RosterField {
-  kExternalId,  ///< staff or student number: required, by it a person is recognised
+  kExternalId,  ///< staff or student number: required, identifies the person
   kFullName,    ///< required
   kEmail,
   kSex,
@@ -32,47 +32,47 @@ enum class RosterField {
   kExperience,
   kAge,
   kHandedness,  ///< trainees
-  kRaterClass,  ///< raters: required
+  kRaterClass,  ///< raters only, required
 };
 inline constexpr std::size_t kRosterFields = 9;
 
-/// "external_id", "full_name" ...: also the header of the template.
+/// Returns "external_id", "full_name" ..., also the header of the template.
 [[nodiscard]] std::string_view rosterFieldCode(RosterField field) noexcept;
-/// "Staff or student number", "Full name" ...
+/// Returns "Staff or student number", "Full name" ...
 [[nodiscard]] Phrase rosterFieldLabel(RosterField field) noexcept;
-/// Fields that a roster of this kind may have, in the order in which they are shown; required ones first.
+/// Returns the fields of this kind of roster in display order; required ones first.
 [[nodiscard]] std::vector<RosterField> rosterFields(RosterKind kind);
 [[nodiscard]] bool isRequired(RosterField field, RosterKind kind) noexcept;
-/// A file with the header and one made-up line, to fill in.
+/// Returns a file to fill in, with the header and one invented line.
 [[nodiscard]] std::string rosterTemplate(RosterKind kind);
 
-/// A roster as it was read: what the column map is chosen on.
+/// A roster as read, for choosing the columns.
 struct RosterFile {
-  std::string name{};      ///< of the file, for messages
-  std::string encoding{};  ///< as it was saved: "UTF-8"; another one was guessed
+  std::string name{};      ///< file name, for messages
+  std::string encoding{};  ///< detected: "UTF-8"; others are guesses
   char separator = ',';
   std::vector<std::string> header{};
   std::vector<CsvRecord> rows{};
   std::string contentHash{};
 };
 
-/// Reads comma-, semicolon- or tab-separated text in one of the encodings of decodeRosterText(); lines of
-/// separators alone are skipped. Throws Error{kFileMissing, kFileUnreadable, kBadData}: no such encoding,
-/// empty, no header, a column named twice, no rows.
+/// Reads comma-, semicolon- or tab-separated text in one of the encodings of decodeRosterText(); skips lines
+/// with only separators. Throws Error{kFileMissing, kFileUnreadable, kBadData}: unknown encoding, empty file,
+/// no header, duplicate column, no rows.
 [[nodiscard]] RosterFile readRoster(const std::filesystem::path& file);
 [[nodiscard]] RosterFile parseRoster(std::string_view bytes, const std::string& name);
 
-/// Which column holds what: position in RosterFile::header, empty for "not in this file".
+/// Column of each field: position in RosterFile::header, empty for "not in this file".
 using RosterColumns = std::array<std::optional<std::size_t>, kRosterFields>;
-/// As far as the headers tell; English and Chinese names are known. The user may change it.
+/// Suggests columns from the headers, in English and Chinese. The user may change them.
 [[nodiscard]] RosterColumns suggestColumns(const RosterFile& file, RosterKind kind);
 
-/// What will be done with one line.
+/// Effect of importing a line.
 enum class RosterStatus {
-  kNew,      ///< nobody has this number: a person is added
-  kSame,     ///< known, and everything is as it is
-  kChanges,  ///< known, and some fields differ
-  kError,    ///< cannot be taken: `problem` says why and `remedy` what to mend
+  kNew,      ///< unknown number: a person is added
+  kSame,     ///< known, without differences
+  kChanges,  ///< known, with differences
+  kError,    ///< rejected; see `problem` and `remedy`
 };
 struct RosterChange {
   RosterField field = RosterField::kFullName;
@@ -82,13 +82,13 @@ struct RosterChange {
 struct RosterRow {
   std::size_t line = 0;
   RosterStatus status = RosterStatus::kError;
-  std::array<std::string, kRosterFields> values{};  ///< as understood: "female" for "F"
+  std::array<std::string, kRosterFields> values{};  ///< parsed: "female" for "F"
   PersonId personId{};                              ///< of a known person
   std::string code{};                               ///< of a known person
   std::vector<RosterChange> changes{};
   Text problem{};
   Text remedy{};
-  Text hint{};  ///< something to look at that does not stop the import
+  Text hint{};  ///< a warning that does not stop the import
 };
 
 struct RosterPreview {
@@ -98,20 +98,20 @@ struct RosterPreview {
   std::size_t changed = 0;
   std::size_t same = 0;
   std::size_t errors = 0;
-  /// Over rows and what they were compared with: an import that would do something else is refused.
+  /// Hash of the rows and the data that they were compared with; importRoster() checks it.
   std::string fingerprint{};
   [[nodiscard]] bool importable() const noexcept { return errors == 0 && added + changed > 0; }
 };
 
-/// What an import would do, line by line. Blank cells keep what is known. People are recognised by their
-/// number alone; an e-mail address that somebody else has is a hint. Changes nothing. kPersonEdit and
-/// kPersonViewIdentity. Throws Error{kBadParameter} when a required field has no column, or two fields share
-/// one.
+/// Returns what an import would do with each line, without changing anything. Empty cells keep existing
+/// values. People are identified by their number alone; an e-mail address of somebody else is a hint.
+/// kPersonEdit and kPersonViewIdentity. Throws Error{kBadParameter} if a required field has no column, or two
+/// fields share one.
 [[nodiscard]] RosterPreview previewRoster(SessionContext& session, const RosterFile& file, RosterKind kind,
                                           const RosterColumns& columns,
                                           const ProgressCallback& progress = {});
 
-/// What an import did.
+/// Result of an import.
 struct RosterOutcome {
   std::size_t added = 0;
   std::size_t changed = 0;
@@ -119,26 +119,25 @@ struct RosterOutcome {
 };
 
 enum class RosterMode {
-  kDryRun,  ///< does all of it and takes it back: proves that the database would accept it
+  kDryRun,  ///< does everything and rolls back: proves that the database would accept it
   kCommit,
 };
 
-/// All lines or none, in one transaction; codes are given in an order that does not follow the roster.
-/// Audited: one entry a person and one for the import, without names. The same operations. Throws
-/// Error{kBadData} when a line cannot be taken, or when the record has changed since the preview with this
-/// fingerprint. What `progress` throws stops it, and then nothing is stored.
+/// Imports all lines or none, in one transaction; the order of codes is independent of the roster. Audited:
+/// one entry per person and one for the import, without names. kPersonEdit and kPersonViewIdentity. Throws
+/// Error{kBadData} if a line is rejected, or the record has changed since the preview with this fingerprint.
+/// If `progress` throws, nothing is stored.
 RosterOutcome importRoster(SessionContext& session, const RosterFile& file, RosterKind kind,
                            const RosterColumns& columns, const std::string& fingerprint, RosterMode mode,
                            const ProgressCallback& progress = {});
 
-/// Who trains or scores and cannot sign in yet, ordered by code. kUserManage.
+/// Returns trainees and raters without an account, ordered by code. kUserManage.
 [[nodiscard]] std::vector<PersonRow> peopleWithoutAccount(SessionContext& session);
 
-/// An account for each of these people, in the order of their codes: the sign-in name is the code in small
-/// letters (with a number behind it when somebody has that name), the roles follow from what the person does.
-/// Each account is stored by itself, since sealing a password takes about a second; every stored one is put
-/// into `made` at once, so that none is lost when `progress` or the database throws. Whoever has an account,
-/// or left, is passed over. kUserManage.
+/// Creates an account for each of these people in order of their codes: the sign-in name is the code in lower
+/// case (with a number if that is taken), the roles follow from the person's. Each account is stored
+/// separately, since hashing a password takes about a second, and appended to `made` at once, so that none is
+/// lost if `progress` or the database throws. Skips people who have an account or left. kUserManage.
 void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds,
                  std::vector<StartAccount>& made, const ProgressCallback& progress = {});
 

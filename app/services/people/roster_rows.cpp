@@ -161,7 +161,7 @@ void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
     const Text flaw = flawOf(value, field == RosterField::kExternalId ? kLongestNumber : kLongestField);
     if (!flaw.empty()) {
       refuseRow(row, Text::verbatim("%1 %2", rosterFieldLabel(field), flaw), Text::tr("Type the cell again"));
-      value.clear();  // what cannot be shown is shown nowhere
+      value.clear();  // a value that cannot be shown is not shown anywhere
     }
   }
   for (const RosterField field : rosterFields(kind)) {

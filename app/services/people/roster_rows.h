@@ -12,14 +12,14 @@
 
 namespace torsio {
 
-// What one line of a roster means, before anything is stored.
+// Interprets one line of a roster before anything is stored.
 
-/// Gives the place of a field in the values of a row.
+/// Returns the index of a field in a row's values.
 [[nodiscard]] constexpr std::size_t rosterIndex(RosterField field) noexcept {
   return static_cast<std::size_t>(field);
 }
 
-/// What is known already, found by number.
+/// Existing people by number.
 struct KnownPeople {
   struct Known {
     PersonEntry entry;
@@ -28,24 +28,23 @@ struct KnownPeople {
     bool left = false;
   };
   std::map<std::string, Known> byNumber;
-  std::map<std::string, std::string> codeByLikeness{};  ///< by likenessOf() the number
-  std::map<std::string, std::string> codeByEmail;       ///< lower-case address
+  std::map<std::string, std::string> codeByLikeness{};  ///< keyed by likenessOf() the number
+  std::map<std::string, std::string> codeByEmail;       ///< keyed by lower-case address
   std::map<std::string, std::string> numberByEmail;
   std::vector<SeniorityClass> classes;
 };
 
-/// Reads the people of the record with their names; the session may see them.
+/// Reads the people of the record with their names; the session must have the right.
 [[nodiscard]] KnownPeople readKnown(SessionContext& session);
-/// Refuses a choice of columns that lacks one that is required, names one that does not exist or takes one
-/// twice. Throws Error{kBadParameter}.
+/// Throws Error{kBadParameter} if a required column is missing, a column does not exist or is used twice.
 void checkColumns(const RosterFile& file, RosterKind kind, const RosterColumns& columns);
-/// Says why a row cannot be taken; the first reason counts.
+/// Marks a row as rejected; the first reason counts.
 void refuseRow(RosterRow& row, const Text& problem, const Text& remedy);
-/// Puts the values of a row as the record writes them, or refuses the row.
+/// Normalises the values of a row, or rejects the row.
 void understand(RosterRow& row, RosterKind kind, const KnownPeople& known);
-/// Compares a row with what is known: by number, and by number alone.
+/// Compares a row with the existing person of the same number.
 void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known);
-/// Writes a value that was understood into an entry.
+/// Writes a normalised value into an entry.
 void setValue(PersonEntry& entry, RosterField field, const std::string& value);
 
 }  // namespace torsio

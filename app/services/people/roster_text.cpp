@@ -15,15 +15,16 @@ namespace torsio {
 
 namespace {
 
-/// The text in UTF-8; empty: it is not in this encoding, or this machine does not know it.
+/// Converts to UTF-8; empty if the text is not in this encoding, or the system does not know it.
 std::optional<std::string> decoded(std::string_view bytes, const char* encoding) {
   QStringDecoder decoder(encoding,
-                         QStringConverter::Flag::Stateless);  // half a letter at the end is an error
+                         QStringConverter::Flag::Stateless);  // an incomplete character at the end is an
+                                                              // error
   if (!decoder.isValid()) {
     return std::nullopt;
   }
   const QString text = decoder(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
-  // Bytes without a meaning come back as control characters of the second block.
+  // Undefined bytes become C1 control characters.
   const bool meaningless = std::any_of(text.begin(), text.end(), [](QChar letter) {
     return letter == QChar::ReplacementCharacter || (letter >= QChar(0x80) && letter <= QChar(0x9F));
   });
@@ -33,8 +34,8 @@ std::optional<std::string> decoded(std::string_view bytes, const char* encoding)
   return text.toStdString();
 }
 
-/// Letters of simplified Chinese are pairs of bytes that are both beyond A0; in a western text such bytes
-/// stand alone among plain letters.
+/// Simplified Chinese consists of pairs of bytes above A0; in a western text such bytes are single among
+/// ASCII letters.
 bool isPairedChinese(std::string_view bytes) {
   std::size_t pairs = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {

@@ -6,15 +6,15 @@
 
 namespace torsio {
 
-/// The text of a file that a spreadsheet saved.
+/// Text of a file saved by a spreadsheet.
 struct RosterText {
   std::string utf8{};      ///< without a byte order mark
-  std::string encoding{};  ///< as it was saved: "UTF-8", "UTF-16", "GB18030", "Windows-1252"
+  std::string encoding{};  ///< encoding of the file: "UTF-8", "UTF-16", "GB18030", "Windows-1252"
 };
 
-/// Reads UTF-8, UTF-16 with a byte order mark ("Unicode text"), and what older spreadsheets save: GB18030
-/// where every letter that is not ASCII is a pair of bytes as in simplified Chinese, else Windows-1252.
-/// `name`: of the file, for messages. Throws Error{kBadData} for what is none of these.
+/// Decodes UTF-8, UTF-16 with a byte order mark ("Unicode text"), and what older spreadsheets save: GB18030
+/// if all non-ASCII characters are byte pairs as in simplified Chinese, otherwise Windows-1252. `name`: file
+/// name for messages. Throws Error{kBadData} for any other encoding.
 [[nodiscard]] RosterText decodeRosterText(std::string_view bytes, const std::string& name);
 
 }  // namespace torsio

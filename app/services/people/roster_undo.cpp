@@ -39,8 +39,8 @@ PersonEntry entryFrom(const std::string& text) {
   return entry;
 }
 
-/// What hangs on somebody, in a few words.
-Text whatHangs(const std::string& table) {
+/// Names the kind of data that depend on a person.
+Text dependentDataName(const std::string& table) {
   static const std::map<std::string, Phrase> kWords{
       {"app_user", Text::tr("has signed in")},
       {"enrolment", Text::tr("is enrolled in a cohort")},
@@ -54,7 +54,7 @@ Text whatHangs(const std::string& table) {
 
 using EntriesById = std::map<PersonId, std::pair<std::string, PersonEntry>>;
 
-/// What the roster says about everybody now, with the code of each.
+/// Returns the current roster data of everybody, with codes.
 EntriesById entriesNow(SessionContext& session) {
   EntriesById entries;
   for (const NamedPersonRow& named : namedPeople(session)) {
@@ -73,17 +73,17 @@ EntriesById entriesNow(SessionContext& session) {
   return entries;
 }
 
-/// Why an import cannot be taken back; empty: it can.
+/// Returns why an import cannot be undone; empty if it can.
 Text hindranceOf(SessionContext& session, const std::string& importId,
                  const std::vector<StoredRosterPerson>& people, const EntriesById& entries) {
   const RosterImportRepository repository(session.connection());
   if (const std::optional<HangingRow> hanging = repository.firstHanging(importId)) {
-    return Text::tr("%1 %2", hanging->personCode, whatHangs(hanging->table));
+    return Text::tr("%1 %2", hanging->personCode, dependentDataName(hanging->table));
   }
   for (const StoredRosterPerson& imported : people) {
     const auto known = entries.find(imported.personId);
     if (known == entries.end()) {
-      continue;  // erased since: nothing is left to put back
+      continue;  // erased since then: nothing to restore
     }
     const auto& [code, now] = known->second;
     if (rosterJson(now) != imported.afterJson) {
@@ -101,13 +101,13 @@ Text hindranceOf(SessionContext& session, const std::string& importId,
       table = repository.tableNaming(PersonPart::kRater, imported.personId);
     }
     if (!table.empty()) {
-      return Text::tr("%1 %2", code, whatHangs(table));
+      return Text::tr("%1 %2", code, dependentDataName(table));
     }
   }
   return people.empty() ? Text::tr("nobody of it is left") : Text();
 }
 
-void putBack(SessionContext& session, const StoredRosterPerson& imported, const std::string& reason) {
+void undoPerson(SessionContext& session, const StoredRosterPerson& imported, const std::string& reason) {
   RosterImportRepository repository(session.connection());
   if (!imported.beforeJson) {
     erasePerson(session.connection(), imported.personId, session.actor().userId, reason, session.now_us());
@@ -138,7 +138,7 @@ void takeBack(SessionContext& session, const std::string& importId, const std::s
   std::size_t restored = 0;
   for (const StoredRosterPerson& person : people) {
     restored += person.beforeJson ? 1 : 0;
-    putBack(session, person, reason);
+    undoPerson(session, person, reason);
   }
   session.note(
       {.action = AuditAction::kRosterImport,

@@ -15,36 +15,35 @@ namespace torsio {
 
 struct StoredRosterPerson;
 
-/// A roster that was imported, and whether it can still be taken back.
+/// An imported roster, and whether the import can be undone.
 struct ImportedRoster {
   std::string id{};
   RosterKind kind = RosterKind::kTrainees;
-  std::string importedBy{};  ///< sign-in name; empty: that account is gone
+  std::string importedBy{};  ///< sign-in name; empty: the account is gone
   std::int64_t importedUtc_us = 0;
   std::int64_t added = 0;
   std::int64_t changed = 0;
-  std::vector<std::string> codes{};  ///< of those who are left of it
+  std::vector<std::string> codes{};  ///< of the people who are still there
   bool takenBack = false;
-  Text hindrance{};  ///< why it cannot be taken back; empty: it can
+  Text hindrance{};  ///< why it cannot be undone; empty: it can
 };
 
-/// Every roster that was imported, newest first. kPersonEdit and kPersonViewIdentity.
+/// Returns all imported rosters, latest first. kPersonEdit and kPersonViewIdentity.
 [[nodiscard]] std::vector<ImportedRoster> importedRosters(SessionContext& session);
 
-/// Takes imports back, the newest first: all of them whole, or nothing. Whom they added is erased (the code
-/// is never given again, the number is free), whom they changed is as before. Accounts that nobody used go
-/// with their people. Audited: an entry for each person and one for each import, without names. kPersonEdit,
-/// kPersonViewIdentity and kPersonErase; no second person, since nothing is recorded that could be lost.
-/// Throws Error{kBadData} that names the first person on whom something hangs, or who was changed since, and
-/// for an import that is not there or was taken back already.
+/// Undoes imports, latest first: all completely, or nothing. Added people are erased (their codes are never
+/// reused, their numbers are free), changed people are restored. Unused accounts are removed with their
+/// people. Audited: an entry per person and per import, without names. kPersonEdit, kPersonViewIdentity and
+/// kPersonErase; needs no second person, since nothing recorded is lost. Throws Error{kBadData}, naming the
+/// first person with dependent data or later changes, and for an unknown import or one already undone.
 void takeBackRosters(SessionContext& session, std::span<const std::string> importIds,
                      const std::string& reason);
 
-// Private to the roster: what an import leaves, so that it can be taken back.
+// Private to the roster: stored data of an import, for undoing it.
 
-/// Keeps what an import did; belongs into its transaction.
+/// Stores what an import did; call it in the import's transaction.
 void keepImport(SessionContext& session, RosterKind kind, const std::vector<StoredRosterPerson>& people);
-/// Gives what a roster says about somebody, as it is kept with an import.
+/// Returns the roster's data about a person in the format stored with an import.
 [[nodiscard]] std::string rosterJson(const PersonEntry& entry);
 
 }  // namespace torsio

@@ -9,14 +9,14 @@
 
 namespace torsio {
 
-/// The picture of a recording whose hand was answered by an asynchronous model. Forces, angles and times
-/// are those of the record; only the shape of the organ is computed again, at the rate of this machine, by
-/// the same model led to the recorded angles.
+/// Recomputes the organ's shape when playing a recording that was made with an asynchronous model. Forces,
+/// angles and times come from the recording; only the shape is computed again, at this machine's rate, by the
+/// same model moved to the recorded angles.
 class AsyncModelPlayback {
  public:
-  /// Begins to work beside a playback of `scene`, whose shapes go to `shape`.
+  /// Starts the model for a playback of `scene`; its shapes go to `shape`.
   AsyncModelPlayback(std::shared_ptr<const Scene> scene, std::shared_ptr<LatestShape> shape);
-  /// Leads the model to what is shown now. One thread.
+  /// Moves the model to the displayed state. One thread.
   void follow(const LiveState& shown) noexcept;
 
  private:

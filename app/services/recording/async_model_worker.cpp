@@ -14,8 +14,8 @@ namespace {
 
 using WorkClock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kIdle{2};
-constexpr int kFramesToRest = 60;        // after a grip, so that what still moves comes to rest
-constexpr double kNewFrameWeight = 0.1;  // of the running mean
+constexpr int kFramesToRest = 60;        // after a grip, so that the model comes to rest
+constexpr double kNewFrameWeight = 0.1;  // for the moving average
 
 bool finite(const GraspedOrgan& organ) {
   return std::isfinite(organ.angle_rad()) && std::isfinite(organ.torque_Nm()) &&
@@ -84,7 +84,7 @@ void AsyncModelWorker::start() {
   });
 }
 
-/// A model is made for one place of the jaw; a grip within half a step of sections is that place.
+/// Builds the model for one jaw position, reused for grips within half a section spacing.
 void AsyncModelWorker::prepare(double arc_m) {
   const double step_m = scene_->lattice().length_m() / (scene_->lattice().sections() - 1);
   if (organ_ && std::abs(arc_m - arc_m_) <= 0.5 * step_m) {
@@ -108,7 +108,7 @@ AsyncAnswer AsyncModelWorker::answerTo(const AsyncQuestion& question) {
       return {AsyncState::kSound, organ_->angle_rad(), organ_->torque_Nm(), organ_->slope_Nm_per_rad()};
     }
   } catch (const std::exception&) {
-    // Whatever it was: the servo is told that there is no answer.
+    // On any failure, tell the servo that there is no result.
   }
   organ_.reset();
   return {.state = AsyncState::kBroken};
@@ -121,9 +121,9 @@ bool AsyncModelWorker::work() {
   if (!held && (framesAtRest_ > kFramesToRest || !organ_)) {
     if (!organ_ && framesAtRest_ == 1) {
       try {
-        prepare(scene_->grasp_m());  // before anybody grips it
+        prepare(scene_->grasp_m());  // before the first grip
       } catch (const std::exception&) {
-        organ_.reset();  // its first grip will say so
+        organ_.reset();  // the first grip will report it
       }
     }
     return false;

@@ -16,20 +16,20 @@
 
 namespace torsio {
 
-/// Hands the newest shape that an asynchronous model has given the organ from the worker to whoever draws
-/// it. Any threads; the servo is none of them.
+/// Passes the latest shape computed by an asynchronous model from the worker to the renderer. Any thread
+/// except the servo's.
 class LatestShape {
  public:
-  /// Prepares the skin of the organ over the key points of its lattice.
+  /// Prepares the mapping from the lattice's key points to the organ's skin.
   explicit LatestShape(const Scene& scene) : skin_(scene.mesh, scene.lattice()) {}
 
-  /// Replaces the shape; the jaw has turned by `angle_rad`.
+  /// Stores a shape; the jaw has turned by `angle_rad`.
   void put(double angle_rad, LatticePlaces places);
-  /// Forgets the shape: another run begins.
+  /// Clears the shape at the start of a run.
   void clear();
-  /// Returns the number of the newest shape, always another one; 0 before the first of a run.
+  /// Returns the number of the latest shape, unique per shape; 0 before the first one of a run.
   [[nodiscard]] std::int64_t number() const;
-  /// Computes the vertices of the newest shape, one a vertex of the mesh; leaves `out_m` before the first.
+  /// Computes the mesh vertices of the latest shape; leaves `out_m` unchanged if there is none.
   void vertices(std::span<Vec3> out_m) const;
 
  private:
@@ -43,31 +43,30 @@ class LatestShape {
   std::int64_t count_ = 0;
 };
 
-/// Makes the model of an organ that a jaw holds at this arc length, m. Called in the thread of the work.
+/// Creates the model of an organ that a jaw holds at this arc length, m. Called in the worker thread.
 using GraspMaker = std::function<std::unique_ptr<GraspedOrgan>(double arc_m)>;
 
-/// Runs a model that takes longer than a tick, outside the servo: reads the newest question, moves the model on
-/// by a frame, delivers torque and slope. What throws or is no number is delivered as broken, and the model
-/// is made anew. The servo is never waited for, and never waits.
+/// Runs a model that is slower than a tick in parallel with the servo: reads the latest command, advances the
+/// model by a frame, and delivers torque and slope. If the model throws or returns NaN, reports it as broken
+/// and rebuilds it. Neither side blocks the other.
 class AsyncModelWorker {
  public:
-  /// Prepares the work for a scene that such a model answers. `link` outlives the worker. `shape`: gets the
-  /// organ's shape after each frame; null: nobody looks. `make`: empty: the model of the scene.
+  /// Prepares a worker for a scene with such a model. `link` outlives the worker. `shape`: receives the
+  /// organ's shape after each frame; may be null. `make`: if empty, the scene's model.
   AsyncModelWorker(std::shared_ptr<const Scene> scene, AsyncLink& link, std::shared_ptr<LatestShape> shape,
                    GraspMaker make = {});
-  /// Ends the work after the frame that is being computed.
+  /// Stops after the current frame.
   ~AsyncModelWorker();
   AsyncModelWorker(const AsyncModelWorker&) = delete;
   AsyncModelWorker& operator=(const AsyncModelWorker&) = delete;
 
-  /// Works in a thread of its own from now on, frame after frame. Once, and not after work().
+  /// Computes frames in a separate thread from now on. Call once, and not after work().
   void start();
-  /// Computes one frame for the newest question, in the calling thread. False: nothing is held, and there was
-  /// nothing to do. Not after start().
+  /// Computes one frame for the latest command in the calling thread. Returns false if nothing is held and
+  /// there is nothing to do. Not after start().
   bool work();
 
-  /// Returns how many frames a second the model manages on this machine, by the last ones; 0 before the
-  /// first. Any thread.
+  /// Returns the model's recent frame rate on this machine, 1/s; 0 before the first frame. Any thread.
   [[nodiscard]] double framesPerSecond() const noexcept { return rate_per_s_.load(); }
 
  private:
@@ -80,7 +79,7 @@ class AsyncModelWorker {
   std::shared_ptr<LatestShape> shape_;
   GraspMaker make_;
   std::unique_ptr<GraspedOrgan> organ_;
-  double arc_m_ = 0.0;  // of the jaw of organ_
+  double arc_m_ = 0.0;  // jaw position of organ_
   std::int64_t delivered_ = 0;
   int framesAtRest_ = 0;
   double meanFrame_s_ = 0.0;

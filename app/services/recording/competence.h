@@ -20,26 +20,26 @@ namespace torsio {
 
 class Connection;
 
-/// Whether the rules of a module ask for the untwisting of an organ.
+/// Returns whether the rules of a module are about untwisting.
 [[nodiscard]] bool asksForUntwisting(const TrainingModule& module);
 
-/// Whether a run in this mode counts at a module: graded, unless the module is there for practice.
+/// Returns whether a run in this mode counts for a module: graded, or any mode in a practice module.
 [[nodiscard]] bool countsAt(const TrainingModule& module, std::optional<AttemptMode> mode) noexcept;
 
-/// The rule of competence of a module by a design; whether organs are untwisted as far as its rules tell.
+/// Returns a module's rule of competence for a design, and whether it is about untwisting, judging by its
+/// rules.
 [[nodiscard]] CompetenceRule ruleOf(const TrainingModule& module, const CompetenceDesign& design);
 
-/// Judges a trainee at one module: the design in force, its error rates, the level. Trainee's screen,
-/// transcript, report and export all show this answer and compute none of their own. Recordings that were not
-/// measured yet are measured and kept. Runs that began after `lastUtc_us` do not count: what was so then.
-/// Throws Error, DbError.
+/// Returns the verdict on a trainee at one module: the design in use, its error rates, the level. Trainee's
+/// screen, transcript, report and export all use it. Measures recordings not measured yet and stores the
+/// results. Ignores runs that began after `lastUtc_us`, to show past states. Throws Error, DbError.
 [[nodiscard]] CompetenceVerdict competenceOf(
     Connection& connection, const std::string& traineeCode, const TrainingModule& module,
     ExerciseRules& rules, std::int64_t now_us,
     std::int64_t lastUtc_us = std::numeric_limits<std::int64_t>::max());
 
-/// Judges everybody at every module of a curriculum version where there is an attempt, for the report. No
-/// version: nobody.
+/// Returns the verdicts on everybody at every attempted module of a curriculum version, for the report. Empty
+/// without a version.
 [[nodiscard]] std::vector<CohortCompetence> competenceOfCohort(Connection& connection,
                                                                const CurriculumVersionId& versionId,
                                                                const std::vector<CohortTrainee>& trainees,

@@ -40,7 +40,7 @@ TrainingModule publishedModule(Connection& connection, const ModuleId& moduleId)
          Text::tr("Choose one from the list"));
 }
 
-/// The mean absolute error of all completed twists of one person at an exercise, degrees; empty: none.
+/// Returns the mean absolute error of a person's completed twists at an exercise, degrees; empty if none.
 std::optional<double> meanError_deg(Connection& connection, const EnrolmentId& enrolmentId,
                                     const TrainingModule& module, ExerciseRules& rules, std::int64_t now_us) {
   TrialFilter filter;

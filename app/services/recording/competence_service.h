@@ -21,26 +21,26 @@ struct ExerciseDesigns {
   std::string title{};
   CompetenceDesign shipped{};
   std::vector<CompetenceDesign> registered{};  ///< oldest first
-  CompetenceRule inForce{};                    ///< for who begins now: the newest design
+  CompetenceRule inForce{};                    ///< for trainees who start now: the latest design
 };
 
-/// The exercises of a published version in their order; no version: of all that were published.
+/// Returns the exercises of a published version in order; without a version, of all published ones.
 /// kPersonViewCoded. Throws Error{kBadData} for an unknown version.
 [[nodiscard]] std::vector<ExerciseDesigns> competenceDesigns(SessionContext& session,
                                                              const CurriculumVersionId& versionId = {});
 
-/// Registers a design for an exercise: the limit is chosen here, both error rates must be kept. It counts for
-/// those who begin later. Audited. Returns what was stored. kCurriculumEdit. Throws Error{kBadParameter}
-/// (plannedCompetence, requireFalseFailKept; a tolerance chosen by hand without a reason), {kBadData} for an
+/// Registers a design for an exercise: chooses the limit so that both error rates are met. Applies to
+/// trainees who start later. Audited. Returns the stored design. kCurriculumEdit. Throws Error{kBadParameter}
+/// (plannedCompetence, requireFalseFailKept; a tolerance set by hand without a reason), {kBadData} for an
 /// unknown exercise.
 CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDesign& design);
 
-/// Fewer experts say too little of what experts do.
+/// Minimum number of experts for a meaningful threshold.
 inline constexpr std::size_t kMinExperts = 8;
 
-/// Derives a tolerance from experts: the people of a cohort, each with the mean absolute error, in degrees,
-/// of the twists made at the scene and pattern of an exercise. kCurriculumEdit. Throws Error{kBadData} for an
-/// unknown exercise, or with fewer than kMinExperts who have a finished run there.
+/// Derives a tolerance from experts: the mean absolute errors, in degrees, of a cohort's people at the scene
+/// and pattern of an exercise. kCurriculumEdit. Throws Error{kBadData} for an unknown exercise, or if fewer
+/// than kMinExperts have a finished run.
 [[nodiscard]] ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId& moduleId,
                                                        const CohortId& expertCohortId);
 

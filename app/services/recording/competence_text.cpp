@@ -10,20 +10,19 @@ namespace torsio {
 std::string percentText(double share) {
   constexpr double kLeast = 0.0005;
   const std::string number = share < kLeast ? "<\u00A00.1" : formatFixed(100.0 * share, 1);
-  return number + "\u00A0%";  // no line ends between number and sign
+  return number + "\u00A0%";  // a no-break space before the sign
 }
 
 namespace {
 
-/// "a twist released within 10.0 degrees (tolerance of the exercise), with a force of at most 3.30 N, in a
-/// run that was finished".
+/// Describes a success: "a twist released within 10.0 degrees (tolerance of the exercise), with a force of at
+/// most 3.30 N, in a run that was finished".
 Text successText(const CompetenceRule& rule) {
   const CompetenceDesign& design = rule.design;
   Text success = rule.untwisting
                      ? Text(Text::tr("an untwisting that passes"))
                      : Text::tr("a twist released within %1 {degree|degrees} (tolerance %2)",
-                                formatFixed(degrees(design.tolerance_rad), 1),
-                                Text(labelOf(design.source)));
+                                formatFixed(degrees(design.tolerance_rad), 1), Text(labelOf(design.source)));
   if (rule.forceLimit_N) {
     success = Text::tr("%1, with a force of at most %2", success,
                        shownValue(Quantity::kPeakForce, *rule.forceLimit_N));

@@ -8,16 +8,16 @@
 
 namespace torsio {
 
-// What every place says of a competence verdict, in the same words.
+// Texts of a competence verdict, the same everywhere.
 
-/// "4.9 %"; below a twentieth of a percent "below 0.1 %".
+/// Returns "4.9 %"; "below 0.1 %" for less than a twentieth of a percent.
 [[nodiscard]] std::string percentText(double share);
 
-/// The whole rule: which design, what a success is, failure rates, attempts.
+/// Describes the whole rule: design, success, failure rates, attempts.
 [[nodiscard]] Text competenceRuleText(const CompetenceRule& rule);
-/// The rates of false passes, false fails and false alarms, within how many attempts.
+/// Describes the rates of false passes, false fails and false alarms, and within how many attempts.
 [[nodiscard]] Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors);
-/// The level in a word, and in how many attempts it shows.
+/// Names the level, and the number of attempts that it is based on.
 [[nodiscard]] Text competenceLevelText(const CompetenceVerdict& verdict);
 
 }  // namespace torsio

@@ -34,7 +34,7 @@ std::optional<DetorsionRules> detorsionRulesOf(const std::string& parametersJson
     rules.vent = detorsion.contains("wall") && detorsion.at("wall").at("vent").get<bool>();
     return rules;
   } catch (const std::exception&) {
-    return std::nullopt;  // parameters of a later version: what they judge stays undefined
+    return std::nullopt;  // parameters of a later version: their metrics stay undefined
   }
 }
 

@@ -10,11 +10,11 @@
 
 namespace torsio {
 
-/// Reads by what an untwisting is judged out of TrialHeader::parametersJson; empty of a recording that is to
-/// be twisted, or of parameters that this version does not know.
+/// Reads the rules for judging an untwisting from TrialHeader::parametersJson; empty for a recording of
+/// twists, or parameters unknown to this version.
 [[nodiscard]] std::optional<DetorsionRules> detorsionRulesOf(const std::string& parametersJson);
 
-/// Adds to the rules of an exercise what the recording itself says about its judgement.
+/// Adds the recording's own judging parameters to the rules of an exercise.
 [[nodiscard]] AttemptRules recordedRules(AttemptRules exercise, const TrialHeader& header);
 
 }  // namespace torsio

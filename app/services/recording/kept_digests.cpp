@@ -71,7 +71,7 @@ double ExerciseRules::patternTolerance_rad(const SceneId& sceneId, const Pattern
       }
     }
   } catch (const Error&) {
-    // A scene of another installation: the usual tolerance of two degrees counts.
+    // A scene of another installation: use the default tolerance of two degrees.
   }
   return known->second;
 }
@@ -81,7 +81,7 @@ std::string modelName(const std::string& parametersJson) {
     const std::optional<Formulation> formulation = sceneRequestFor(parametersJson).formulation;
     return formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
   } catch (const Error&) {
-    return "not known";  // parameters of a later version: the recording counts all the same
+    return "not known";  // parameters of a later version: the recording still counts
   }
 }
 

@@ -21,22 +21,21 @@ namespace torsio {
 
 class Connection;
 
-/// Returns the rule as it is judged by.
+/// Converts a stored criterion to the domain's rule.
 [[nodiscard]] MasteryRule masteryRule(const MasteryCriterion& stored);
 
-/// Everything that a module asks of a run.
+/// Returns all requirements of a module on a run.
 [[nodiscard]] AttemptRules rulesOf(const TrainingModule& module);
 
-/// By what each recording is judged: what its module asks for, else the tolerance of the
-/// scene's pattern in the assets, else kDefaultTolerance_rad. Who looks, and when, changes nothing. One
-/// thread at a time.
+/// Rules for judging each recording: its module's requirements; else the tolerance of the scene's pattern in
+/// the assets; else kDefaultTolerance_rad. Independent of who looks and when. One thread at a time.
 class ExerciseRules {
  public:
-  /// `assets`: where patterns are read; empty: assetsFolder().
+  /// `assets`: folder with the patterns; empty: assetsFolder().
   explicit ExerciseRules(std::filesystem::path assets = {}) : assets_(std::move(assets)) {}
 
-  /// Finds the rules of a recording in `connection`; `moduleId` is empty for one that belongs to no module.
-  /// Throws DbError.
+  /// Finds the rules of a recording in `connection`; `moduleId` is empty if it belongs to no module. Throws
+  /// DbError.
   [[nodiscard]] AttemptRules of(Connection& connection, const SceneId& sceneId, const PatternId& patternId,
                                 const ModuleId& moduleId);
 
@@ -47,33 +46,33 @@ class ExerciseRules {
   [[nodiscard]] double patternTolerance_rad(const SceneId& sceneId, const PatternId& patternId);
 
   std::filesystem::path assets_;
-  std::map<std::string, AttemptRules> modules_;                     // by id; they never change
+  std::map<std::string, AttemptRules> modules_;                     // by id; immutable
   std::map<std::pair<std::string, std::string>, double> patterns_;  // tolerance by scene and pattern
 };
 
-/// Name of the twist model as reports say it, out of the recorded parameters.
+/// Returns the twist model's name as used in reports, from the recorded parameters.
 [[nodiscard]] std::string modelName(const std::string& parametersJson);
 
-/// Turns what was measured into what is stored, with the version of the formulas.
+/// Converts measures to their stored form, with the version of the formulas.
 [[nodiscard]] TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures,
                                      const AttemptRules& rules, std::int64_t now_us);
-/// Turns what is stored back into what was measured, to the last bit.
+/// Converts stored measures back, bit for bit.
 [[nodiscard]] AttemptMeasures measuresFrom(const TrialDigest& kept);
-/// Finds the digest of this very recording, judged by these very rules; null: there is none.
+/// Finds the digest of exactly this recording and these rules; null if there is none.
 [[nodiscard]] const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::string& contentHash,
                                             const AttemptRules& rules);
 
-/// The line of the report for a finished recording: what the trial's own rows say, and what was measured. The
-/// caller fills in the group.
+/// Returns the report's row for a finished recording, from the trial's own data and its measures. The caller
+/// fills in the group.
 [[nodiscard]] TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest);
 
-/// Returns the digest of a finished recording by the rules of its exercise. One of the present version is
-/// read; otherwise the recording is read, measured, and its digest kept beside it, unless the record is
-/// read-only or the recording has no content hash. Slow in that case. Throws Error, DbError.
+/// Returns the digest of a finished recording by its exercise's rules. Reads one of the current version if
+/// stored; otherwise reads and measures the recording, which is slow, and stores the digest unless the record
+/// is read-only or the recording has no content hash. Throws Error, DbError.
 [[nodiscard]] TrialDigest digestOf(Connection& connection, const TrialListing& listing, ExerciseRules& rules,
                                    std::int64_t now_us);
 
-/// Keeps what was measured of a finished recording, unless it is there already, the record is read-only or
+/// Stores the measures of a finished recording, unless they are stored already, the record is read-only or
 /// the recording has no content hash.
 void keepDigest(Connection& connection, const Trial& trial, const AttemptMeasures& measures,
                 const AttemptRules& rules, std::int64_t now_us);

@@ -14,7 +14,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kMaxSamples = 1'500'000;  // decoded, some hundred bytes each
+constexpr std::int64_t kMaxSamples = 1'500'000;  // decoded; about a hundred bytes each
 
 std::vector<TrialDigest> measuredInTurn(const std::vector<RecordingToMeasure>& recordings,
                                         std::int64_t now_us) {

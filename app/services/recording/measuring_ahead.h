@@ -13,27 +13,26 @@
 
 namespace torsio {
 
-/// A recording as it lies in the record, and by what it is judged.
+/// A stored recording and the rules for judging it.
 struct RecordingToMeasure {
   Trial trial{};
   AttemptRules rules{};
 };
 
-/// Decodes and measures recordings on every core while the thread that owns this reads the next ones. What
-/// comes out is what one core would have made of them, in the order in which they were given. It waits at its
-/// end for what is under way.
+/// Decodes and measures recordings on all cores while the owning thread reads the next ones. The results and
+/// their order are the same as on one core. The destructor waits for work in progress.
 class MeasuringAhead {
  public:
-  /// `now_us`: when the digests say that they were computed.
+  /// `now_us`: computation time written into the digests.
   explicit MeasuringAhead(std::int64_t now_us) : now_us_(now_us) {}
 
-  /// Whether so many samples more may be given now; otherwise take some first, so that memory stays bounded.
-  /// Always true while nothing is under way.
+  /// Returns whether this many more samples may be given now; otherwise take some results first, so that
+  /// memory stays bounded. Always true if nothing is in progress.
   [[nodiscard]] bool hasRoomFor(std::int64_t samples) const;
-  /// Begins with these; they are measured one after the other.
+  /// Starts measuring a batch, one recording after the other.
   void give(std::vector<RecordingToMeasure> recordings);
   [[nodiscard]] bool empty() const { return underWay_.empty(); }
-  /// Waits for those that were given first. Throws Error where a recording cannot be read.
+  /// Waits for the oldest batch. Throws Error if a recording cannot be read.
   [[nodiscard]] std::vector<TrialDigest> take();
 
  private:
@@ -44,7 +43,7 @@ class MeasuringAhead {
 
   std::int64_t now_us_;
   std::deque<Batch> underWay_;
-  std::int64_t samples_ = 0;  ///< of all that is under way
+  std::int64_t samples_ = 0;  ///< of all batches in progress
 };
 
 }  // namespace torsio

@@ -17,7 +17,7 @@ namespace torsio {
 
 namespace {
 
-/// The task of undoing the organ as it comes in this trial, as this hand goes about it.
+/// Returns the task of untwisting this trial's organ with this hand's habits.
 HandTask untwistingOf(const Scene& scene, const ScriptedTrial& trial) {
   HandTask task = detorseTask(scene, detorsionSeed(trial.recording.trialId));
   const std::size_t leftOut = std::min(trial.turnsLeftOut, task.turns.size() - 1);
@@ -37,7 +37,7 @@ ScriptedHandOptions handOf(const Scene& scene, const ScriptedTrial& trial) {
   return hand;
 }
 
-/// Lengthens the trial by a tenth at a time until the plan holds enough twists.
+/// Lengthens the trial by ten percent at a time until the plan contains enough twists.
 void lengthen(ScriptedHandOptions& hand, std::size_t fewestTwists) {
   constexpr double kLonger = 1.1;
   constexpr double kLongest_s = 3600.0;
@@ -65,13 +65,14 @@ TrialSummary recordScriptedTrial(const Scene& scene, const ScriptedTrial& trial,
 namespace {
 
 constexpr double kLongestPlan_s = 30.0;
-constexpr double kAfterwards_s = 0.3;  // the organ comes to rest
+constexpr double kAfterwards_s = 0.3;  // time for the organ to come to rest
 constexpr HandProfile kNothingLeftToLearn{
     .initialSkill = 1.0, .finalSkill = 1.0, .learningTime_min = 1.0, .tremorFrequency_Hz = 10.0};
 
 ScriptedHandOptions expertHand(const Scene& scene, double target_rad) {
   ScriptedHandOptions hand;
-  hand.task = scene.comesTwisted() ? detorseTask(scene, detorsionSeed("expert")) : handTask(scene, target_rad);
+  hand.task =
+      scene.comesTwisted() ? detorseTask(scene, detorsionSeed("expert")) : handTask(scene, target_rad);
   hand.profile = kNothingLeftToLearn;
   hand.duration_s = kLongestPlan_s;
   return hand;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole flow of Torsio, and where to read on:
+// Data flow of Torsio, and where to read on:
 //
 //   device -> servo -> tissue -> recorder -> database -> assessment -> report
-//   \_______________ wired here _______________/
+//   \_____________ connected here _____________/
 //
-//   device      a stylus, a mouse or a scripted hand says where the instrument is (sim/device)
-//   servo       each millisecond: collide, step the tissue, govern the force (sim/servo/servo_loop.cpp)
-//   tissue      answers angle and place of the jaw with torque and force (sim/tissue)
-//   beside      a model that takes longer than a tick delivers torque and slope (async_model_worker.h)
-//   recorder    packs what happened, second by second (sim/record/recorder.cpp)
-//   database    a sink takes header, chunks and summary (unstored_trials.h, db/repository)
-//   assessment  reads a stored trial: twists, metrics, marks, statistics (assessment)
-//   report      lays the results out (app/outputs/report, app/outputs/pdf)
+//   device      a stylus, a mouse or a scripted hand provides the pose of the instrument (sim/device)
+//   servo       each millisecond: detects collisions, steps the tissue, limits the force
+//   (sim/servo/servo_loop.cpp) tissue      computes torque and force from angle and position of the jaw
+//   (sim/tissue) async       a model that is slower than a tick delivers torque and slope
+//   (async_model_worker.h) recorder    packs the samples, second by second (sim/record/recorder.cpp) database
+//   a sink stores header, chunks and summary (unstored_trials.h, db/repository) assessment  evaluates stored
+//   trials: twists, metrics, marks, statistics (assessment) report      presents the results
+//   (app/outputs/report, app/outputs/pdf)
 //
-// Between the threads there are only rings and a snapshot: the servo never waits for a disk or for a window.
+// Threads share only ring buffers and a snapshot: the servo never waits for a disk or a window.
 #include "app/services/recording/recorded_run.h"
 
 #include <utility>
@@ -26,11 +26,11 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kCommandsWaiting = 64;
-constexpr std::int64_t kPumpEvery_us = 1'000'000;  // well within what the ring of the recording holds
+constexpr std::int64_t kPumpEvery_us = 1'000'000;  // well below the capacity of the recording's ring
 
 constexpr std::int64_t kTicksOfAFrame = 17;  // of an asynchronous model, in the time of step()
 
-/// A hand leads the instrument now: it is held at the surface.
+/// A hand now guides the instrument: it is kept at the surface.
 ServoOptions liveOptions(const TrialHeader& header) {
   ServoOptions options = servoOptions(header);
   options.holdsBack = true;
@@ -65,7 +65,7 @@ RecordedRun::RecordedRun(std::shared_ptr<const Scene> scene, std::unique_ptr<Hap
 
 RecordedRun::~RecordedRun() = default;
 
-/// The servo reads the device, asks the tissue of the scene, and tells the recorder and the window.
+/// Connects the servo to the device, the scene's tissue, the recorder and the window.
 ServoLoop::Links RecordedRun::links() noexcept {
   return {.device = device_.get(),
           .scene = scene_.get(),

@@ -46,7 +46,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of the system say "key : value" or "KEY=value". Empty: no such file or key.
+/// Reads system files with "key : value" or "KEY=value". Empty if the file or key is missing.
 std::string valueOf(const fs::path& file, const std::string& key, char separator) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -82,7 +82,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder) {
   return entries;
 }
 
-/// The vendor's name where its driver tells it, else driver and PCI number.
+/// Returns the vendor's name if the driver provides it, else driver and PCI number.
 std::string graphicsCard(const fs::path& root) {
   for (const fs::path& card : entriesOf(root / "proc/driver/nvidia/gpus")) {
     if (std::string name = valueOf(card / "information", "Model", ':'); !name.empty()) {

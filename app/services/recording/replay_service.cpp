@@ -18,7 +18,7 @@ namespace torsio {
 
 namespace {
 
-/// The one trial whose id is `text` or begins with it.
+/// Returns the single trial whose id is `text` or begins with it.
 std::string fullTrialId(TrialRepository& trials, const std::string& text) {
   TrialFilter everything;
   everything.limit = std::numeric_limits<std::int32_t>::max();

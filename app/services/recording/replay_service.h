@@ -11,38 +11,37 @@
 
 namespace torsio {
 
-/// The stored trial whose id is `trialId` or, alone of all, begins with it. The database is opened read-only.
-/// Throws Error: no such trial, several such trials, or what the database refuses.
+/// Loads the stored trial whose id is `trialId` or uniquely begins with it. Opens the database read-only.
+/// Throws Error for no or several matching trials, and errors of the database.
 [[nodiscard]] Trial loadStoredTrial(const std::string& database, const TrialId& trialId);
 
-/// A stored trial with the rules of its exercise.
+/// A stored trial with its exercise's rules.
 struct LoadedRun {
   Trial trial;
   AttemptRules rules;
 };
-/// Loads a trial as loadStoredTrial does, and finds by what it is judged. `assets`: where patterns are read;
+/// Loads a trial like loadStoredTrial(), with the rules for judging it. `assets`: folder with the patterns;
 /// empty: assetsFolder(). Throws the same.
 [[nodiscard]] LoadedRun loadStoredRun(const std::string& database, const TrialId& trialId,
                                       const std::filesystem::path& assets = {});
 
 struct ReplayRequest {
   std::string database;  ///< file or postgresql:// locator, opened read-only
-  TrialId trialId;       ///< or its first characters, when no other trial begins so
+  TrialId trialId;       ///< or a unique prefix
   std::filesystem::path assets;
-  std::optional<std::filesystem::path> organFile;  ///< when the trial was recorded on a user's mesh
+  std::optional<std::filesystem::path> organFile;  ///< if the trial was recorded on a user's mesh
   double organScale_m = 0.001;
 };
 
-/// A trial that was run again.
+/// Result of replaying a trial.
 struct ReplayResult {
   TrialHeader header;
   TrialSummary summary;
   ReplayReport report;
 };
 
-/// Loads a stored trial, rebuilds its scene, runs it again from its device samples and compares every tick.
-/// Throws Error: no such trial, damaged chunks, or an organ or parameters that are not those of the
-/// recording.
+/// Loads a stored trial, rebuilds its scene, replays its device samples and compares every tick. Throws
+/// Error: no such trial, damaged chunks, or an organ or parameters different from the recording's.
 [[nodiscard]] ReplayResult replayStoredTrial(const ReplayRequest& request);
 
 }  // namespace torsio

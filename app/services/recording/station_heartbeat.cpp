@@ -13,7 +13,7 @@ namespace torsio {
 
 namespace {
 
-// A trial that has just begun is in the database within the second, unless that is away.
+// A trial that has just begun is in the database within a second, if that is reachable.
 constexpr std::int64_t kAgain_us = 1'000'000;
 
 }  // namespace
@@ -60,7 +60,7 @@ void StationHeartbeat::send() {
   } catch (const DbError& error) {
     answered_ = error.fault() != DbFault::kUnreachable;
     shownTrial_.clear();
-    next_us_ = now_us + kHeartbeat_us;  // each attempt may cost seconds while the server is away
+    next_us_ = now_us + kHeartbeat_us;  // each attempt may take seconds while the server is unreachable
   }
 }
 

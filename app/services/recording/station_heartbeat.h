@@ -10,26 +10,25 @@
 
 namespace torsio {
 
-/// Between two heartbeats: three fit into kStationSilence_us.
+/// Interval of heartbeats: three fit into kStationSilence_us.
 inline constexpr std::int64_t kHeartbeat_us = 10'000'000;
 
-/// The heartbeats of this station (StationRepository): who is signed in, which trial runs, which version,
-/// which device.
-/// Belongs to the thread of its session. A database that is away is no error here: the board then shows
-/// that the station is silent.
+/// Writes the heartbeats of this station (StationRepository): signed-in user, running trial, version, device.
+/// Belongs to its session's thread. An unreachable database is no error here: the board then shows the
+/// station as silent.
 class StationHeartbeat {
  public:
   explicit StationHeartbeat(SessionContext& session) : session_(&session) {}
 
-  /// What runs from now on; empty: nothing. Shown with the next heartbeat that finds it in the database.
+  /// Sets the running trial; empty: none. Shown with the first heartbeat that finds it in the database.
   void show(const TrialId& trialId);
-  /// Which device this station has, and what its last check found.
+  /// Sets this station's device and the result of its last check.
   void showDevice(const StationDevice& device);
-  /// Call it often: it writes when something changed or kHeartbeat_us have passed.
+  /// Call it often: writes after a change or every kHeartbeat_us.
   void send();
-  /// False when the database was away at the last heartbeat.
+  /// Returns false if the database was unreachable at the last heartbeat.
   [[nodiscard]] bool answered() const noexcept { return answered_; }
-  /// The station is closed down in good order.
+  /// Reports that the station closes down.
   void leave();
 
  private:

@@ -23,7 +23,7 @@ namespace torsio {
 
 namespace {
 
-// The clock of a run and the recording differ by less than this.
+// Tolerance between a run's clock and its recording.
 constexpr std::int64_t kAgreesWithin_us = 500'000;
 
 std::optional<Enrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
@@ -37,9 +37,10 @@ std::optional<Enrolment> enrolmentOf(StudyRepository& studies, const std::string
   return std::nullopt;
 }
 
-/// Training time that a recording proves and nobody logged; its station or its database went down before.
+/// Logs training time proved by a recording but not logged, because station or database failed before;
+/// returns that time.
 std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
-  // Time on the real arm is logged by its own clock; the samples of a tracker are no ticks.
+  // Time on the real arm is logged by its own clock; a tracker's samples are not ticks.
   if (trial.enrolmentId.empty() || isForeign(trial.sceneId)) {
     return 0;
   }
@@ -83,7 +84,7 @@ SettledTrial settled(SessionContext& session, TrialListing trial, bool fromFile)
   return {std::move(trial), fromFile, added_us};
 }
 
-/// As the database has it: what it was told when the recording began counts.
+/// Returns the database's version: what was stored when the recording began counts.
 TrialListing listingOf(TrialRepository& trials, const Trial& trial) {
   const TrialContext context = trials.context(trial.header.trialId).value_or(TrialContext{});
   return {.trialId = trial.header.trialId,
@@ -101,7 +102,7 @@ TrialListing listingOf(TrialRepository& trials, const Trial& trial) {
           .attemptMode = context.attemptMode};
 }
 
-/// Measures a recording that ended just now and keeps its digest; free practice is nobody's and is not
+/// Measures a recording that has just ended and stores its digest; free practice belongs to nobody and is not
 /// measured.
 void measureNow(SessionContext& session, const TrialListing& trial) {
   if (trial.enrolmentId.empty()) {
@@ -119,7 +120,7 @@ SettledTrial store(SessionContext& session, const UnstoredTrial& waiting) {
   measureNow(session, listing);
   SettledTrial stored = settled(session, std::move(listing), true);
   transaction.commit();
-  std::error_code ignored;  // given once more at the next start, which is no error
+  std::error_code ignored;  // stored again at the next start, which is harmless
   std::filesystem::remove(waiting.file, ignored);
   return stored;
 }

@@ -13,27 +13,27 @@
 
 namespace torsio {
 
-/// A trial of this station with no heartbeat for so long was interrupted.
+/// A trial of this station without a heartbeat for this time was interrupted.
 inline constexpr std::int64_t kQuietTrial_us = 10'000'000;
 
-/// A recording that the station put in order.
+/// A recording that was stored or closed at start.
 struct SettledTrial {
   TrialListing trial{};
-  bool fromFile = false;              ///< the database had been away; else it was closed as interrupted
-  std::int64_t exposureAdded_us = 0;  ///< training time of the recording that had not been logged yet
+  bool fromFile = false;              ///< true: stored from a file, because the database was unreachable;
+                                      ///< false: closed as interrupted
+  std::int64_t exposureAdded_us = 0;  ///< training time that was not logged yet
 };
 
 struct StationStart {
   std::vector<SettledTrial> trials{};
-  /// Recordings that wait in a file and could not be stored: one plain sentence each. Their files are kept.
+  /// One sentence for each recording in a file that could not be stored. The files are kept.
   std::vector<Text> kept{};
 };
 
-/// What a station owes the record when it starts: first the recordings that went to files are stored with all
-/// that they were made for, and their files removed; then the trials of this station that were cut off are
-/// closed as interrupted; the training time that either proves is logged. Audited. For the start of the
-/// program too, when nobody is signed in: it shows nobody's data. Throws DbError (the database is away); then
-/// the files are still there.
+/// Cleans up at a station's start: stores recordings from files with their context and removes the files;
+/// closes this station's interrupted trials; logs the training time that either proves. Audited. Also runs at
+/// program start, when nobody is signed in, since it shows nobody's data. Throws DbError if the database is
+/// unreachable; the files are then kept.
 StationStart settleStation(SessionContext& session, const std::filesystem::path& folder = unstoredFolder());
 
 }  // namespace torsio

@@ -24,7 +24,7 @@ bool isAway(const std::exception& problem) {
   return database != nullptr && database->retryable();
 }
 
-/// The line's own session with its heartbeat.
+/// The thread's own session and heartbeat.
 struct Desk {
   std::unique_ptr<SessionContext> session;
   std::optional<StationHeartbeat> heartbeat;
@@ -46,15 +46,15 @@ struct StationWriter::State {
   Actor actor;
   TrialId trialId;
   StationDevice device;
-  std::optional<Steady::time_point> since;  // of the present try
+  std::optional<Steady::time_point> since;  // start of the current attempt
   std::size_t refused = 0;
-  bool fresh = true;  // something is to be done at once
+  bool fresh = true;  // work to do at once
   bool failed = false;
   bool stop = false;
   bool leaveBoard = false;
   bool ended = false;
 
-  /// One round. Throws what the database throws.
+  /// Runs one round. Throws what the database throws.
   void serve(Desk& desk) {
     if (!desk.session) {
       desk.session = open();
@@ -139,7 +139,7 @@ void StationWriter::run(const std::shared_ptr<State>& state) {
       state->serve(desk);
     } catch (const std::exception&) {
       failed = true;
-      desk = {};  // a connection that was lost stays lost
+      desk = {};  // a lost connection cannot be reused
     }
     const std::lock_guard lock(state->mutex);
     state->since.reset();
@@ -231,7 +231,7 @@ void StationWriter::end(bool leaveBoard) {
     state_->changed.notify_all();
     ended = state_->changed.wait_for(lock, state_->patience.farewell, [&] { return state_->ended; });
   }
-  // A thread that waits for a dead server is left to itself: it owns all that it touches.
+  // A thread blocked by a dead server is left to finish by itself: it owns everything that it uses.
   if (ended) {
     thread_.join();
   } else {

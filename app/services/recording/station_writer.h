@@ -14,48 +14,49 @@
 
 namespace torsio {
 
-/// How patient a StationWriter is. Tests use shorter times.
+/// Time-outs of a StationWriter. Tests use shorter ones.
 struct LinePatience {
-  std::chrono::milliseconds again{3'000};      ///< between two tries while the database is away
-  std::chrono::milliseconds heartbeat{1'000};  ///< between two looks whether a heartbeat is due
-  std::chrono::milliseconds silence{3'000};    ///< an answer that takes longer is none
-  std::chrono::milliseconds farewell{2'000};   ///< for what is still to be written when the line ends
+  std::chrono::milliseconds again{3'000};      ///< between attempts while the database is unreachable
+  std::chrono::milliseconds heartbeat{1'000};  ///< between checks whether a heartbeat is due
+  std::chrono::milliseconds silence{3'000};    ///< an attempt that takes longer counts as failed
+  std::chrono::milliseconds farewell{2'000};   ///< for pending writes at the end
 };
 
-/// The line of one station to its database, on a thread and a connection of its own, so that nobody who looks
-/// at a window waits for a server: heartbeats (StationHeartbeat), and small writes that need no answer.
-/// Writes keep their order and are tried again while the database is away. A server that neither answers nor
-/// refuses holds up this thread and nothing else.
+/// Writes a station's heartbeats (StationHeartbeat) and small changes that need no result to the database, on
+/// its own thread and connection, so that the window never waits for a server. Writes keep their order and
+/// are retried while the database is unreachable. A server that hangs blocks only this thread.
 class StationWriter {
  public:
-  /// Opens the database; throws Error, DbError. Called in the line's thread.
+  /// Opens the database; throws Error, DbError. Called in the writer's thread.
   using Open = std::function<std::unique_ptr<SessionContext>()>;
   using Write = std::function<void(SessionContext&)>;
 
   explicit StationWriter(const SessionKey& key, const LinePatience& patience = {});
   StationWriter(Open open, const LinePatience& patience);
-  /// Waits `farewell` at most.
+  /// Waits at most `farewell`.
   ~StationWriter();
   StationWriter(const StationWriter&) = delete;
   StationWriter& operator=(const StationWriter&) = delete;
 
-  /// Who sits at the station from now on: shown on the board, and the actor of the writes that follow.
+  /// Sets the user at the station: shown on the board, and the actor of later writes.
   void signIn(const Actor& actor);
-  /// Which trial runs; empty: none.
+  /// Sets the running trial; empty: none.
   void show(const TrialId& trialId);
-  /// Which device this station has. One that was not checked takes the place of none, or of another one, but
-  /// never of a check of the same.
+  /// Sets this station's device. An unchecked one replaces none or a different one, but never a checked one
+  /// of the same name.
   void showDevice(const StationDevice& device);
-  /// Does it soon, as the present actor. What the database refuses for good is given up and counted.
+  /// Queues a write as the current actor. Writes that the database rejects permanently are dropped and
+  /// counted.
   void write(Write write);
 
-  /// False while the database is away: the last try failed, or the present one has lasted too long.
+  /// Returns false while the database is unreachable: the last attempt failed, or the current one takes too
+  /// long.
   [[nodiscard]] bool answers() const;
   [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] std::size_t refused() const;
-  /// Waits until everything was written and shown. False when it took longer than `limit`.
+  /// Waits until all writes and heartbeats are done. Returns false after `limit`.
   [[nodiscard]] bool settled(std::chrono::milliseconds limit) const;
-  /// The station is closed in good order: it leaves the board, and the line ends. Waits `farewell` at most.
+  /// Closes the station properly: removes it from the board and ends the thread. Waits at most `farewell`.
   void leave();
 
  private:

@@ -14,7 +14,7 @@ struct TimedTrialSink::State {
   std::unique_ptr<TrialSink> sink;
   std::mutex mutex;
   std::condition_variable changed;
-  Call call;  // empty: nothing to do
+  Call call;  // empty: no call pending
   std::exception_ptr problem;
   bool answered = false;
   bool stop = false;
@@ -60,7 +60,7 @@ void TimedTrialSink::run(const std::shared_ptr<State>& state) {
     state->changed.notify_all();
   }
   lock.unlock();
-  state->sink.reset();  // where its connection was opened
+  state->sink.reset();  // in the thread that opened its connection
 }
 
 void TimedTrialSink::call(Call call) {
@@ -82,7 +82,7 @@ void TimedTrialSink::call(Call call) {
     state_->stop = true;
     lost_ = true;
     lock.unlock();
-    thread_.detach();  // it owns the sink, and ends with the call that it waits for
+    thread_.detach();  // the thread owns the sink and ends after the pending call
     refuse();
   }
   if (state_->problem) {
@@ -90,7 +90,7 @@ void TimedTrialSink::call(Call call) {
   }
 }
 
-// The arguments are copied: a call may outlive the one who made it.
+// The arguments are copied: a call may outlive its caller.
 void TimedTrialSink::begin(const TrialHeader& header) {
   call([header](TrialSink& sink) { sink.begin(header); });
 }

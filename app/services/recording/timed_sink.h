@@ -10,13 +10,12 @@
 
 namespace torsio {
 
-/// The recorder's ring holds eight seconds: two calls of this length fit.
+/// The recorder's ring holds eight seconds, enough for two calls of this length.
 inline constexpr std::chrono::milliseconds kSinkPatience{3'500};
 
-/// A sink that is never waited for longer than `patience`: each call runs in a thread of the sink's own. One
-/// that takes longer is left to itself, and this and every further call is refused with
-/// DbError{kUnreachable}; the recorder then keeps the trial in a file, at `place`. For a server that neither
-/// answers nor refuses, which no time-out of the connection notices.
+/// A sink whose calls return within `patience`: each call runs in the sink's own thread. If one takes longer,
+/// it is abandoned, and this and all further calls throw DbError{kUnreachable}; the recorder then keeps the
+/// trial in a file, at `place`. For servers that hang, which no connection time-out detects.
 class TimedTrialSink final : public SpillingTrialSink {
  public:
   explicit TimedTrialSink(std::unique_ptr<TrialSink> sink, SpillPlace place = {},
@@ -37,7 +36,7 @@ class TimedTrialSink final : public SpillingTrialSink {
   static void run(const std::shared_ptr<State>& state);
 
   std::shared_ptr<State> state_;
-  std::thread thread_;  // from the first call on
+  std::thread thread_;  // from the first call
   SpillPlace place_;
   std::chrono::milliseconds patience_;
   bool lost_ = false;

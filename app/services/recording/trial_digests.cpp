@@ -29,7 +29,7 @@ constexpr std::int64_t kEveryTrial = 10'000'000;
 constexpr std::int64_t kKeepEvery_samples = 2'500'000;  // forty minutes of recordings
 constexpr std::int64_t kBatch_samples = 100'000;
 
-/// Where an enrolment stands in the study.
+/// Position of an enrolment in the study.
 struct Place {
   std::size_t group = 0;
   std::int64_t number = 0;  ///< in the group
@@ -48,7 +48,7 @@ std::map<std::string, Place> placesOf(StudyRepository& study, const CohortId& co
   return out;
 }
 
-/// Positions of the phases of the protocol that a cohort follows.
+/// Returns the positions of the phases of a cohort's protocol.
 std::map<std::string, std::size_t> phasePositions(Connection& connection, const CohortId& cohortId) {
   std::map<std::string, std::size_t> out;
   const CurriculumVersionId versionId = StudyRepository(connection).cohort(cohortId).curriculumVersionId;
@@ -64,8 +64,8 @@ std::map<std::string, std::size_t> phasePositions(Connection& connection, const 
   return out;
 }
 
-/// The finished trials of those enrolments in the order in which they were recorded. Imported recordings may
-/// share one start time: then the protocol says what came first, never an id that was drawn.
+/// Returns the enrolments' finished trials in the order of recording. Imported recordings may have equal
+/// start times: then the protocol determines the order, never a random id.
 std::vector<TrialListing> finishedTrials(Connection& connection, const CohortId& cohortId,
                                          const std::map<std::string, Place>& places) {
   TrialFilter filter;
@@ -95,7 +95,7 @@ std::vector<TrialListing> finishedTrials(Connection& connection, const CohortId&
 
 using Kept = std::map<std::string, std::vector<TrialDigest>>;
 
-/// What was kept of the trials of a cohort by the present formulas, by trial.
+/// Returns the digests of a cohort's trials with the current formulas, by trial.
 Kept keptOf(Connection& connection, const CohortId& cohortId) {
   Kept kept;
   for (auto& [trialId, digest] : DigestRepository(connection).ofCohort(cohortId, kMetricsVersion)) {
@@ -104,7 +104,7 @@ Kept keptOf(Connection& connection, const CohortId& cohortId) {
   return kept;
 }
 
-/// Digests that are new, stored many at a time: a program that is killed loses some seconds of work.
+/// New digests, stored in batches: killing the program loses only seconds of work.
 class Fresh {
  public:
   explicit Fresh(Connection& connection) : connection_(connection) {}
@@ -132,14 +132,13 @@ class Fresh {
   std::int64_t waiting_samples_ = 0;
 };
 
-/// A recording whose digest is not kept yet.
+/// A recording without a stored digest.
 struct Unmeasured {
-  std::size_t place = 0;  ///< among the listed ones
+  std::size_t place = 0;  ///< index in the list
   AttemptRules rules{};
 };
 
-/// Where the recordings that are given to one core at a time end: a good second of work, unless one of them
-/// is longer.
+/// Returns the end of the next batch for one core: about a second of work, or one longer recording.
 std::size_t endOfBatch(const std::vector<TrialListing>& listed, const std::vector<Unmeasured>& unmeasured,
                        std::size_t from) {
   std::int64_t samples = 0;
@@ -153,7 +152,7 @@ std::size_t endOfBatch(const std::vector<TrialListing>& listed, const std::vecto
   return end;
 }
 
-/// Reads and measures recordings, keeps their digests and fills in their rows.
+/// Reads and measures recordings, stores their digests and fills in their rows.
 void measure(Connection& connection, const std::vector<TrialListing>& listed,
              const std::vector<Unmeasured>& unmeasured, std::int64_t now_us, const ProgressCallback& progress,
              std::vector<TrialSummaryRow>& rows) {
@@ -199,7 +198,7 @@ void measure(Connection& connection, const std::vector<TrialListing>& listed,
       take();
     }
   } catch (...) {
-    fresh.keep();  // given up, or a recording that cannot be read: the others need not be measured again
+    fresh.keep();  // cancelled, or an unreadable recording: the others need not be measured again
     throw;
   }
   fresh.keep();

@@ -17,30 +17,28 @@ namespace torsio {
 
 class Connection;
 
-/// What recorded trials come down to. It is measured once, usually when the run ends, and kept in the record
-/// (kept_digests.h); what an older version of the program recorded is measured and kept here. One thread at a
-/// time.
+/// Digests of recorded trials. Each is measured once, usually at the end of the run, and stored
+/// (kept_digests.h); recordings of older program versions are measured and stored here. One thread at a time.
 class TrialDigests {
  public:
-  /// `assets`: where the tolerances of exercises without a curriculum are read.
+  /// `assets`: source of tolerances for exercises without a curriculum.
   explicit TrialDigests(std::filesystem::path assets) : rules_(std::move(assets)) {}
 
-  /// Digests of the finished trials of a cohort in the order in which they were recorded (at one time: by
-  /// phase, group and number in the group, whatever their ids); groups are positions among the cohort's
-  /// groups, trials of people without a group are left out. Those that nobody has measured by the present
-  /// formulas are read and measured, which takes a second for twenty minutes; `progress` is told and
-  /// may throw to give up; most of what was measured until then is kept. kResultsCompute.
-  /// Throws Error, DbError.
+  /// Returns digests of a cohort's finished trials in the order of recording (at equal times: by phase, group
+  /// and number in the group, never by id); groups are positions in the cohort, trials of people without a
+  /// group are omitted. Reads and measures recordings that have no digest with the current formulas, at about
+  /// a second per twenty minutes; `progress` may throw to cancel; most of what was measured until then is
+  /// stored. kResultsCompute. Throws Error, DbError.
   [[nodiscard]] std::vector<TrialSummaryRow> ofCohort(SessionContext& session, const CohortId& cohortId,
                                                       const ProgressCallback& progress = {});
 
-  /// Verdicts about everybody at every exercise of a curriculum version
+  /// Returns verdicts on everybody at every exercise of a curriculum version
   /// (app/services/recording/competence.h). kResultsCompute.
   [[nodiscard]] std::vector<CohortCompetence> competenceOf(SessionContext& session,
                                                            const CurriculumVersionId& versionId,
                                                            const std::vector<CohortTrainee>& trainees);
 
-  /// Both without a right, for whoever owns the file of the record.
+  /// Like the functions above without a right, for the owner of the record's file.
   [[nodiscard]] std::vector<CohortCompetence> readCompetence(Connection& connection,
                                                              const CurriculumVersionId& versionId,
                                                              const std::vector<CohortTrainee>& trainees,
@@ -48,7 +46,7 @@ class TrialDigests {
   [[nodiscard]] std::vector<TrialSummaryRow> read(Connection& connection, const CohortId& cohortId,
                                                   std::int64_t now_us, const ProgressCallback& progress = {});
 
-  /// Recordings that had to be read since this was made.
+  /// Returns the number of recordings measured since construction.
   [[nodiscard]] std::size_t measured() const noexcept { return measured_; }
 
  private:

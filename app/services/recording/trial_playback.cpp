@@ -14,7 +14,8 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kKeptDecoded = 4;  // stepping to and fro over a border decodes nothing anew
+constexpr std::size_t kKeptDecoded = 4;  // stepping back and forth across a chunk border decodes nothing
+                                         // again
 
 double targetAfter(double target_rad, const Sample& sample) noexcept {
   return sample.command.kind == ServoCommand::Kind::kSetTarget ? sample.command.value : target_rad;

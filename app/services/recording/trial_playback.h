@@ -13,45 +13,45 @@
 
 namespace torsio {
 
-/// A recorded trial to be looked at: any instant, any speed. It shows the answers as they were recorded;
-/// that the same device samples give them again bit for bit is replayTrial's business (sim/servo).
+/// Plays a recorded trial, from any instant at any speed. Shows the recorded values; replayTrial (sim/servo)
+/// proves that the device samples reproduce them.
 ///
-/// The chunks stay as they were recorded; only those round the playhead lie decoded, so that forty minutes
-/// take tens of megabytes and not hundreds. One thread.
+/// Keeps the chunks encoded; only those near the playhead are decoded, so that forty minutes need tens of
+/// megabytes instead of hundreds. One thread.
 class TrialPlayback {
  public:
-  /// The samples of one chunk after the other.
+  /// Receives the samples of one chunk after another.
   using Reader = std::function<void(std::span<const Sample>)>;
 
-  /// Decodes every chunk once, so that nothing can fail while it plays, and shows its samples to `reader`
-  /// (may be empty). Throws Error{kBadData} for a trial that cannot be decoded or holds no sample.
+  /// Decodes every chunk once, so that playing cannot fail, and passes its samples to `reader` (may be
+  /// empty). Throws Error{kBadData} for a trial that cannot be decoded or has no samples.
   explicit TrialPlayback(Trial trial, const Reader& reader = {});
 
   [[nodiscard]] const TrialHeader& header() const noexcept { return header_; }
-  /// What is played, bit for bit as it was recorded.
+  /// Returns the recorded chunks, bit for bit.
   [[nodiscard]] const std::vector<TrialChunk>& chunks() const noexcept { return chunks_; }
   [[nodiscard]] std::int64_t duration_us() const noexcept { return duration_us_; }
   [[nodiscard]] std::int64_t position_us() const noexcept { return position_us_; }
   void seek_us(std::int64_t position_us) noexcept;
 
   [[nodiscard]] bool playing() const noexcept { return playing_; }
-  /// From the end it begins again.
+  /// At the end, playing starts again from the beginning.
   void setPlaying(bool playing) noexcept;
   [[nodiscard]] double speed() const noexcept { return speed_; }
-  /// `speed` > 0; 1 is as it happened.
+  /// `speed` > 0; 1 is real time.
   void setSpeed(double speed);
-  /// Moves on when playing; stops at the end.
+  /// Moves on if playing; stops at the end.
   void advance(double elapsed_s) noexcept;
 
-  /// Gives the shapes of an organ that is a rod, which a recording does not hold.
+  /// Sets the shapes of a rod-like organ, which a recording does not contain.
   void setPoses(PoseTrack poses) { poses_ = std::move(poses); }
 
-  /// What was shown at this instant. The chunk is found by halving and decoded unless it is at hand: a
-  /// recording of hours answers as fast as one of seconds (about a millisecond).
+  /// Returns the state at this instant. Finds the chunk by binary search and decodes it unless cached:
+  /// recordings of hours are as fast as short ones (about a millisecond).
   [[nodiscard]] LiveState state() const;
 
  private:
-  /// Where a chunk lies in time, and the target in force before its first sample.
+  /// Time range of a chunk, and the target before its first sample.
   struct Place {
     std::int64_t begin_us = 0;
     double target_rad = 0.0;
@@ -64,13 +64,13 @@ class TrialPlayback {
 
   TrialHeader header_;
   std::vector<TrialChunk> chunks_;
-  std::vector<Place> places_;  // one a chunk
+  std::vector<Place> places_;  // one per chunk
   PoseTrack poses_;
   std::int64_t duration_us_ = 0;
   std::int64_t position_us_ = 0;
   double speed_ = 1.0;
   bool playing_ = false;
-  mutable std::vector<Decoded> near_;  // newest last
+  mutable std::vector<Decoded> near_;  // latest last
 };
 
 }  // namespace torsio

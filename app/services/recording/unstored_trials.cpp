@@ -30,7 +30,7 @@ using nlohmann::json;
 
 constexpr const char* kTrialFile = ".torsio-trial";
 
-/// One name a database, whoever signs in to the server and from whichever folder the program was started.
+/// Returns one name per database, whoever signs in to the server and whatever the working directory.
 std::string databaseName(const std::string& locator) {
   const Locator where = parseLocator(locator);
   if (where.engine == Engine::kSqlite) {

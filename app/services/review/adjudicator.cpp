@@ -30,19 +30,19 @@ namespace torsio {
 
 namespace {
 
-using CaseKey = std::pair<std::string, std::string>;  // enrolment, code of the occasion
+using CaseKey = std::pair<std::string, std::string>;  // enrolment, occasion code
 
 CaseKey keyOf(const Assignment& one) {
   return {one.enrolmentId, one.occasionCode};
 }
 
-/// What is known of the sheets of one case.
+/// Data about the sheets of one case.
 struct CaseSheets {
   std::vector<AssignmentStatus> sheets;
   std::vector<DiscrepancyDecision> asked;  // oldest first
 };
 
-/// Cases of a cohort on which an adjudicator was asked for and none has been found yet.
+/// Returns the cases of a cohort for which an adjudicator was requested but not yet assigned.
 std::map<CaseKey, CaseSheets> openCases(Connection& connection, const CohortId& cohortId) {
   std::map<std::string, DiscrepancyDecision> asked;
   for (DiscrepancyDecision& decision : DiscrepancyRepository(connection).ofCohort(cohortId)) {
@@ -85,7 +85,7 @@ const Assignment& assignmentOf(const CaseSheets& sheets, const std::string& id) 
       ->assignment;
 }
 
-/// Active raters with what waits for them, by id.
+/// Returns active raters with their open sheets, by id.
 std::map<std::string, Adjudicator> activeRaters(Connection& connection) {
   std::map<std::string, Adjudicator> raters;
   SheetRepository sheets(connection);

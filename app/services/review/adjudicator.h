@@ -11,36 +11,36 @@
 
 namespace torsio {
 
-/// Somebody who may be asked.
+/// A rater who can be assigned.
 struct Adjudicator {
   RaterId id{};
   std::string code{};
   std::string classCode{};
-  std::size_t open = 0;  ///< sheets that wait for them already
+  std::size_t open = 0;  ///< open sheets already assigned
 };
 
-/// Physicians could not agree about a case and asked for one more. No mark is in it.
+/// A case on which physicians disagreed and requested another rater. Contains no marks.
 struct AdjudicatorRequest {
-  AssignmentId assignmentId{};  ///< of the first who asked; handle for assignAdjudicator()
+  AssignmentId assignmentId{};  ///< of the first request; argument of assignAdjudicator()
   std::string traineeCode{};
   Occasion occasion{};
   bool live = false;  ///< on the real arm: the trainee has to be there again
   std::size_t marks = 0;
   std::vector<std::string> askedBy{};  ///< codes
   std::vector<std::string> reasons{};
-  std::int64_t askedUtc_us = 0;     ///< the first time
-  std::vector<Adjudicator> free{};  ///< not asked about this case before; of the same class and the least
-                                    ///< loaded first
+  std::int64_t askedUtc_us = 0;     ///< time of the first request
+  std::vector<Adjudicator> free{};  ///< not assigned to this case before; same class and fewest open sheets
+                                    ///< first
 };
 
-/// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody
-/// has been asked since. kStudySetup.
+/// Returns the pending requests of a cohort, oldest first: cases with a physician's latest decision "third"
+/// and no assignment since. kStudySetup.
 [[nodiscard]] std::vector<AdjudicatorRequest> adjudicatorRequests(SessionContext& session,
                                                                   const CohortId& cohortId);
 
-/// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns
-/// the new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about
-/// this case before or is none.
+/// Assigns `raterId` to the case of a request, with a new label and the same rubric. Returns the new
+/// assignment. kStudySetup; audited. Throws Error{kBadData} without a request, or if the rater was assigned
+/// to this case before or does not exist.
 std::string assignAdjudicator(SessionContext& session, const CohortId& cohortId,
                               const AssignmentId& assignmentId, const RaterId& raterId);
 

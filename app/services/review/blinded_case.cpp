@@ -40,7 +40,7 @@ TrialHeader blinded(const TrialHeader& header, const std::string& label) {
   copy.phaseLabel.clear();
   copy.softwareVersion.clear();
   copy.startedUtc_us = 0;
-  copy.model = TissueModel::kTwist;  // the scene is rebuilt from the parameters, and nobody reads those
+  copy.model = TissueModel::kTwist;  // the scene is rebuilt from the parameters, which raters never see
   return copy;
 }
 
@@ -136,11 +136,12 @@ BlindedRecording blindedRecordingOf(Connection& connection, const TrialId& trial
     BlindedRecording recording;
     recording.label = label;
     recording.digest = blindedDigest(trial.summary.contentHash, salt);
-    const std::uint64_t seed = detorsionSeed(trial.header.trialId);  // an organ that came twisted lies by it
+    const std::uint64_t seed = detorsionSeed(trial.header.trialId);  // an organ that starts twisted depends
+                                                                     // on it
     recording.task = taskOf(connection, trialId, trial.header);
     trial.header = blinded(trial.header, label);
     trial.header.seed = seed;
-    trial.summary.contentHash.clear();  // would tell which trial it is
+    trial.summary.contentHash.clear();  // would identify the trial
     recording.trial = std::move(trial);
     return recording;
   } catch (...) {
@@ -177,7 +178,7 @@ void rethrowBlinded(const std::exception_ptr& problem, const std::string& label)
     if (error.code() == ErrorCode::kPermission) {
       throw;
     }
-    // The original texts may carry an id: only the kind of trouble passes.
+    // The original text may contain an id: keep only the kind of error.
     const bool changed = error.code() == ErrorCode::kVerifyFailed;
     throw Error(error.code(),
                 changed ? Text::tr("the recording is not what was recorded")

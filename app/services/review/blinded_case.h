@@ -19,82 +19,82 @@ namespace torsio {
 
 class Connection;
 
-/// Everything that a rater may know about what is judged: the one de-identification layer. Pages, titles,
-/// file names, exports, logs and error texts of the physician's desk are made from it and never from a trial,
-/// an enrolment or a person. There is no name, no pseudonym, no group, no stage, no date and no id of a trial
-/// in it.
+/// Everything that a rater may know about a case: the only de-identification layer. Pages, titles, file
+/// names, exports, logs and errors of the physician's desk are built from it and never from a trial, an
+/// enrolment or a person. Contains no name, pseudonym, group, stage, date or trial id.
 struct BlindedCase {
-  AssignmentId assignmentId{};  ///< handle for the services; never shown
+  AssignmentId assignmentId{};  ///< argument of services; never shown
   std::string label{};          ///< "7F"
   bool live = false;            ///< on the real arm: nothing to replay
-  /// Of a recorded case the same for all of the rater's: blindedDue().
+  /// For a recorded case, the same for all of the rater's cases: blindedDue().
   std::optional<std::int64_t> dueUtc_us{};
   std::optional<std::int64_t> length_us{};  ///< of the recording
   friend bool operator==(const BlindedCase&, const BlindedCase&) = default;
 };
 
-/// What the exercise of a recording asks for, so that accuracy can be judged. It is the same for everybody
-/// who does the exercise: no title, no mode, no stage, nothing of a person.
+/// The exercise of a recording, for judging accuracy. The same for everybody who does the exercise: no title,
+/// mode, stage or personal data.
 struct BlindedTask {
-  double target_rad = 0.0;  ///< at the beginning of the recording; 0 of an untwisting
+  double target_rad = 0.0;  ///< at the beginning of the recording; 0 for an untwisting
   AttemptRules rules{};     ///< tolerance, hold, number of twists, limits
   [[nodiscard]] bool untwisting() const noexcept { return rules.detorsion.has_value(); }
 };
 
-/// A recording without whose it is. `trial` decodes and plays like the original, sample by sample, but its
-/// header is blinded().
+/// An anonymous recording. `trial` decodes and plays like the original, sample by sample, but its header is
+/// blinded().
 struct BlindedRecording {
   std::string label{};
   Trial trial{};
-  /// Eight hexadecimal digits to compare with the centre's list: BLAKE2b of content hash and salt. Another
-  /// one for each rater and case, so that it links nothing.
+  /// Eight hexadecimal digits for comparison with the centre's list: BLAKE2b of content hash and salt.
+  /// Differs between raters and cases, so that they cannot be linked.
   std::string digest{};
   BlindedTask task{};
 };
 
-/// `header` without trial id, trainee, phase, date, program version and model; what a replay needs stays.
+/// Returns `header` without trial id, trainee, phase, date, program version and model; keeps what a replay
+/// needs.
 [[nodiscard]] TrialHeader blinded(const TrialHeader& header, const std::string& label);
-/// The deadline that is told for each recorded case of a rater's whole queue (BlindedDue).
+/// Returns the common deadline shown for all recorded cases of a rater's queue (BlindedDue).
 [[nodiscard]] std::optional<std::int64_t> blindedDue(const std::vector<QueueEntry>& queue);
-/// The digits of BlindedRecording::digest.
+/// Returns BlindedRecording::digest.
 [[nodiscard]] std::string blindedDigest(const std::string& contentHash, const std::string& salt);
 
-/// The assignment behind a case, for services only. Throws Error{kPermission}: the actor may not, or it is
-/// another rater's or nobody's (which of the two is not told), or it was withdrawn.
+/// Returns the assignment of a case; for services only. Throws Error{kPermission} if the actor lacks the
+/// right, the case is another rater's or does not exist (indistinguishable), or it was withdrawn.
 [[nodiscard]] Assignment ownAssignment(SessionContext& session, Operation operation,
                                        const AssignmentId& assignmentId);
-/// kMarkSubmit, own case.
+/// kMarkSubmit, the actor's case.
 [[nodiscard]] BlindedCase blindedCase(SessionContext& session, const AssignmentId& assignmentId);
 
-/// kTrialViewAssigned, own case. Throws as loadBlindedRecording, without reading the recording.
+/// kTrialViewAssigned, the actor's case. Throws like loadBlindedRecording(), without reading the recording.
 [[nodiscard]] BlindedTask blindedTask(SessionContext& session, const AssignmentId& assignmentId);
 
-/// What a recording of an own case is called.
+/// Identifiers of the recording of the actor's case.
 struct RecordingName {
-  std::string key{};     ///< the same for whoever may see it, for what a server keeps of it; never told
-  std::string digest{};  ///< as BlindedRecording::digest
+  std::string key{};     ///< the same for everybody who may see it, for a server's cache; never shown
+  std::string digest{};  ///< see BlindedRecording::digest
 };
-/// kTrialViewAssigned, own case. Throws as loadBlindedRecording, without reading the recording.
+/// kTrialViewAssigned, the actor's case. Throws like loadBlindedRecording(), without reading the recording.
 [[nodiscard]] RecordingName recordingName(SessionContext& session, const AssignmentId& assignmentId);
 
-/// Loads the recording of an own case and checks it against its content hash, so that what is played is what
-/// was recorded, bit for bit. kTrialViewAssigned, and only while the case is assigned. Throws
-/// Error{kPermission}, {kBadData}: a live case; {kVerifyFailed}: the recording was changed. No text names the
-/// trial.
+/// Loads the recording of the actor's case and verifies its content hash. kTrialViewAssigned, and only while
+/// the case is assigned. Throws Error{kPermission}, {kBadData} for a live case; {kVerifyFailed} if the
+/// recording was changed. Errors never identify the trial.
 [[nodiscard]] BlindedRecording loadBlindedRecording(SessionContext& session,
                                                     const AssignmentId& assignmentId);
 
-/// The recording `trialId` under `label`, checked as above: for services that have decided who may see it.
+/// Returns recording `trialId` under `label`, verified like loadBlindedRecording(); for services that have
+/// checked access.
 [[nodiscard]] BlindedRecording blindedRecordingOf(Connection& connection, const TrialId& trialId,
                                                   const std::string& label, const std::string& salt);
 
-/// What rebuilds the scene of a recording: organ, pattern and model parameters. Throws Error{kBadData}.
+/// Returns what rebuilds a recording's scene: organ, pattern and model parameters. Throws Error{kBadData}.
 [[nodiscard]] SceneRequest sceneOf(const BlindedRecording& recording, const std::filesystem::path& assets);
-/// Throws Error{kVerifyFailed} when `scene` is not the one of the recording.
+/// Throws Error{kVerifyFailed} if `scene` is not the recording's.
 void checkScene(const BlindedRecording& recording, const Scene& scene);
 
-/// Rethrows `problem` as an Error whose place is the case and nothing else; permission errors and broken
-/// contracts pass unchanged.
+/// Rethrows `problem` as an Error that identifies only the case; permission errors and broken contracts pass
+/// unchanged.
 [[noreturn]] void rethrowBlinded(const std::exception_ptr& problem, const std::string& label);
 
 }  // namespace torsio

@@ -48,8 +48,7 @@ void requireSheetWords(const Sheet& sheet, const std::string& label) {
   }
 }
 
-/// Somebody's sheet opens when an administrator calls the case: nobody scores a trainee who is not
-/// at the arm.
+/// Throws unless the live case was called: a trainee who is not at the arm cannot be scored.
 void requireCalled(SessionContext& session, const Assignment& assignment) {
   if (assignment.trialId.empty() &&
       !CallRepository(session.connection()).wasCalled(assignment.enrolmentId, assignment.occasionCode)) {

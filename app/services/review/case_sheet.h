@@ -16,60 +16,61 @@
 
 namespace torsio {
 
-/// What the centre asks of a rater who scores from a recording. kMarkSubmit.
+/// Returns the viewing rules for raters. kMarkSubmit.
 [[nodiscard]] ViewingRules viewingRules(SessionContext& session);
 
-/// Where a keystroke is kept once it is said to be saved.
+/// Where a draft reported as saved is stored.
 enum class KeptAt { kThisMachine, kServer };
 /// kMarkSubmit.
 [[nodiscard]] KeptAt keptAt(SessionContext& session);
 
-/// A case as it is laid on the desk.
+/// An opened sheet.
 struct OpenedSheet {
   BlindedCase shown{};
   RubricRevision rubric{};
-  Sheet sheet{};  ///< the draft, or the newest sealed version
+  Sheet sheet{};  ///< the draft, or the latest sealed version
   SheetState state = SheetState::kOpen;
-  bool panelOpen = false;  ///< all have committed: the marks of the others may be seen
+  bool panelOpen = false;  ///< all raters have submitted: the others' marks may be shown
   WatchLog watched{};
 };
-/// kMarkSubmit, own case. Throws Error{kBadData}: a live case that was not called yet and is not submitted.
+/// kMarkSubmit, the actor's case. Throws Error{kBadData} for a live case that was neither called nor
+/// submitted.
 [[nodiscard]] OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId);
 
-/// Stores the draft; it is on the disk when the call returns. Call it with every keystroke. Returns the new
-/// revision. Drafts leave no trace in the audit trail: they are nobody's record until they are submitted.
-/// kMarkSubmit, own case. Throws DbError{kConflict} when the draft was changed at another station meanwhile.
+/// Stores the draft; on disk when the call returns. Call it with every keystroke. Returns the new revision.
+/// Drafts are not audited: they are not part of the record until submitted. kMarkSubmit, the actor's case.
+/// Throws DbError{kConflict} if the draft was changed at another station.
 std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId, Sheet sheet,
                        const WatchLog& watched);
 
-/// Checks a sheet against its rubric with the rules of assessment/domain/rating. Pure.
+/// Checks a sheet against its rubric with the rules of assessment/domain/rating. Pure function.
 [[nodiscard]] SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool live,
                                     const WatchLog& watched, const ViewingRules& rules);
 
-/// Seals the sheet with what was watched and how fast. kMarkSubmit, own case; audited. Throws Error{kBadData}
-/// when checkSheet() says no, DbError{kUnique} when it was submitted before.
+/// Seals the sheet with the viewing data. kMarkSubmit, the actor's case; audited. Throws Error{kBadData} if
+/// checkSheet() finds problems, DbError{kUnique} if it was submitted before.
 void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                  const WatchLog& watched);
 
-/// Whether a sheet is amended by somebody who may know what the others gave.
+/// Whether the author of an amendment may know the other raters' marks.
 enum class PanelMarks { kUnseen, kSeen };
 
-/// The next version of a submitted sheet; the one before stays as it is. kMarkSubmit, own case; audited.
-/// Throws Error{kBadParameter} without a reason, {kBadData}: not submitted yet, not complete, or the marks of
-/// the panel are open: then only moveMark (discrepancy_review.h) changes it, which says kSeen.
+/// Adds a version to a submitted sheet; earlier ones are kept. kMarkSubmit, the actor's case; audited. Throws
+/// Error{kBadParameter} without a reason, {kBadData} if it is not submitted or incomplete, or the panel's
+/// marks are visible: then only moveMark() (discrepancy_review.h) may change it, with kSeen.
 void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                 const std::string& reason, PanelMarks panel = PanelMarks::kUnseen);
 
-/// One sealed version of an own sheet.
+/// A sealed version of the actor's sheet.
 struct SheetVersion {
   std::int64_t version = 1;
   std::optional<std::int64_t> overall_steps{};
   std::string comment{};
   std::string amendReason{};
   std::int64_t submittedUtc_us = 0;
-  bool afterPanel = false;  ///< made when the marks of the others were open
+  bool afterPanel = false;  ///< made while the other raters' marks were visible
 };
-/// Oldest first. kMarkSubmit, own case.
+/// Oldest first. kMarkSubmit, the actor's case.
 [[nodiscard]] std::vector<SheetVersion> sheetVersions(SessionContext& session,
                                                       const AssignmentId& assignmentId);
 

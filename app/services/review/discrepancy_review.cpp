@@ -40,7 +40,7 @@ std::optional<std::int64_t> scoreOf(const CaseMark& mark, const std::string& row
   return std::nullopt;
 }
 
-/// Empty when the own sheet or everybody else's says "not assessable".
+/// Returns empty if the actor or all others marked the row as "not assessable".
 std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const std::string& rater,
                                      const std::string& row, const ScoreScale& scale, double threshold) {
   RowComparison line{.row = row, .scale = scale};
@@ -70,7 +70,7 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
   return line;
 }
 
-/// Throws unless everybody has committed on this own case.
+/// Throws unless all raters have submitted this case of the actor.
 Assignment committedCase(SessionContext& session, const AssignmentId& assignmentId) {
   Assignment found = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
   if (!SheetRepository(session.connection()).allSubmitted(found.enrolmentId, found.occasionCode)) {
@@ -172,7 +172,7 @@ void askForAdjudicator(SessionContext& session, const AssignmentId& assignmentId
 
 namespace {
 
-/// Own mark and mean of the others in points; empty when either is missing.
+/// Returns the actor's mark and the mean of the others in points; empty if either is missing.
 std::optional<SeverityCase> compared(const std::vector<CaseMark>& marks, const std::string& rater) {
   std::optional<double> own;
   std::vector<double> others;

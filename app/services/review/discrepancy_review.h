@@ -15,69 +15,70 @@
 
 namespace torsio {
 
-/// One row of a committed sheet beside what the others gave. In points; nobody is named.
+/// One row of a submitted sheet with the mean of the others, in points, anonymous.
 struct RowComparison {
   std::string row{};    ///< code; kOverallRow: the overall mark
   std::string label{};  ///< empty for the overall mark
   double own = 0.0;
-  double mean = 0.0;  ///< of the others
+  double mean = 0.0;  ///< of the other raters
   double lowest = 0.0;
   double highest = 0.0;
   std::size_t others = 0;
-  bool apart = false;  ///< own and mean differ by at least the threshold
+  bool apart = false;  ///< differs from the mean by at least the threshold
   ScoreScale scale{};
 };
 
-/// A case on which all have committed and where the own sheet lies apart.
+/// A case submitted by all raters in which the actor's marks differ.
 struct DiscrepancyCase {
   BlindedCase shown{};
-  std::vector<RowComparison> rows{};            ///< in the rubric's order, the overall mark last
-  double largest = 0.0;                         ///< distance, points
-  std::optional<DiscrepancyChoice> decision{};  ///< empty: to be decided
+  std::vector<RowComparison> rows{};            ///< in rubric order, the overall mark last
+  double largest = 0.0;                         ///< largest difference, points
+  std::optional<DiscrepancyChoice> decision{};  ///< empty: pending
   std::string reason{};
 };
 
-/// Disagreements only, in the rater's own order; a case that was moved stays listed with its decision as long
-/// as it lies apart. kMarkSubmit. Cases on which somebody has not committed are not even looked at.
+/// Returns only discrepancies, in the rater's own order; a case with a changed mark stays listed with its
+/// decision while it still differs. kMarkSubmit. Ignores cases that not all raters have submitted.
 [[nodiscard]] std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session);
 
-/// The mark stays. kMarkSubmit, own committed case; audited.
+/// Keeps the mark. kMarkSubmit, the actor's case, submitted by all; audited.
 void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
-/// A new version of the own sheet; both stay. Throws Error{kBadParameter} without a reason, {kBadData} when
-/// not all have committed. kMarkSubmit, own committed case; audited.
+/// Adds a version to the actor's sheet; both are kept. Throws Error{kBadParameter} without a reason,
+/// {kBadData} unless all raters have submitted. kMarkSubmit, the actor's case; audited.
 void moveMark(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
               const std::string& reason);
-/// The next version of an own submitted sheet, by the rules of what its author may know by now: amendSheet()
-/// before the marks of the panel are open, moveMark() after. kMarkSubmit, own case; audited. Throws as they
-/// do.
+/// Changes the actor's submitted sheet with amendSheet() while the panel's marks are hidden, with moveMark()
+/// afterwards. kMarkSubmit, the actor's case; audited. Throws like them.
 void changeSubmitted(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                      const std::string& reason);
-/// The administrator is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
+/// Requests another rater from the administrator; needs a reason. kMarkSubmit, the actor's case, submitted by
+/// all; audited.
 void askForAdjudicator(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
 
-/// One committed case: own overall mark and the mean of the others, points.
+/// One submitted case: the actor's overall mark and the mean of the others, points.
 struct SeverityCase {
   std::string label{};
   double own = 0.0;
   double panel = 0.0;
 };
 
-/// How strict the actor is, compared with the others on the same cases. Nobody else is shown: no table of
-/// raters exists.
+/// The actor's severity relative to the other raters on the same cases. Never shown for anybody else: there
+/// is no table of raters.
 struct OwnSeverity {
-  std::vector<SeverityCase> cases{};          ///< in own order
-  std::optional<double> difference_points{};  ///< mean of own minus panel; negative: stricter
-  std::optional<Interval> interval_points{};  ///< 95 % of the mean difference; empty: fewer than two cases
+  std::vector<SeverityCase> cases{};          ///< in the actor's order
+  std::optional<double> difference_points{};  ///< mean of own minus panel mark; negative: stricter
+  std::optional<Interval> interval_points{};  ///< 95 % interval of the mean difference; empty: fewer than two
+                                              ///< cases
   std::optional<double> ownMean_points{};
   std::optional<double> panelMean_points{};
-  std::size_t waiting = 0;     ///< own submitted cases on which others have not committed
-  double lowest_points = 0.0;  ///< of the scale
+  std::size_t waiting = 0;     ///< submitted cases that others have not submitted
+  double lowest_points = 0.0;  ///< lowest mark of the scale
   double highest_points = 10.0;
-  std::vector<std::size_t> used{};  ///< how often each whole point from lowest to highest was given
+  std::vector<std::size_t> used{};  ///< frequency of each whole point from lowest to highest
 };
 
-/// Overall marks of cases on which all have committed; "not assessable" ones are left out. The mean of the
-/// others does not contain the own mark. kMarkSubmit.
+/// Based on overall marks of cases that all raters have submitted, except "not assessable". The mean of the
+/// others excludes the actor. kMarkSubmit.
 [[nodiscard]] OwnSeverity ownSeverity(SessionContext& session);
 
 }  // namespace torsio

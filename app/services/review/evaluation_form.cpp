@@ -25,7 +25,7 @@ namespace torsio {
 
 namespace {
 
-/// The campaign's models in the order of one rater; models that the order lacks come last.
+/// Returns the campaign's models in a rater's order; models that it lacks come last.
 std::vector<CampaignModel> inOwnOrder(const Campaign& campaign, const std::string& order) {
   std::vector<CampaignModel> models;
   std::string rest = order;
@@ -58,14 +58,14 @@ const CampaignRater* asked(const Campaign& campaign, const RaterId& raterId) {
   return nullptr;
 }
 
-/// One own form with the codes behind its hidden labels.
+/// The actor's form with the model codes behind its hidden labels.
 struct OpenForm {
   EvaluationForm form;
   std::vector<CampaignModel> models;
   bool demonstration = false;
 };
 
-/// The model that a letter of a demonstration stands for; empty: a recording is needed to show it.
+/// Returns the model for a hidden label of a demonstration; empty if a recording is required instead.
 std::optional<TissueModel> computedModel(const CampaignModel& model, bool demonstration) {
   constexpr std::array<std::pair<std::string_view, TissueModel>, 3> kModels{
       {{"PM", TissueModel::kTwist},
@@ -76,7 +76,7 @@ std::optional<TissueModel> computedModel(const CampaignModel& model, bool demons
   return demonstration && found != kModels.end() ? std::optional(found->second) : std::nullopt;
 }
 
-/// An expert's run of a model, under a hidden label.
+/// Computes an expert's run of a model, under a hidden label.
 BlindedRecording computedRun(TissueModel model, const std::string& hiddenLabel, const std::string& salt) {
   SceneRequest request;
   request.assets = assetsFolder();
@@ -136,7 +136,7 @@ OpenForm ownForm(SessionContext& session, const CampaignId& campaignId) {
   return formOf(session.connection(), *campaign, *rater);
 }
 
-/// Position of a model that may still be marked.
+/// Returns the position of a model that is not submitted yet.
 std::size_t openModel(const OpenForm& open, const std::string& hiddenLabel) {
   for (std::size_t i = 0; i < open.form.models.size(); ++i) {
     if (open.form.models[i].hiddenLabel != hiddenLabel) {

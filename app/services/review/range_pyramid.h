@@ -6,8 +6,8 @@
 
 namespace torsio {
 
-/// Lowest and highest value of any stretch of a long series, in logarithmic time: what a trace of 40 minutes
-/// (2.4 million samples) needs to be drawn anew while somebody scrubs. Immutable; any thread.
+/// Minimum and maximum over any range of a long series in logarithmic time, for redrawing a trace of 40
+/// minutes (2.4 million samples) while scrubbing. Immutable; any thread.
 class RangePyramid {
  public:
   struct Range {
@@ -16,14 +16,14 @@ class RangePyramid {
   };
 
   RangePyramid() = default;
-  /// `values`: finite.
+  /// `values` must be finite.
   explicit RangePyramid(std::vector<float> values);
 
   [[nodiscard]] std::size_t size() const noexcept { return values_.size(); }
   [[nodiscard]] float at(std::size_t index) const { return values_[index]; }
-  /// Of the values first .. last - 1; at least one, inside the series.
+  /// Returns the range of the values first .. last - 1; at least one, inside the series.
   [[nodiscard]] Range range(std::size_t first, std::size_t last) const;
-  /// Of all; {0, 0} when there is none.
+  /// Returns the range of all values; {0, 0} if there are none.
   [[nodiscard]] Range whole() const;
 
  private:

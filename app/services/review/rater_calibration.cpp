@@ -15,14 +15,14 @@
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/core/foreign_recording.h"
 #include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr std::int64_t kMaxListed = 2000;  // a longer list is nothing to choose from
+constexpr std::int64_t kMaxListed = 2000;  // a longer list is useless for choosing
 
 std::string labelOf(std::size_t number) {
   std::string label = "R";
@@ -39,7 +39,7 @@ ReferenceRun runNumber(Connection& connection, std::size_t number) {
   return runs[number - 1];
 }
 
-/// The scale of the panel's mark. Throws unless the choice makes a reference run.
+/// Returns the scale of the panel's mark. Throws unless the recording can be a reference run.
 ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
   const auto rubric = RubricRepository(connection).revision(choice.rubricRevisionId);
   if (!rubric) {
@@ -215,7 +215,7 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
     run.panelRaters = choice.panelRaters;
     run.setBy = session.actor().userId;
     run.setUtc_us = session.now_us();
-    // A simulated recording must go when the demonstration goes.
+    // A simulated recording must be removed with the demonstration.
     run.demonstration =
         choice.demonstration || TrialRepository(session.connection()).find(choice.trialId)->demonstration;
     desk.addReferenceRuns(std::span(&run, 1));

@@ -14,65 +14,65 @@
 
 namespace torsio {
 
-/// A reference run as a rater sees it. What the panel said is there only after the own score.
+/// A reference run as seen by a rater. Shows the panel's mark only after the rater's own.
 struct CalibrationRun {
   std::size_t number = 0;  ///< 1, 2 ...: "Reference 1"
   std::optional<std::int64_t> length_us{};
-  std::optional<std::int64_t> own_steps{};  ///< newest try
+  std::optional<std::int64_t> own_steps{};  ///< latest attempt
   std::optional<double> panel_points{};
-  std::optional<double> offset_points{};  ///< own minus panel
+  std::optional<double> offset_points{};  ///< own minus panel mark
   std::int64_t panelRaters = 0;
   std::size_t tries = 0;
 };
 
 struct RaterCalibration {
-  RubricRevision rubric{};  ///< of the first run; anchors help to find the overall mark
+  RubricRevision rubric{};  ///< of the first run; its anchors help with the overall mark
   std::vector<CalibrationRun> runs{};
   [[nodiscard]] bool complete() const noexcept;
-  /// Mean over the runs that were scored, points; empty: none.
+  /// Returns the mean over the scored runs, points; empty if there are none.
   [[nodiscard]] std::optional<double> meanOffset_points() const;
 };
 
 /// kMarkSubmit.
 [[nodiscard]] RaterCalibration raterCalibration(SessionContext& session);
-/// The recording of run `number`, blinded like a case. kTrialViewAssigned: reference runs are for every
-/// rater. Throws Error{kBadData}: no such run.
+/// Returns the blinded recording of run `number`. kTrialViewAssigned: reference runs are for every rater.
+/// Throws Error{kBadData} for an unknown run.
 [[nodiscard]] BlindedRecording loadReferenceRun(SessionContext& session, std::size_t number);
-/// Stores the rater's overall mark with its offset from the panel; a second try is kept beside the first.
-/// kMarkSubmit; audited. Throws Error{kBadData}: no such run, or outside the scale.
+/// Stores the rater's overall mark with its offset from the panel; earlier attempts are kept. kMarkSubmit;
+/// audited. Throws Error{kBadData} for an unknown run or a mark outside the scale.
 void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t score_steps);
 
-/// A recording that may become a reference run: complete, never one before, and nobody is asked to score it
-/// (the panel's mark would give the case away).
+/// A recording that can become a reference run: complete, never one before, and not assigned for scoring (the
+/// panel's mark would reveal the expected score).
 struct ReferenceCandidate {
   TrialId trialId{};
-  std::string traineeCode{};  ///< empty: nobody's
+  std::string traineeCode{};  ///< empty: no trainee
   SceneId sceneId{};
   std::string phaseLabel{};
   std::int64_t length_us = 0;
   std::int64_t startedUtc_us = 0;
   bool demonstration = false;
 };
-/// Newest first. kStudySetup.
+/// Latest first. kStudySetup.
 [[nodiscard]] std::vector<ReferenceCandidate> referenceCandidates(SessionContext& session);
 
-/// A reference run as the administrator sees it.
+/// A reference run as seen by the administrator.
 struct ReferenceRow {
-  std::size_t number = 0;  ///< what raters call it: 1, 2 ...; 0: withdrawn
+  std::size_t number = 0;  ///< number shown to raters: 1, 2 ...; 0: withdrawn
   TrialId trialId{};
-  std::string traineeCode{};  ///< empty: nobody's
+  std::string traineeCode{};  ///< empty: no trainee
   SceneId sceneId{};
   std::optional<std::int64_t> length_us{};
   ScoreScale scale{};
   double panel_points = 0.0;
   std::int64_t panelRaters = 1;
   std::int64_t setUtc_us = 0;
-  std::string withdrawnBecause{};  ///< empty: raters are given it
+  std::string withdrawnBecause{};  ///< empty: in use
 };
-/// In the order of rater calibration, those that were withdrawn last. kStudySetup.
+/// In the order of rater calibration, withdrawn ones last. kStudySetup.
 [[nodiscard]] std::vector<ReferenceRow> referenceRows(SessionContext& session);
 
-/// A run for rater calibration, chosen by the administrator.
+/// A recording chosen by the administrator for rater calibration.
 struct ReferenceChoice {
   TrialId trialId{};
   RubricRevisionId rubricRevisionId{};
@@ -80,13 +80,13 @@ struct ReferenceChoice {
   std::int64_t panelRaters = 1;
   bool demonstration = false;
 };
-/// Adds reference runs behind those there are. kStudySetup; audited. Throws Error{kBadData}: no
-/// such rubric, a recording that does not exist or has not ended, one that is or was a reference run;
-/// {kBadParameter}: a mark outside the rubric's scale, or a panel of nobody.
+/// Appends reference runs. kStudySetup; audited. Throws Error{kBadData} for an unknown rubric, a recording
+/// that is missing, unfinished or was a reference run before; {kBadParameter} for a mark outside the rubric's
+/// scale, or an empty panel.
 void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice>& runs);
-/// From now on no rater is given the run; it stays stored with what raters scored, and later ones move up.
-/// For good: what raters have seen cannot come back as new. kStudySetup; audited with the reason. Throws
-/// Error{kBadData}: no such reference run; {kBadParameter}: no reason.
+/// Withdraws a run permanently: raters have seen it, so it cannot return as new. It stays stored with the
+/// raters' scores; later runs move up. kStudySetup; audited with the reason. Throws Error{kBadData} for an
+/// unknown run; {kBadParameter} without a reason.
 void withdrawReferenceRun(SessionContext& session, const TrialId& trialId, const std::string& reason);
 
 }  // namespace torsio

@@ -27,7 +27,7 @@ constexpr double kLiveCase_min = 4.0;
 constexpr double kShortSitting_min = 10.0;
 constexpr std::int64_t kAllCases = 1'000'000;
 
-/// Minutes a case takes this rater; empty before there are enough of them.
+/// Returns this rater's minutes per case; empty with too few cases.
 std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) {
   const std::vector<std::int64_t> times_us = desk.workingTimes_us(raterId, kPaceCases);
   if (times_us.size() < kMinForPace) {
@@ -36,7 +36,7 @@ std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) 
   return medianOf(std::vector<double>(times_us.begin(), times_us.end())) / kMinute_us;
 }
 
-/// How many of the lines, taken in their order, fit into a short sitting.
+/// Returns how many of the first lines fit into a short session.
 std::size_t fittingCases(const std::vector<QueueLine>& lines) {
   double needed_min = 0.0;
   std::size_t cases = 0;
@@ -109,7 +109,7 @@ ReviewQueue reviewQueue(SessionContext& session) {
     queue.minutes += line.estimate_min;
     queue.lines.push_back(std::move(line));
   }
-  // Submitted ones sink to the end; the rest keeps the rater's own order.
+  // Submitted ones go to the end; the others keep the rater's order.
   std::stable_partition(queue.lines.begin(), queue.lines.end(),
                         [](const QueueLine& line) { return line.state != SheetState::kSubmitted; });
   queue.inTenMinutes = fittingCases(queue.lines);

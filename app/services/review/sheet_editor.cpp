@@ -158,7 +158,7 @@ bool SheetEditor::undo() {
     return false;
   }
   --at_;
-  states_[at_].open = false;  // what is typed now is a step of its own
+  states_[at_].open = false;  // the next keystroke starts a new step
   return true;
 }
 

@@ -100,7 +100,7 @@ SheetViewing WatchLog::stored() const {
     if (!out.watched.empty()) {
       out.watched += ';';
     }
-    // Rounded outwards, so that a stretch that is saved and read often does not crumble.
+    // Rounded outwards, so that repeated saving and loading does not shrink a stretch.
     out.watched +=
         std::to_string(from / kHundredth_us) + '-' + std::to_string((to + kHundredth_us - 1) / kHundredth_us);
   }

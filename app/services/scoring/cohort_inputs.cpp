@@ -37,7 +37,7 @@ namespace {
 
 constexpr const char* kChiefClass = "chief";
 
-/// The newest design, and whether its draw can be repeated once the seed is revealed.
+/// Returns the latest design, and whether its allocation can be replayed once the seed is revealed.
 CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohortId) {
   const std::vector<LockedDesign> designs = study.designs(cohortId);
   CohortAllocation shown;
@@ -70,7 +70,7 @@ CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohor
   return shown;
 }
 
-/// Minutes of the phases of one kind.
+/// Returns the planned minutes in phases of one kind.
 double plannedMinutes(const StudyArm& arm, PhaseKind kind) {
   double minutes = 0.0;
   for (const TrainingPhase& phase : arm.phases) {
@@ -79,7 +79,7 @@ double plannedMinutes(const StudyArm& arm, PhaseKind kind) {
   return minutes;
 }
 
-/// The groups with what their arms plan.
+/// Adds the groups with their arms' plans.
 void addGroups(Connection& connection, const CohortId& cohortId, const std::vector<StudyGroup>& groups,
                CohortInputs& inputs) {
   const CurriculumVersionId versionId = StudyRepository(connection).cohort(cohortId).curriculumVersionId;
@@ -101,7 +101,7 @@ void addGroups(Connection& connection, const CohortId& cohortId, const std::vect
   }
 }
 
-/// How many sheets raters were asked for, and how many are there.
+/// Adds how many sheets were requested and submitted.
 void addSheets(Connection& connection, const CohortId& cohortId, CohortInputs& inputs) {
   for (const AssignmentStatus& sheet : SheetRepository(connection).assignments(cohortId)) {
     if (sheet.state == SheetState::kWithdrawn) {
@@ -112,7 +112,7 @@ void addSheets(Connection& connection, const CohortId& cohortId, CohortInputs& i
   }
 }
 
-/// Doses, rests and deviations.
+/// Adds training times, rests and deviations.
 void addTimes(StudyRepository& study, const CohortId& cohortId, CohortInputs& inputs) {
   std::map<std::string, std::string> codeOf;
   for (const Enrolment& enrolment : study.enrolments(cohortId)) {
@@ -139,7 +139,7 @@ void addTimes(StudyRepository& study, const CohortId& cohortId, CohortInputs& in
   }
 }
 
-/// A scoring sheet in points and words.
+/// Converts a scoring sheet to points and texts.
 ReportedSheet reported(const RubricRevision& revision, const std::string& name) {
   ReportedSheet sheet{name, revision.number, {}};
   for (const RubricLine& line : revision.rows) {
@@ -157,7 +157,7 @@ ReportedSheet reported(const RubricRevision& revision, const std::string& name) 
   return sheet;
 }
 
-/// The sheets behind the newest marks, and what they say of each criterion.
+/// Adds the sheets behind the latest marks, and their criteria.
 void addCriteria(Connection& connection, const CohortId& cohortId, const TrainingResult& training,
                  const std::vector<StudyGroup>& groups, CohortInputs& inputs) {
   const RubricRepository rubrics(connection);
@@ -208,7 +208,8 @@ void addCriteria(Connection& connection, const CohortId& cohortId, const Trainin
   }
 }
 
-/// The class of Fig. 18: the chief physicians; where no class is called so, the one that counts most.
+/// Returns the class of Fig. 18: the chief physicians, or the class with the highest weight if there are
+/// none.
 std::size_t chiefClassOf(const EvaluationInstrument& instrument) {
   std::size_t most = 0;
   for (std::size_t c = 0; c < instrument.classes.size(); ++c) {
@@ -242,7 +243,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
     const Person& person = trainees.at(enrolment.traineeCode).person;
     const auto group = std::find_if(groups.begin(), groups.end(),
                                     [&](const StudyGroup& g) { return g.code == enrolment.groupCode; });
-    if (group == groups.end()) {  // not allocated yet: no part of the comparison
+    if (group == groups.end()) {  // not allocated yet: excluded from the comparison
       inputs.notAllocated += enrolment.state == EnrolmentState::kWithdrawn ? 0 : 1;
       continue;
     }
@@ -257,7 +258,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
     inputs.unfinishedEvaluation = {static_cast<std::int64_t>(campaign.ratings.size()),
                                    campaign.classesMissing, campaign.unscored};
   }
-  if (!campaign.ratings.empty()) {  // without an evaluation there is no instrument either
+  if (!campaign.ratings.empty()) {  // without an evaluation there is no instrument
     inputs.ratings = groupRatings(inputs.instrument, campaign.ratings);
     inputs.chiefClass = chiefClassOf(inputs.instrument);
   }

@@ -11,8 +11,8 @@ namespace torsio {
 
 class Connection;
 
-/// Gathers what a cohort report says of people, groups, allocation and scores from the record. The allocation
-/// is repeated from its seed and compared; the caller adds trials, facts and title.
+/// Collects people, groups, allocation and scores of a cohort report from the record. Replays the allocation
+/// from its seed to verify it; the caller adds trials, facts and title.
 [[nodiscard]] CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId,
                                         const CampaignResult& campaign, const TrainingResult& training);
 

@@ -36,7 +36,7 @@ template <typename Items, typename Key>
 std::size_t positionOf(const Items& items, const std::string& wanted, Key key) {
   const auto found =
       std::find_if(items.begin(), items.end(), [&](const auto& item) { return key(item) == wanted; });
-  TORSIO_EXPECTS(found != items.end());  // the database holds the reference
+  TORSIO_EXPECTS(found != items.end());  // guaranteed by a foreign key
   return static_cast<std::size_t>(found - items.begin());
 }
 
@@ -74,13 +74,13 @@ EvaluationResultRow stored(const std::string& model, std::size_t index, const Sc
   return to;
 }
 
-/// What a run is stamped with: results and the hash of the marks that went in.
+/// Results with the hash of their input marks.
 struct ReadCampaign {
   CampaignResult result;
   Digest inputs;
 };
 
-/// What nobody of a weighted class scored, model by model.
+/// Returns the indices that nobody of a weighted class has scored, by model.
 std::vector<UnscoredIndices> unscoredIndices(const Campaign& campaign,
                                              const std::vector<EvaluationRating>& ratings) {
   using Place = std::tuple<std::string, std::size_t, std::size_t>;  // model, class, index
@@ -131,7 +131,7 @@ ReadCampaign campaignWithHash(Connection& connection, const CampaignId& campaign
     read.result.ratings.push_back(std::move(rating));
   }
   read.result.unscored = unscoredIndices(*campaign, read.result.ratings);
-  for (const UnscoredIndices& of : read.result.unscored) {  // one class after the other
+  for (const UnscoredIndices& of : read.result.unscored) {  // class by class
     if (read.result.classesMissing.empty() || read.result.classesMissing.back() != of.raterClass) {
       read.result.classesMissing.push_back(of.raterClass);
     }
@@ -148,7 +148,7 @@ void evaluateIn(CampaignResult& result) {
   });
 }
 
-using Case = std::pair<std::string, std::size_t>;  // trainee code, position of the occasion
+using Case = std::pair<std::string, std::size_t>;  // trainee code, index of the occasion
 
 struct ReadTraining {
   TrainingResult result;
@@ -177,7 +177,7 @@ ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) 
       continue;
     }
     if (mark.groupCode.empty()) {
-      continue;  // marked before allocation and in no group yet
+      continue;  // marked before allocation, and still without a group
     }
     read.result.scale = mark.scale;
     TrainingMark scored;
@@ -203,7 +203,7 @@ ReadTraining trainingWithHash(Connection& connection, const CohortId& cohortId) 
   return read;
 }
 
-/// Variance of every trainee's marks between the raters, divisor n, by trainee and occasion.
+/// Returns the between-rater variance of every trainee's marks, divisor n, by trainee and occasion.
 std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
   std::map<Case, double> means;
   for (const TraineeScore& score : result.trainees) {

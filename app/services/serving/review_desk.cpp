@@ -33,7 +33,7 @@ constexpr std::chrono::milliseconds kLook(100);
 constexpr std::chrono::seconds kPatience(30);
 constexpr std::size_t kNameDigits = 16;
 
-/// What `torsio serve --state` writes.
+/// State written by `torsio serve --state`.
 struct Notice {
   std::int64_t process = 0;
   OpenReviewDesk desk;
@@ -52,7 +52,7 @@ std::filesystem::path logOf(const std::filesystem::path& notice) {
 
 std::optional<Notice> readNotice(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file) || FileLock(lockNameOf(file)).held()) {
-    return std::nullopt;  // nobody holds it: what is left of one that was killed
+    return std::nullopt;  // unlocked: left over from a killed process
   }
   const nlohmann::json said = nlohmann::json::parse(readFile(file), nullptr, false);
   if (!said.is_object()) {
@@ -68,14 +68,14 @@ std::optional<Notice> readNotice(const std::filesystem::path& file) {
 
 #ifdef _WIN32
 
-// `torsio serve` is not built there: app/CMakeLists.txt.
+// `torsio serve` is not built on this system: app/CMakeLists.txt.
 constexpr bool kServes = false;
 
 bool lives(std::int64_t) {
   return false;
 }
 
-void askToEnd(std::int64_t) {}
+void requestProcessEnd(std::int64_t) {}
 
 #else
 
@@ -85,7 +85,7 @@ bool lives(std::int64_t process) {
   return kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
-void askToEnd(std::int64_t process) {
+void requestProcessEnd(std::int64_t process) {
   kill(static_cast<pid_t>(process), SIGTERM);
 }
 
@@ -129,7 +129,7 @@ QStringList argumentsFor(const SessionContext& session, const DeskPlace& place, 
   return arguments;
 }
 
-/// Starts it and waits for its word.
+/// Starts the server and waits for its notice.
 Notice startedDesk(const SessionContext& session, const DeskPlace& place, const DeskWish& wish) {
   const std::filesystem::path file = noticeOf(session, place);
   ensureFolder(place.folder);
@@ -152,7 +152,7 @@ Notice startedDesk(const SessionContext& session, const DeskPlace& place, const 
     }
   }
   if (begun && lives(process)) {
-    askToEnd(process);
+    requestProcessEnd(process);
   }
   throw Error(ErrorCode::kFileUnreadable, Text::tr("the review desk did not open"), lastLine(logOf(file)),
               Text::tr("Check its last message, correct the problem and try again"));
@@ -199,7 +199,7 @@ void stopReviewDesk(SessionContext& session, const DeskPlace& place) {
   if (!notice) {
     return;
   }
-  askToEnd(notice->process);
+  requestProcessEnd(notice->process);
   for (const auto from = std::chrono::steady_clock::now();
        readNotice(file) && std::chrono::steady_clock::now() - from < kPatience;) {
     std::this_thread::sleep_for(kLook);

@@ -11,42 +11,41 @@
 
 namespace torsio {
 
-/// What of this machine opens a desk.
+/// Paths for opening a desk on this machine.
 struct DeskPlace {
-  std::filesystem::path program{};  ///< torsio itself
-  std::filesystem::path folder{};   ///< keeps the desk's own certificate, its log, and where it is open
+  std::filesystem::path program{};  ///< the torsio program
+  std::filesystem::path folder{};   ///< for the desk's certificate, log and state
 };
 
-/// How a desk shall be open.
+/// Options for opening a desk.
 struct DeskWish {
-  bool otherMachines = true;  ///< false: this machine alone reaches it
+  bool otherMachines = true;  ///< false: reachable only from this machine
   std::uint16_t port = 8443;
-  /// PEM files; both empty: a certificate that this machine signs for itself. Not asked for by this machine
-  /// alone.
+  /// PEM files; if both are empty, a self-signed certificate. Not needed if only this machine can connect.
   std::filesystem::path certificate{};
   std::filesystem::path key{};
-  bool goesOn = false;  ///< also when this program has ended; else it ends with it
+  bool goesOn = false;  ///< keep running after this program ends
 };
 
-/// A desk that is open.
+/// An open desk.
 struct OpenReviewDesk {
-  std::vector<std::string> addresses{};  ///< as browsers reach it
-  std::string fingerprint{};             ///< SHA-256 of its certificate; empty: not encrypted
+  std::vector<std::string> addresses{};  ///< URLs for browsers
+  std::string fingerprint{};             ///< SHA-256 of the certificate; empty: unencrypted
   bool goesOn = false;
 };
 
-/// Whether a desk is opened from the window at all: the record is a file of this machine, and `torsio serve`
-/// is built for it. kSettingsEdit.
+/// Returns whether the window can open a desk: the record is a file on this machine, and `torsio serve` is
+/// available. kSettingsEdit.
 [[nodiscard]] bool mayOpenReviewDesk(SessionContext& session);
-/// The desk of this record that is open on this machine under this account; nothing: none is. kSettingsEdit.
+/// Returns the open desk of this record on this machine and account; empty if there is none. kSettingsEdit.
 [[nodiscard]] std::optional<OpenReviewDesk> openReviewDesk(SessionContext& session, const DeskPlace& place);
-/// Opens the desk (`torsio serve`) and waits until it answers or has given up, half a minute at most. The
-/// address of invitations becomes its own where none was set. Audited as a change of the setting
-/// "review_desk". kSettingsEdit. Throws Error{kBadParameter}: the port is taken, one of the two files is
-/// missing, a desk is open already, the record lies on a server; {kFileUnreadable}: it did not open, with the
-/// last line that it said.
+/// Opens the desk (`torsio serve`) and waits at most half a minute until it answers or fails. Sets the
+/// address for invitations if it was not set. Audited as a change of the setting "review_desk".
+/// kSettingsEdit. Throws Error{kBadParameter} if the port is in use, one of the two files is missing, a desk
+/// is already open, or the record is on a server; {kFileUnreadable} if it failed to open, with its last
+/// message.
 void startReviewDesk(SessionContext& session, const DeskPlace& place, const DeskWish& wish);
-/// Closes it and waits for its end; drafts are in the record. Does nothing where none is open. Audited.
+/// Closes the desk and waits for its end; drafts are in the record. Does nothing if none is open. Audited.
 /// kSettingsEdit.
 void stopReviewDesk(SessionContext& session, const DeskPlace& place);
 

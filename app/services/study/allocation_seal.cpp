@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of the allocation: opening the seal, repeating the draw, and the cards for the envelopes.
+// Revealing the seed, replaying the allocation, and cards for envelopes.
 #include <map>
 #include <optional>
 #include <utility>

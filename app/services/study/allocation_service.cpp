@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t kTries = 200;
 
-/// The design that counts, with its generator where the last draw left it.
+/// The design in use, with its generator after the last draw.
 struct OpenDraw {
   LockedDesign stored;
   AllocationDesign design;
@@ -105,7 +105,7 @@ AllocationDesignRow rowOf(StudyRepository& study, const LockedDesign& stored,
   return {stored, designFromStored(stored, groups, drawn), records.size(), records.size() - drawn};
 }
 
-/// Adds one trial allocation to the statistics of a preview.
+/// Adds one trial allocation to a preview's statistics.
 void addTry(BalancePreview& preview, const Allocation& tried, const DrawField& field,
             const std::vector<Enrolment>& people) {
   const auto difference = [](const std::vector<std::size_t>& counts) {
@@ -291,7 +291,7 @@ AllocationEntry overrideAllocation(SessionContext& session, const CohortId& coho
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
   record.groupId = groupId;
   record.numberInGroup = ++open.highestNumber[groupId];
-  record.drawBefore = record.drawAfter;  // nothing was drawn
+  record.drawBefore = record.drawAfter;  // no random numbers were used
   record.allocatedBy = session.actor().userId;
   record.softwareVersion = softwareVersion();
   record.overrideReason = reason;

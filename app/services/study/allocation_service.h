@@ -16,22 +16,24 @@
 
 namespace torsio {
 
-/// How the allocator wants to divide a cohort.
+/// Settings for allocating a cohort.
 struct AllocationPlan {
   CohortId cohortId{};
   AllocationMethod method = AllocationMethod::kCompletePermutation;
-  std::vector<std::string> factors{};     ///< of allocationFactorNames(): strata, or margins of minimisation
+  std::vector<std::string> factors{};     ///< from allocationFactorNames(): strata, or margins of
+                                          ///< minimisation
   std::vector<std::size_t> blockSizes{};  ///< multiples of the number of groups
-  std::int64_t bestArm_tenths = 8;        ///< minimisation
+  std::int64_t bestArm_tenths = 8;        ///< minimisation only
   Imbalance imbalance = Imbalance::kRange;
-  /// Everybody is enrolled already: the strata's last blocks are joined so that the groups come out even.
+  /// Everybody is enrolled already: the last blocks of all strata are combined so that the groups have equal
+  /// sizes.
   bool everybodyEnrolled = true;
-  std::optional<std::uint64_t> seed{};  ///< empty (the rule): drawn from the machine's random numbers
+  std::optional<std::uint64_t> seed{};  ///< empty (normally): from the machine's random numbers
 };
-/// What people can be balanced by: "sex", "level", "experience", "handedness".
+/// Returns the factors for balancing: "sex", "level", "experience", "handedness".
 [[nodiscard]] const std::vector<std::string>& allocationFactorNames();
 
-/// How even the groups would come out, tried with throw-away seeds: the real one is drawn later, so that
+/// Expected balance of the groups, simulated with throw-away seeds: the real one is drawn later, so that
 /// nobody can choose among outcomes.
 struct BalancePreview {
   std::vector<std::string> groups{};  ///< codes
@@ -39,61 +41,63 @@ struct BalancePreview {
     std::string factor{};
     std::string level{};
     std::size_t people = 0;
-    std::vector<double> expected{};   ///< mean number of people in each group
-    std::size_t worstDifference = 0;  ///< largest minus smallest group, worst of the tries
+    std::vector<double> expected{};   ///< mean number of people per group
+    std::size_t worstDifference = 0;  ///< largest minus smallest group, worst simulation
     double meanDifference = 0.0;
   };
-  std::vector<Level> levels{};  ///< every level of every factor, of the plan or not
+  std::vector<Level> levels{};  ///< every level of every factor, whether in the plan or not
   std::size_t people = 0;
   std::size_t worstSizeDifference = 0;
   std::size_t tries = 0;
-  std::vector<std::string> missing{};  ///< codes of people whose factors are not all recorded
+  std::vector<std::string> missing{};  ///< codes of people with unrecorded factors
 };
-/// kAllocationRun. Throws Error{kBadParameter} for a plan that breaks the rules of its method.
+/// kAllocationRun. Throws Error{kBadParameter} for a plan that is invalid for its method.
 [[nodiscard]] BalancePreview previewBalance(SessionContext& session, const AllocationPlan& plan);
 
-/// A locked design as the administrator sees it.
+/// A locked design as seen by the administrator.
 struct AllocationDesignRow {
-  LockedDesign stored{};  ///< seed empty until it was revealed
+  LockedDesign stored{};  ///< seed empty until revealed
   AllocationDesign design{};
   std::size_t records = 0;
   std::size_t overrides = 0;
 };
 
-/// Fixes the design, draws and seals the seed. Returns the design with its commitment, which may be
-/// published. Supersedes an earlier design for whoever is not allocated yet; once somebody is, only with a
-/// reason. Audited. kAllocationRun.
+/// Locks the design, draws and seals the seed. Returns the design with its commitment, which may be
+/// published. Replaces an earlier design for people not yet allocated; after the first allocation, only with
+/// a reason. Audited. kAllocationRun.
 AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan& plan,
                                    const std::string& supersedeReason = {});
-/// Oldest first; the last one counts. kAllocationView.
+/// Oldest first; the last one is in use. kAllocationView.
 [[nodiscard]] std::vector<AllocationDesignRow> allocationDesigns(SessionContext& session,
                                                                  const CohortId& cohortId);
-/// What goes into one envelope.
+/// Content of one envelope.
 struct SealedCard {
   std::int64_t sequence = 0;
   std::string traineeCode{};
   std::string groupCode{};
   std::string groupLabel{};
 };
-/// The cards of the newest design, in the order of the draw, to be printed and put into envelopes. That they
-/// were taken out is audited. kAllocationRun. Throws Error{kBadData} when nobody is allocated yet.
+/// Returns the cards of the latest design in order of the draw, for printing. Audited. kAllocationRun. Throws
+/// Error{kBadData} if nobody is allocated yet.
 [[nodiscard]] std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& cohortId);
 
-/// Allocations in order, overrides too. kAllocationView.
+/// Returns the allocations in order, including overrides. kAllocationView.
 [[nodiscard]] std::vector<AllocationEntry> allocations(SessionContext& session, const DesignId& designId);
 
-/// Everybody who is enrolled and has no group, by code: all or none. Returns how many. The same.
+/// Allocates everybody who is enrolled without a group, by code; all or nothing. Returns how many.
+/// kAllocationRun.
 std::size_t allocateAll(SessionContext& session, const CohortId& cohortId);
-/// Moves somebody to another group, as a new record with its reason beside the drawn one. Audited.
+/// Moves a person to another group, as a new record with its reason in addition to the drawn one. Audited.
 /// kAllocationRun.
 AllocationEntry overrideAllocation(SessionContext& session, const CohortId& cohortId,
                                    const EnrolmentId& enrolmentId, const GroupId& groupId,
                                    const std::string& reason);
-/// Opens the seal: from now on anybody can repeat the draw. Returns the seed. Audited. kAllocationReveal.
+/// Reveals the seed, so that anybody can replay the allocation. Returns it. Audited. kAllocationReveal.
 /// Refused while an enrolled person has no group, unless a reason is given.
 std::string revealSeed(SessionContext& session, const DesignId& designId, const std::string& reason = {});
 
-/// Repeats the whole draw from the seed and compares commitment, chain and every record. kAllocationView.
+/// Replays the whole allocation from the seed and compares commitment, chain and every record.
+/// kAllocationView.
 [[nodiscard]] AllocationCheck checkAllocation(SessionContext& session, const DesignId& designId);
 
 }  // namespace torsio

@@ -28,7 +28,7 @@ constexpr std::int64_t kMaxRecordings = 1'000;
 constexpr std::uint64_t kLabelStream = 1;
 constexpr std::uint64_t kOrderStream = 2;
 
-/// X, Y, Z, then W, V ...: few enough to be told apart, and none that looks like a model's own name.
+/// Chooses X, Y, Z, then W, V ...: easy to tell apart, and unlike the models' own names.
 std::vector<std::string> hiddenLabels(std::size_t count, Random& random) {
   constexpr std::string_view kLabels = "XYZWVUTSRQPN";
   if (count > kLabels.size()) {
@@ -43,7 +43,7 @@ std::vector<std::string> hiddenLabels(std::size_t count, Random& random) {
   return labels;
 }
 
-/// Orders of models, each a list of positions: every permutation, or the rows of a Latin square.
+/// Returns orders of models as lists of positions: every permutation, or the rows of a Latin square.
 std::vector<std::vector<std::size_t>> ordersOf(std::size_t models) {
   std::vector<std::size_t> order(models);
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -65,8 +65,8 @@ bool isRecorded(const NewModel& model) {
   return !model.trialId.empty();
 }
 
-/// Real recordings are compared by the model that answered the hand, and belong to nobody in training. Tells
-/// whether a simulated hand made any of them: the evaluation is then one of a demonstration.
+/// Throws unless the recordings are finished, each by a different model and none by a real trainee. Returns
+/// whether a simulated hand made any of them: the evaluation is then a demonstration.
 bool checkRecordings(SessionContext& session, const std::vector<NewModel>& models) {
   if (std::none_of(models.begin(), models.end(), isRecorded)) {
     return false;
@@ -92,7 +92,7 @@ bool checkRecordings(SessionContext& session, const std::vector<NewModel>& model
   return simulated;
 }
 
-/// The raters of the plan by class, in the order of codes.
+/// Returns the raters of the plan by class, ordered by code.
 std::map<std::string, std::vector<Rater>> ratersByClass(SessionContext& session, const CampaignPlan& plan) {
   std::map<std::string, std::int64_t> weight_milli;
   for (const RaterClass& raterClass : plan.instrument.classes) {
@@ -200,7 +200,7 @@ CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan) {
   }
   Random orderDraw = Random::forStream(seed, kOrderStream);
   for (const auto& [classCode, raters] : ratersByClass(session, plan)) {
-    // Each class goes through all orders before one comes again; which rater gets which is drawn.
+    // Each class uses all orders before one is repeated; which rater gets which is random.
     std::vector<std::vector<std::size_t>> orders;
     for (std::size_t i = 0; i < raters.size(); ++i) {
       if (orders.empty()) {

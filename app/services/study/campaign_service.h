@@ -13,32 +13,31 @@
 
 namespace torsio {
 
-/// A model to be evaluated.
+/// A model to evaluate.
 struct NewModel {
   std::string code{};   ///< "PM"
   std::string label{};  ///< "proposed model"
-  /// The recording that the raters watch under the hidden label; empty: they have met the model elsewhere.
+  /// Recording shown to raters under the hidden label; empty: the raters know the model from elsewhere.
   TrialId trialId{};
 };
 
-/// A nine-index evaluation to set up (paper section 5.3).
+/// Settings of a nine-index evaluation (paper section 5.3).
 struct CampaignPlan {
   std::string name{};
   /// Scale, weights of classes and indices. RaterClass::id is the code of a stored rater class.
   EvaluationInstrument instrument{};
   std::vector<NewModel> models{};
-  std::vector<RaterId> raterIds{};  ///< each counts in the class they have now
-  std::optional<std::uint64_t>
-      seed{};  ///< of hidden labels and orders; empty: drawn, and kept in the audit trail
+  std::vector<RaterId> raterIds{};      ///< each counts in their current class
+  std::optional<std::uint64_t> seed{};  ///< of hidden labels and orders; empty: drawn, and audited
   bool demonstration = false;
 };
-/// Throws Error{kBadParameter}: fewer than two models, one without a code or name, a code with a comma or
-/// twice, recordings of some models only.
+/// Throws Error{kBadParameter} for fewer than two models, a model without code or name, a code with a comma
+/// or a duplicate one, recordings of some models only.
 void requireComparableModels(const std::vector<NewModel>& models);
-/// The paper's instrument, with the codes of the stored classes: intern, deputy_chief, chief.
+/// Returns the paper's instrument with the codes of the stored classes: intern, deputy_chief, chief.
 [[nodiscard]] EvaluationInstrument paperEvaluationInstrument();
 
-/// A recording that an evaluation may show: nobody's in training, and finished.
+/// A recording that can be evaluated: finished, without a trainee.
 struct EvaluationRecording {
   TrialId trialId{};
   SceneId sceneId{};
@@ -46,15 +45,15 @@ struct EvaluationRecording {
   TissueModel model = TissueModel::kTwist;
   std::int64_t startedUtc_us = 0;
 };
-/// Newest first, among the newest thousand recordings of the record. kEvaluationSetup.
+/// Latest first, among the latest thousand recordings. kEvaluationSetup.
 [[nodiscard]] std::vector<EvaluationRecording> evaluationRecordings(SessionContext& session);
 
-/// Stores the campaign: hidden labels (X, Y, Z ...) drawn at random, orders of the models counterbalanced
-/// within each class (every order as often as any other, up to four models; beyond, rows of a Latin square).
-/// Returns the id. Audited. kEvaluationSetup. Throws Error{kBadParameter}: weights that do not sum to 1,
-/// fewer than two models, a weighted class without a rater, a rater whose class has no weight, recordings of
-/// some models only, without their end, of a trainee, or twice of the same model; Error{kBadData}: no such
-/// recording. With recordings of a simulated hand it is a demonstration.
+/// Stores the campaign: random hidden labels (X, Y, Z ...), orders of the models counterbalanced within each
+/// class (all orders equally often for up to four models; otherwise rows of a Latin square). Returns the id.
+/// Audited. kEvaluationSetup. Throws Error{kBadParameter} for weights that do not sum to 1, fewer than two
+/// models, a weighted class without raters, a rater whose class has no weight, recordings of some models
+/// only, unfinished ones, those of a trainee, or two of the same model; Error{kBadData} for an unknown
+/// recording. Recordings of a simulated hand make it a demonstration.
 CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan);
 
 struct CampaignRow {
@@ -70,7 +69,7 @@ struct CampaignRow {
   };
   std::vector<Rater> raters{};
 };
-/// Oldest first, with who has scored how much; no marks. kEvaluationSetup.
+/// Oldest first, with the raters' progress but no marks. kEvaluationSetup.
 [[nodiscard]] std::vector<CampaignRow> campaigns(SessionContext& session);
 
 }  // namespace torsio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of app/services/study/cohort_service.h: what did not go by the protocol.
+// Protocol deviations of app/services/study/cohort_service.h.
 #include <algorithm>
 #include <set>
 
@@ -47,7 +47,7 @@ DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviati
   study.addDeviation({id, cohort.id, deviation.enrolmentId, deviation.kind, deviation.description,
                       deviation.happenedUtc_us == 0 ? now_us : deviation.happenedUtc_us,
                       session.actor().userId, now_us, cohort.demonstration});
-  // The description is free text and may name somebody: it stays out of the trail.
+  // The description is free text that may contain names, so it is not audited.
   session.note({.action = AuditAction::kDeviationReport,
                 .objectKind = AuditObject::kDeviation,
                 .objectId = id,

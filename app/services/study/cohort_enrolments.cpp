@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of the cohorts: who is enrolled, and how long they have trained.
+// Enrolments of cohorts and their training times.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -36,14 +36,14 @@ Enrolment enrolmentOf(StudyRepository& study, const CohortId& cohortId, const En
          Text::tr("Choose one from the list"));
 }
 
-/// What a phase id means, within the arm of an enrolment.
+/// Finds a phase in an enrolment's arm.
 const TrainingPhase* phaseOf(const StudyArm& arm, const PhaseId& phaseId) {
   const auto found = std::find_if(arm.phases.begin(), arm.phases.end(),
                                   [&](const TrainingPhase& phase) { return phase.id == phaseId; });
   return found == arm.phases.end() ? nullptr : &*found;
 }
 
-/// The arm that an enrolment was drawn for. Empty: none, or the cohort follows no curriculum.
+/// Returns the arm of an enrolment; empty if it has none or the cohort follows no curriculum.
 std::optional<StudyArm> armOf(SessionContext& session, const Cohort& cohort, const Enrolment& enrolment) {
   const auto version = CurriculumRepository(session.connection()).version(cohort.curriculumVersionId);
   if (!version) {
@@ -81,13 +81,14 @@ void checkPhase(const Cohort& cohort, const std::optional<StudyArm>& arm, const 
   }
 }
 
-/// "20 min", "7.5 min".
+/// Formats "20 min" or "7.5 min".
 std::string minutesText(std::int64_t time_us) {
   const std::int64_t tenths = (10 * time_us + kMinute_us / 2) / kMinute_us;
   return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " min";
 }
 
-/// Time that the arm does not plan makes its groups alike: it is noted as a deviation, with the reason.
+/// Records training time outside the arm's plan as a deviation with its reason, since it makes the groups
+/// alike.
 void notePlan(SessionContext& session, const StudyArm& arm, const Enrolment& enrolment,
               const NewExposure& exposure) {
   if (isPlanned(arm, exposure.kind)) {
@@ -114,7 +115,7 @@ void notePlan(SessionContext& session, const StudyArm& arm, const Enrolment& enr
                                .dump()});
 }
 
-/// Training that goes on while sheets of the real arm are missing is a deviation, whoever logs it.
+/// Records training while sheets of the real arm are missing as a deviation, whoever logs it.
 void noteMissingSheets(SessionContext& session, const NewExposure& exposure, const Enrolment& enrolment) {
   if (exposure.kind == ExposureKind::kRest) {
     return;
@@ -145,7 +146,7 @@ std::vector<Enrolment> enrolments(SessionContext& session, const CohortId& cohor
     enrolment.groupCode.clear();
     enrolment.numberInGroup = 0;
   }
-  // The order tells the groups, too.
+  // The order would also reveal the groups.
   std::sort(list.begin(), list.end(),
             [](const Enrolment& a, const Enrolment& b) { return a.traineeCode < b.traineeCode; });
   return list;

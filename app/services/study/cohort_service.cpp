@@ -57,7 +57,7 @@ void checkNewCohort(const NewCohort& cohort) {
   }
 }
 
-/// Where somebody is expected, called or training, or sheets are due by the end of the day.
+/// Returns cohorts with people expected, called or training today, or sheets due by the end of the day.
 std::set<CohortId> cohortsOfToday(SessionContext& session) {
   const std::int64_t from_us = session.now_us() - kHalfDay_us;
   const std::int64_t to_us = session.now_us() + kHalfDay_us;
@@ -189,7 +189,7 @@ void renameCohort(SessionContext& session, const CohortId& cohortId, const std::
 
 namespace {
 
-/// Throws where a cohort cannot go from the state it is in to another one.
+/// Throws unless the cohort can change to this state.
 void checkStep(SessionContext& session, const Cohort& cohort, CohortState state) {
   const bool closes = state == CohortState::kClosed && cohort.state == CohortState::kRunning;
   const bool archives = state == CohortState::kArchived && cohort.state == CohortState::kClosed;

@@ -15,27 +15,27 @@
 
 namespace torsio {
 
-/// One cohort in a list.
+/// A cohort in a list.
 struct CohortRow {
   Cohort cohort{};
   std::vector<StudyGroup> groups{};
   std::size_t enrolled = 0;   ///< not withdrawn
-  std::size_t allocated = 0;  ///< of these: in a group
+  std::size_t allocated = 0;  ///< of these, those in a group
   std::size_t withdrawn = 0;
-  std::vector<std::string> traineeCodes{};  ///< of all who are or were enrolled
-  std::string curriculumName{};             ///< empty: follows none yet
+  std::vector<std::string> traineeCodes{};  ///< of all ever enrolled
+  std::string curriculumName{};             ///< empty: none yet
   std::int64_t curriculumNumber = 0;
-  bool today = false;  ///< somebody is expected, called or training today, or sheets are due by now
+  bool today = false;  ///< somebody is expected, called or training today, or sheets are due
 };
 
-/// All cohorts, oldest first. kPersonViewCoded.
+/// Returns all cohorts, oldest first. kPersonViewCoded.
 [[nodiscard]] std::vector<CohortRow> cohorts(SessionContext& session);
-/// Which cohort a page shows first: the one of today; of several, or of none, the largest of those that run
-/// and are in groups; then the largest that is in groups; the newest one else. Archived ones never, unless
-/// nothing else is there. Position in `rows`; their number when there are none. Of equals the newest.
+/// Returns the index of the cohort that a page shows first: the one active today; if there are several or
+/// none, the largest running one with groups; then the largest one with groups; otherwise the latest.
+/// Archived ones only if there are no others. rows.size() if empty. Ties go to the latest.
 [[nodiscard]] std::size_t cohortShownFirst(std::span<const CohortRow> rows);
 
-/// Enrolments in order of group and number. Without kAllocationView the groups are left out.
+/// Returns enrolments ordered by group and number; without kAllocationView, the groups are omitted.
 /// kPersonViewCoded.
 [[nodiscard]] std::vector<Enrolment> enrolments(SessionContext& session, const CohortId& cohortId);
 
@@ -47,56 +47,54 @@ inline constexpr int kLargestMargin = 100;  // points
 struct NewCohort {
   std::string name{};
   std::string description{};
-  std::vector<NewGroup> groups{};             ///< empty: taken from the arms of the curriculum
-  CurriculumVersionId curriculumVersionId{};  ///< may be empty: assignCurriculum() later
+  std::vector<NewGroup> groups{};             ///< empty: from the curriculum's arms
+  CurriculumVersionId curriculumVersionId{};  ///< may be empty; then use assignCurriculum() later
   bool demonstration = false;
-  /// Smaller differences of scores do not matter, points; part of the plan, so that it never changes. Empty:
+  /// Differences of scores below this are irrelevant, points; part of the plan, so it never changes. Empty:
   /// equivalence is not tested.
   std::optional<double> equivalenceMargin{};
 };
-/// Returns the id. Audited. kStudySetup. Throws Error{kBadParameter}: no name or that of another cohort, no
-/// groups, a code twice, a margin that is not above 0 and at most kLargestMargin; kBadData when the
-/// curriculum is not running or has not an arm a group.
+/// Returns the id. Audited. kStudySetup. Throws Error{kBadParameter} for a missing or duplicate name, no
+/// groups, a duplicate code, a margin that is not above 0 and at most kLargestMargin; kBadData if the
+/// curriculum is not running or does not have one arm per group.
 CohortId addCohort(SessionContext& session, const NewCohort& cohort);
-/// Ties the groups, number by number, to the arms of a running version. Audited. kStudySetup. Refused once
-/// training has begun.
+/// Assigns the arms of a running version to the groups, in order. Audited. kStudySetup. Refused once training
+/// has begun.
 void assignCurriculum(SessionContext& session, const CohortId& cohortId,
                       const CurriculumVersionId& versionId);
 
-/// Audited. kStudySetup. Throws Error{kBadParameter} for an empty name or one that another cohort has.
+/// Audited. kStudySetup. Throws Error{kBadParameter} for an empty or duplicate name.
 void renameCohort(SessionContext& session, const CohortId& cohortId, const std::string& name);
-/// Closes a cohort, archives a closed one, or opens either again (kRunning). The reason is required. Audited.
-/// kStudySetup. Throws Error: {kBadParameter} without a reason; {kBadData} for a step that is none (only a
-/// closed cohort can be archived), while somebody trains, or when sheets of a cohort to be archived are still
-/// open.
+/// Closes a cohort, archives a closed one, or reopens either (kRunning), with a reason. Audited. kStudySetup.
+/// Throws Error: {kBadParameter} without a reason; {kBadData} for an invalid change (only a closed cohort can
+/// be archived), while somebody is training, or if sheets of a cohort to be archived are open.
 void setCohortState(SessionContext& session, const CohortId& cohortId, CohortState state,
                     const std::string& reason);
-/// Throws Error{kBadData} when a cohort takes nothing new: it is closed or archived.
+/// Throws Error{kBadData} if a cohort is closed or archived.
 void refuseWhenClosed(const Cohort& cohort);
 
-/// Enrols trainees (ids of people), before allocation. Returns the ids of the enrolments. Audited.
-/// kStudyEnrol. Throws Error{kBadData} for somebody who is no active trainee or is enrolled already, and in a
-/// closed cohort.
+/// Enrols trainees (person ids) before allocation. Returns the enrolment ids. Audited. kStudyEnrol. Throws
+/// Error{kBadData} for a person who is not an active trainee or is already enrolled, and in a closed cohort.
 std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& cohortId,
                                        const std::vector<TraineeId>& traineeIds);
-/// Completed or withdrawn (or back to enrolled); what was recorded stays. Audited. kStudyEnrol.
+/// Sets completed, withdrawn or enrolled; recorded data stay. Audited. kStudyEnrol.
 void setEnrolmentState(SessionContext& session, const CohortId& cohortId, const EnrolmentId& enrolmentId,
                        EnrolmentState state, const std::string& reason);
 
-/// Something that did not go by the protocol.
+/// A deviation from the protocol.
 struct NewDeviation {
   CohortId cohortId{};
-  EnrolmentId enrolmentId{};  ///< empty: the whole cohort
+  EnrolmentId enrolmentId{};  ///< empty: whole cohort
   std::string kind{};         ///< stored text of a DeviationKind
   std::string description{};
   std::int64_t happenedUtc_us = 0;  ///< 0: now
 };
 /// Audited. kStudySetup.
 DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation);
-/// What happened to several at once: all are noted or none. As reportDeviation().
+/// Reports several deviations, all or nothing. Like reportDeviation().
 void reportDeviations(SessionContext& session, std::span<const NewDeviation> deviations);
-/// Notes of each of these deviations that it was entered in error: what stands stays, the correction stands
-/// beside it. All or none. Audited. kStudySetup. Throws Error{kBadData}: no reason, or none of this cohort.
+/// Marks deviations as entered in error: the entries stay, each with its correction. All or nothing. Audited.
+/// kStudySetup. Throws Error{kBadData} without a reason, or for a deviation of another cohort.
 void correctDeviations(SessionContext& session, const CohortId& cohortId,
                        std::span<const DeviationId> deviationIds, const std::string& reason);
 /// Oldest first. kPersonViewCoded.
@@ -106,24 +104,23 @@ void correctDeviations(SessionContext& session, const CohortId& cohortId,
 struct NewExposure {
   CohortId cohortId{};
   EnrolmentId enrolmentId{};
-  PhaseId phaseId{};  ///< empty: outside any phase
+  PhaseId phaseId{};  ///< empty: no phase
   ExposureKind kind = ExposureKind::kVirtual;
   std::int64_t startedUtc_us = 0;
   std::int64_t duration_us = 0;
-  std::string reason{};  ///< why, where the arm of the trainee spends no time on this; without names
+  std::string reason{};  ///< needed if the trainee's arm does not plan this time; without names
 };
-/// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the day of training: kStudySetup.
-/// Audited. Time outside any phase that the arm does not plan (isPlanned()) is noted as a deviation. Throws
-/// Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time, time that
-/// is not planned without a reason.
+/// Append-only. The actor's own at the station: kTrialRecordOwn; anybody's on the day of training:
+/// kStudySetup. Audited. Time that the arm does not plan (isPlanned()) is recorded as a deviation. Throws
+/// Error{kBadData} for a person not enrolled, a phase of another arm, a kind other than the phase's, no time,
+/// unplanned time without a reason.
 ExposureId recordExposure(SessionContext& session, const NewExposure& exposure);
 
-/// Lists the occasions that curricula can name, in order of time. kPersonViewCoded (whoever administers
-/// the study).
+/// Lists the occasions available to curricula, in order of time. kPersonViewCoded.
 [[nodiscard]] Occasions knownOccasions(SessionContext& session);
 
-/// Adds an occasion after all others, for every later curriculum ("six months later"). Returns it. Audited.
-/// kCurriculumEdit. Throws Error{kBadParameter} without a name or when another occasion has it.
+/// Adds an occasion after all others, for later curricula ("six months later"), and returns it. Audited.
+/// kCurriculumEdit. Throws Error{kBadParameter} for a missing or duplicate name.
 Occasion addOccasion(SessionContext& session, const std::string& label);
 
 }  // namespace torsio

@@ -28,7 +28,7 @@ constexpr double kMost = 1e9;
 constexpr int kMaxCount = 1'000'000;
 constexpr int kMaxTwists = 1'000;
 
-/// Whole billionths of a degree: what was written as 60 is shown as 60 again.
+/// Rounds to billionths of a degree, so that 60 is shown as 60 again.
 double writtenDegrees(double angle_rad) {
   constexpr double kDigits = 1e9;
   return std::round(degrees(angle_rad) * kDigits) / kDigits;
@@ -85,7 +85,7 @@ json armJson(const StudyArm& arm) {
   return out;
 }
 
-/// The elements of an array that may be missing.
+/// Returns the elements of an optional array.
 std::vector<json> elements(JsonFields& fields, const std::string& name) {
   if (!fields.has(name)) {
     return {};
@@ -117,8 +117,7 @@ std::int64_t microseconds(JsonFields& fields, const std::string& name, double mo
   return std::llround(fields.number(name, 0.0, most, fallback) * unit_us);
 }
 
-/// The value for which the text of a field stands, or `fallback` without one; `message` says what is wrong
-/// with any other text.
+/// Parses the text of a field to a value, `fallback` if missing; `message` is the error for invalid texts.
 template <typename Value>
 Value readTerm(JsonFields& fields, const std::string& name, Value fallback, const Text& message) {
   const std::optional<Value> value =

@@ -15,13 +15,12 @@ namespace torsio {
 
 class IdSource;
 
-inline constexpr double kMaxMinutes = 100'000.0;  ///< that a time of a curriculum may have
+inline constexpr double kMaxMinutes = 100'000.0;  ///< maximum for any time in a curriculum
 
-// While a curriculum is being written, its CurriculumVersion carries codes in place of ids: a module's
-// `id` is its code, `requires_` and TrainingPhase::moduleId name codes. Publishing gives real ids.
+// In a draft, the CurriculumVersion has codes instead of ids: in a module's `id`, in `requires_` and in
+// TrainingPhase::moduleId. Publishing creates ids.
 
-/// Something that keeps a draft from being published.
-/// The fields of an editor that a problem can be about.
+/// Fields of the editor that can have a problem.
 enum class CurriculumField : std::uint8_t {
   kCode,
   kTitle,
@@ -34,11 +33,11 @@ enum class CurriculumField : std::uint8_t {
   kTime
 };
 
-/// Where in a draft a problem is, for an editor that says it beside the field.
+/// Location of a problem, for showing it next to the field.
 struct CurriculumSpot {
   enum class Part : std::uint8_t { kWhole, kModule, kArm, kOccasion };
   Part part = Part::kWhole;
-  std::size_t row = 0;  ///< of the modules, arms or known occasions
+  std::size_t row = 0;  ///< index of the module, arm or known occasion
   CurriculumField field = CurriculumField::kCode;
 };
 
@@ -49,33 +48,32 @@ struct CurriculumProblem {
   CurriculumSpot spot{};
 };
 
-/// Lists everything that is wrong, in reading order; empty: can be published. Scenes and patterns are looked
-/// up in `assets`; with an empty path they are not checked. `known`: the occasions that it may name.
+/// Lists all problems in reading order; empty: can be published. Checks scenes and patterns against `assets`
+/// unless empty. `known`: the occasions that may be used.
 [[nodiscard]] std::vector<CurriculumProblem> curriculumProblems(const CurriculumVersion& content,
                                                                 const std::filesystem::path& assets,
                                                                 const Occasions& known);
 
-/// The draft as JSON text (format "torsio curriculum 1": degrees, minutes and seconds), and back. Reading is
-/// strict: unknown and misspelt fields, wrong types and numbers out of range are refused with their place.
-/// Throws Error{kBadData}; `name` stands for the file.
+/// Convert a draft to JSON text (format "torsio curriculum 1": degrees, minutes and seconds), and back.
+/// Parsing is strict: rejects unknown and misspelt fields, wrong types and numbers out of range, with their
+/// place. Throws Error{kBadData}; `name`: file name for messages.
 [[nodiscard]] std::string curriculumJson(const CurriculumVersion& content);
 [[nodiscard]] CurriculumVersion parseCurriculum(const std::string& json, const std::string& name);
 
-/// A curriculum that ships as a file of assets/curricula.
+/// A curriculum shipped in assets/curricula.
 struct CurriculumTemplate {
   std::string id{};  ///< file name without .json
   std::string title{};
   std::string description{};
   CurriculumVersion content{};
 };
-/// All templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData}.
+/// Returns all templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData}.
 [[nodiscard]] std::vector<CurriculumTemplate> curriculumTemplates(const std::filesystem::path& assets);
 
-/// Returns a stored version as a draft: modules, arms and phases carry their codes in place of ids.
+/// Converts a stored version to a draft: modules, arms and phases have codes instead of ids.
 [[nodiscard]] CurriculumVersion withCodes(CurriculumVersion version);
-/// Returns a draft with new ids in place of codes, taken from `ids` for the modules, then for each arm and
-/// its phases. Throws std::out_of_range for a code that no module has: a draft is checked before it is
-/// stored.
+/// Converts a draft to a version with new ids, taken from `ids` for the modules, then for each arm and its
+/// phases. Throws std::out_of_range for an unknown module code: check a draft before storing it.
 [[nodiscard]] CurriculumVersion withIds(CurriculumVersion draft, IdSource& ids);
 
 }  // namespace torsio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keeps a draft from being published.
+// Problems that prevent publishing a draft.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,7 +20,7 @@ namespace torsio {
 
 namespace {
 
-/// Goes through a draft in reading order and collects what is wrong.
+/// Collects the problems of a draft in reading order.
 class Examination {
  public:
   Examination(const CurriculumVersion& content, const std::filesystem::path& assets, const Occasions& known)
@@ -55,7 +55,7 @@ class Examination {
     problems_.push_back({where, what, remedy, spot});
   }
 
-  /// What is added from here on is about this.
+  /// Sets the location of the following problems.
   void goTo(CurriculumSpot::Part part, std::size_t row = 0) { at_ = {.part = part, .row = row}; }
 
   void readScenes() {
@@ -166,7 +166,7 @@ class Examination {
     }
   }
 
-  /// Whether the organ of the module comes twisted, so that 0 degrees is its target.
+  /// Returns whether the module's organ starts twisted, so that its target is 0 degrees.
   [[nodiscard]] bool undoes(const TrainingModule& module) const {
     const auto scene = patterns_.find(module.sceneId);
     if (scene == patterns_.end()) {
@@ -205,7 +205,7 @@ class Examination {
     }
   }
 
-  /// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
+  /// Repeatedly removes the modules whose prerequisites are all removed; the rest form a cycle.
   void checkCircle() {
     std::map<std::string, std::vector<ModuleId>> open;
     for (const TrainingModule& module : content_.modules) {
@@ -307,7 +307,8 @@ class Examination {
   const Occasions& known_;
   CurriculumSpot at_;
   std::set<std::string> modules_;
-  std::map<std::string, std::map<std::string, bool>> patterns_;  // of each scene; whether it comes twisted
+  std::map<std::string, std::map<std::string, bool>> patterns_;  // by scene; whether the pattern starts
+                                                                 // twisted
   std::vector<CurriculumProblem> problems_;
 };
 

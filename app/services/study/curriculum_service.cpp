@@ -30,8 +30,7 @@ Curriculum curriculumOf(CurriculumRepository& repository, const CurriculumId& cu
   refuse(Text::tr("there is no such curriculum"), curriculumId, Text::tr("Choose one from the list"));
 }
 
-/// What the audit trail says of a version that has come into `state`; a version begins as a draft when it is
-/// published.
+/// Returns the audit action of a change to `state`; publishing creates a version as a draft.
 AuditAction actionOf(CurriculumState state) {
   switch (state) {
     case CurriculumState::kDraft:
@@ -134,7 +133,7 @@ std::int64_t saveCurriculumDraft(SessionContext& session, const CurriculumId& cu
   const std::int64_t revision = CurriculumRepository(session.connection())
                                     .saveDraft(curriculumId, {draft.revision, curriculumJson(draft.content),
                                                               session.actor().userId, session.now_us()});
-  // One entry for the first save in a row of the same person would hide who wrote what: each save counts.
+  // Every save is audited: merging saves of one person would hide who wrote what.
   session.note({.action = AuditAction::kCurriculumSaveDraft,
                 .objectKind = AuditObject::kCurriculumDraft,
                 .objectId = curriculumId,

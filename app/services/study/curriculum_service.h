@@ -14,14 +14,14 @@
 
 namespace torsio {
 
-/// One version in a list.
+/// A version in a list.
 struct CurriculumVersionRow {
   CurriculumVersionId id{};
   std::int64_t number = 1;
   std::string note{};
   CurriculumState state = CurriculumState::kDraft;
   std::int64_t createdUtc_us = 0;
-  std::vector<std::string> cohorts{};  ///< names of those that follow it
+  std::vector<std::string> cohorts{};  ///< names of cohorts that follow it
 };
 
 struct CurriculumRow {
@@ -31,39 +31,40 @@ struct CurriculumRow {
   std::vector<CurriculumVersionRow> versions{};  ///< oldest first
 };
 
-/// All curricula by name. kPersonViewCoded (whoever administers the study).
+/// Returns all curricula by name. kPersonViewCoded.
 [[nodiscard]] std::vector<CurriculumRow> curricula(SessionContext& session);
-/// A published version with codes in place of ids: as it looks in the editor, and as a start of the next
-/// draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.
+/// Returns a published version with codes instead of ids, for display in the editor and as the basis of the
+/// next draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.
 [[nodiscard]] CurriculumVersion publishedContent(SessionContext& session,
                                                  const CurriculumVersionId& versionId);
 
-/// A new curriculum with a first draft: empty, or from a template. Returns its id. kCurriculumEdit. Throws
-/// Error{kBadParameter} for an empty name, DbError{kUnique} when the name is taken.
+/// Creates a curriculum with a first draft: empty, or from a template. Returns its id. kCurriculumEdit.
+/// Throws Error{kBadParameter} for an empty name, DbError{kUnique} if the name is in use.
 CurriculumId addCurriculum(SessionContext& session, const std::string& name, const std::string& description,
                            const std::optional<CurriculumVersion>& content = std::nullopt,
                            bool demonstration = false);
 
-/// What is being written (curriculum_content.h: codes in place of ids).
+/// A draft (curriculum_content.h: codes instead of ids).
 struct CurriculumDraft {
-  std::int64_t revision = 0;  ///< to be given back when saving
+  std::int64_t revision = 0;  ///< to be passed when saving
   CurriculumVersion content{};
   std::string changedBy{};
   std::int64_t changedUtc_us = 0;
 };
-/// The draft; without one: the newest version as a start of the next, revision 0. kCurriculumEdit.
+/// Returns the draft; if there is none, the latest version as the basis of the next, revision 0.
+/// kCurriculumEdit.
 [[nodiscard]] CurriculumDraft curriculumDraft(SessionContext& session, const CurriculumId& curriculumId);
-/// Saves also what cannot be published yet. Returns the new revision. kCurriculumEdit. Throws
-/// DbError{kConflict} when somebody else saved meanwhile: nothing is overwritten.
+/// Saves a draft, even if it cannot be published yet. Returns the new revision. kCurriculumEdit. Throws
+/// DbError{kConflict} if somebody else saved in between; nothing is overwritten.
 std::int64_t saveCurriculumDraft(SessionContext& session, const CurriculumId& curriculumId,
                                  const CurriculumDraft& draft);
 
-/// Makes a version that never changes out of the saved draft. Returns its id. Audited. kCurriculumEdit.
-/// Throws Error{kBadData} with the first problem.
+/// Publishes the saved draft as an immutable version. Returns its id. Audited. kCurriculumEdit. Throws
+/// Error{kBadData} with the first problem.
 CurriculumVersionId publishCurriculum(SessionContext& session, const CurriculumId& curriculumId,
                                       const std::string& note, const std::filesystem::path& assets);
-/// From now on cohorts can follow it / no cohort may begin it any more; what was closed may run again, with a
-/// reason. Audited. kCurriculumEdit. Throws Error{kBadData} for any other step.
+/// Changes a version's state: running (cohorts can follow it), closed (no new cohorts), or running again,
+/// with a reason. Audited. kCurriculumEdit. Throws Error{kBadData} for other changes.
 void runCurriculum(SessionContext& session, const CurriculumVersionId& versionId,
                    const std::string& reason = {});
 void closeCurriculum(SessionContext& session, const CurriculumVersionId& versionId,

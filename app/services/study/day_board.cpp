@@ -27,7 +27,7 @@ namespace torsio {
 
 namespace {
 
-/// Fills the phases of one kind in order with time that names no phase.
+/// Distributes time without a phase over the phases of one kind, in order.
 void fillInOrder(const StudyArm& arm, PhaseKind kind, std::int64_t time_us,
                  std::vector<std::int64_t>& spent_us) {
   for (std::size_t i = 0; i < arm.phases.size() && time_us > 0; ++i) {
@@ -48,7 +48,7 @@ void countRest(const StudyArm& arm, std::int64_t duration_us, PhaseProgress& pro
       arm.restSplittable ? std::max<std::int64_t>(0, arm.restAllowance_us - progress.restUsed_us) : 0;
 }
 
-/// `arm`: of no phases for somebody without a group.
+/// `arm`: without phases for a person without a group.
 void fillTraining(DayBoardRow& row, const StudyArm& arm, const std::vector<Exposure>& exposures) {
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
@@ -65,16 +65,17 @@ void fillTraining(DayBoardRow& row, const StudyArm& arm, const std::vector<Expos
   }
 }
 
-/// How many sheets of a trainee an occasion has.
+/// Number of sheets of a trainee at an occasion.
 struct SheetCount {
-  std::size_t asked = 0;  ///< that were not withdrawn
+  std::size_t asked = 0;  ///< not withdrawn
   std::size_t missing = 0;
 };
-/// By enrolment and code of the occasion.
+/// By enrolment and occasion code.
 using SheetCounts = std::map<std::pair<std::string, std::string>, SheetCount>;
 
-/// Gives the newest occasion that this much training has reached. Of several after as much training, the
-/// first whose sheets are not all in: a follow-up is due when the occasion before it is done. No code: none.
+/// Returns the latest occasion reached with this training time. If several have the same time, the first one
+/// with missing sheets: a follow-up is due when the occasion before it is complete. Without a code if there
+/// is none.
 Occasion occasionDue(const Occasions& occasions, std::int64_t trained_us, const EnrolmentId& enrolmentId,
                      const SheetCounts& sheets) {
   Occasion due;
@@ -138,15 +139,15 @@ PhaseProgress phaseProgress(const StudyArm& arm, std::span<const Exposure> expos
 
 namespace {
 
-/// What is known of a cohort, by enrolment.
+/// Data of a cohort by enrolment.
 struct Today {
-  std::vector<DaySlot> slots;                ///< half a day to either side
-  std::map<std::string, std::int64_t> seen;  ///< when somebody trained, rested or was called last
+  std::vector<DaySlot> slots;                ///< half a day before and after
+  std::map<std::string, std::int64_t> seen;  ///< last time of training, rest or call
   std::map<std::string, std::vector<Exposure>> exposures;
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
   SheetCounts sheets;
-  std::map<std::string, std::set<std::string>> called;  ///< codes of occasions
+  std::map<std::string, std::set<std::string>> called;  ///< occasion codes
 };
 
 Today readToday(SessionContext& session, const CohortId& cohortId) {
@@ -259,7 +260,7 @@ DayBoard dayBoard(SessionContext& session, const CohortId& cohortId) {
 
 namespace {
 
-/// A run of some other day is no matter of this one.
+/// Runs of other days are ignored.
 constexpr std::int64_t kOfToday_us = 12LL * 3600 * 1'000'000;
 
 std::optional<DayAlert> servoAlert(const StationState& station, std::int64_t asOfUtc_us) {
@@ -310,7 +311,7 @@ std::vector<DayAlert> dayAlerts(const DayBoard& board) {
   std::stable_partition(alerts.begin(), alerts.end(),
                         [](const DayAlert& alert) { return alert.kind == Kind::kTrialOpen; });
   std::size_t withoutGroup = 0;
-  std::map<std::string, DayAlert> sheets;  // by code
+  std::map<std::string, DayAlert> sheets;  // by occasion code
   for (const DayBoardRow& row : board.rows) {
     if (row.state == EnrolmentState::kWithdrawn) {
       continue;
@@ -350,7 +351,7 @@ std::vector<DayAlert> dayAlerts(const DayBoard& board) {
 
 namespace {
 
-/// Each comes when and where the other was expected; nothing changes unless both are.
+/// Swaps times and places; changes nothing unless both have a slot.
 void swapSlots(SessionContext& session, const CohortId& cohortId, const EnrolmentId& one,
                const EnrolmentId& other) {
   const std::int64_t now_us = session.now_us();

@@ -36,7 +36,7 @@ void checkRequest(const DayPlanRequest& request) {
   }
 }
 
-/// Codes of those who take part.
+/// Returns the codes of active enrolments.
 std::map<EnrolmentId, std::string> takingPart(SessionContext& session, const CohortId& cohortId) {
   std::map<EnrolmentId, std::string> codes;
   for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {

@@ -12,39 +12,39 @@
 
 namespace torsio {
 
-/// Who comes in which order, and where there is room for them.
+/// Trainees in order, and the places available.
 struct DayPlanRequest {
   CohortId cohortId{};
-  std::vector<EnrolmentId> enrolmentIds{};  ///< in the order in which they come
-  std::vector<std::string> places{};        ///< stations and rooms that work side by side
+  std::vector<EnrolmentId> enrolmentIds{};  ///< in order of arrival
+  std::vector<std::string> places{};        ///< stations and rooms used in parallel
   std::int64_t firstUtc_us = 0;
   std::int64_t duration_us = 0;
-  std::int64_t pause_us = 0;  ///< at each place, between two
+  std::int64_t pause_us = 0;  ///< between two trainees at each place
 };
 
-/// Gives each trainee a slot: as many at a time as there are places, one round after the other. Audited.
-/// kStudySetup. Throws Error{kBadParameter}: nobody, no place, a place that comes twice, no duration;
-/// {kBadData}: somebody is not in the cohort or has withdrawn; a place or a trainee has another slot at that
-/// time, in any cohort.
+/// Gives each trainee a slot: in rounds of as many as there are places. Audited. kStudySetup. Throws
+/// Error{kBadParameter} without trainees, places or a duration, or for a duplicate place; {kBadData} if a
+/// trainee is not in the cohort or has withdrawn, or a place or trainee has another slot at that time, in any
+/// cohort.
 std::vector<DaySlot> planDay(SessionContext& session, const DayPlanRequest& request);
 
-/// The slots of a cohort that touch [from, to), by start and place. kStudySetup.
+/// Returns a cohort's slots that overlap [from, to), by start and place. kStudySetup.
 [[nodiscard]] std::vector<DaySlot> daySlots(SessionContext& session, const CohortId& cohortId,
                                             std::int64_t fromUtc_us, std::int64_t toUtc_us);
 
-/// Takes slots out of the plan. Audited. kStudySetup. Throws Error{kBadData} for a slot that is there no
-/// more.
+/// Removes slots from the plan. Audited. kStudySetup. Throws Error{kBadData} for a slot that no longer
+/// exists.
 void removeSlots(SessionContext& session, const CohortId& cohortId, std::span<const DaySlotId> slotIds);
 
-/// The slot that counts for a trainee at a time: the one that runs or began last on that day, else the next
-/// one; null: none. `slots`: of that trainee among others, by start.
+/// Returns the slot that applies to a trainee at a time: the one that is running or started last on that day,
+/// else the next one; null if none. `slots`: of this and other trainees, by start.
 [[nodiscard]] const DaySlot* slotAt(std::span<const DaySlot> slots, const EnrolmentId& enrolmentId,
                                     std::int64_t utc_us);
 
-/// The slot as the audit trail keeps it.
+/// Returns the slot in the audit trail's format.
 [[nodiscard]] std::string slotJson(const DaySlot& slot);
 
-/// Half a day to either side of a time: what belongs to the day of whoever works then.
+/// Half a day before and after a time: what belongs to the same working day.
 inline constexpr std::int64_t kHalfDay_us = 12LL * 3600 * 1'000'000;
 
 }  // namespace torsio

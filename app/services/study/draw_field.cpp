@@ -77,14 +77,14 @@ AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan) {
     for (const Enrolment& enrolment : field.waiting()) {
       persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
     }
-    // Any seed: only the strata are counted here.
+    // Any seed will do: only the strata are counted here.
     design.stratumTotals = allocate(design, 0, persons).design.stratumTotals;
   }
   return design;
 }
 
 std::uint64_t drawSeed(IdSource& ids) {
-  // 122 random bits of a UUID, spread over 64 by the hash.
+  // The hash of a UUID's 122 random bits, reduced to 64.
   Digest digest;
   digest.update(ids.newUuid());
   const Digest::Value value = digest.value();

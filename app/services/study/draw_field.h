@@ -16,32 +16,31 @@ namespace torsio {
 
 class IdSource;
 
-/// A cohort as the draw sees it.
+/// A cohort's data for the allocation.
 struct DrawField {
   Cohort cohort;
   std::vector<StudyGroup> groups;
   std::vector<Enrolment> enrolments;        ///< not withdrawn
   std::map<std::string, Trainee> trainees;  ///< by id
 
-  /// Gives the codes of the groups, in their order.
+  /// Returns the codes of the groups in order.
   [[nodiscard]] std::vector<std::string> groupCodes() const;
-  /// Gives who is enrolled without a group, in the order of codes.
+  /// Returns the enrolments without a group, ordered by code.
   [[nodiscard]] std::vector<Enrolment> waiting() const;
 };
 
-/// Reads a cohort for the draw. Throws Error{kBadData} when there is no such cohort.
+/// Reads a cohort for allocation. Throws Error{kBadData} if there is no such cohort.
 [[nodiscard]] DrawField readDrawField(SessionContext& session, const CohortId& cohortId);
-/// Gives the levels that a factor has among the people who wait.
+/// Returns the levels of a factor among the unallocated people.
 [[nodiscard]] AllocationFactor factorOf(const DrawField& field, const std::string& name);
-/// Makes the design that a plan means for the people who wait. Throws Error{kBadParameter} where it cannot be
-/// drawn by.
+/// Returns the design of a plan for the unallocated people. Throws Error{kBadParameter} for an invalid plan.
 [[nodiscard]] AllocationDesign designOf(const DrawField& field, const AllocationPlan& plan);
 
-/// A seed from the same source as record ids: the machine's random numbers, or a test's fixed stream. Private
-/// to the services that draw.
+/// Draws a seed from the source of record ids: the machine's random numbers, or a fixed stream in tests.
+/// Private to the services that allocate.
 [[nodiscard]] std::uint64_t drawSeed(IdSource& ids);
 
-/// 256 bits for a commitment (seedCommitment), from the same source.
+/// Draws 256 bits for a commitment (seedCommitment) from the same source.
 [[nodiscard]] std::string drawSalt(IdSource& ids);
 
 }  // namespace torsio

@@ -31,7 +31,7 @@ namespace torsio {
 namespace {
 
 using nlohmann::json;
-using Hashes = std::map<std::string, std::string>;  ///< id of a row -> hash over it
+using Hashes = std::map<std::string, std::string>;  ///< row id -> hash
 using Manifest = std::map<std::string, Hashes>;     ///< table -> rows
 
 constexpr const char* kFrozenFormat = "torsio frozen data 1";
@@ -50,7 +50,7 @@ std::string hashOf(const Exposure& row) {
   return digest.hex();
 }
 
-/// The description may be erased with a person and stays out.
+/// Excludes the description, which may be erased with a person.
 std::string hashOf(const ProtocolDeviation& row) {
   FieldDigest digest("torsio frozen deviation 1");
   digest.add(row.id).add(row.enrolmentId).add(row.kind).add(row.happenedUtc_us);
@@ -186,7 +186,7 @@ std::optional<DataFreeze> findFreeze(SessionContext& session, const FreezeId& fr
   return std::nullopt;
 }
 
-/// What differs between two states of one table, in words.
+/// Describes the differences between two states of a table.
 void compareTable(const std::string& table, const Hashes& then, const Hashes& now, FrozenCheck& check) {
   const auto add = [&](const Text& difference) {
     check.same = false;
@@ -233,7 +233,7 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
   freeze.createdBy = session.actor().userId;
   freeze.createdUtc_us = session.now_us();
   freeze.demonstration = cohort.demonstration;
-  repository.add(freeze);  // with its entry in the trail
+  repository.add(freeze);  // together with its audit entry
   sign(session, {.kind = SignedKind::kFrozenDataset,
                  .objectId = freeze.id,
                  .meaning = SignatureMeaning::kFroze,

@@ -11,7 +11,7 @@
 
 namespace torsio {
 
-/// What a named data set holds, counted.
+/// Numbers of rows in a frozen data set.
 struct FrozenCounts {
   std::size_t enrolments = 0;
   std::size_t allocations = 0;
@@ -23,7 +23,7 @@ struct FrozenCounts {
   std::size_t evaluationMarks = 0;
 };
 
-/// A named state of a cohort's data: which rows, with their hashes.
+/// A named state of a cohort's data: its rows with their hashes.
 struct FrozenRow {
   FreezeId id{};
   CohortId cohortId{};
@@ -34,9 +34,9 @@ struct FrozenRow {
   std::string createdBy{};  ///< sign-in name
 };
 
-/// Stores the manifest of everything that a report of the cohort (and of `campaignIds`) is made of, under a
-/// name. Nothing is copied or locked: the hash says later whether it is still the same. Audited.
-/// kResultsCompute. Throws Error{kBadParameter} for an empty or used name, an unknown cohort or campaign.
+/// Stores a named manifest of everything that a report of the cohort (and of `campaignIds`) is based on.
+/// Copies and locks nothing: the hashes show later whether the data changed. Audited. kResultsCompute. Throws
+/// Error{kBadParameter} for an empty or used name, an unknown cohort or campaign.
 FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const std::string& name,
                      const std::vector<CampaignId>& campaignIds = {});
 /// Oldest first. kResultsCompute.
@@ -44,10 +44,10 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
 
 struct FrozenCheck {
   bool same = true;
-  std::vector<Text> differences{};  ///< "mark 4f... was added", in words, at most twenty
+  std::vector<Text> differences{};  ///< such as "mark 4f... was added", at most twenty
 };
-/// Compares a frozen state with what is there now. kResultsCompute. Throws Error{kBadParameter} when there is
-/// none.
+/// Compares a frozen state with the current data. kResultsCompute. Throws Error{kBadParameter} if it does not
+/// exist.
 [[nodiscard]] FrozenCheck compareWithFrozen(SessionContext& session, const FreezeId& frozenId);
 
 }  // namespace torsio

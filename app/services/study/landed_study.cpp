@@ -29,7 +29,7 @@ namespace torsio {
 
 namespace {
 
-/// Enters the parts one after the other and remembers what each is called in the record.
+/// Stores the parts one after another and keeps the mapping to the record's ids.
 class Landing {
  public:
   Landing(SessionContext& session, LandedStudy& study)
@@ -169,7 +169,7 @@ class Landing {
     version_ = CurriculumRepository(session_.connection()).version(versionId).value();
   }
 
-  /// Ids of what the codes name in the curriculum that came along.
+  /// Return the ids for codes of the imported curriculum.
   [[nodiscard]] ModuleId moduleOf(const LandedPlace& place) const {
     const auto found = std::find_if(version_.modules.begin(), version_.modules.end(),
                                     [&](const TrainingModule& one) { return one.code == place.module; });
@@ -268,10 +268,10 @@ class Landing {
   std::set<std::string> used_;
   PersonCodes codes_;
   LandedOutcome outcome_;
-  CurriculumVersion version_;                // that came along; without one it has no parts
-  std::map<std::string, std::string> idOf_;  // of people by name
+  CurriculumVersion version_;                // imported; without one it has no parts
+  std::map<std::string, std::string> idOf_;  // person ids by name
   std::map<std::string, EnrolmentId> enrolmentOf_;
-  std::map<std::string, std::string> occasionOf_;  // code by what the data call it
+  std::map<std::string, std::string> occasionOf_;  // code by the name used in the data
 };
 
 }  // namespace

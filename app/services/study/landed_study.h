@@ -18,28 +18,28 @@
 
 namespace torsio {
 
-/// Somebody who comes with data from elsewhere.
+/// A person in imported data.
 struct LandedPerson {
-  std::string name{};   ///< as the data call them
-  std::string code{};   ///< wanted in the record; empty: the next free one
-  std::string group{};  ///< code of a group of the cohort; empty: in none
+  std::string name{};   ///< name used in the data
+  std::string code{};   ///< requested code; empty: the next free one
+  std::string group{};  ///< code of a group of the cohort; empty: none
   std::string sex{};
   std::string level{};
   EnrolmentState state = EnrolmentState::kEnrolled;
 };
 struct LandedRater {
   std::string name{};
-  std::string code{};       ///< as above
-  std::string classCode{};  ///< of the record
+  std::string code{};       ///< see LandedPerson::code
+  std::string classCode{};  ///< of the record's rater classes
 };
-/// Where in the curriculum something belongs, by codes; empty: nowhere.
+/// A position in the curriculum by codes; empty: none.
 struct LandedPlace {
   std::string module{};
   std::string arm{};
-  std::size_t phase = 0;  ///< position in its arm; counts where there is an arm
+  std::size_t phase = 0;  ///< index in its arm; used only if there is an arm
 };
 struct LandedTrial {
-  Trial trial{};         ///< without an id a new one, its code and its hash are filled in
+  Trial trial{};         ///< without an id: gets a new one, with code and hash
   std::string person{};  ///< LandedPerson::name
   LandedPlace place{};
   std::optional<AttemptMode> mode{};
@@ -52,30 +52,30 @@ struct LandedExposure {
   LandedPlace place{};
 };
 struct LandedDeviation {
-  std::string person{};  ///< empty: the whole cohort
+  std::string person{};  ///< empty: whole cohort
   std::string kind{};
   std::string description{};
   std::int64_t happenedUtc_us = 0;
 };
-/// A curriculum that comes along; without a name there is none.
+/// An imported curriculum; without a name: none.
 struct LandedCurriculum {
   std::string name{};
   std::string description{};
-  std::string json{};  ///< of curriculumJson()
+  std::string json{};  ///< from curriculumJson()
 };
 struct LandedMark {
   std::string person{};
   std::string rater{};
-  std::string occasion{};  ///< code or label; one that the record does not know is added
+  std::string occasion{};  ///< code or label; added if unknown
   std::int64_t steps = 0;
-  std::optional<std::size_t> trial{};  ///< of LandedStudy::trials
+  std::optional<std::size_t> trial{};  ///< index in LandedStudy::trials
 };
 
-/// A whole study from elsewhere: its own cohort, its own people.
+/// A complete imported study with its own cohort and people.
 struct LandedStudy {
   NewCohort cohort{};
   LandedCurriculum curriculum{};
-  std::filesystem::path assets{};  ///< where the exercises of the curriculum are looked up
+  std::filesystem::path assets{};  ///< where the curriculum's exercises are looked up
   std::vector<LandedPerson> people{};
   std::vector<LandedRater> raters{};
   std::vector<std::string> occasions{};  ///< in order of time
@@ -84,28 +84,28 @@ struct LandedStudy {
   std::vector<LandedMark> marks{};
   std::vector<LandedExposure> exposures{};
   std::vector<LandedDeviation> deviations{};
-  std::string markComment{};  ///< kept with each mark: where it is from
+  std::string markComment{};  ///< stored with each mark: its origin
 };
 
-/// What is in the record now.
+/// Result of an import.
 struct LandedOutcome {
   CohortId cohortId{};
-  std::map<std::string, std::string> codes{};  ///< code in the record by name
+  std::map<std::string, std::string> codes{};  ///< codes in the record by name
 };
 
-/// Rights that landStudy() asks for: kStudySetup, kStudyEnrol, kPersonEdit, kCurriculumEdit.
+/// Requires the rights for landStudy(): kStudySetup, kStudyEnrol, kPersonEdit, kCurriculumEdit.
 void requireLanding(SessionContext& session);
 
-/// Where a study came from, for the audit trail.
+/// Origin of a study, for the audit trail.
 struct LandingNote {
-  std::string json{};    ///< layout, counts and hash of what was read
-  std::string reason{};  ///< why it was imported
+  std::string json{};    ///< layout, counts and hash of the source
+  std::string reason{};  ///< reason for the import
 };
 
-/// Enters a study: all of it or nothing. Audited: the import itself with its note, and cohort, people,
-/// enrolments, occasions, recordings and marks as if somebody had entered each. requireLanding(). Throws
-/// Error{kBadData} for a class of raters that the record does not have, a code or recording that it has
-/// already; {kBadParameter} for the name of another cohort; DbError; what `progress` throws stops it.
+/// Imports a study, all or nothing. Audited: the import itself with its note, and cohort, people, enrolments,
+/// occasions, recordings and marks as if entered one by one. requireLanding(). Throws Error{kBadData} for an
+/// unknown rater class, or a code or recording that exists already; {kBadParameter} if another cohort has the
+/// name; DbError; exceptions of `progress` stop the import.
 LandedOutcome landStudy(SessionContext& session, LandedStudy study, const LandingNote& note,
                         const ProgressCallback& progress = {});
 

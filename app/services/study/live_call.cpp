@@ -41,7 +41,7 @@ std::int64_t minutesOf(std::int64_t span_us) {
   return std::lround(std::floor(static_cast<double>(span_us) / kMinute_us));
 }
 
-/// Why the curriculum says another time; empty: it is due now.
+/// Returns why the curriculum does not expect a call now; empty: it is due.
 std::optional<Text> objectionTo(const Occasion& wanted, const DayBoardRow& row) {
   if (!wanted.afterExposure_us) {
     return std::nullopt;
@@ -59,7 +59,7 @@ std::optional<Text> objectionTo(const Occasion& wanted, const DayBoardRow& row) 
   return std::nullopt;
 }
 
-/// The live sheets of a case that were not withdrawn.
+/// Live sheets of a case that were not withdrawn.
 struct LiveSheets {
   std::string caseLabel;
   std::size_t asked = 0;
@@ -117,7 +117,7 @@ std::string callJson(const std::string& occasionCode, const std::string& room) {
   return nlohmann::json{{"occasion", occasionCode}, {"room", room}}.dump();
 }
 
-/// The call that is open already for this very case; refuses when room or trainee are at another one.
+/// Returns the open call of the same case; throws if the room or trainee is in another call.
 std::optional<LiveCallId> alreadyCalled(SessionContext& session, const CallRequest& request,
                                         const Occasion& occasion) {
   CallRepository calls(session.connection());
@@ -246,7 +246,7 @@ void cancelCall(SessionContext& session, const CohortId& cohortId, const LiveCal
 
 std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kStudySetup);
-  // Of a case that was called twice only the newest call counts.
+  // If a case was called twice, only the latest call counts.
   std::map<std::pair<EnrolmentId, std::string>, LiveCall> newest;
   for (LiveCall& call : CallRepository(session.connection()).calls(cohortId)) {
     if (!call.cancelled) {
@@ -254,7 +254,7 @@ std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& coh
     }
   }
   if (newest.empty()) {
-    return {};  // the board asks every few seconds, and mostly nobody was called
+    return {};  // the board polls every few seconds, mostly without calls
   }
   std::map<EnrolmentId, std::string> codes;
   for (const Enrolment& enrolment : StudyRepository(session.connection()).enrolments(cohortId)) {

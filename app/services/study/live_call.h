@@ -14,55 +14,54 @@
 
 namespace torsio {
 
-/// Whom to call to the real arm.
+/// A trainee to call to the real arm.
 struct CallRequest {
   CohortId cohortId{};
   EnrolmentId enrolmentId{};
-  std::string occasionCode{};  ///< empty: the one that is due
+  std::string occasionCode{};  ///< empty: the one due
   std::string room{};
-  /// Why now, where the curriculum says another time; becomes a deviation.
+  /// Required if the curriculum does not expect it now; recorded as a deviation.
   std::string reason{};
 };
 
-/// A call as it would be made.
+/// Result of checkCall().
 struct CallCheck {
   Occasion occasion{};
-  /// Why the curriculum says another time: "has trained 0 of 40 min"; empty: it is due.
+  /// Why the curriculum does not expect it now: "has trained 0 of 40 min"; empty: it is due.
   std::optional<Text> objection{};
 };
-/// Reads only. kStudySetup. Throws Error{kBadData}: nobody of this cohort, withdrawn, no occasion is due, no
-/// rater is asked for a live sheet, all sheets are in.
+/// Checks a call without making it. kStudySetup. Throws Error{kBadData} if the person is not in this cohort
+/// or withdrawn, no occasion is due, no live sheet is requested, or all sheets are in.
 [[nodiscard]] CallCheck checkCall(SessionContext& session, const CallRequest& request);
 
-/// Calls a trainee: from now on every rater who is asked finds the sheet open. The same case in the same room
-/// again returns the call that is open. Audited. kStudySetup. Throws Error like checkCall(); {kBadParameter}:
-/// no room, or an objection and no reason; {kBadData}: the room or the trainee is at another call.
+/// Calls a trainee: opens the sheets of all assigned raters. Calling the same case in the same room again
+/// returns the open call. Audited. kStudySetup. Throws Error like checkCall(); {kBadParameter} without a
+/// room, or with an objection but no reason; {kBadData} if the room or the trainee is in another call.
 LiveCallId callTrainee(SessionContext& session, const CallRequest& request);
 
-/// The trainee has left the arm. Sheets that are not in yet stay open and count as late. Audited.
+/// Ends a call when the trainee leaves the arm. Missing sheets stay open and count as late. Audited.
 /// kStudySetup.
 void endCall(SessionContext& session, const CohortId& cohortId, const LiveCallId& callId);
-/// Somebody else stood there: the sheets are closed until the next call. Audited. kStudySetup. Throws
-/// Error{kBadData} once a sheet of this call is submitted.
+/// Cancels a call made for the wrong person: closes the sheets until the next call. Audited. kStudySetup.
+/// Throws Error{kBadData} once a sheet of this call is submitted.
 void cancelCall(SessionContext& session, const CohortId& cohortId, const LiveCallId& callId,
                 const std::string& reason);
 
-/// A call and how far its sheets are; no marks.
+/// A call and the progress of its sheets, without marks.
 struct CalledCase {
   LiveCall call{};
-  std::string caseLabel{};  ///< what the raters see
+  std::string caseLabel{};  ///< shown to raters
   std::string traineeCode{};
   Occasion occasion{};
   std::size_t asked = 0;
   std::size_t submitted = 0;
-  std::vector<std::string> missing{};  ///< codes of raters whose sheet is not in
+  std::vector<std::string> missing{};  ///< codes of raters with missing sheets
 };
-/// Calls that are open, and ended ones whose sheets are not all in; open ones first, then the oldest.
-/// kStudySetup.
+/// Returns open calls, then ended ones with missing sheets, oldest first. kStudySetup.
 [[nodiscard]] std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& cohortId);
 
-/// Who is meant by a code that was typed or scanned, in any case and with blanks around it. kStudySetup.
-/// Throws Error{kBadData}: nobody in this cohort.
+/// Returns the enrolment of a typed or scanned code, ignoring case and surrounding spaces. kStudySetup.
+/// Throws Error{kBadData} if it is not in this cohort.
 [[nodiscard]] EnrolmentId enrolmentWithCode(SessionContext& session, const CohortId& cohortId,
                                             const std::string& code);
 

@@ -58,7 +58,7 @@ Assignment openLiveSheet(Connection& connection, const AssignmentId& assignmentI
   return status->assignment;
 }
 
-/// What somebody typed otherwise: of all others, in the order of the sheet.
+/// Returns the rows in which anybody else's typing differs, in sheet order.
 std::vector<std::string> differing(const RubricRevision& rubric, const Sheet& own, const UserId& user,
                                    const std::vector<PaperEntry>& entries) {
   for (const PaperEntry& entry : entries) {
@@ -106,7 +106,7 @@ std::vector<PaperCase> paperCases(SessionContext& session, const CohortId& cohor
     for (const UserId& user : typed[one.id]) {
       (user == session.actor().userId ? shown.byMe = true : (++shown.byOthers, true));
     }
-    shown.differs = typed[one.id].size() > 1;  // two that agree are no entries any more
+    shown.differs = typed[one.id].size() > 1;  // a sheet typed alike by two people is no longer listed here
     cases.push_back(std::move(shown));
   }
   std::sort(cases.begin(), cases.end(), [](const PaperCase& a, const PaperCase& b) {

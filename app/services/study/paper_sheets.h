@@ -12,50 +12,52 @@
 
 namespace torsio {
 
-/// One live sheet that is not in yet, for whoever types it from paper: nothing tells who or which stage.
+/// A missing live sheet, for typing it from paper; reveals neither trainee nor stage.
 struct PaperCase {
   AssignmentId assignmentId{};
   std::string caseLabel{};
   std::string raterCode{};
   std::int64_t calledUtc_us = 0;
-  bool byMe = false;         ///< typed by who asks
-  std::size_t byOthers = 0;  ///< typed by that many others
-  bool differs = false;      ///< typed by two people, and not alike
+  bool byMe = false;         ///< typed by the actor
+  std::size_t byOthers = 0;  ///< number of others who have typed it
+  bool differs = false;      ///< typed by two people with differences
 };
-/// The live sheets of a cohort that were called and are not in, by case, then rater. kStudySetup.
+/// Returns called live sheets of a cohort that are missing, by case, then rater. kStudySetup.
 [[nodiscard]] std::vector<PaperCase> paperCases(SessionContext& session, const CohortId& cohortId);
 
-/// What the form shows: the rubric, and what this person has typed before.
+/// Content of the form: the rubric, and what the actor has typed before.
 struct PaperForm {
   std::string caseLabel{};
   std::string raterCode{};
   RubricRevision rubric{};
   Sheet own{};
-  /// Codes of rows at which somebody else read another mark from the same paper; whose and which is not told.
+  /// Codes of rows in which somebody else typed another mark from the same paper; neither person nor mark is
+  /// revealed.
   std::vector<std::string> differing{};
 };
-/// kStudySetup. Throws Error{kBadData}: no live sheet, not called yet, submitted or withdrawn.
+/// kStudySetup. Throws Error{kBadData} unless it is a live sheet that was called and is neither submitted nor
+/// withdrawn.
 [[nodiscard]] PaperForm paperForm(SessionContext& session, const AssignmentId& assignmentId);
 
 enum class PaperOutcome {
-  kFirst,    ///< kept: somebody else has to type it, too
-  kDiffers,  ///< both kept, nothing counts: both look at the paper again
+  kFirst,    ///< stored; somebody else has to type it too
+  kDiffers,  ///< both stored, but not counted: both check the paper again
   kCounts,   ///< typed alike by two people: sealed as the rater's mark
 };
-/// Keeps what was read from paper. A mark counts once two people have typed the same marks in every row;
-/// reasons and comments are not compared, those of the second one stay. Audited with both typists once it
-/// counts: like a draft, what one person typed is nobody's record. kStudySetup. Throws Error like
-/// paperForm(); {kBadData}: a row is unanswered or off its scale.
+/// Stores what was typed from paper. A mark counts once two people have typed the same marks in every row;
+/// reasons and comments are not compared, the second one's are kept. Audited with both typists once it
+/// counts; until then it is like a draft, not part of the record. kStudySetup. Throws Error like paperForm();
+/// {kBadData} for an unanswered row or a mark off its scale.
 PaperOutcome enterPaperSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet);
 
-/// A sheet to print: one rater, one case, the rows of the rubric; nothing of trainee, group and stage.
+/// A sheet to print: one rater, one case, the rows of the rubric; no trainee, group or stage.
 struct PaperSheet {
   std::string caseLabel{};
   std::string raterCode{};
   RubricRevision rubric{};
 };
-/// Sheets that are not in, of one trainee (`enrolmentId`) or of the whole cohort, at one occasion; empty: at
-/// the one that is due for each. By case, then rater. kStudySetup.
+/// Returns missing sheets of one trainee (`enrolmentId`) or the whole cohort, at one occasion; if empty, at
+/// the one due for each. By case, then rater. kStudySetup.
 [[nodiscard]] std::vector<PaperSheet> paperSheets(SessionContext& session, const CohortId& cohortId,
                                                   const EnrolmentId& enrolmentId,
                                                   const std::string& occasionCode);

@@ -24,7 +24,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::uint64_t kLabelOfOne = 1;  // stream of the seed
+constexpr std::uint64_t kLabelOfOne = 1;  // random stream
 
 AssignmentStatus statusOfSheet(SheetRepository& sheets, const AssignmentId& assignmentId) {
   const std::optional<AssignmentStatus> found = sheets.findAssignment(assignmentId);
@@ -43,7 +43,7 @@ void requireActiveRater(SessionContext& session, const RaterId& raterId) {
   }
 }
 
-/// The sheet that a rater has, or had, about the same case.
+/// Returns the present or former sheet of a rater for the same case.
 std::optional<AssignmentStatus> sheetAboutCase(SheetRepository& sheets, const RaterId& raterId,
                                                const Assignment& of) {
   for (const Assignment& own : sheets.assignmentsOf(raterId)) {
@@ -54,9 +54,9 @@ std::optional<AssignmentStatus> sheetAboutCase(SheetRepository& sheets, const Ra
   return std::nullopt;
 }
 
-/// A sheet of their own for somebody who never had one about this case.
-AssignmentId askInstead(SessionContext& session, SheetRepository& sheets, Assignment next,
-                        const RaterId& raterId) {
+/// Assigns a new sheet to a rater who never had one for this case.
+AssignmentId assignInstead(SessionContext& session, SheetRepository& sheets, Assignment next,
+                           const RaterId& raterId) {
   std::set<std::string> labels;
   std::int64_t position = 0;
   for (const Assignment& other : sheets.assignmentsOf(raterId)) {
@@ -66,7 +66,8 @@ AssignmentId askInstead(SessionContext& session, SheetRepository& sheets, Assign
   next.id = session.ids().newUuid();
   next.raterId = raterId;
   next.position = position + 1;
-  // A live case is called out in the room: it keeps its label unless the new rater knows another by it.
+  // A live case keeps its label, which is called out in the room, unless the new rater uses it for another
+  // case.
   if (!next.trialId.empty() || labels.contains(next.caseLabel)) {
     next.caseLabel = caseLabels(1, labels, drawSeed(session.ids()), kLabelOfOne).front();
   }
@@ -96,7 +97,7 @@ AssignmentId moveSheet(SessionContext& session, const AssignmentStatus& before, 
     if (own) {
       sheets.giveBack(own->assignment.id, reason, session.actor().userId, session.now_us());
     }
-    now = own ? own->assignment.id : askInstead(session, sheets, sheet, newRaterId);
+    now = own ? own->assignment.id : assignInstead(session, sheets, sheet, newRaterId);
   }
   session.note({.action = now.empty() ? AuditAction::kAssignmentWithdraw : AuditAction::kAssignmentReassign,
                 .objectKind = AuditObject::kAssignment,

@@ -11,17 +11,17 @@
 
 namespace torsio {
 
-/// What became of several sheets.
+/// Result of reassignAll().
 struct SheetsMoved {
   std::size_t moved = 0;
-  std::size_t submitted = 0;     ///< left as they are: sealed meanwhile
-  std::size_t askedAlready = 0;  ///< left as they are: the other rater is asked about these cases
+  std::size_t submitted = 0;     ///< unchanged: submitted in the meantime
+  std::size_t askedAlready = 0;  ///< unchanged: the new rater is already assigned to these cases
 };
-/// Takes sheets that were not submitted from their raters; with `newRaterId` another one is asked, under a
-/// label of theirs. Whoever had such a sheet before and lost it gets that one back, with what they had typed;
-/// a sheet that was taken back goes to its own rater only. All or none; those that cannot be moved are left
-/// and counted. Audited, sheet by sheet. kStudySetup. Throws Error{kBadData}: no reason, an unknown sheet or
-/// rater, or nothing that can be moved.
+/// Withdraws sheets that were not submitted; with `newRaterId`, assigns them to that rater under new labels.
+/// A rater who lost such a sheet before gets it back with its draft; a withdrawn sheet can only go back to
+/// its own rater. All or nothing; sheets that cannot be moved are skipped and counted. Audited for each
+/// sheet. kStudySetup. Throws Error{kBadData} without a reason, for an unknown sheet or rater, or if nothing
+/// can be moved.
 SheetsMoved reassignAll(SessionContext& session, std::span<const AssignmentId> assignmentIds,
                         const RaterId& newRaterId, const std::string& reason);
 

@@ -8,9 +8,8 @@
 
 namespace torsio {
 
-/// Adds what the actor makes of a remark beside its words so far, with its entry in the audit trail. The
-/// caller has asked for the right and found the remark among those that the actor sees. Throws as
-/// revisionOf().
+/// Adds a version to a remark, audited. The caller has checked the right and that the actor can see the
+/// remark. Throws like revisionOf().
 void reviseRemark(SessionContext& session, const Remark& remark, const std::string& text);
 
 }  // namespace torsio

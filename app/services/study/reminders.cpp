@@ -22,7 +22,7 @@ namespace torsio {
 
 namespace {
 
-/// Addressees by the id of the rater, with what may be seen of them.
+/// Returns recipients by rater id, with the visible contact data.
 std::map<RaterId, Reminder> addressees(SessionContext& session) {
   PeopleRepository people(session.connection());
   std::map<RaterId, Reminder> all;
@@ -47,7 +47,7 @@ std::map<RaterId, Reminder> addressees(SessionContext& session) {
 std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kStudySetup);
   Connection& connection = session.connection();
-  std::map<std::pair<EnrolmentId, std::string>, LiveCall> calls;  // the newest of each case
+  std::map<std::pair<EnrolmentId, std::string>, LiveCall> calls;  // latest call of each case
   for (LiveCall& call : CallRepository(connection).calls(cohortId)) {
     if (!call.cancelled) {
       const std::pair key(call.enrolmentId, call.occasionCode);
@@ -71,7 +71,7 @@ std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortI
     if (awaited.live) {
       const auto call = calls.find({one.enrolmentId, one.occasionCode});
       if (call == calls.end()) {
-        continue;  // nobody can score yet
+        continue;  // cannot be scored yet
       }
       awaited.calledUtc_us = call->second.calledUtc_us;
       awaited.late = call->second.endedUtc_us.has_value();

@@ -12,32 +12,32 @@
 
 namespace torsio {
 
-/// A sheet that somebody waits for. Its case label is all that its rater knows of it.
+/// A missing sheet. Its rater knows only its case label.
 struct SheetAwaited {
   std::string caseLabel{};
   bool live = false;
-  std::int64_t calledUtc_us = 0;            ///< live: when the trainee stood at the arm
+  std::int64_t calledUtc_us = 0;            ///< live: time of the call
   std::optional<std::int64_t> dueUtc_us{};  ///< recorded: the deadline
   bool late = false;                        ///< past its deadline, or the call has ended
 };
-/// A rater who still owes sheets.
+/// A rater with missing sheets.
 struct Reminder {
   RaterId raterId{};
   std::string raterCode{};
-  std::string name{};                  ///< empty: who asks may not see names, or none is kept
-  std::string email{};                 ///< the same
+  std::string name{};                  ///< empty: the actor may not see names, or none is stored
+  std::string email{};                 ///< like `name`
   std::vector<SheetAwaited> sheets{};  ///< late ones first, then by label
 };
-/// Whom to remind: of live sheets that were called, and of recorded cases that are open. Raters by code;
-/// those who owe nothing are left out. kStudySetup.
+/// Returns whom to remind of called live sheets and open recorded cases. Raters by code; omits those without
+/// missing sheets. kStudySetup.
 [[nodiscard]] std::vector<Reminder> reminders(SessionContext& session, const CohortId& cohortId);
 
-/// How somebody is reminded.
+/// How a reminder was sent.
 enum class ReminderWay {
-  kMail,    ///< the mail server took the message
-  kCopied,  ///< the words were copied, for a message that Torsio does not see
+  kMail,    ///< accepted by the mail server
+  kCopied,  ///< text copied for a message outside Torsio
 };
-/// Audited: an entry for each rater, with the labels of the cases. kStudySetup.
+/// Audits reminders: an entry per rater, with the case labels. kStudySetup.
 void noteReminders(SessionContext& session, std::span<const Reminder> reminded, ReminderWay way);
 
 }  // namespace torsio

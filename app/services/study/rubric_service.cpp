@@ -90,9 +90,9 @@ std::optional<Error> flawOf(const ScoreScale& scale) {
   return std::nullopt;
 }
 
-/// `say(field, what, remedy)` takes what is wrong with the anchors of a row.
+/// Reports problems of a row's anchors with `say(field, what, remedy)`.
 template <typename Say>
-void sayAnchors(const RubricLine& row, const Say& say) {
+void reportAnchors(const RubricLine& row, const Say& say) {
   std::set<std::int64_t> scores;
   for (const RubricAnchor& anchor : row.anchors) {
     if (!isOnScale(anchor.score_steps, row.scale)) {
@@ -140,7 +140,7 @@ std::vector<RubricProblem> rubricProblems(const RubricRevision& revision) {
     if (const std::optional<Error> flaw = flawOf(row.scale)) {
       say(RubricField::kScale, flaw->happenedText(), flaw->remedyText());
     }
-    sayAnchors(row, say);
+    reportAnchors(row, say);
   }
   if (std::none_of(revision.rows.begin(), revision.rows.end(),
                    [](const RubricLine& row) { return row.weight_milli > 0; })) {

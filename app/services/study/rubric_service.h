@@ -12,51 +12,52 @@
 
 namespace torsio {
 
-/// A rubric that ships as a file of assets/rubrics; ids in `revision` are empty.
+/// A rubric shipped in assets/rubrics; ids in `revision` are empty.
 struct RubricTemplate {
   std::string id{};  ///< file name without .json
   std::string title{};
-  std::string source{};  ///< where it comes from
+  std::string source{};  ///< origin
   RubricRevision revision{};
 };
-/// All templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData} with file and field.
+/// Returns all templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData} with file and
+/// field.
 [[nodiscard]] std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets);
 [[nodiscard]] RubricTemplate parseRubric(const std::string& json, const std::string& id);
-/// Writes what parseRubric() reads.
+/// Formats a rubric for parseRubric().
 [[nodiscard]] std::string rubricText(const std::string& title, const RubricRevision& revision);
 
-/// What of a rubric is meant.
+/// Part of a rubric that has a problem.
 enum class RubricField { kOverall, kRows, kLabel, kScale, kWeight, kAnchors };
-/// What is wrong with a rubric.
+/// A problem of a rubric.
 struct RubricProblem {
   RubricField field = RubricField::kRows;
-  std::size_t row = 0;  ///< of kLabel, kScale, kWeight and kAnchors
+  std::size_t row = 0;  ///< for kLabel, kScale, kWeight and kAnchors
   Text what{};
   Text where{};
   Text remedy{};
 };
-/// Everything that is wrong, in the order of the rows; empty: it can be published.
+/// Returns all problems in row order; empty: it can be published.
 [[nodiscard]] std::vector<RubricProblem> rubricProblems(const RubricRevision& revision);
 
-/// Throws Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out
-/// of range, no row with a weight. It is the first of rubricProblems().
+/// Throws Error{kBadParameter} with the first of rubricProblems(): no rows, a row without code or label, a
+/// duplicate code, a scale or anchor out of range, no row with a weight.
 void checkRubric(const RubricRevision& revision);
-/// Makes a code for a criterion of this name that no row of the revision has.
+/// Creates a unique code for a criterion of this name.
 [[nodiscard]] std::string codeForCriterion(const RubricRevision& revision, const std::string& label);
 
 struct RubricRow {
   RubricId id{};
   std::string name{};
-  std::vector<RubricRevision> revisions{};  ///< oldest first; the last one is offered
+  std::vector<RubricRevision> revisions{};  ///< oldest first; new sheets use the last one
 };
-/// All rubrics by name. kPersonViewCoded (whoever administers the study).
+/// Returns all rubrics by name. kPersonViewCoded.
 [[nodiscard]] std::vector<RubricRow> rubrics(SessionContext& session);
 
-/// Stores a rubric with its first revision. Returns the id of the revision. Audited. kCurriculumEdit. Throws
-/// Error{kBadParameter} as checkRubric().
+/// Stores a rubric with its first revision. Returns the revision's id. Audited. kCurriculumEdit. Throws
+/// Error{kBadParameter} like checkRubric().
 RubricRevisionId addRubric(SessionContext& session, const std::string& name, const RubricRevision& first,
                            bool demonstration = false);
-/// The next revision: sheets that were assigned keep theirs. Returns its id. Audited. kCurriculumEdit.
+/// Adds a revision; assigned sheets keep theirs. Returns its id. Audited. kCurriculumEdit.
 RubricRevisionId reviseRubric(SessionContext& session, const RubricId& rubricId, const RubricRevision& next,
                               const std::string& note);
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kTrainedBefore = storedText(DeviationKind::kTrainedBeforeScoring);
 
-/// How such a deviation begins: what it is about.
+/// Returns the beginning of such a deviation's description.
 std::string aboutOccasion(const Occasion& occasion) {
   return "\"" + occasion.label + "\": ";
 }

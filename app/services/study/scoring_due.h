@@ -15,18 +15,19 @@ class Connection;
 class SessionContext;
 struct ProtocolDeviation;
 
-/// Live sheets that should be in before somebody trains on: what was not scored by then can never be scored.
+/// Live sheets that should be in before the trainee continues training: afterwards they can no longer be
+/// scored.
 struct ScoringDue {
   Occasion occasion{};
   std::size_t asked = 0;
   std::size_t submitted = 0;
 };
-/// Of the newest occasion that this much training has reached. Empty: all are in, nobody was asked, or the
-/// deviation was noted already. The caller has asked for a right.
+/// Returns missing sheets of the latest occasion reached. Empty if there are none, none were requested, or
+/// the deviation was recorded already. The caller has checked a right.
 [[nodiscard]] std::optional<ScoringDue> scoringDue(Connection& connection, const CohortId& cohortId,
                                                    const EnrolmentId& enrolmentId, std::int64_t trained_us);
 
-/// The deviation that training went on nevertheless, with the reason that was given; not stored yet.
+/// Returns, without storing it, the deviation that training continued anyway, with its reason.
 [[nodiscard]] ProtocolDeviation trainedBeforeScoring(const SessionContext& session, const ScoringDue& due,
                                                      const CohortId& cohortId, const EnrolmentId& enrolmentId,
                                                      const std::string& reason, bool demonstration);

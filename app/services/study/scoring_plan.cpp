@@ -32,7 +32,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::uint64_t kCommonLabels = 1;  // streams of the seed
+constexpr std::uint64_t kCommonLabels = 1;  // random streams
 constexpr std::uint64_t kLabelsOfRater = 100'000;
 
 /// One trainee at one occasion.
@@ -125,7 +125,7 @@ std::vector<Case> casesOf(Connection& connection, StudyRepository& study, const 
   return cases;
 }
 
-/// Live cases keep the label under which they were called before.
+/// Live cases keep the label of an earlier call.
 void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStatus>& present,
                       const std::set<std::string>& taken, std::uint64_t seed) {
   std::map<std::string, std::string> known;
@@ -145,7 +145,7 @@ void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStat
   }
 }
 
-/// The assignments of one rater for the cases that they were not asked about yet.
+/// Returns new assignments of one rater for cases not yet assigned to them.
 std::vector<Assignment> assignmentsFor(SessionContext& session, const ScoringPlan& plan,
                                        const std::vector<Case>& cases, std::size_t panelPosition,
                                        std::uint64_t seed) {
@@ -369,7 +369,7 @@ std::vector<std::size_t> counterbalancedOrder(std::vector<OrderedCase> cases, st
   for (std::size_t round = 0; round < rounds; ++round) {
     std::vector<std::size_t> together;
     for (const auto& [name, members] : strata) {
-      // Small strata are spread over all rounds rather than used up in the first ones.
+      // Spread small strata over all rounds instead of using them up in the first ones.
       const std::size_t from = round * members.size() / rounds;
       const std::size_t to = (round + 1) * members.size() / rounds;
       for (std::size_t i = from; i < to; ++i) {
@@ -400,7 +400,7 @@ std::vector<std::string> caseLabels(std::size_t count, const std::set<std::strin
     const std::size_t wanted = std::min(count - labels.size(), pool.size());
     labels.insert(labels.end(), pool.begin(), pool.begin() + static_cast<std::ptrdiff_t>(wanted));
   }
-  // The longer labels must not gather at the end: their place would tell something.
+  // Longer labels must not gather at the end, where their place would be informative.
   random.shuffle(std::span<std::string>(labels));
   return labels;
 }

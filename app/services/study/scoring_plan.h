@@ -15,72 +15,70 @@
 
 namespace torsio {
 
-/// A recording that stands for a trainee at an occasion. Cases without one are scored live, on the real
-/// arm.
+/// A recording of a trainee at an occasion. Cases without one are scored live, on the real arm.
 struct CaseRecording {
   EnrolmentId enrolmentId{};
   std::string occasionCode{};
   TrialId trialId{};
 };
 
-/// Who is asked to score whom, when.
+/// Who scores whom, and when.
 struct ScoringPlan {
   CohortId cohortId{};
-  std::vector<std::string> occasionCodes{};  ///< codes of occasions
+  std::vector<std::string> occasionCodes{};  ///< occasion codes
   std::vector<RaterId> raterIds{};
   std::vector<EnrolmentId> enrolmentIds{};  ///< empty: everybody who has not withdrawn
   std::vector<CaseRecording> recordings{};
   RubricRevisionId rubricRevisionId{};
   std::optional<std::int64_t> dueUtc_us{};
-  std::optional<std::uint64_t> seed{};  ///< of order and labels; empty: drawn, and kept in the audit trail
+  std::optional<std::uint64_t> seed{};  ///< of order and labels; empty: drawn, and audited
 };
 
-/// What a plan made.
+/// Result of createAssignments().
 struct ScoringPlanOutcome {
   std::size_t created = 0;
-  std::size_t already = 0;  ///< asked before: left as they are
+  std::size_t already = 0;  ///< already assigned, unchanged
   std::uint64_t seed = 0;
 };
 
-/// Makes one assignment a rater, trainee and occasion. Each rater gets an order of their own in which
-/// groups and stages are spread evenly over the sitting (counterbalanced), so that tiredness and drift hit
-/// all alike. Case labels ("7F") are drawn at random and tell neither stage nor group, nor does their order;
-/// a live case has one label for all raters (it is called out in the room), a recorded one another for each.
-/// Audited. kStudySetup. Throws Error{kBadParameter}: nobody to score, an unknown rater, rubric or
-/// occasion.
+/// Creates one assignment per rater, trainee and occasion. Each rater gets a separate order with groups and
+/// stages spread evenly over the session (counterbalanced), so that fatigue and drift affect all alike. Case
+/// labels ("7F") are random, and neither they nor the order reveal stage or group; a live case has the same
+/// label for all raters (it is called out in the room), a recorded one a different label for each. Audited.
+/// kStudySetup. Throws Error{kBadParameter} without cases, or for an unknown rater, rubric or occasion.
 ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan& plan);
 
 /// One cell of the matrix.
 struct ScoringCell {
-  AssignmentId assignmentId{};  ///< empty: this rater was not asked
+  AssignmentId assignmentId{};  ///< empty: not assigned to this rater
   SheetState state = SheetState::kOpen;
   std::string caseLabel{};
   std::optional<std::int64_t> dueUtc_us{};
-  std::int64_t changedUtc_us = 0;  ///< of the newest draft or mark; 0: none
+  std::int64_t changedUtc_us = 0;  ///< of the latest draft or mark; 0: none
 };
 struct ScoringMatrix {
   struct Rater {
     RaterId id{};
     std::string code{};
     std::string classCode{};
-    std::size_t open = 0;  ///< sheets that are open or drafts
+    std::size_t open = 0;  ///< open sheets and drafts
     std::size_t submitted = 0;
   };
   struct Line {
     EnrolmentId enrolmentId{};
     std::string traineeCode{};
     Occasion occasion{};
-    std::vector<ScoringCell> cells{};  ///< one a rater
+    std::vector<ScoringCell> cells{};  ///< one per rater
     std::size_t missing = 0;           ///< open or draft
   };
   std::vector<Rater> raters{};
   std::vector<Line> lines{};  ///< by occasion, then trainee
-  Occasions occasions{};      ///< of the cohort: what can be asked for
+  Occasions occasions{};      ///< of the cohort, which sheets can be requested for
 };
-/// Who has scored whom; no marks. kStudySetup.
+/// Returns who has scored whom, without marks. kStudySetup.
 [[nodiscard]] ScoringMatrix scoringMatrix(SessionContext& session, const CohortId& cohortId);
 
-/// What stands before a release.
+/// Status of an occasion before its release.
 struct ReleaseState {
   Occasion occasion{};
   bool released = false;
@@ -89,28 +87,27 @@ struct ReleaseState {
 };
 /// In order of time. kMarkRelease.
 [[nodiscard]] std::vector<ReleaseState> releaseStates(SessionContext& session, const CohortId& cohortId);
-/// Shows the marks of an occasion to the trainees. While sheets are missing only with a reason. Audited.
+/// Releases the marks of an occasion to the trainees; needs a reason while sheets are missing. Audited.
 /// kMarkRelease.
 void releaseMarks(SessionContext& session, const CohortId& cohortId, const std::string& occasionCode,
                   const std::string& reason = {});
-/// Takes them back; the reason is required. Audited. kMarkRelease.
+/// Retracts released marks, with a reason. Audited. kMarkRelease.
 void retractMarks(SessionContext& session, const CohortId& cohortId, const std::string& occasionCode,
                   const std::string& reason);
 
-/// A case as the order needs to know it: which stratum (stage and group) it belongs to.
+/// A case and its stratum (stage and group).
 struct OrderedCase {
-  std::size_t index = 0;  ///< of the caller
+  std::size_t index = 0;  ///< index used by the caller
   std::string stratum{};
 };
 
-/// An order for one rater in which the strata are spread evenly: it is made of rounds with at most one case
-/// of each stratum, shuffled within the round. Same seed and rater, same order. `rater`: position in the
-/// panel.
+/// Returns one rater's order with the strata spread evenly: rounds with at most one case of each stratum,
+/// shuffled within the round. Same seed and rater, same order. `rater`: index in the panel.
 [[nodiscard]] std::vector<std::size_t> counterbalancedOrder(std::vector<OrderedCase> cases,
                                                             std::uint64_t seed, std::uint64_t rater);
 
-/// `count` labels of the form "7F", at random and without repetition, none of them in `taken`. The letters I
-/// and O are left out. Labels grow a digit when the short ones are used up.
+/// Returns `count` random unique labels such as "7F", none of them in `taken`. Omits the letters I and O.
+/// Labels get another digit when the short ones are used up.
 [[nodiscard]] std::vector<std::string> caseLabels(std::size_t count, const std::set<std::string>& taken,
                                                   std::uint64_t seed, std::uint64_t stream);
 

@@ -11,7 +11,7 @@ namespace torsio {
 
 namespace {
 
-/// Refuses a second row with the same name; one name is one person.
+/// Throws on a second row with the same name, which would be the same person.
 class NamesOnce {
  public:
   NamesOnce(const CsvTable& table, const std::string& column) : table_(table), column_(column) {}

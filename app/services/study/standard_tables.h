@@ -9,16 +9,16 @@
 
 namespace torsio {
 
-// Tables from which the line between pass and fail is drawn (assessment/statistics/standard_setting.h). Each
-// throws Error{kBadData} that names the line of what is missing, stands twice or is no number. Any thread.
+// Tables for setting pass marks (assessment/statistics/standard_setting.h). Each function throws
+// Error{kBadData} naming the line of a missing, duplicate or invalid value. Any thread.
 
-/// Percent of borderline trainees who would succeed, as each judge sees it.
+/// Percentage of borderline trainees who would succeed, estimated by each judge.
 struct JudgedItems {
   std::vector<std::string> judges{};
   std::vector<std::string> items{};
   NumberTable percent{};  ///< judges x items, 0 to 100
 };
-/// Reads the columns judge, item and percent; every judge judges every item.
+/// Reads the columns judge, item and percent; every judge must have judged every item.
 [[nodiscard]] JudgedItems readJudgedItems(const CsvTable& table);
 
 /// Scores and global ratings of the same subjects.
@@ -29,7 +29,7 @@ struct RatedScores {
 /// Reads the columns subject, global and score.
 [[nodiscard]] RatedScores readRatedScores(const CsvTable& table);
 
-/// Scores of those who are held to be not yet able, and to be able.
+/// Scores of people classified as not yet competent, and as competent.
 struct ContrastedScores {
   std::vector<double> novices{};
   std::vector<double> masters{};

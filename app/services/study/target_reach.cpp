@@ -14,7 +14,8 @@ namespace torsio {
 
 namespace {
 
-/// Whether the pattern's own target, which its scene answers for, is at least as far to the same side.
+/// Returns whether the pattern's own target, which its scene guarantees, is at least as far in the same
+/// direction.
 bool withinPattern(const TwistPattern& pattern, double target_rad) {
   return std::abs(target_rad) <= std::abs(pattern.targetAngle_rad) &&
          (target_rad < 0.0) == (pattern.targetAngle_rad < 0.0);

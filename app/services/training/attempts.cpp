@@ -68,7 +68,7 @@ std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personI
   ExerciseRules rules;
   Transaction transaction(session.connection());
   for (const TrialListing& listing : trials.list(filter)) {
-    if (!isForeign(listing.sceneId)) {  // on the real arm nothing is tried that has a module
+    if (!isForeign(listing.sceneId)) {  // recordings on the real arm are not attempts at modules
       attempts.push_back(measured(session, listing, rules));
     }
   }
@@ -89,7 +89,7 @@ Text Attempt::result() const {
   if (*done == 0.0) {
     return Text::tr("not untwisted, ischaemic dose %1", dose);
   }
-  constexpr double kAtOnce_s = 0.05;  // it flowed as the organ came
+  constexpr double kAtOnce_s = 0.05;  // blood flowed from the start
   const std::optional<double> flow_s = valueIn(values, Quantity::kTimeToFlow);
   return flow_s && *flow_s >= kAtOnce_s ? Text::tr("untwisted, blood after %1, ischaemic dose %2",
                                                    shownValue(Quantity::kTimeToFlow, *flow_s), dose)

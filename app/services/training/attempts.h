@@ -17,7 +17,7 @@
 
 namespace torsio {
 
-/// One recorded try at a module, with what it is judged by.
+/// A recorded attempt at a module, with its measures.
 struct Attempt {
   TrialId trialId{};
   ModuleId moduleId{};
@@ -25,45 +25,45 @@ struct Attempt {
   std::optional<AttemptMode> mode{};  ///< empty: free practice
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
-  bool ended = true;            ///< false: running, or interrupted and not closed yet
+  bool ended = true;            ///< false: running, or interrupted and not yet closed
   std::int64_t twists = 0;      ///< completed
-  std::int64_t onTarget = 0;    ///< of them, released on target
-  std::int64_t unfinished = 0;  ///< not completed, counted apart
+  std::int64_t onTarget = 0;    ///< of these, released on target
+  std::int64_t unfinished = 0;  ///< not completed, counted separately
   std::int64_t forceCuts = 0;   ///< ServoHealth
   QuantityValues values{};      ///< AttemptMeasures::values
-  RunVerdict verdict{};         ///< of one that has ended
+  RunVerdict verdict{};         ///< only if the run has ended
 
-  /// The program or the machine went down: kept, not counted.
+  /// Program or machine failed: kept, but not counted.
   [[nodiscard]] bool interrupted() const noexcept { return verdict.outcome == RunOutcome::kInterrupted; }
-  /// What it came to: "3 of 4 on target", or how an organ was untwisted.
+  /// Describes the result: "3 of 4 on target", or how an organ was untwisted.
   [[nodiscard]] Text result() const;
 };
 
-/// Reads what was measured of a stored trial (recording/kept_digests.h); measures it when nobody has yet.
-/// kTrialViewOwn, own trials only.
+/// Returns the measures of a stored trial (app/services/recording/kept_digests.h), measuring it if necessary.
+/// kTrialViewOwn, the actor's trials.
 Attempt attemptOf(SessionContext& session, const TrialId& trialId);
 
-/// The tries of a trainee, oldest first, without what a tracker saw of the real arm; empty `moduleId`: at all
-/// modules. Trials that were not measured yet are measured now. kTrialViewOwn, own trials only.
+/// Returns a trainee's attempts, oldest first, without tracked recordings of the real arm; empty `moduleId`:
+/// at all modules. Measures trials that were not measured yet. kTrialViewOwn, the actor's trials.
 [[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId,
                                               const ModuleId& moduleId = {});
 
-/// Whether an attempt counts for mastery and for the limit: ended in good order, and graded unless the module
-/// is there for practice.
+/// Returns whether an attempt counts for mastery and for the attempt limit: ended properly, and graded unless
+/// the module is for practice.
 [[nodiscard]] bool counts(const Attempt& attempt, const TrainingModule& module);
 
-/// How far one rule is.
+/// Progress towards one rule.
 struct RuleProgress {
   MasteryRule rule{};
-  std::int64_t streak = 0;  ///< attempts in a row up to the last one
-  bool met = false;         ///< so many in a row were reached once: mastery is not lost again
+  std::int64_t streak = 0;  ///< current number of successive attempts that satisfy it
+  bool met = false;         ///< the required number was reached once: mastery is permanent
   std::optional<double> last{};
 
-  /// "Overshoot: at most 5.0°, in 2 runs in a row (1 so far)".
+  /// Returns "Overshoot: at most 5.0°, in 2 runs in a row (1 so far)".
   [[nodiscard]] Text text() const;
 };
-/// Over the attempts that count, oldest first. An attempt that does not meet the demands of the module, or
-/// for which the metric of a rule is not defined, breaks the row.
+/// Evaluates the attempts that count, oldest first. An attempt that does not meet the module's demands, or
+/// lacks the rule's metric, ends the streak.
 [[nodiscard]] std::vector<RuleProgress> ruleProgress(const TrainingModule& module,
                                                      std::span<const Attempt> attempts);
 

@@ -8,9 +8,8 @@
 
 namespace torsio {
 
-/// Keeps a bookmark of the actor at a moment of a run that the caller has found to be the actor's own, inside
-/// the caller's transaction. Returns its id. Throws Error{kBadParameter} for a
-/// moment outside the recording.
+/// Stores a bookmark of the actor in a run, in the caller's transaction; the caller has checked that the run
+/// is the actor's. Returns its id. Throws Error{kBadParameter} for a time outside the recording.
 RemarkId keepBookmark(SessionContext& session, const TrialListing& trial, double at_s,
                       const std::string& text);
 

@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::size_t kTracePoints = 20'000;
 constexpr std::size_t kFindings = 2;
-constexpr double kClearlyBetter = 0.15;  // of the logarithm: about a sixth
-constexpr double kMoment_s = 0.5;        // round the instant of a largest value
+constexpr double kClearlyBetter = 0.15;  // of the logarithm: about one sixth
+constexpr double kMoment_s = 0.5;        // before and after the time of a maximum
 
-/// The samples of one recording with their times from the first.
+/// The samples of a recording with their times since the first one.
 struct Timeline {
   std::span<const Sample> samples;
   std::vector<std::int64_t> times_us;
@@ -40,10 +40,10 @@ TwistResult resultOf(const MeasuredTwist& twist) {
           .passed = twist.onTarget};
 }
 
-/// Where in the twist the eye should look. `since`: first sample after the twist before, from which a peak of
-/// force belongs to this one.
-Seconds whereIs(Quantity quantity, double value, const Timeline& line, const MeasuredTwist& measured,
-                std::size_t since) {
+/// Returns the part of the twist that shows a metric. `since`: first sample after the previous twist; peaks
+/// of force from there on belong to this one.
+Seconds rangeShowing(Quantity quantity, double value, const Timeline& line, const MeasuredTwist& measured,
+                     std::size_t since) {
   const RecordedTwist& twist = measured.twist;
   const Seconds whole{measured.start_s, measured.letGo_s};
   const auto momentOf = [&](std::size_t first, auto&& size) {
@@ -54,7 +54,7 @@ Seconds whereIs(Quantity quantity, double value, const Timeline& line, const Mea
       }
     }
     const double t = line.at_s(at);
-    // What pressed before the grip is shown up to the grip: there is always some of the twist to be seen.
+    // A peak before the grip is shown up to the grip, so that some of the twist is always visible.
     return Seconds{std::max(std::min(whole.from_s, t), t - kMoment_s),
                    std::min(whole.to_s + kMoment_s, std::max(t, whole.from_s) + kMoment_s)};
   };
@@ -77,7 +77,7 @@ Seconds whereIs(Quantity quantity, double value, const Timeline& line, const Mea
   return whole;
 }
 
-/// First sample after the grip before this twist.
+/// Returns the first sample after the grip before this twist.
 std::size_t sinceBefore(const MeasuredTrial& run, const MeasuredTwist& twist) {
   std::size_t since = 0;
   for (const MeasuredTwist& other : run.twists) {
@@ -92,7 +92,7 @@ DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
   DebriefTrace trace;
   const std::size_t stride = std::max<std::size_t>(1, (end - first + kTracePoints - 1) / kTracePoints);
   for (std::size_t i = first; i < end; i += stride) {
-    // A short peak of force must not fall between two points.
+    // Keep a short peak of force from being lost between two points.
     double force_N = 0.0;
     for (std::size_t k = i; k < std::min(i + stride, end); ++k) {
       force_N = std::max(force_N, tissueForce_N(line.samples[k]));
@@ -124,10 +124,10 @@ void addExpert(const Trial& expert, const AttemptRules& rules, const Timeline& l
   const std::vector<QuantityMerit> all = meritsAgainst(own, reference);
   const auto finding = [&](const QuantityMerit& criterion, const TwistMerit& found, bool strength) {
     const MeasuredTwist& twist = *twists[found.twist];
-    // What went well went well throughout the twist; what went wrong has its moment.
-    const Seconds when = strength
-                             ? Seconds{twist.start_s, twist.letGo_s}
-                             : whereIs(criterion.quantity, found.value, line, twist, sinceBefore(own, twist));
+    // A strength applies to the whole twist; a weakness has its moment.
+    const Seconds when =
+        strength ? Seconds{twist.start_s, twist.letGo_s}
+                 : rangeShowing(criterion.quantity, found.value, line, twist, sinceBefore(own, twist));
     return DebriefFinding{criterion.quantity, found.value, criterion.expert, found.merit,
                           found.twist,        when,        strength};
   };
@@ -142,7 +142,7 @@ void addExpert(const Trial& expert, const AttemptRules& rules, const Timeline& l
 }  // namespace
 
 Text DebriefFinding::text() const {
-  // The peak of the run stands in its check; there is one of that name on the page.
+  // The run's peak is shown in its check, so this one needs a different name.
   const Text name = quantity == Quantity::kPeakForce ? Text(Text::tr("Peak force of one twist"))
                                                      : Text(rowOf(quantity).name);
   const Text own = shownValue(quantity, value);

@@ -21,7 +21,7 @@
 
 namespace torsio {
 
-/// A stretch of the recording.
+/// A time range of the recording.
 struct Seconds {
   double from_s = 0.0;
   double to_s = 0.0;
@@ -32,32 +32,32 @@ struct TwistResult {
   Seconds when{};
   double target_rad = 0.0;
   double released_rad = 0.0;
-  double held_s = 0.0;  ///< on target until let go
+  double held_s = 0.0;  ///< on target until the release
   bool passed = false;  ///< released on target
 };
 
-/// Something that was done well or badly, and where.
+/// A strength or weakness of the run, with its place.
 struct DebriefFinding {
   Quantity quantity{};
-  double value = 0.0;   ///< of that twist, SI
+  double value = 0.0;   ///< of this twist, SI
   double expert = 0.0;  ///< of the expert run
-  double merit = 0.0;   ///< logarithm of how much better than the expert; negative: worse
+  double merit = 0.0;   ///< logarithm of the ratio to the expert; negative: worse
   std::size_t twist = 0;
   Seconds when{};         ///< where to look
   bool strength = false;  ///< false: a weakness
 
-  /// What was good or bad, in one sentence.
+  /// Describes a strength or weakness in one sentence.
   [[nodiscard]] Text text() const;
-  /// What to try next; empty for a strength.
+  /// Suggests what to try next; empty for a strength.
   [[nodiscard]] Text advice() const;
 };
 
-/// A curve for the window, thinned for drawing.
+/// A curve, thinned for drawing.
 struct DebriefTrace {
   std::vector<double> time_s{};
   std::vector<double> angle_rad{};
   std::vector<double> torque_Nm{};
-  std::vector<double> force_N{};  ///< on the tissue; of what is thinned the largest
+  std::vector<double> force_N{};  ///< on the tissue; maximum of the samples that a point stands for
   [[nodiscard]] bool empty() const noexcept { return time_s.empty(); }
 };
 
@@ -67,15 +67,15 @@ struct DebriefBookmark {
   std::string text{};
 };
 
-/// The same run as an older version of the definitions measured it, where that says otherwise: kept beside,
-/// judged no more.
+/// Different measures of the same run by an older version of the definitions: kept for information, not
+/// judged.
 struct EarlierMeasure {
   std::int64_t version = 0;  ///< of the definitions (kMetricsVersion)
   std::optional<double> peakForce_N{};
-  bool withinLimits = false;  ///< force and torque lay within the limits, by that version
+  bool withinLimits = false;  ///< force and torque were within the limits, by that version
 };
 
-/// What a trainee is told right after a run.
+/// Feedback for a trainee right after a run.
 struct Debrief {
   TrialId trialId{};
   ModuleId moduleId{};
@@ -85,46 +85,46 @@ struct Debrief {
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
   bool demonstration = false;
-  bool forceFelt = true;  ///< false: computed and shown; its measures are marked
+  bool forceFelt = true;  ///< false: force was only computed and shown; its measures are marked
   Text servoTrouble{};    ///< app/services/devices/device_readiness.h; empty: none
-  Text servoRemedy{};     ///< what to do about it
+  Text servoRemedy{};     ///< remedy
   RunVerdict verdict{};
-  CompetenceVerdict competence{};  ///< of all runs at the module; no attempts in its errors: there is none
+  CompetenceVerdict competence{};  ///< of all runs at the module; none if its errors have no attempts
   double target_rad = 0.0;
   double tolerance_rad = 0.0;
   double forceLimit_N = 0.0;
-  std::optional<double> deviceForce_N{};     ///< largest that the device was told to give; never judged
-  std::optional<EarlierMeasure> earlier{};   ///< what an older version of the definitions had said
+  std::optional<double> deviceForce_N{};     ///< largest force sent to the device; never judged
+  std::optional<EarlierMeasure> earlier{};   ///< result of an older version of the definitions
   std::vector<TwistResult> twists{};         ///< completed ones
-  std::int64_t unfinishedTwists = 0;         ///< not completed, counted apart
-  std::vector<DebriefFinding> strengths{};   ///< two, best first; fewer when fewer are defined
+  std::int64_t unfinishedTwists = 0;         ///< not completed, counted separately
+  std::vector<DebriefFinding> strengths{};   ///< two, best first; fewer if fewer metrics are defined
   std::vector<DebriefFinding> weaknesses{};  ///< two, worst first
   DebriefTrace own{};
-  /// One twist of the expert, its time from the grip; empty: the scene is not there any more.
+  /// One twist of the expert, with time since the grip; empty if the scene is no longer available.
   DebriefTrace expert{};
-  std::shared_ptr<const Trial> recording{};        ///< the run itself; null without a database
-  std::shared_ptr<const Trial> expertRecording{};  ///< of which `expert` is a part; null: none
-  double expertGrip_s = 0.0;                       ///< where in it `expert` begins
-  std::vector<double> grips_s{};  ///< when each twist of the run began: where the expert's curve is laid
+  std::shared_ptr<const Trial> recording{};        ///< the run; null without a database
+  std::shared_ptr<const Trial> expertRecording{};  ///< contains `expert`; null: none
+  double expertGrip_s = 0.0;                       ///< start of `expert` within it
+  std::vector<double> grips_s{};  ///< start of each twist in the run, for aligning the expert's curve
   std::vector<DebriefBookmark> bookmarks{};
-  std::optional<DetorsionStory> detorsion{};  ///< of an organ that came twisted; else empty
+  std::optional<DetorsionStory> detorsion{};  ///< only for an organ that starts twisted
 };
 
-/// The part that needs no database. `expert` may be null: then strengths and weaknesses are missing, too.
+/// Computes the part that needs no database. `expert` may be null; strengths and weaknesses are then missing.
 [[nodiscard]] Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples,
                                   const AttemptRules& rules, const Trial* expert);
-/// Does the same with twists that measureTwists has measured already, of the same samples by the same rules.
+/// Like the overload above, for twists already measured by measureTwists() from the same samples and rules.
 [[nodiscard]] Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples,
                                   const MeasuredTrial& measured, const AttemptRules& rules,
                                   const Trial* expert);
 
-/// The debrief of a stored trial. kTrialViewOwn, own trials only. `scene`: that of the trial when it is
-/// loaded already; else it is loaded from `assets` for the expert run or, of an untwisting, for its mishaps.
-/// Seconds: call it off the GUI thread.
+/// Returns the debrief of a stored trial. kTrialViewOwn, the actor's trials. `scene`: the trial's scene if
+/// already loaded; otherwise it is loaded from `assets` for the expert run or the mishaps of an untwisting.
+/// Takes seconds: do not call it on the GUI thread.
 [[nodiscard]] Debrief debrief(SessionContext& session, const TrialId& trialId,
                               const std::filesystem::path& assets, const Scene* scene = nullptr);
 
-/// A bookmark of one's own in a trial of one's own. Audited. kTrialViewOwn.
+/// Adds a bookmark to the actor's trial. Audited. kTrialViewOwn.
 void addBookmark(SessionContext& session, const TrialId& trialId, double at_s, const std::string& text);
 
 }  // namespace torsio

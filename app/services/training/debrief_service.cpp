@@ -32,7 +32,7 @@ namespace {
 
 constexpr std::int64_t kTrialsToLookThrough = 1'000;
 
-/// A run that an instructor recorded on the same organ with the same parameters.
+/// Finds a run that an instructor recorded on the same organ with the same parameters.
 std::optional<Trial> storedExpert(TrialRepository& trials, const TrialHeader& header) {
   TrialFilter filter;
   filter.sceneId = header.sceneId;
@@ -51,8 +51,8 @@ std::optional<Trial> storedExpert(TrialRepository& trials, const TrialHeader& he
   return std::nullopt;
 }
 
-/// The scene of a trial: the one that is loaded already, if it is that, else from the assets. Throws Error
-/// when the organ is not there any more (a user's own mesh).
+/// The scene of a trial: the loaded one if it matches, otherwise from the assets. Throws Error if the organ
+/// is no longer available (a user's own mesh).
 class SceneOfTrial {
  public:
   SceneOfTrial(const TrialHeader& header, const std::filesystem::path& assets, const Scene* scene) {
@@ -74,7 +74,7 @@ class SceneOfTrial {
   const Scene* scene_ = nullptr;
 };
 
-/// Empty when the organ is not there any more: the debrief then goes without.
+/// Returns empty if the organ is no longer available; the debrief then has no expert run.
 std::optional<Trial> expertFor(TrialRepository& trials, const TrialHeader& header,
                                const std::filesystem::path& assets, const Scene* scene) {
   if (std::optional<Trial> stored = storedExpert(trials, header)) {
@@ -87,9 +87,9 @@ std::optional<Trial> expertFor(TrialRepository& trials, const TrialHeader& heade
   }
 }
 
-/// Without the organ that was recorded the story goes without its mishaps.
-void tellMishaps(const TrialHeader& header, std::span<const Sample> samples,
-                 const std::filesystem::path& assets, const Scene* scene, DetorsionStory& story) {
+/// Adds mishaps if the recorded organ is available.
+void addMishapsIfKnown(const TrialHeader& header, std::span<const Sample> samples,
+                       const std::filesystem::path& assets, const Scene* scene, DetorsionStory& story) {
   try {
     const SceneOfTrial found(header, assets, scene);
     if (found.get().organHash == header.organHash && found.get().parameterHash == header.parameterHash) {
@@ -100,7 +100,7 @@ void tellMishaps(const TrialHeader& header, std::span<const Sample> samples,
   }
 }
 
-/// The newest of the older measurements of this very recording by these very rules.
+/// Returns the latest older measures of the same recording and rules.
 std::optional<EarlierMeasure> earlierMeasure(Connection& connection, const TrialListing& listing,
                                              const AttemptRules& rules, const QuantityValues& now) {
   const std::vector<TrialDigest> older =
@@ -118,7 +118,7 @@ std::optional<EarlierMeasure> earlierMeasure(Connection& connection, const Trial
   return same ? std::nullopt : std::optional(earlier);
 }
 
-/// Adds how many runs in a row each rule of mastery was reached in, up to this one.
+/// Adds the number of successive runs, up to this one, that satisfy each mastery rule.
 void addStreaks(const TrainingModule& module, const TrialId& trialId, std::vector<Attempt> attempts,
                 std::vector<TargetCheck>& checks) {
   const auto present = std::find_if(attempts.begin(), attempts.end(),
@@ -141,20 +141,20 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   TrialRepository trials(session.connection());
   const Trial trial = trials.load(trialId);
   if (isForeign(trial.header.sceneId)) {
-    (void)sceneRequestFor(trial.header.parametersJson);  // says why there is none
+    (void)sceneRequestFor(trial.header.parametersJson);  // throws with the reason if there is none
   }
   const TrainingModule* module = record.module(listing.moduleId);
   ExerciseRules exercises(assets);
   const AttemptRules rules = recordedRules(
       exercises.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId), trial.header);
-  // Decoded and measured once, for the debrief and for what is kept beside the trial.
+  // Decode and measure once, for the debrief and for the stored digest.
   const std::vector<Sample> samples = decodeTrial(trial);
   const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
   const AttemptMeasures measures = measureAttempt(measured);
   if (listing.summary) {
     keepDigest(session.connection(), trial, measures, rules, session.now_us());
   }
-  // An untwisting is judged by itself.
+  // An untwisting is not compared with an expert.
   const std::optional<Trial> expert =
       measured.detorsion ? std::nullopt : expertFor(trials, trial.header, assets, scene);
   Debrief out = makeDebrief(trial.header, samples, measured, rules, expert ? &*expert : nullptr);
@@ -163,7 +163,7 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
     out.expertRecording = std::make_shared<const Trial>(*expert);
   }
   if (out.detorsion) {
-    tellMishaps(trial.header, samples, assets, scene, *out.detorsion);
+    addMishapsIfKnown(trial.header, samples, assets, scene, *out.detorsion);
   }
   if (listing.summary) {
     out.earlier = earlierMeasure(session.connection(), listing, rules, measures.values);

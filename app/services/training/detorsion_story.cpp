@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kStoryPoints = 4000;
 
-/// Follows what holds the organ and whether a check runs, tick by tick, as the servo decides it.
+/// Tracks what holds the organ and whether a check is running, tick by tick, like the servo.
 class StoryTeller {
  public:
   StoryTeller(DetorsionStory& story, const DetorsionRules& rules) : story_(story), rules_(rules) {}

@@ -15,17 +15,17 @@
 
 namespace torsio {
 
-/// What a hand does to an organ that it undoes; each tick counts once.
+/// Activity during an untwisting; each tick counts for one.
 enum class DetorsionDoing : std::uint8_t {
-  kSearching = 0,  ///< nothing holds the organ, which is still twisted
+  kSearching = 0,  ///< nothing holds the organ, still twisted
   kTurning = 1,    ///< the jaw holds it
   kClipped = 2,    ///< a clip or an assistant holds it alone
-  kChecking = 3,   ///< a check of the blood flow runs
-  kWaiting = 4,    ///< nothing holds the organ, which lies within the residual angle
+  kChecking = 3,   ///< a check of the blood flow is running
+  kWaiting = 4,    ///< nothing holds the organ, which is within the residual angle
 };
 inline constexpr std::size_t kDetorsionDoings = 5;
 
-/// What happened at an instant of an untwisting.
+/// Event of an untwisting.
 enum class DetorsionMoment : std::uint8_t {
   kGrip,
   kLetGo,
@@ -34,25 +34,25 @@ enum class DetorsionMoment : std::uint8_t {
   kVentOpen,
   kVentShut,
   kCheck,
-  kBruise,   ///< the jaw has pressed too hard for too long
-  kTear,     ///< through the wall: the content leaks
-  kSlip,     ///< the instrument pulled itself free of what it held
-  kRelapse,  ///< the organ begins to turn back by itself
+  kBruise,   ///< the jaw pressed too hard for too long
+  kTear,     ///< of the wall: the content leaks
+  kSlip,     ///< the instrument slipped off
+  kRelapse,  ///< the organ starts to turn back
 };
-/// Whether an instant is one at which something went wrong, not one that the hand chose.
+/// Returns whether an event is a mishap rather than the hand's decision.
 [[nodiscard]] constexpr bool isMishap(DetorsionMoment moment) noexcept {
   return moment >= DetorsionMoment::kBruise;
 }
 
-/// How an untwisting went, for the debrief: curves thinned for drawing, instants, where the seconds went and
-/// the measures. Times are those of the hand, since the first sample.
+/// Course of an untwisting, for the debrief: thinned curves, events, time per activity, and measures. Times
+/// are the hand's, since the first sample.
 struct DetorsionStory {
   struct Event {
     double at_s = 0.0;
     DetorsionMoment what = DetorsionMoment::kGrip;
     friend bool operator==(const Event&, const Event&) = default;
   };
-  double timeScale = 60.0;  ///< seconds of the tissue for a second of the hand
+  double timeScale = 60.0;  ///< seconds of tissue time per second of the hand
   double residual_rad = 0.0;
   double enoughFlow = 0.5;
   std::vector<double> time_s{};
@@ -61,19 +61,20 @@ struct DetorsionStory {
   std::vector<double> dose{};
   std::vector<double> pressure_Pa{};
   std::vector<Event> events{};                     ///< by time
-  bool mishapsKnown = false;                       ///< whether the events hold the mishaps, too (addMishaps)
-  std::array<double, kDetorsionDoings> spent_s{};  ///< by DetorsionDoing; their sum is the duration
-  DetorsionMetrics metrics{};  ///< as they were measured; undefined where they could not be
+  bool mishapsKnown = false;                       ///< the events include mishaps (addMishaps())
+  std::array<double, kDetorsionDoings> spent_s{};  ///< by DetorsionDoing; adds up to the duration
+  DetorsionMetrics metrics{};                      ///< as measured; undefined if that was not possible
 };
 
-/// Tells how a recording that comesTwisted went. `times_us`: one a sample. `metrics`: as they were measured.
+/// Describes the course of a recording with comesTwisted(). `times_us`: one per sample. `metrics`: as
+/// measured.
 [[nodiscard]] DetorsionStory detorsionStory(std::span<const Sample> samples,
                                             std::span<const std::int64_t> times_us,
                                             const DetorsionRules& rules,
                                             const Outcome<DetorsionMetrics>& metrics);
 
-/// Adds bruises, tears, slips and relapses of the same recording to its story: no recording holds them, so
-/// that they are found by running it again in its `scene`.
+/// Adds bruises, tears, slips and relapses, which recordings do not contain, by replaying the recording in
+/// its `scene`.
 void addMishaps(const Scene& scene, const TrialHeader& header, std::span<const Sample> samples,
                 std::span<const std::int64_t> times_us, DetorsionStory& story);
 

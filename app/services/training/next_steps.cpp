@@ -30,7 +30,7 @@ ModuleStep stepFor(const TrainingModule& module, const std::vector<Attempt>& all
   ModuleStep step;
   step.module = module;
   step.rules = ruleProgress(module, all);
-  // A rest cuts the recording of a phase in two; that is still one attempt.
+  // A rest splits the recording of a phase in two, which is still one attempt.
   std::set<std::string> counted;
   for (const Attempt& attempt : all) {
     if (attempt.moduleId != module.id || !attempt.ended) {
@@ -49,7 +49,7 @@ ModuleStep stepFor(const TrainingModule& module, const std::vector<Attempt>& all
   return step;
 }
 
-/// What is locked, and what waits for what.
+/// Determines which modules are locked, and the dependencies between them.
 void decideStates(std::vector<ModuleStep>& steps) {
   std::set<std::string> done;
   for (const ModuleStep& step : steps) {
@@ -79,7 +79,7 @@ void decideStates(std::vector<ModuleStep>& steps) {
   }
 }
 
-/// "Mastered" says nothing by itself of how often that is wrong.
+/// Adds verdicts with error rates, which "mastered" alone does not have.
 void judgeMastered(SessionContext& session, const std::string& code, std::vector<ModuleStep>& steps) {
   ExerciseRules rules;
   for (ModuleStep& step : steps) {
@@ -89,7 +89,7 @@ void judgeMastered(SessionContext& session, const std::string& code, std::vector
   }
 }
 
-/// The arm as it is left after what was logged.
+/// Sets the rest of the arm after the logged time.
 void planArm(Connection& connection, const TraineeRecord& record, NextSteps& steps) {
   if (!record.arm) {
     return;

@@ -39,13 +39,13 @@ double secondsOf(std::int64_t time_us) {
   return static_cast<double>(time_us) * 1e-6;
 }
 
-/// Practice, and never in the hands of raters.
+/// Only for practice that was never given to raters.
 bool namesMayBeShown(SessionContext& session, const TrialListing& trial) {
   return trial.attemptMode == AttemptMode::kPractice &&
          !QuestionRepository(session.connection()).isScored(trial.trialId);
 }
 
-/// Chiefs who can sign in; simulated ones for simulated trainees only, and the other way round.
+/// Returns chief physicians who can sign in; simulated ones only for simulated trainees, and vice versa.
 std::vector<AskablePhysician> askable(SessionContext& session, const TraineeRecord& record) {
   PeopleRepository people(session.connection());
   const std::string last = QuestionRepository(session.connection()).lastAsked(record.personId);

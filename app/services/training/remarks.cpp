@@ -31,7 +31,7 @@ namespace torsio {
 
 namespace {
 
-/// Which of a trainee's trials raters were asked about, and whether their marks were released.
+/// Determines which of a trainee's trials were assigned to raters, and whether their marks were released.
 class Release {
  public:
   Release(Connection& connection, const TraineeRecord& record) {
@@ -65,10 +65,10 @@ class Release {
   std::map<std::string, std::vector<AssignmentStatus>> asked_;
 };
 
-/// What is known of the remarks of one trial besides themselves.
+/// Context of the remarks of one trial.
 struct AboutRemarks {
   std::set<RemarkId> answered;            ///< questions with an answer
-  std::map<RemarkId, std::int64_t> read;  ///< the newest version that the actor has read
+  std::map<RemarkId, std::int64_t> read;  ///< latest version read by the actor
   std::map<RemarkId, std::vector<RemarkWording>> earlier;
 };
 
@@ -106,7 +106,7 @@ TraineeRemark shown(const Remark& stored, const AboutRemarks& about, const Actor
           .read = own || (read != about.read.end() && read->second >= stored.version)};
 }
 
-/// Answers stand below what they answer, also answers to answers. A question that was answered begins a
+/// Sorts replies, including replies to replies, below what they reply to. An answered question starts a
 /// thread like a physician's remark.
 std::vector<TraineeRemark> threads(const std::vector<Remark>& all, const AboutRemarks& about,
                                    const Actor& actor) {
@@ -167,7 +167,7 @@ TrialRemarks remarksOf(SessionContext& session, const TraineeRecord& record, con
   return out;
 }
 
-/// A remark that the actor may see, with its trial.
+/// Returns a remark that the actor may see.
 Remark visibleRemark(SessionContext& session, const RemarkId& remarkId) {
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
   const std::optional<Remark> remark = RemarkRepository(session.connection()).find(remarkId);
@@ -196,7 +196,7 @@ ScoreGapRow rowOf(const std::string& code, const std::string& label, const Score
   return row;
 }
 
-/// The sheet that raters were given for this trial; without one: the overall mark of paper section 6.
+/// Returns the rubric of this trial's sheets; without sheets, the overall mark of paper section 6.
 RubricRevision rubricOf(Connection& connection, const std::vector<AssignmentStatus>& asked) {
   if (!asked.empty()) {
     const auto revision = RubricRepository(connection).revision(asked.front().assignment.rubricRevisionId);

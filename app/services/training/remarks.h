@@ -12,23 +12,23 @@
 
 namespace torsio {
 
-/// What a physician wrote at a time of one's trial, with the answers. Never who it was.
+/// A physician's remark on the trainee's trial, with the replies. The author is never identified.
 struct TraineeRemark {
   RemarkId id{};
   TrialId trialId{};
   double at_s = 0.0;
-  std::string text{};  ///< the newest words
+  std::string text{};  ///< latest version
   std::int64_t version = 1;
   std::int64_t writtenUtc_us = 0;
   std::int64_t editedUtc_us = 0;         ///< 0: never edited
-  std::vector<RemarkWording> earlier{};  ///< what stood there before, oldest first
+  std::vector<RemarkWording> earlier{};  ///< previous versions, oldest first
   bool own = false;                      ///< written by the trainee (a reply, or a question)
   bool question = false;                 ///< the trainee's question to a named physician
-  bool read = false;                     ///< the newest words
+  bool read = false;                     ///< the latest version was read
   std::vector<TraineeRemark> replies{};
 };
 
-/// One trial that somebody has something to say about.
+/// A trial with remarks.
 struct TrialRemarks {
   TrialId trialId{};
   std::string moduleTitle{};
@@ -38,21 +38,20 @@ struct TrialRemarks {
   std::size_t unread = 0;
 };
 
-/// Own trials with remarks, newest first. A remark on a trial that raters were asked to score appears when
-/// the marks of that occasion were released. kTrialViewOwn.
+/// Returns the actor's trials with remarks, latest first. Remarks on a trial assigned for scoring appear when
+/// the marks of that occasion are released. kTrialViewOwn.
 [[nodiscard]] std::vector<TrialRemarks> ownRemarks(SessionContext& session);
-/// Remarks that may be seen and were not read yet. kTrialViewOwn.
+/// Counts visible unread remarks. kTrialViewOwn.
 [[nodiscard]] std::size_t unreadRemarks(SessionContext& session);
-/// Notes that the actor has read a version of a remark. Audited. kTrialViewOwn.
+/// Marks a version of a remark as read. Audited. kTrialViewOwn.
 void markRemarkRead(SessionContext& session, const RemarkId& remarkId, std::int64_t version);
 /// Returns the id of the reply. Audited. kTrialViewOwn. Throws Error{kBadParameter} for an empty text.
 RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text);
 
-/// New words for an own reply or question, beside the old ones. Audited. kTrialViewOwn. Throws Error as
-/// revisionOf() does.
+/// Adds a version to the actor's reply or question. Audited. kTrialViewOwn. Throws Error like revisionOf().
 void editRemark(SessionContext& session, const RemarkId& remarkId, const std::string& text);
 
-/// One row of a sheet beside the trainee's own answer; points, not steps.
+/// One row of a sheet with the trainee's own answer; in points, not steps.
 struct ScoreGapRow {
   std::string code{};
   std::string label{};
@@ -63,14 +62,14 @@ struct ScoreGapRow {
   std::optional<double> panel{};  ///< mean of the raters; empty until released and self-scored
 };
 
-/// Own marks first, then the gap.
+/// Self-assessment compared with the raters.
 struct ScoreGap {
   TrialId trialId{};
   ScoreGapRow overall{};
   std::vector<ScoreGapRow> rows{};
   bool selfScored = false;
   bool released = false;   ///< the raters' marks may be shown
-  std::size_t raters = 0;  ///< whose marks the means rest on
+  std::size_t raters = 0;  ///< number of raters in the means
 };
 /// kTrialViewOwn and kMarkViewOwn. The raters' means are empty until the trainee has scored.
 [[nodiscard]] ScoreGap scoreGap(SessionContext& session, const TrialId& trialId);
@@ -79,9 +78,9 @@ struct SelfScoreRow {
   std::string code{};
   double points = 0.0;
 };
-/// Stores the trainee's own sheet; a change of mind before the raters' marks were seen is a new version.
-/// Audited. kTrialViewOwn. Throws Error{kBadParameter} for points that the scale does not have,
-/// {kPermission} once the raters' marks were shown.
+/// Stores the trainee's own sheet; a change before the raters' marks were seen is a new version. Audited.
+/// kTrialViewOwn. Throws Error{kBadParameter} for points outside the scale, {kPermission} once the raters'
+/// marks were shown.
 void selfScore(SessionContext& session, const TrialId& trialId, double overall,
                const std::vector<SelfScoreRow>& rows);
 

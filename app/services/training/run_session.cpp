@@ -26,7 +26,7 @@ namespace torsio {
 
 namespace {
 
-/// May this run begin at all? Throws with the first thing that is missing.
+/// Throws the first reason why this run may not begin.
 void checkPermission(const NextSteps& steps, const RunRequest& request) {
   if (!steps.recordingAllowed) {
     throw Error(ErrorCode::kPermission, Text::tr("you have not agreed to be recorded"), Text::tr("consent"),
@@ -144,7 +144,7 @@ void RunSession::start() {
   if (steps_.scoringDue) {
     write([deviation = trainedBeforeScoring(session_, *steps_.scoringDue, steps_.cohortId, steps_.enrolmentId,
                                             reason_, steps_.demonstration)](SessionContext& own) {
-      StudyRepository(own.connectionWithoutRight()).addDeviation(deviation);  // asked for when the run began
+      StudyRepository(own.connectionWithoutRight()).addDeviation(deviation);  // authorised when the run began
     });
   }
   heartbeat();
@@ -228,7 +228,7 @@ void RunSession::stop(const std::string& reason) {
                                       .reportedBy = session_.actor().userId,
                                       .reportedUtc_us = session_.now_us(),
                                       .demonstration = steps_.demonstration};
-    // The right was asked for when the run began.
+    // Authorised when the run began.
     write([deviation, note](SessionContext& own) {
       Transaction transaction(own.connectionWithoutRight());
       StudyRepository(own.connectionWithoutRight()).addDeviation(deviation);
@@ -242,7 +242,7 @@ void RunSession::stop(const std::string& reason) {
   heartbeat();
 }
 
-/// What every recording of the present phase belongs to.
+/// Returns the specification for recordings of the current phase.
 RecordingSpec RunSession::orderTrial() {
   const RunPhase& phase = run_.phase();
   RecordingSpec recording{.trialId = session_.ids().newUuid(),

@@ -20,8 +20,7 @@ bool takesNew(const Cohort& cohort) {
   return cohort.state == CohortState::kDraft || cohort.state == CohortState::kRunning;
 }
 
-/// Newer cohorts come later in the list; one that is open counts before one that is closed, and one that
-/// follows a curriculum before one that does not.
+/// Prefers an open cohort to a closed one, one with a curriculum to one without, and then the latest.
 void findEnrolment(Connection& connection, TraineeRecord& record) {
   StudyRepository studies(connection);
   for (const Cohort& cohort : studies.cohorts()) {

@@ -12,27 +12,29 @@
 
 namespace torsio {
 
-/// More trials than one trainee ever records: the limit where all of them are wanted.
+/// More trials than a trainee ever records: the limit for reading all of them.
 inline constexpr std::int64_t kAllTrials = 10'000;
 
-/// Where a trainee belongs: what the services of the station read first.
+/// A trainee's enrolment and curriculum, read first by the station's services.
 struct TraineeRecord {
   PersonId personId{};
   std::string code{};
   bool demonstration = false;
-  std::optional<Enrolment> enrolment{};        ///< the newest that is neither completed nor withdrawn
+  std::optional<Enrolment> enrolment{};        ///< latest that is neither completed nor withdrawn
   Cohort cohort{};                             ///< of the enrolment
-  std::optional<CurriculumVersion> version{};  ///< running or closed: what was begun may be ended
+  std::optional<CurriculumVersion> version{};  ///< running or closed: what was begun may be finished
   std::optional<StudyArm> arm{};
 
-  /// Null when the curriculum has no such module.
+  /// Returns null if the curriculum has no such module.
   [[nodiscard]] const TrainingModule* module(const ModuleId& moduleId) const;
 };
 
-/// The record of the actor. Throws Error{kPermission}: no right to `operation`, or no trainee.
+/// Returns the actor's record. Throws Error{kPermission} without the right to `operation`, or if the actor is
+/// not a trainee.
 [[nodiscard]] TraineeRecord ownRecord(SessionContext& session, Operation operation);
 
-/// A trial of this trainee. Throws Error{kPermission} for somebody else's, {kBadParameter} for none.
+/// Returns a trial of this trainee. Throws Error{kPermission} for somebody else's, {kBadParameter} for an
+/// unknown one.
 [[nodiscard]] TrialListing ownTrial(SessionContext& session, const TraineeRecord& record,
                                     const TrialId& trialId);
 

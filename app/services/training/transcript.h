@@ -18,10 +18,10 @@ struct TranscriptModule {
   CompetenceVerdict competence{};
 };
 
-/// What a trainee may take away.
+/// A trainee's transcript.
 struct Transcript {
   std::string centre{};
-  std::string fullName{};  ///< the trainee's own; empty: not known to this record
+  std::string fullName{};  ///< the trainee's; empty: unknown to this record
   std::string traineeCode{};
   std::string cohortName{};
   std::string armLabel{};
@@ -33,7 +33,7 @@ struct Transcript {
   double real_min = 0.0;
   double rest_min = 0.0;
 };
-/// kTrialViewOwn, own person only. Audited: it may leave the house.
+/// kTrialViewOwn, the actor's person. Audited, since it may leave the centre.
 [[nodiscard]] Transcript transcript(SessionContext& session, const PersonId& personId);
 
 }  // namespace torsio

@@ -66,16 +66,15 @@ void measureDistance(Trend& trend, const TrainingModule& module) {
   trend.distance = trend.lowerIsBetter ? *last->value - *trend.threshold : *trend.threshold - *last->value;
 }
 
-/// Whether the organ of a module comes twisted, as far as its rules and its attempts tell.
+/// Returns whether a module's organ starts twisted, judging by its rules and attempts.
 bool isUndone(const TrainingModule& module, const std::vector<Attempt>& attempts) {
   return std::any_of(attempts.begin(), attempts.end(),
                      [](const Attempt& attempt) { return attempt.ended && isUntwisting(attempt.values); }) ||
          asksForUntwisting(module);
 }
 
-/// What a module is followed by unless somebody chooses: what its rules ask for, how much before whether.
-/// Without rules it is whether the organ was undone where it came twisted, else the share of twists on
-/// target.
+/// Returns the default metric of a module: from its rules, quantities before yes/no metrics. Without rules:
+/// whether the organ was untwisted, or the share of twists on target.
 Quantity usualQuantity(const TrainingModule& module, bool untwisting) {
   std::optional<Quantity> answer;
   for (const MasteryCriterion& stored : module.mastery) {
@@ -88,7 +87,7 @@ Quantity usualQuantity(const TrainingModule& module, bool untwisting) {
   return answer.value_or(untwisting ? Quantity::kUntwisted : Quantity::kOnTarget);
 }
 
-/// What can be chosen: what trends usually show, and whatever the rules of the module ask for.
+/// Returns the quantities to choose from: those usual for trends, and those in the module's rules.
 std::vector<Quantity> offeredFor(const TrainingModule& module, bool untwisting) {
   std::vector<Quantity> offered;
   for (const QuantityRow& row : quantityRows()) {

@@ -32,28 +32,27 @@ struct TrendCurvePoint {
   double upper = 0.0;
 };
 
-/// A trainee's way at one module.
+/// A trainee's progress at one module.
 struct Trend {
   ModuleId moduleId{};
   std::string moduleTitle{};
   /// The chosen one, or the first with a scale among those of the mastery rules.
   Quantity quantity = Quantity::kOnTarget;
-  std::vector<Quantity> offered{};  ///< what the module can be followed by, in the order of the catalogue
-  bool untwisting = false;          ///< organs are undone: there are quantities of untwisting, none of twists
+  std::vector<Quantity> offered{};  ///< quantities available for the module, in catalogue order
+  bool untwisting = false;          ///< there are only quantities of untwisting, none of twists
   bool lowerIsBetter = true;
   std::vector<TrendPoint> points{};
   std::optional<double> threshold{};
-  std::optional<double> distance{};  ///< to the threshold from the last value; at most 0: reached
+  std::optional<double> distance{};  ///< from the last value to the threshold; at most 0: reached
   std::vector<TrendCurvePoint> curve{};
   std::optional<double> asymptote{};
-  std::string noCurveReason{};     ///< in words, when curve is empty
+  std::string noCurveReason{};     ///< set if curve is empty
   CompetenceVerdict competence{};  ///< level, design and error rates
   std::optional<std::int64_t> attemptsLeft{};
 };
 
-/// kTrialViewOwn, own attempts only. `quantity`: empty: the first of the module's mastery rules that has
-/// a scale, not only yes and no. Throws Error{kBadParameter} for a module that is not in the trainee's
-/// curriculum.
+/// kTrialViewOwn, the actor's attempts. `quantity`: if empty, the first of the module's mastery rules with a
+/// scale, not only yes and no. Throws Error{kBadParameter} for a module outside the trainee's curriculum.
 [[nodiscard]] Trend trend(SessionContext& session, const PersonId& personId, const ModuleId& moduleId,
                           std::optional<Quantity> quantity = {});
 

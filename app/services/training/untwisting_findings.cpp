@@ -12,17 +12,17 @@ namespace {
 
 using Kind = UntwistingFinding::Kind;
 
-constexpr double kVisibleTurn_rad = 0.02;  ///< about a degree: less is not worth a sentence
+constexpr double kVisibleTurn_rad = 0.02;  ///< about a degree: smaller turns are not mentioned
 constexpr double kLethalDose = 1.0;
 
-/// "0:12 h".
+/// Formats "0:12 h".
 Text tissueTime(double tissue_s) {
   const auto minutes = static_cast<std::int64_t>(tissue_s / 60.0);
   const std::string rest = std::to_string(minutes % 60);
   return Text::tr("%1:%2 h", minutes / 60, (rest.size() < 2 ? "0" : "") + rest);
 }
 
-/// Collects the findings of one story.
+/// Collects the findings of one course.
 class Finder {
  public:
   explicit Finder(const DetorsionStory& story) : story_(story) {}

@@ -10,18 +10,18 @@
 
 namespace torsio {
 
-/// Something that an untwisting showed. Window and browser say it in the same sentence.
+/// A finding about an untwisting, worded equally in window and browser.
 struct UntwistingFinding {
   enum class Kind : std::uint8_t {
     kFirstTurnRight,
     kFirstTurnWrong,
     kTwistedFurther,  ///< value: angle, rad
     kFlowFromStart,
-    kFlowBack,  ///< value: seconds of the hand; other: seconds of the tissue
+    kFlowBack,  ///< value: time of the hand, s; other: time of the tissue, s
     kNoFlow,
     kLost,      ///< value: ischaemic dose
     kSurvives,  ///< value: ischaemic dose
-    kRegrips,   ///< value: number; other: the least number
+    kRegrips,   ///< value: number; other: minimum number
     kSlipBack,  ///< value: angle, rad
     kInStages,  ///< value: angle, rad
     kTooFast,   ///< value: angle, rad
@@ -36,12 +36,12 @@ struct UntwistingFinding {
   Kind kind = Kind::kNoFlow;
   double value = 0.0;
   double other = 0.0;
-  std::optional<double> at_s{};  ///< when to look, since the first sample; empty: throughout
+  std::optional<double> at_s{};  ///< when to look, since the first sample; empty: everywhere
 
   [[nodiscard]] Text text() const;
 };
 
-/// What an untwisting showed, in the order in which it is told.
+/// Returns the findings about an untwisting in the order of display.
 [[nodiscard]] std::vector<UntwistingFinding> findingsOf(const DetorsionStory& story);
 
 }  // namespace torsio
