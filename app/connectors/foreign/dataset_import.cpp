@@ -14,7 +14,7 @@ namespace torsio {
 DatasetOutcome importDataset(SessionContext& session, const std::filesystem::path& folder,
                              const std::filesystem::path& assets, const std::string& reason,
                              const ProgressCallback& progress) {
-  constexpr double kReadingDataset = 0.3;  // of the whole work
+  constexpr double kReadingDataset = 0.3;  // share of the total progress
   requireLanding(session);
   tellProgress(progress, Text::tr("Reading %1", folder.filename().string()), 0.0);
   LandedStudy study = readDatasetStudy(folder);

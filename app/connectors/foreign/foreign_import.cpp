@@ -155,7 +155,7 @@ LandedStudy studyOf(const ForeignMap& map) {
 
 ForeignOutcome importForeign(SessionContext& session, ForeignLayout layout, const std::filesystem::path& file,
                              const std::string& reason, const ProgressCallback& progress) {
-  constexpr double kReading = 0.7;  // of the whole work
+  constexpr double kReading = 0.7;  // share of the total progress
   requireLanding(session);
   const ForeignMap map = readForeignMap(file, layout);
   LandedStudy study = studyOf(map);

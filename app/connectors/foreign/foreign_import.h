@@ -19,7 +19,7 @@ struct ForeignOutcome {
   std::size_t trials = 0;
   std::int64_t samples = 0;
   std::size_t marks = 0;
-  std::string contentHash{};  ///< BLAKE2b-256 over the map and the files in their order
+  std::string contentHash{};  ///< BLAKE2b-256 over the map and the files in order
 };
 
 /// Imports recordings of other equipment, described by a map, into a new cohort: people under new codes,

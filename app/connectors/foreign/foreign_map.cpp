@@ -155,7 +155,7 @@ RotationForm rotationOf(const MapPart& part) {
   part.refuseAt("rotation", Text::tr("'%1' is none of: %2", word, words), Text::tr("Name one of them"));
 }
 
-/// "2026-01-05T08:00:00Z".
+/// Parses "2026-01-05T08:00:00Z".
 std::optional<std::int64_t> utcOf(const std::string& text) {
   int year = 0;
   unsigned month = 0;

@@ -14,13 +14,13 @@ namespace torsio {
 
 /// Supported sources.
 enum class ForeignLayout {
-  kJigsaws,    ///< 76 numbers a line, no header, no time; GRS in a meta file
+  kJigsaws,    ///< 76 numbers per line, no header, no time; GRS in a meta file
   kRosma,      ///< a header with spaces after its commas, no time; columns are found by name
-  kPerkTutor,  ///< XML lines of transforms with time stamps
-  kCsv,        ///< a table under a header; the map names its columns
+  kPerkTutor,  ///< XML lines of time-stamped transforms
+  kCsv,        ///< a table with a header; the map names its columns
 };
 
-/// "jigsaws", "rosma", "perktutor", "csv". Throws Error{kUsage} for another word.
+/// Parses "jigsaws", "rosma", "perktutor" or "csv". Throws Error{kUsage} for another word.
 [[nodiscard]] ForeignLayout foreignLayout(const std::string& word);
 
 /// Notation of a rotation, which takes a vector from the instrument's frame to that of the recording. The map
@@ -28,14 +28,14 @@ enum class ForeignLayout {
 enum class RotationForm { kNone, kQuaternionWxyz, kQuaternionXyzw, kMatrixRows, kMatrixColumns };
 /// Count of numbers: 0, 4 or 9.
 [[nodiscard]] std::size_t numbersOf(RotationForm form) noexcept;
-/// As the map names it: "quaternion wxyz".
+/// Returns the name used in maps: "quaternion wxyz".
 [[nodiscard]] std::string rotationName(RotationForm form);
 
 /// Readings of the closed and of the open jaw, in the file's own numbers.
 struct ForeignGrip {
-  std::string column{};  ///< csv: name of the column
+  std::string column{};  ///< csv: column name
   double open = 0.0;
-  double closed = 0.0;  ///< not `open`
+  double closed = 0.0;  ///< differs from `open`
 };
 
 struct ForeignGroup {
@@ -50,7 +50,7 @@ struct ForeignPerson {
 };
 struct ForeignRater {
   std::string name{};
-  std::string classCode{};  ///< of the record: "intern", "deputy_chief", "chief"
+  std::string classCode{};  ///< in this record: "intern", "deputy_chief", "chief"
 };
 struct ForeignRecording {
   std::filesystem::path file{};  ///< absolute, or relative to the map's folder
@@ -69,8 +69,8 @@ struct ForeignMark {
 
 /// What the files do not contain.
 struct ForeignMap {
-  std::string name{};         ///< of the map's file, for messages
-  std::string contentHash{};  ///< BLAKE2b-256 of the map's file
+  std::string name{};         ///< of the map file, for messages
+  std::string contentHash{};  ///< BLAKE2b-256 of the map file
   std::string cohort{};
   std::string description{};
   std::string source{};  ///< origin and licence of the data
@@ -78,8 +78,8 @@ struct ForeignMap {
   std::string unit{};    ///< "m", "cm" or "mm"
   double metresPerUnit = 1.0;
   RotationForm rotation = RotationForm::kNone;
-  std::optional<double> rate_Hz{};  ///< empty: the file has times
-  std::string timeColumn{};         ///< csv
+  std::optional<double> rate_Hz{};  ///< empty: the file contains times
+  std::string timeColumn{};         ///< csv only
   double usPerTime = 0.0;
   std::string instrument{};  ///< arm or device to read; empty for csv
   std::array<std::string, 3> position{};

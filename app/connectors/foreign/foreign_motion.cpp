@@ -80,7 +80,7 @@ class HashedLines {
   Digest digest_;
 };
 
-/// Says where in the file, when it is asked.
+/// Returns the place in the file; called only for an error message.
 using Where = std::function<std::string()>;
 
 [[noreturn]] void refuseRotation(const Where& where) {

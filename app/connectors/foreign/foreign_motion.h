@@ -14,13 +14,13 @@ namespace torsio {
 struct ForeignPose {
   std::int64_t time_us = 0;  ///< since the first line, increasing
   std::int64_t place = 0;    ///< 0, 1, 2 ...; gaps skip numbers
-  Pose pose;                 ///< metres and unit quaternion, in the frame of the file
+  Pose pose;                 ///< metres and unit quaternion, in the file's frame
   double grip = 0.0;         ///< 0 open .. 1 closed; 0 if the map does not describe the jaw
 };
 
 /// Summary of a file.
 struct ForeignFile {
-  std::int64_t lines = 0;      ///< poses
+  std::int64_t lines = 0;      ///< number of poses
   std::int64_t period_us = 0;  ///< of the stated rate, otherwise the mean between two lines
   std::string contentHash{};   ///< BLAKE2b-256 of the file
 };

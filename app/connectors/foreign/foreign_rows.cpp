@@ -65,7 +65,7 @@ class RowReaderBase : public ForeignRows {
   std::string name_;
 };
 
-/// 76 numbers: of each arm place 3, matrix 9, velocities 6, gripper 1.
+/// 76 numbers: for each arm position 3, matrix 9, velocities 6, gripper 1.
 class JigsawsRows final : public RowReaderBase {
  public:
   JigsawsRows(const ForeignMap& map, std::string name) : RowReaderBase(map, std::move(name)) {
@@ -217,7 +217,7 @@ class TableRows : public RowReaderBase {
   std::optional<std::size_t> time_;
 };
 
-/// Columns by the words in their names: "PSM1_position_x", "MTML_orientation_w".
+/// Finds columns by the words in their names: "PSM1_position_x", "MTML_orientation_w".
 class RosmaRows final : public TableRows {
  public:
   RosmaRows(const ForeignMap& map, std::string name) : TableRows(map, std::move(name)) {

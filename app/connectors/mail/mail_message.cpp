@@ -12,9 +12,9 @@ namespace torsio {
 
 namespace {
 
-constexpr qsizetype kBodyLine = 76;             // letters of base64
+constexpr qsizetype kBodyLine = 76;             // base64 characters per line
 constexpr std::size_t kMaxAddress_bytes = 254;  // RFC 5321
-constexpr qsizetype kSubjectPart = 42;          // bytes in an encoded word, so that a line stays below 78
+constexpr qsizetype kSubjectPart = 42;          // bytes per encoded word, so that a line stays below 78
 
 /// Encodes a header's text as encoded words of whole characters; control characters become spaces.
 QByteArray headerText(std::string text) {

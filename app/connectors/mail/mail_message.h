@@ -8,8 +8,8 @@ namespace torsio {
 
 /// A plain-text message in UTF-8.
 struct MailMessage {
-  std::string from{};  ///< an address
-  std::string to{};    ///< one address
+  std::string from{};  ///< mail address
+  std::string to{};    ///< one mail address
   std::string subject{};
   std::string body{};
 };

@@ -16,7 +16,7 @@ namespace torsio {
 
 namespace {
 
-constexpr std::array kEncryptions{"starttls", "tls", "none"};  // as MailEncryption
+constexpr std::array kEncryptions{"starttls", "tls", "none"};  // indexed by MailEncryption
 
 }  // namespace
 

@@ -14,7 +14,7 @@ namespace torsio {
 
 /// A reminder and its message, in the sender's language.
 struct MailedReminder {
-  Reminder reminder{};  ///< with a mail address
+  Reminder reminder{};  ///< has a mail address
   std::string subject{};
   std::string body{};
 };

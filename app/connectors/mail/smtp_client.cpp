@@ -178,7 +178,7 @@ std::vector<Text> sendMail(const MailServer& server, std::span<const MailMessage
                            std::int64_t utc_us, const ProgressCallback& progress, const MailTaken& taken) {
   requireProtectedWay(server);
   std::vector<std::string> texts;
-  for (const MailMessage& message : messages) {  // before anything is sent
+  for (const MailMessage& message : messages) {  // check all before sending anything
     texts.push_back(
         written(message, QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(), utc_us));
   }

@@ -21,18 +21,18 @@ enum class MailEncryption {
   kNone,      ///< only for a server on this computer
 };
 
-/// Where messages are handed over.
+/// A mail server and how to sign in.
 struct MailServer {
   std::string host{};
   std::uint16_t port = 587;
   MailEncryption encryption = MailEncryption::kStartTls;
-  std::string user{};  ///< empty: the server asks for none
+  std::string user{};  ///< empty: no sign-in
   std::string password{};
   int patience_s = 30;                  ///< the longest wait for one answer
   std::filesystem::path authorities{};  ///< certificates (PEM) to trust; empty: those of this computer
 };
 
-/// Refuses a server elsewhere without encryption: throws Error{kBadParameter}.
+/// Throws Error{kBadParameter} for a remote server without encryption.
 void requireProtectedWay(const MailServer& server);
 
 /// Called with the index of a message that the server took.

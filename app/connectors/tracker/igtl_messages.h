@@ -19,14 +19,14 @@ inline constexpr std::uint16_t kIgtlPort = 18944;
 /// Pose of an instrument as sent by a tracker.
 struct TrackedPose {
   std::string instrument{};               ///< device of a TRANSFORM, or name in a TDATA list
-  Pose pose{};                            ///< instrument to the tracker's reference
+  Pose pose{};                            ///< instrument to tracker reference
   std::optional<std::int64_t> sent_us{};  ///< UTC by the sender's clock; empty: not sent
 };
 
 /// Messages read so far.
 struct IgtlNews {
   std::vector<TrackedPose> poses{};     ///< in order
-  std::optional<std::string> status{};  ///< of the last STATUS message; empty text: all is well
+  std::optional<std::string> status{};  ///< of the last STATUS message; empty text: no problem
   std::int64_t refused = 0;             ///< unusable poses: checksum, size, NaN, not a rotation
   std::int64_t others = 0;              ///< ignored messages of other types
 };

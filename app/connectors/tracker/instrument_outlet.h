@@ -48,7 +48,7 @@ class InstrumentOutlet {
 
   std::shared_ptr<State> state_;
   ExercisePhase phase_ = ExercisePhase::kTracking;
-  double held_rad_ = 0.0;  // newest angle of the grip
+  double held_rad_ = 0.0;  // latest angle of the grip
   std::thread thread_;
 };
 

@@ -11,7 +11,7 @@ namespace torsio {
 
 /// Settings of this station for OpenIGTLink.
 struct TrackerChoice {
-  std::optional<TrackerPlace> tracker{};    ///< of the real arm; empty: none
+  std::optional<TrackerPlace> tracker{};    ///< tracker on the real arm; empty: none
   std::uint16_t outletPort = 0;             ///< at which others may watch the instrument; 0: none
   std::string outletAddress = "127.0.0.1";  ///< to listen at; the default is this computer only
   friend bool operator==(const TrackerChoice&, const TrackerChoice&) = default;

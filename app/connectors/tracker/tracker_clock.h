@@ -26,7 +26,7 @@ class TrackerClock {
   [[nodiscard]] std::optional<Moment> take(std::optional<std::int64_t> sent_us, std::int64_t arrived_us);
   /// Median time between two poses of the first twenty; empty before those.
   [[nodiscard]] std::optional<std::int64_t> period_us() const noexcept { return period_us_; }
-  /// Whether the sender gives times.
+  /// Returns whether the sender sends times.
   [[nodiscard]] bool stamped() const noexcept { return lastSent_us_.has_value(); }
 
  private:
@@ -39,7 +39,7 @@ class TrackerClock {
   std::optional<std::int64_t> lastArrived_us_;
   std::int64_t lastTime_us_ = 0;
   std::int64_t place_ = -1;
-  double offset_us_ = 0.0;  // station minus sender, of the quickest arrival
+  double offset_us_ = 0.0;  // station minus sender, for the quickest arrival
 };
 
 }  // namespace torsio

@@ -61,7 +61,7 @@ struct TrackerLink::State {
         since_us_ = now_us;
       }
     }
-    /// Empty: not yet.
+    /// Returns empty until the rate is known.
     std::optional<double> after(std::int64_t now_us) {
       if (count_ == 0 || now_us - since_us_ < kRateOver_us) {
         return std::nullopt;
@@ -196,7 +196,7 @@ void TrackerLink::State::look(std::int64_t now_us) {
   }
 }
 
-/// One connection, until it ends.
+/// Serves one connection until it ends.
 void TrackerLink::State::talk(QTcpSocket& socket) {
   socket.setReadBufferSize(16 * kReadAtOnce);
   socket.setSocketOption(QAbstractSocket::LowDelayOption, 1);

@@ -27,8 +27,8 @@ struct TrackerPlace {
 
 enum class TrackerStage : std::uint8_t {
   kSeeking,   ///< no connection
-  kWaiting,   ///< connected; no pose of the instrument yet
-  kTracking,  ///< poses come
+  kWaiting,   ///< connected, no pose of the instrument yet
+  kTracking,  ///< poses arrive
   kSilent,    ///< poses have stopped
 };
 
@@ -45,8 +45,8 @@ struct TrackerView {
   TrackerStage stage = TrackerStage::kSeeking;
   Text trouble{};                          ///< why there is no connection, or the tracker's own complaint
   std::string instrument{};                ///< being followed
-  std::vector<std::string> instruments{};  ///< seen so far, twenty at most
-  Pose pose{};                             ///< the newest, in the frame of the tracker
+  std::vector<std::string> instruments{};  ///< seen so far, at most twenty
+  Pose pose{};                             ///< latest, in the tracker's frame
   double rate_per_s = 0.0;
   bool stamped = false;  ///< the tracker sends times
   std::optional<std::int64_t> period_us{};

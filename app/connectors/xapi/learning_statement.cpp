@@ -34,7 +34,7 @@ std::string uuidOf(const std::string& name) {
       .toStdString();
 }
 
-/// A verb of the vocabularies that learning systems know.
+/// Builds a verb of a standard vocabulary.
 Json verbOf(const char* id, const char* word) {
   return {{"id", id}, {"display", {{"en", word}}}};
 }
@@ -175,7 +175,7 @@ bool tell(const Telling& telling, ExerciseRules& rules, std::int64_t now_us, Jso
 }
 
 /// The parts that make two statements equivalent.
-nlohmann::json essence(const nlohmann::json& statement) {
+nlohmann::json comparableParts(const nlohmann::json& statement) {
   nlohmann::json kept;
   kept["id"] = statement.value("id", "");
   const auto part = [&](const char* name, const char* inner) {
@@ -243,7 +243,7 @@ bool sameStatement(const std::string& sent, const std::string& stored) {
   const nlohmann::json a = nlohmann::json::parse(sent, nullptr, false);
   const nlohmann::json b = nlohmann::json::parse(stored, nullptr, false);
   try {
-    return a.is_object() && b.is_object() && essence(a) == essence(b);
+    return a.is_object() && b.is_object() && comparableParts(a) == comparableParts(b);
   } catch (const nlohmann::json::exception&) {
     return false;  // members have the wrong types
   }

@@ -16,7 +16,7 @@ namespace torsio {
 struct LrsAnswer {
   int status = 0;       ///< HTTP status; 0: no answer, for the reason in `body`
   std::string body{};   ///< at most a megabyte
-  std::string after{};  ///< header Retry-After; empty: none
+  std::string after{};  ///< Retry-After header; empty: none
 };
 
 /// Client of an xAPI 1.0.3 store. Checks certificates and follows no redirects. Used by the thread that

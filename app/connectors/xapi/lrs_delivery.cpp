@@ -103,7 +103,7 @@ Outcome send(LrsClient& store, const std::string& id, const std::string& stateme
   return answer.status == kConflict ? afterConflict(store, id, statement) : refused(answer);
 }
 
-/// One round.
+/// One round of sending.
 class Round {
  public:
   Round(Connection& connection, const LrsIdentity& identity, LrsClient& store, const UtcClock& now)

@@ -11,13 +11,13 @@ namespace torsio {
 
 namespace {
 
-constexpr double kAcross_px = 570.0;  // the axis of a figure on paper; on the screen there is more
-constexpr double kAir_px = 8.0;       // left and right of a label, as Qt leaves it
+constexpr double kAcross_px = 570.0;  // axis of a printed figure; the screen has more room
+constexpr double kAir_px = 8.0;       // left and right of a label, as in Qt
 constexpr int kSmallest_px = 8;
 constexpr qsizetype kMaxLines = 3;
-constexpr qsizetype kTogether = 6;  // Chinese characters that stay on one line
+constexpr qsizetype kTogether = 6;  // Chinese characters kept on one line
 
-/// Lines of a text as an axis takes them.
+/// Joins lines into HTML for an axis.
 QString htmlOf(const QStringList& lines) {
   QStringList escaped;
   for (const QString& line : lines) {
@@ -29,7 +29,7 @@ QString htmlOf(const QStringList& lines) {
 }  // namespace
 
 CategoryLabels categoryLabels(const QStringList& names, int largest_px) {
-  // Qt divides the axis by its marks: one more than there are categories.
+  // Qt divides the axis by its ticks: one more than there are categories.
   const double share_px = kAcross_px / static_cast<double>(names.size() + 1) - kAir_px;
   CategoryLabels labels{{}, printedTypeface()};
   labels.font.setPixelSize(largest_px);

@@ -6,14 +6,15 @@
 
 namespace torsio {
 
-/// Names of categories as the axis of a chart takes them.
+/// Category names formatted for a chart's axis.
 struct CategoryLabels {
-  QStringList html;  ///< one a category, of up to three lines where they fit
+  QStringList html;  ///< one per category, up to three lines if they fit
   QFont font;
 };
 
-/// In letters as large as they fit side by side below a figure on paper, `largest_px` at the most, at last in
-/// narrow ones: Qt cuts a label that is wider than its share of the axis. Needs a QGuiApplication.
+/// Chooses the largest font, up to `largest_px`, in which the names fit side by side on a printed figure, or
+/// a narrow one as a last resort: Qt truncates labels wider than their share of the axis. Needs a
+/// QGuiApplication.
 [[nodiscard]] CategoryLabels categoryLabels(const QStringList& names, int largest_px);
 
 }  // namespace torsio

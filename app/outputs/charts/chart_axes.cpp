@@ -20,21 +20,22 @@ namespace torsio {
 
 namespace {
 
-/// An axis takes no name twice, and would leave the mark of the second one bare.
+/// An axis ignores a duplicate name and would leave its tick unlabelled; zero-width characters make names
+/// unique.
 void appendTo(QCategoryAxis& axis, QString name, double at) {
-  constexpr QChar kNothing(0x200B);  // has no width
+  constexpr QChar kNothing(0x200B);  // zero width
   while (axis.categoriesLabels().contains(name)) {
     name += kNothing;
   }
   axis.append(name, at);
 }
 
-/// The name of a mark on the left: a mark ends where its name begins, unless something keeps them apart.
-QString besideMark(const QString& name) {
+/// Returns the name of a tick on the left, with space between tick and name.
+QString withTickSpacing(const QString& name) {
   return name + QChar(QChar::Nbsp);
 }
 
-/// From one mark to the next: a whole number, of few enough marks.
+/// Returns a whole step between ticks that gives few enough ticks.
 double wholeStep(double span) {
   constexpr double kMaxTicks = 8.0;
   double step = 1.0;
@@ -52,21 +53,22 @@ void markWhole(QValueAxis& axis, double step) {
   axis.setTickInterval(step);
 }
 
-/// Marks at whole numbers, some air at both ends, so that the first and the last point are drawn whole.
+/// Puts ticks at whole numbers, with a margin at both ends so that the first and last points are drawn
+/// completely.
 void countAlong(QValueAxis& axis, const AxisRange& range) {
   const double span = range.high - range.low;
   markWhole(axis, wholeStep(span));
   axis.setRange(range.low - 0.03 * span, range.high + 0.03 * span);
 }
 
-/// Marks at whole numbers, from one mark to another: what is counted has no halves.
+/// Puts ticks at whole numbers and ends the axis at ticks: counts have no halves.
 void countUp(QValueAxis& axis, const AxisRange& range) {
   const double step = wholeStep(range.high - range.low);
   markWhole(axis, step);
   axis.setRange(step * std::floor(range.low / step), step * std::ceil(range.high / step));
 }
 
-/// The values that an axis marks, from its low end to its high end.
+/// Returns the values of the ticks, ascending.
 std::vector<double> marksOf(const QValueAxis& axis) {
   std::vector<double> marks;
   if (axis.tickType() == QValueAxis::TicksDynamic) {
@@ -86,7 +88,7 @@ std::vector<double> marksOf(const QValueAxis& axis) {
   return marks;
 }
 
-/// Whether a figure shows whole numbers only.
+/// Returns whether a figure shows whole numbers only.
 bool counted(const ReportFigure& figure) {
   const auto whole = [](double v) { return v == std::round(v); };
   bool any = false;
@@ -171,7 +173,7 @@ AxisRange ChartAxes::valueRange() const {
   return range;
 }
 
-/// An axis of numbers formats them as C does; one of categories takes them as the style writes them.
+/// A value axis formats numbers in the C locale; a category axis uses the style's format.
 QCategoryAxis* ChartAxes::numbered(const QValueAxis& range, int decimals, const Text& title,
                                    Qt::Alignment side) const {
   auto* axis = styled(new QCategoryAxis, title);
@@ -183,12 +185,12 @@ QCategoryAxis* ChartAxes::numbered(const QValueAxis& range, int decimals, const 
   }
   for (const double value : marks) {
     const QString number = chartNumber(value, decimals, style_);
-    appendTo(*axis, side == Qt::AlignLeft ? besideMark(number) : number, value);
+    appendTo(*axis, side == Qt::AlignLeft ? withTickSpacing(number) : number, value);
   }
   return axis;
 }
 
-/// The last mark may stand at the very end of its axis: half of its number reaches beyond.
+/// The last tick may be at the end of its axis, with half of its label beyond it.
 void ChartAxes::leaveRoomForLast(QCategoryAxis& axis) const {
   const QStringList marks = axis.categoriesLabels();
   if (marks.isEmpty()) {
@@ -283,10 +285,10 @@ QCategoryAxis* ChartAxes::addRows() {
   auto* axis = styled(new QCategoryAxis, figure_.xLabel);
   axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
-    appendTo(*axis, besideMark(say_(figure_.categories[i]).toHtmlEscaped()), static_cast<double>(i + 1));
+    appendTo(*axis, withTickSpacing(say_(figure_.categories[i]).toHtmlEscaped()), static_cast<double>(i + 1));
   }
   axis->setRange(0.4, rows + 0.6);
-  axis->setReverse(true);  // first row on top
+  axis->setReverse(true);  // first row at the top
   axis->setGridLineVisible(false);
   chart_.addAxis(axis, Qt::AlignLeft);
   across_ = {0.4, rows + 0.6};

@@ -18,10 +18,10 @@ class QValueAxis;
 
 namespace torsio {
 
-/// The typeface of the report in this size, pixels.
+/// Returns the report's typeface in this size, pixels.
 [[nodiscard]] QFont chartFont(int pixels);
 
-/// The least and the greatest of some numbers; empty before the first.
+/// Minimum and maximum of the values added; empty without values.
 struct AxisRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -32,23 +32,24 @@ struct AxisRange {
   [[nodiscard]] bool empty() const { return !(low <= high); }
 };
 
-/// The axes of one figure's chart. Each is added to the chart, which owns it. GUI thread.
+/// The axes of one figure's chart. The chart owns them. GUI thread.
 class ChartAxes {
  public:
-  /// All four must outlive this.
+  /// All four must outlive this object.
   ChartAxes(const ReportFigure& figure, const ChartStyle& look, const Wording& wording, QChart& chart);
 
-  /// Adds the axis of values, wide enough for all of them. One at the left has its title upright.
+  /// Adds the value axis, covering all values. Its title is vertical if it is on the left.
   QCategoryAxis* addValues(Qt::Alignment side);
-  /// Adds categories below, on a continuous axis at 1, 2, 3 ..., so that marks may stand beside each other.
+  /// Adds a category axis at the bottom, continuous with categories at 1, 2, 3 ..., so that markers can be
+  /// side by side.
   QCategoryAxis* addCategories();
-  /// Adds numbers below, wide enough for the abscissas of all series.
+  /// Adds a number axis at the bottom, covering the abscissas of all series.
   QCategoryAxis* addNumbers();
-  /// Adds categories at the left, the first on top, at 1, 2, 3 ...
+  /// Adds a category axis on the left, first row at the top, at 1, 2, 3 ...
   QCategoryAxis* addRows();
-  /// Adds the axis below that boxes name themselves on.
+  /// Adds the bottom axis with the names of boxes.
   QBarCategoryAxis* addBoxes();
-  /// Gives the range of the axis that is not that of the values; 0 to 1 before there is one.
+  /// Returns the range of the axis without the values; 0 to 1 before it exists.
   [[nodiscard]] const AxisRange& across() const noexcept { return across_; }
 
  private:

@@ -26,16 +26,16 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kFewPoints = 14;  // lines with no more points carry markers
-constexpr double kFaint = 0.5;          // share of the colour of individual courses
-constexpr double kCloud = 0.6;          // and of the dots of a cloud
+constexpr std::size_t kFewPoints = 14;  // lines with at most this many points have markers
+constexpr double kFaint = 0.5;          // opacity of individual curves
+constexpr double kCloud = 0.6;          // opacity of the dots of a cloud
 
 constexpr std::array kMarkers{
     QScatterSeries::MarkerShapeCircle,   QScatterSeries::MarkerShapeRectangle,
     QScatterSeries::MarkerShapeTriangle, QScatterSeries::MarkerShapeRotatedRectangle,
     QScatterSeries::MarkerShapePentagon, QScatterSeries::MarkerShapeStar};
 
-/// Draws one figure into one chart.
+/// Draws one figure into a chart.
 class Builder {
  public:
   Builder(const ReportFigure& figure, const ChartStyle& look, const Wording& wording)
@@ -77,7 +77,7 @@ class Builder {
         forest();
         break;
       case FigureKind::kHeatMap:
-        TORSIO_EXPECTS(false);  // buildFigure() draws it
+        TORSIO_EXPECTS(false);  // handled by buildFigure()
     }
     references();
     const bool courses = std::any_of(figure_.series.begin(), figure_.series.end(),
@@ -97,12 +97,12 @@ class Builder {
     legend->setAlignment(Qt::AlignTop);
     legend->setFont(chartFont(style_.label_px));
     legend->setLabelColor(style_.ink);
-    // Bars have no marker of their own: asked for one, Qt leaves it white and cuts the names short.
+    // Bars have no marker shape of their own: if asked for one, Qt draws it white and truncates the names.
     legend->setMarkerShape(figure_.kind == FigureKind::kGroupedBars ? QLegend::MarkerShapeRectangle
                                                                     : QLegend::MarkerShapeFromSeries);
   }
 
-  /// Where series `s` stands within its category.
+  /// Returns the position of series `s` within its category.
   [[nodiscard]] double slot(std::size_t category, std::size_t s) const {
     const std::size_t count = std::max<std::size_t>(figure_.series.size(), 1);
     const double width = 0.62 / static_cast<double>(count);
@@ -137,7 +137,7 @@ class Builder {
   }
 
   void bars() {
-    axes_.addCategories();  // what is seen: the axis of bars would leave its labels less room
+    axes_.addCategories();  // the visible axis: a bar axis would leave less room for labels
     auto* axis = new QBarCategoryAxis;
     for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
       axis->append(QString::number(i));
@@ -157,7 +157,7 @@ class Builder {
     }
     add(all, axis, values_, true);
     inLegend_ = static_cast<int>(figure_.series.size());
-    ChartStyle fine = style_;  // a pattern as coarse as that of wide bars would not show in so small a field
+    ChartStyle fine = style_;  // the coarse pattern of wide bars would not be visible in a small area
     fine.hatch = 1.0;
     const QList<QLegendMarker*> fields = chart_->legend()->markers(all);
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
@@ -165,11 +165,11 @@ class Builder {
     }
   }
 
-  /// A line with caps from low to high; across the axis of values when `lying`.
+  /// Adds a line with caps from low to high; along the horizontal axis if `lying`.
   QLineSeries* whisker(std::size_t number, double at, double low, double high, double cap, bool lying) const {
     auto* line = new QLineSeries;
     line->setPen(pen(seriesColour(number, style_), 2.0));
-    cap /= style_.hatch;  // the same share of a wide chart would be a fence
+    cap /= style_.hatch;  // smaller in a wide chart, where caps would look like a fence
     const auto point = [lying](double along, double value) {
       return lying ? QPointF(value, along) : QPointF(along, value);
     };
@@ -243,7 +243,7 @@ class Builder {
     }
   }
 
-  /// Intervals and markers of a line.
+  /// Adds the intervals and markers of a line.
   void ornaments(const FigureSeries& series, std::size_t number, QAbstractAxis* axis) {
     const double cap = figure_.categories.empty() ? 0.004 * (axes_.across().high - axes_.across().low) : 0.03;
     if (series.low.size() == series.y.size() && series.high.size() == series.y.size()) {
@@ -286,7 +286,7 @@ class Builder {
     }
   }
 
-  /// A thin line through the points of a series that says what others are held against.
+  /// Adds a thin line through the points of a reference series.
   void through(const FigureSeries& series, QAbstractAxis* axis) {
     auto* line = new QLineSeries;
     line->setName(say_(series.name));
@@ -345,10 +345,10 @@ class Builder {
     } else {
       delete outliers;
     }
-    inLegend_ = 2;  // even alone, the mark needs its name
+    inLegend_ = 2;  // the marker needs its name even if it is the only series
   }
 
-  /// Half way to the ground: a fill on which the median line stays readable.
+  /// Blends the colour halfway to the background, so that the median line stays visible on the fill.
   [[nodiscard]] QColor paler(const QColor& colour) const {
     return QColor((colour.red() + style_.ground.red()) / 2, (colour.green() + style_.ground.green()) / 2,
                   (colour.blue() + style_.ground.blue()) / 2);

@@ -12,14 +12,14 @@ class QGraphicsWidget;
 
 namespace torsio {
 
-/// The figure as something that a scene draws, on paper and on the screen alike: a chart, or a heat map.
-/// Says its words as `wording` does; title and notes are left to whoever shows it. Needs a QApplication; GUI
-/// thread.
+/// Builds a figure for a scene, on paper or screen: a chart or a heat map. Translates with `wording`; the
+/// caller shows title and notes. Needs a QApplication; GUI thread.
 [[nodiscard]] std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure,
                                                            const ChartStyle& look = {},
                                                            const Wording& wording = englishWording);
 
-/// The figure as a Qt chart: no animation, no shadow (both spoil vector output). Every kind but kHeatMap.
+/// Builds a figure as a Qt chart without animation or shadow (both spoil vector output). Every kind but
+/// kHeatMap.
 [[nodiscard]] std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartStyle& look = {},
                                                  const Wording& wording = englishWording);
 

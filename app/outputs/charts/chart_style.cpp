@@ -37,13 +37,13 @@ QColor paled(const QColor& colour, double share, const ChartStyle& look) {
 }
 
 QBrush seriesFill(std::size_t i, const ChartStyle& look) {
-  // In grey, and in print where the patterns are fine: full, light, half.
+  // Distinguishable in grey and in print, where patterns are fine: solid, light, half.
   static const std::array<Qt::BrushStyle, 6> kPatterns{Qt::SolidPattern,  Qt::BDiagPattern,
                                                        Qt::Dense4Pattern, Qt::DiagCrossPattern,
                                                        Qt::HorPattern,    Qt::FDiagPattern};
   const Qt::BrushStyle pattern = kPatterns[i % kPatterns.size()];
   const QColor colour = seriesColour(i, look);
-  constexpr int kDarker = 180;  // PDF sets dots so small that they would come out as pale as the lines beside
+  constexpr int kDarker = 180;  // PDF draws dots so small that they would look as pale as the lines
   QBrush fill(pattern == Qt::Dense4Pattern && !look.dark ? colour.darker(kDarker) : colour, pattern);
   fill.setTransform(QTransform::fromScale(look.hatch, look.hatch));
   return fill;

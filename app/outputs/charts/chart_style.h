@@ -16,27 +16,27 @@ struct ChartStyle {
   QColor ink{0x26, 0x32, 0x38};
   QColor grid{0xDD, 0xE3, 0xE6};
   bool dark = false;
-  int label_px = 13;    ///< print: charts are laid out at 96 pixels an inch and scaled as a whole
-  double hatch = 1.0;   ///< size of the patterns of fills: larger where a chart is many pixels wide
-  double stroke = 1.0;  ///< size of marks and lines: likewise
-  /// Writes the numbers at the marks of an axis. Empty: not grouped, like those in the tables of a
-  /// report.
+  int label_px = 13;    ///< print: charts are laid out at 96 pixels per inch and scaled as a whole
+  double hatch = 1.0;   ///< scale of fill patterns: larger for charts many pixels wide
+  double stroke = 1.0;  ///< scale of markers and lines: likewise
+  /// Formats the tick labels of an axis. If empty: ungrouped, like report tables.
   std::function<QString(double value, int decimals)> number;
 };
 
-/// Colour of series `i`: told apart by colour-blind readers (after Okabe and Ito). Pattern, dash and marker
-/// tell the series apart in grey.
+/// Returns the colour of series `i`, distinguishable for colour-blind readers (after Okabe and Ito). In grey,
+/// pattern, dash and marker distinguish the series.
 [[nodiscard]] QColor seriesColour(std::size_t i, const ChartStyle& look = {});
-/// A colour that lets the ground through, without transparency, which archive files may not have. `share` of
-/// the colour: 0 to 1.
+/// Blends a colour with the background instead of using transparency, which PDF/A forbids. `share` of the
+/// colour: 0 to 1.
 [[nodiscard]] QColor paled(const QColor& colour, double share, const ChartStyle& look);
-/// Fill of a bar: neighbouring series differ in pattern, not in colour alone.
+/// Returns the fill of a bar; neighbouring series differ in pattern as well as colour.
 [[nodiscard]] QBrush seriesFill(std::size_t i, const ChartStyle& look = {});
-/// Shade of a heat map, `at` from 0 (lowest) to 1: lightness falls evenly, so that it reads in grey.
+/// Returns the shade of a heat map, `at` from 0 (lowest) to 1: lightness falls evenly, so that it is readable
+/// in grey.
 [[nodiscard]] QColor shade(double at, const ChartStyle& look = {});
-/// A number of a chart, with the minus of print.
+/// Formats a number of a chart with a typographic minus.
 [[nodiscard]] QString chartNumber(double value, int decimals, const ChartStyle& look);
-/// Ink that can be read on a ground.
+/// Returns a text colour readable on a background.
 [[nodiscard]] QColor inkOn(const QColor& ground);
 
 }  // namespace torsio

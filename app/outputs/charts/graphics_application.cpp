@@ -11,8 +11,8 @@ namespace torsio {
 
 namespace {
 
-/// Standard error belongs to our own one-line messages; of Qt's, only what ends in failure passes.
-void onlyFailures(QtMsgType type, const QMessageLogContext&, const QString& message) {
+/// Standard error is for our own one-line messages; of Qt's messages, only failures pass.
+void passOnlyFailures(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtCriticalMsg || type == QtFatalMsg) {
     std::fprintf(stderr, "%s\n", qPrintable(message));
   }
@@ -22,7 +22,7 @@ void onlyFailures(QtMsgType type, const QMessageLogContext&, const QString& mess
 
 std::unique_ptr<QCoreApplication> makeHeadlessGraphicsApplication(int& argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  qInstallMessageHandler(onlyFailures);
+  qInstallMessageHandler(passOnlyFailures);
   auto application = std::make_unique<QApplication>(argc, argv);
   useTypeface(*application);
   return application;

@@ -7,8 +7,8 @@ class QCoreApplication;
 
 namespace torsio {
 
-/// The Qt application that charts and PDF need, on the `offscreen` platform: no display is ever opened.
-/// `argc` and `argv` must outlive it. One a process, before any other Qt object.
+/// Creates the Qt application that charts and PDF need, on the `offscreen` platform without a display. `argc`
+/// and `argv` must outlive it. One per process, before any other Qt object.
 [[nodiscard]] std::unique_ptr<QCoreApplication> makeHeadlessGraphicsApplication(int& argc, char** argv);
 
 }  // namespace torsio

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kScaleWidth = 14.0;
 constexpr double kGap = 8.0;
-constexpr double kWidestName = 96.0;  // of a row; longer ones take two lines
+constexpr double kWidestName = 96.0;  // of a row; longer names take two lines
 
 }  // namespace
 
@@ -54,7 +54,7 @@ QFont HeatMapItem::font(int pixels) const {
 void HeatMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const QFontMetricsF metrics(font(style_.label_px - 2));
   const double rows = std::max(1.0, static_cast<double>(figure_.series.size()));
-  // Long names take two lines where the rows are high enough.
+  // Long names take two lines if the rows are high enough.
   const bool wrap = 2.0 * metrics.height() <= (rect().height() - 5.0 * metrics.height()) / rows;
   QStringList rowNames;
   double names = 0.0;
@@ -130,7 +130,7 @@ void HeatMapItem::paintRowNames(QPainter& painter, const QRectF& plot, const QSt
   }
 }
 
-/// In letters as large as they fit; where even small ones do not, every second or third name.
+/// Uses the largest font that fits; if even the smallest does not, every second or third name.
 HeatMapItem::ColumnNames HeatMapItem::columnNames(double width) const {
   constexpr int kSmallest_px = 8;
   const double wide = std::max(1.0, width / static_cast<double>(figure_.categories.size()));
@@ -139,7 +139,7 @@ HeatMapItem::ColumnNames HeatMapItem::columnNames(double width) const {
     names << say_(category);
   }
   ColumnNames out;
-  // A long name may reach over its column as far as its neighbours leave room.
+  // A long name may extend beyond its column as far as its neighbours leave room.
   const auto needed = [&names](const QFontMetricsF& metrics) {
     double most = 1.0;
     double before = 0.0;

@@ -10,8 +10,8 @@
 
 namespace torsio {
 
-/// A heat map: one cell a row and column, shaded by its value, the value printed where there is room, and a
-/// scale beside it. Missing values are crossed out. Vector on paper.
+/// A heat map: one cell per row and column, shaded by value, the value printed if there is room, with a
+/// scale. Missing values are crossed out. Vector output on paper.
 class HeatMapItem : public QGraphicsWidget {
  public:
   HeatMapItem(const ReportFigure& figure, const ChartStyle& look, const Wording& wording);
@@ -21,7 +21,7 @@ class HeatMapItem : public QGraphicsWidget {
  private:
   void paintCells(QPainter& painter, const QRectF& plot) const;
   void paintRowNames(QPainter& painter, const QRectF& plot, const QStringList& names) const;
-  /// Names of the columns as they are set: size of the letters, every how many-th, and in which lines.
+  /// Layout of the column names: font size, every how many-th is shown, and lines.
   struct ColumnNames {
     int pixels = 0;
     qsizetype every = 1;
@@ -38,7 +38,7 @@ class HeatMapItem : public QGraphicsWidget {
   Wording say_;
   double low_ = 0.0;
   double high_ = 1.0;
-  int decimals_ = 0;  // whole marks need none
+  int decimals_ = 0;  // 0 for whole marks
 };
 
 }  // namespace torsio

@@ -7,15 +7,15 @@
 
 namespace torsio {
 
-/// The parts of a text between which a line may end: words, parts of words after a hyphen, and in Chinese
-/// each character with its marks. A part keeps the space behind it.
+/// Splits a text where a line may break: words, parts of words after a hyphen, and Chinese characters with
+/// their punctuation. A part keeps its trailing space.
 [[nodiscard]] QStringList breakableParts(const QString& text);
 
-/// Width of the longest part: the narrowest that a column may become. Chinese is not broken after every
-/// character: up to `together` of them stay on a line.
+/// Returns the width of the longest part, the minimum column width. Up to `together` Chinese characters stay
+/// on one line.
 [[nodiscard]] double widestPart(const QString& text, const QFontMetricsF& metrics, qsizetype together = 4);
 
-/// The text in lines of at most `width`, as long as its parts allow.
+/// Wraps the text to lines of at most `width`, as far as its parts allow.
 [[nodiscard]] QStringList wrappedLines(const QString& text, double width, const QFontMetricsF& metrics);
 
 }  // namespace torsio

@@ -10,8 +10,8 @@ namespace torsio {
 
 QFont typeface() {
   QFont font;
-  // Named one by one: left to itself a machine may take Japanese forms of the characters. The last two are
-  // what Windows and macOS have in place of the Chinese companion.
+  // Listed explicitly: a system's fallback may choose Japanese forms of the characters. The last two are the
+  // Chinese companions on Windows and macOS.
   font.setFamilies({QLatin1String(kTypeface), QLatin1String(kFallbackTypeface),
                     QLatin1String(kChineseTypeface), QStringLiteral("Microsoft YaHei"),
                     QStringLiteral("PingFang SC")});
@@ -20,7 +20,7 @@ QFont typeface() {
 
 QFont printedTypeface() {
   constexpr double kApart_px =
-      1.0 / 64.0;  // the least that counts: letters with any space between are not joined
+      1.0 / 64.0;  // the smallest spacing that counts: spaced letters have no ligatures
   QFont font = typeface();
   font.setLetterSpacing(QFont::AbsoluteSpacing, kApart_px);
   return font;

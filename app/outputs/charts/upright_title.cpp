@@ -13,7 +13,7 @@ namespace torsio {
 
 namespace {
 
-constexpr double kShortPlot_px = 120.0;  // of a figure on paper; what is longer may take two lines
+constexpr double kShortPlot_px = 120.0;  // on a printed figure; longer titles may take two lines
 constexpr int kSmallestTitle_px = 8;
 constexpr double kTitleAir_px = 2.0;
 

@@ -9,17 +9,17 @@
 
 namespace torsio {
 
-/// The title of an upright axis, which Qt would cut where it is longer than the axis: set in letters and
-/// lines that fit, anew for every size of the plot.
+/// Title of a vertical axis, which Qt would truncate if longer than the axis: uses a font size and lines that
+/// fit, updated for every plot size.
 class UprightTitle : public QGraphicsItem {
  public:
   UprightTitle(QString words, const ChartStyle& look, QGraphicsItem* parent);
 
-  /// What it takes of the width, whatever the height.
+  /// Returns the width that it takes, independent of the height.
   [[nodiscard]] double width() const { return width_; }
-  /// Stands beside `plot`, at the left edge of the parent.
+  /// Places it next to `plot`, at the left edge of the parent.
   void place(const QRectF& plot);
-  /// As it was placed last.
+  /// Returns the lines of the last placement.
   [[nodiscard]] const QStringList& lines() const { return lines_; }
 
   [[nodiscard]] QRectF boundingRect() const override { return area_; }

@@ -33,7 +33,7 @@ namespace {
 
 constexpr std::int64_t kRecordedRate_Hz = kSecond_us / kTickPeriod_us;
 
-/// Whoever owns the file of the record can read all of it.
+/// The owner of the record's file can read all of it anyway.
 bool mayTakeCodes(const SessionContext& session) {
   return !session.actor().systemAccount.empty() || session.may(Operation::kPersonViewIdentity);
 }
@@ -93,7 +93,7 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
       contents.figures.push_back(&figure);
     }
   }
-  // As the report says them: the analysis behind them takes seconds for thousands of marks.
+  // Taken from the report: the analysis takes seconds for thousands of marks.
   const auto methods = std::find_if(report.sections.begin(), report.sections.end(), [](const auto& section) {
     return section.title == "Methods and limits";
   });
@@ -217,7 +217,7 @@ ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& re
       reportInputs(session, {request.cohortId, {}, request.frozenId, ReportIdentity::kCoded}, digests);
   std::vector<Text> left;
   const CohortInputs shown = shownInputs(inputs, left);
-  std::map<std::string, std::vector<std::string>> grades;  // by code, one an occasion
+  std::map<std::string, std::vector<std::string>> grades;  // by code, one per occasion
   for (const TraineeScore& score : shown.scores) {
     auto& own = grades[score.trainee];
     own.resize(shown.occasions.size(), "-");

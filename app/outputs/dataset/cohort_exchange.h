@@ -18,74 +18,75 @@
 
 namespace torsio {
 
-/// What of a cohort leaves, and how its people appear in it.
+/// What to export of a cohort, and how its people appear.
 struct ExchangeRequest {
   CohortId cohortId{};
-  CampaignId campaignId{};     ///< empty: no evaluation of models
-  FreezeId frozenId{};         ///< empty: the data as they are now
-  bool pseudonymised = false;  ///< true in any case for whoever may not see names
-  std::string key{};           ///< of the pseudonyms; empty: a new one, so that no two exports can be joined
-  bool withFreeText = false;   ///< pseudonymised: also what somebody wrote
-  std::string reason{};        ///< why, for the audit trail
+  CampaignId campaignId{};     ///< empty: no evaluation
+  FreezeId frozenId{};         ///< empty: current data
+  bool pseudonymised = false;  ///< forced to true for actors who may not see names
+  std::string key{};           ///< key of the pseudonyms; empty: a new one, so that exports cannot be linked
+  bool withFreeText = false;   ///< if pseudonymised: include free text
+  std::string reason{};        ///< for the audit trail
 };
 
-/// Everything that a request gives, before anything is written.
+/// All data of a request, read before anything is written.
 struct ExchangeData {
   ExchangeRequest request;
   CohortInputs inputs;
   ExportSet set;
-  std::optional<PseudonymReport> pseudonyms;  ///< empty: under the codes of the centre
-  std::map<TrialId, TrialId> recordings;      ///< id in the record by the name of the recording in `inputs`
+  std::optional<PseudonymReport> pseudonyms;  ///< empty: data under the centre's codes
+  std::map<TrialId, TrialId> recordings;      ///< record id by the recording's name in `inputs`
   AnalysedCohort analysed;                    ///< of `inputs`
 };
 
-/// What left the house.
+/// Exported files.
 struct ExchangeFiles {
   std::vector<std::filesystem::path> files;
   std::uint64_t bytes = 0;
-  std::string contentHash;  ///< BLAKE2b-256 of all files in their order
+  std::string contentHash;  ///< BLAKE2b-256 of all files in order
 };
 
-/// Ids of what a person names; empty names: the oldest cohort, the oldest evaluation that has marks.
-/// kReportExportCoded. Throws Error{kBadParameter}: there is none of that name.
+/// Looks up ids by name; empty names: the oldest cohort, the oldest evaluation with marks.
+/// kReportExportCoded. Throws Error{kBadParameter} for an unknown name.
 void nameRequest(SessionContext& session, const std::string& cohort, const std::string& campaign,
                  ExchangeRequest& request);
 
-/// Reads what is asked for. Nobody is named; marks and means that are not to be shown yet are left out as in
-/// the report (assessment/results/shown_inputs.h). kReportExportCoded and kResultsCompute. Throws
-/// Error{kBadParameter} for an unknown cohort, data set or a key that is too short.
+/// Reads the data of a request. Contains no names; marks and means not to be shown yet are omitted as in the
+/// report (assessment/results/shown_inputs.h). kReportExportCoded and kResultsCompute. Throws
+/// Error{kBadParameter} for an unknown cohort or data set, or a key that is too short.
 [[nodiscard]] ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& request,
                                         TrialDigests& digests, const ProgressCallback& progress = {});
 
-/// What was done so that nobody is found, as sentences; empty for data under codes.
+/// Describes the pseudonymisation in sentences; empty for data under codes.
 [[nodiscard]] std::vector<Text> pseudonymSentences(const ExchangeData& data);
 
-/// Each writes `data` and keeps in the audit trail who took out what, why, and the hash. kReportExportCoded.
-/// Throws Error{kFileUnwritable}; nothing half written is left, and nothing is noted. What `progress` throws
-/// gives it up, with the same promise.
+/// Writes `data` and audits who exported what, why, and the hash. kReportExportCoded. Throws
+/// Error{kFileUnwritable}; then no partial file remains and nothing is audited. The same applies if
+/// `progress` throws to cancel.
 ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, const ExportWording& say,
                              const std::filesystem::path& file, const ProgressCallback& progress = {});
 ExchangeFiles exportTables(SessionContext& session, const ExchangeData& data, TableFormat format,
                            const std::filesystem::path& folder, const ProgressCallback& progress = {});
 
-/// What of a cohort's data becomes a data set for others.
+/// How to export a cohort as a data set.
 struct DatasetRequest {
   DatasetAbout about;
   DatasetLayout layout = DatasetLayout::kFrictionless;
-  std::int64_t rate_Hz = 100;  ///< of the trajectories; divides the 1000 Hz of a recording
-  bool whole = false;  ///< also what importDataset() needs; under codes, with single marks, not as BIDS
+  std::int64_t rate_Hz = 100;  ///< of the trajectories; must divide the 1000 Hz of a recording
+  bool whole = false;  ///< include what importDataset() needs; under codes, with single marks, not as BIDS
 };
 
-/// As above, of a whole data set (writeDataset) with the trajectories of the cohort's recordings. Throws
-/// Error{kBadParameter} for a rate that does not divide 1000 Hz, a description that is not whole, or a whole
-/// data set that is pseudonymised, of BIDS or may not hold single marks, before anything is written.
+/// Exports like exportWorkbook(), but a data set (writeDataset()) with the trajectories of the cohort's
+/// recordings. Throws Error{kBadParameter}, before anything is written, for a rate that does not divide 1000
+/// Hz, an incomplete description, or a whole data set that is pseudonymised, BIDS or may not contain single
+/// marks.
 ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,
                             const std::filesystem::path& folder, const ProgressCallback& progress = {});
 
-/// Writes the scores of a cohort as a learning system takes them (Moodle's CSV): a line a trainee, known by
-/// staff or student number and mail address, or by code where the centre keeps neither; a column an occasion.
-/// Whose scores are not to be shown yet is left out. Names people by what the other system knows them by:
-/// kReportExportNamed. Throws Error{kFileUnwritable}, {kBadData} when nobody has a score.
+/// Writes a cohort's scores for a learning system (Moodle's CSV): one row per trainee, identified by staff or
+/// student number and mail address, or by code if the centre stores neither; one column per occasion. Omits
+/// scores not to be shown yet. Identifies people as the other system does: kReportExportNamed. Throws
+/// Error{kFileUnwritable}, {kBadData} if there are no scores.
 ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
                               const std::filesystem::path& file);
 

@@ -35,9 +35,9 @@ constexpr std::array<std::pair<std::string_view, DatasetLayout>, 3> kLayouts = {
      {"ro-crate", DatasetLayout::kRoCrate},
      {"bids", DatasetLayout::kBids}}};
 
-/// A file of the data set and what it holds.
+/// A file of the data set and its contents.
 struct Part {
-  std::string path;  ///< from the folder of the data set
+  std::string path;  ///< relative to the data set's folder
   std::string title;
   std::string media;
 };
@@ -119,7 +119,7 @@ class DatasetWriter {
   DatasetWriter(const DatasetContents& contents, const fs::path& folder)
       : contents_(contents), folder_(folder) {}
 
-  /// Writes all but the descriptors.
+  /// Writes everything except the descriptors.
   void write() {
     ensureFolder(folder_ / "data");
     for (const ExportTable* table : contents_.tables) {
@@ -204,7 +204,7 @@ class DatasetWriter {
     addTable(heads);
   }
 
-  /// A recording as it is.
+  /// Adds a complete recording.
   void addWhole(const std::string& name, const Trial& trial) {
     ensureFolder(folder_ / "recordings");
     const Part part{"recordings/" + name + ".torsio", "Recording " + name, "application/octet-stream"};
@@ -343,7 +343,7 @@ bool isSpdx(const std::string& word) {
   });
 }
 
-/// All files of the data set, in `folder`.
+/// Writes all files of the data set into `folder`.
 std::vector<fs::path> writeLayout(const DatasetContents& contents, DatasetLayout layout,
                                   const fs::path& folder) {
   if (layout != DatasetLayout::kBids) {
@@ -351,7 +351,7 @@ std::vector<fs::path> writeLayout(const DatasetContents& contents, DatasetLayout
   }
   std::vector<fs::path> files = writeBids(contents, folder);
   DatasetContents tables = contents;
-  tables.recordings.clear();  // they lie in the folders of BIDS
+  tables.recordings.clear();  // they are in the folders of BIDS
   for (const fs::path& file : writePackage(tables, false, folder / "derivatives" / "torsio")) {
     files.push_back(file);
   }

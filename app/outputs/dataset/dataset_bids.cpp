@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// What BIDS calls a column of a trajectory; those that it has no word for are MISC.
+/// BIDS name of a trajectory column; columns without a BIDS type are MISC.
 struct Channel {
   const char* component;
   const char* type;
@@ -45,7 +45,7 @@ Channel channelOf(const ExportColumn& column) {
   return known != kKnown.end() ? known->second : Channel{"n/a", "MISC", "n/a", ""};
 }
 
-/// BIDS leaves nothing empty.
+/// BIDS allows no empty value.
 std::string given(const std::string& word) {
   return word.empty() ? "n/a" : word;
 }
@@ -69,7 +69,7 @@ std::int64_t channelsOfType(const std::string& type) {
   return count;
 }
 
-/// Letters and digits, which is all that a label of BIDS may hold.
+/// Keeps letters and digits, the only characters allowed in a BIDS label.
 std::string labelOf(const std::string& word) {
   std::string label;
   for (const char letter : word) {
@@ -80,7 +80,7 @@ std::string labelOf(const std::string& word) {
   return label.empty() ? "x" : label;
 }
 
-/// Labels of people, none twice.
+/// Unique labels of people.
 class SubjectLabels {
  public:
   const std::string& of(const std::string& trainee) {
@@ -116,7 +116,7 @@ std::string motionJson(const TrialHeader& head, double rate_Hz, const std::strin
   return json.dump(2) + "\n";
 }
 
-/// What the head of a recording tells, as a line of *_scans.tsv under kScansHead.
+/// Row of *_scans.tsv under kScansHead from a recording's header.
 constexpr const char* kScansHead = "filename\torgan\tpattern\ttarget_deg\torgan_hash\tparameter_hash\n";
 
 std::string scanLine(const std::string& file, const TrialHeader& head) {

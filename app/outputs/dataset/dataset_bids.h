@@ -8,8 +8,8 @@
 
 namespace torsio {
 
-/// Writes the head of a BIDS data set and its recordings (sub-*/motion) into `folder`: what writeDataset()
-/// does for DatasetLayout::kBids besides the tables. Returns the files. Throws Error{kFileUnwritable}.
+/// Writes the BIDS description files and recordings (sub-*/motion) into `folder`: the part of writeDataset()
+/// for DatasetLayout::kBids besides the tables. Returns the files. Throws Error{kFileUnwritable}.
 std::vector<std::filesystem::path> writeBids(const DatasetContents& contents,
                                              const std::filesystem::path& folder);
 

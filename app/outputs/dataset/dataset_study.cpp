@@ -31,7 +31,7 @@ using Study = nlohmann::ordered_json;
 
 constexpr const char* kStudyFormat = "torsio study 1";
 
-/// Parts of a curriculum by their codes, which are the same in every record.
+/// Finds parts of a curriculum by code, which is the same in every record.
 class CurriculumPlaces {
  public:
   explicit CurriculumPlaces(const std::optional<CurriculumVersion>& version) {
@@ -63,7 +63,7 @@ class CurriculumPlaces {
   std::map<PhaseId, Study> phases_;
 };
 
-/// The people of a cohort, and their codes by enrolment.
+/// Returns the people of a cohort, and their codes by enrolment.
 Study peopleJson(Connection& connection, const std::vector<Enrolment>& enrolments,
                  std::map<EnrolmentId, std::string>& codeOf) {
   PeopleRepository people(connection);
@@ -105,7 +105,7 @@ Study marksJson(Connection& connection, const ExchangeData& data, const Occasion
   return marks;
 }
 
-/// Times of training and deviations.
+/// Adds training times and deviations.
 void addTimesJson(StudyRepository& study, const CohortId& cohortId, const CurriculumPlaces& places,
                   std::map<EnrolmentId, std::string>& codeOf, Study& json) {
   json["exposures"] = Study::array();
@@ -157,7 +157,7 @@ class StudyReader {
  private:
   static std::string textIn(const Study& json, const char* key) { return json.at(key).get<std::string>(); }
 
-  /// Each record names the file in which it stands.
+  /// Each record names its file.
   template <typename Enum>
   [[nodiscard]] Enum termIn(const Study& json, const char* key) const {
     const auto found = fromStoredText<Enum>(textIn(json, key));
@@ -255,7 +255,7 @@ class StudyReader {
 
   std::filesystem::path folder_;
   LandedStudy study_;
-  std::map<std::string, std::string> labelOf_;  // of occasions by code
+  std::map<std::string, std::string> labelOf_;  // occasion labels by code
   std::set<std::string> known_;                 // codes of trainees
   std::set<std::string> knownRaters_;
 };

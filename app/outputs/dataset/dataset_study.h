@@ -11,17 +11,17 @@ namespace torsio {
 
 class Connection;
 
-/// Where a data set keeps what its tables do not say.
+/// File with the data that the tables lack.
 inline constexpr const char* kDatasetStudyFile = "study.json";
 
-/// What of a cohort the tables of a data set do not say and another record needs (study.json, format "torsio
-/// study 1"): groups, people, raters with their classes, occasions, marks as far as they may be shown, times
-/// of training, deviations, and for what each recording counted. Under codes; throws ContractError for
+/// Returns what another record needs of a cohort beyond the data set's tables (study.json, format "torsio
+/// study 1"): groups, people, raters with their classes, occasions, marks as far as they may be shown,
+/// training times, deviations, and what each recording counted for. Under codes; throws ContractError for
 /// pseudonymised data.
 [[nodiscard]] std::string datasetStudyJson(Connection& connection, const ExchangeData& data);
 
-/// The study of a data set folder with its recordings, ready to be landed. Throws Error: kFileMissing,
-/// kFileUnreadable; kBadData for a file that breaks its rules, a recording that was changed.
+/// Reads the study and recordings of a data set folder for import. Throws Error: kFileMissing,
+/// kFileUnreadable; kBadData for an invalid file or a recording that was changed.
 [[nodiscard]] LandedStudy readDatasetStudy(const std::filesystem::path& folder);
 
 }  // namespace torsio

@@ -27,7 +27,7 @@ struct StoredChannel {
   ExportColumn column;
   std::function<double(const Line&)> value;
 
-  /// Whether other equipment records it, too: the path of the instrument, and its jaw.
+  /// Returns whether other equipment also records this column: instrument path and jaw.
   [[nodiscard]] bool isMotion() const {
     return column.name == "time_s" || column.name == "grip" || column.name.starts_with("tool_");
   }

@@ -11,25 +11,24 @@
 
 namespace torsio {
 
-/// What a line of a trajectory holds, in its order: time from the start of the recording, pose of the
-/// instrument, jaw, twist, torque, forces on the tissue and on the hand, stage, contact. SI but for the
-/// angle.
+/// Returns the columns of a trajectory in order: time from the start of the recording, instrument pose, jaw,
+/// twist, torque, forces on tissue and hand, stage, contact. SI units except for the angle.
 [[nodiscard]] const std::vector<ExportColumn>& trajectoryColumns();
 
-/// One line of a trajectory for so many samples: what other equipment recorded, seldom enough, is written as
-/// it is.
+/// Returns the samples per trajectory row; recordings of other equipment, which have low rates, are written
+/// completely.
 [[nodiscard]] inline std::int64_t linesEvery(const TrialHeader& header, std::int64_t every) {
   return isForeign(header.sceneId) ? 1 : every;
 }
 
 enum class TrajectoryForm {
-  kCsv,   ///< comma-separated under a line of names
-  kBids,  ///< tab-separated without names, as Motion-BIDS wants it
+  kCsv,   ///< comma-separated with a header
+  kBids,  ///< tab-separated without a header, as in Motion-BIDS
 };
 
-/// Writes every `every`-th sample of a recording as a line; numbers with all their digits. Of a recording of
-/// other equipment (isForeign) only time, path and jaw have values. Returns the number of lines. Throws
-/// Error{kBadData} for a recording that is not whole, ContractError for `every` < 1.
+/// Writes every `every`-th sample of a recording as a row, with numbers in full precision. Recordings of
+/// other equipment (isForeign()) have values only for time, path and jaw. Returns the number of rows. Throws
+/// Error{kBadData} for an incomplete recording, ContractError for `every` < 1.
 std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryForm form, std::ostream& out);
 
 }  // namespace torsio

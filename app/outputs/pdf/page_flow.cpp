@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPageWidth_mm = 210.0;
 constexpr double kPageHeight_mm = 297.0;
-constexpr double kReference_pt = 5.5;  // a hash in each of two lines
+constexpr double kReference_pt = 5.5;  // fits a hash in each of two lines
 constexpr int kTextFlags = Qt::AlignLeft | Qt::TextWordWrap;
 const QColor kInk(0x26, 0x32, 0x38);
 const QColor kHeaderFill(0xE4, 0xEC, 0xF2);
@@ -150,7 +150,7 @@ void PageFlow::table(const PlainTable& table, const TableLayout& layout, double 
     const double under_mm = r + 1 == table.rows.size() ? keepWithLast_mm : 0.0;
     if (cursor_mm_ + layout.rows_mm[r] + under_mm > bottom_mm()) {
       newPage();
-      header(PdfRole::kArtifact);  // it was read already
+      header(PdfRole::kArtifact);  // readers have heard it already
     }
     add(layout.rows_mm[r], drawRow(table.rows[r], layout.regular, QColor(), PdfRole::kCell, r + 1));
   }

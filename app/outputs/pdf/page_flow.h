@@ -18,7 +18,7 @@ class QPdfWriter;
 namespace torsio {
 
 inline constexpr QColor kQuietInk{0x60, 0x6E, 0x76};    ///< of notes and captions
-inline constexpr QColor kWarningInk{0xA0, 0x4A, 0x00};  ///< of what the reader must not miss
+inline constexpr QColor kWarningInk{0xA0, 0x4A, 0x00};  ///< for warnings
 
 /// Places blocks one below the other on A4 pages and draws them in a second pass, when the number of pages is
 /// known ("page 3 of 7"). All lengths in millimetres.
@@ -28,10 +28,10 @@ class PageFlow {
     double marginSide_mm = 20.0;
     double marginTop_mm = 20.0;
     double marginBottom_mm = 20.0;
-    QString headerText;  ///< small, every page but the first
+    QString headerText;  ///< small, on every page except the first
     QString footerText;  ///< left
-    QString reference;   ///< below it, on every page: what the report is known by; may be empty
-    QString watermark;   ///< in the head of every page, e.g. that the data are simulated; may be empty
+    QString reference;   ///< below it, on every page: the report's reference; may be empty
+    QString watermark;   ///< at the top of every page, such as that the data are simulated; may be empty
     std::function<QString(std::size_t page, std::size_t pages)> pageText;  ///< right; from 1
   };
 
@@ -39,37 +39,36 @@ class PageFlow {
 
   /// Usable width.
   [[nodiscard]] double width_mm() const;
-  /// Draws within a rectangle of the page (device units); `unit` is device units in a millimetre.
+  /// Draws within a rectangle of the page (device units); `unit`: device units per millimetre.
   using Draw = std::function<void(QPainter&, const QRectF& area, double unit)>;
 
-  /// A block that is never split; goes to the next page when it does not fit. `keepWithNext_mm` asks for that
-  /// much more room (headings). `part`: what it is to somebody who cannot see it.
+  /// Adds a block that is never split; moves to the next page if it does not fit. `keepWithNext_mm`:
+  /// additional room required below (headings). `part`: its role for screen readers.
   void add(double height_mm, Draw draw, double keepWithNext_mm = 0.0, PdfPart part = {});
-  /// What a whole page holds.
+  /// Returns the usable height of a page.
   [[nodiscard]] double page_mm() const;
-  /// What is left of the current page.
+  /// Returns the height left on the current page.
   [[nodiscard]] double room_mm() const;
   void space(double height_mm);
   void newPage();
-  /// Wrapped text; splits between lines of a page only when taller than a page.
+  /// Adds wrapped text; split between lines only if taller than a page.
   void text(const QString& content, double points, bool bold = false,
             const QColor& colour = QColor(0x26, 0x32, 0x38), double keepWithNext_mm = 0.0);
-  /// Names the block that was added last, for the list of bookmarks, and makes it a title. `level`: 0, or 1
-  /// below the last 0.
+  /// Bookmarks the last block and makes it a title. `level`: 0, or 1 for an entry below the last level 0.
   void bookmark(const QString& title, int level);
   [[nodiscard]] const std::vector<PdfBookmark>& bookmarks() const noexcept { return bookmarks_; }
-  /// What text() will take.
+  /// Returns the height that text() will need.
   [[nodiscard]] double textHeight_mm(const QString& content, double points, bool bold = false) const;
-  /// A table with repeated header; column widths and the size of the letters follow the contents.
+  /// Adds a table with repeated header; column widths and font size follow the contents.
   void table(const PlainTable& table);
-  /// `keepWithLast_mm`: room that must be left under the last row (its notes).
+  /// `keepWithLast_mm`: room required below the last row (for its notes).
   void table(const PlainTable& table, const TableLayout& layout, double keepWithLast_mm = 0.0);
   [[nodiscard]] TableLayout layOut(const PlainTable& table) const;
 
-  /// Draws everything. `painter` is active on the writer. `progress` is told after every page.
+  /// Draws everything. `painter` is active on the writer. `progress` is called after every page.
   void render(QPainter& painter,
               const std::function<void(std::size_t page, std::size_t pages)>& progress = {});
-  /// Every part that was drawn, in this order.
+  /// Returns the parts in the order in which they were drawn.
   [[nodiscard]] const std::vector<PdfPart>& parts() const noexcept { return parts_; }
 
  private:
@@ -79,7 +78,7 @@ class PageFlow {
     Draw draw;
     PdfPart part;
   };
-  /// A part of the page that is drawn now begins.
+  /// Begins a part of the current page.
   void begin(QPainter& painter, PdfPart part);
   void drawFrame(QPainter& painter, std::size_t page, double unit);
   [[nodiscard]] double bottom_mm() const;
@@ -87,13 +86,13 @@ class PageFlow {
 
   QPdfWriter& writer_;
   Style style_;
-  double unit_;  // device units in a millimetre
+  double unit_;  // device units per millimetre
   double cursor_mm_;
   std::vector<std::vector<Block>> pages_;
   std::vector<PdfBookmark> bookmarks_;
   std::vector<PdfPart> parts_;
-  std::size_t page_ = 0;    // that is drawn now
-  std::size_t tables_ = 0;  // that were added
+  std::size_t page_ = 0;    // being drawn
+  std::size_t tables_ = 0;  // added so far
 };
 
 }  // namespace torsio

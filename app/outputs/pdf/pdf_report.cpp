@@ -28,16 +28,17 @@ namespace {
 
 constexpr int kResolution_dpi = 600;
 constexpr double kChartHeight_mm = 61.0;
-constexpr double kCloudHeight_mm = 84.0;  // flat, a cloud hides its shape; thirty values fit beneath
+constexpr double kCloudHeight_mm = 84.0;  // flatter, the shape of a cloud would be lost; thirty values fit
+                                          // below
 constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
-constexpr double kFrame_mm = 24.0;        // axis, labels and legend round the rows
+constexpr double kFrame_mm = 24.0;        // axis, labels and legend around the rows
 constexpr double kTallestChart_mm = 170.0;
 constexpr int kTableDecimals = 4;
-constexpr std::size_t kLongestTwin = 40;  // rows; longer ones would bury the report
-constexpr std::size_t kWidestTwin = 12;   // columns that a page can hold
+constexpr std::size_t kLongestTwin = 40;  // rows; longer tables would swamp the report
+constexpr std::size_t kWidestTwin = 12;   // columns that fit on a page
 constexpr double kSectionStart_mm =
-    130.0;  // a section begins on the page of the last one if half of it is free
-constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels an inch: chart fonts come out at about 9 points
+    130.0;  // a section begins on the page of the previous one if half of it is free
+constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels per inch: chart fonts appear at about 9 points
 constexpr double kNote_pt = 7.5;
 constexpr double kHeading_mm = 8.0;
 constexpr std::size_t kRowsWithTitle = 2;
@@ -54,12 +55,12 @@ double heightOf(const ReportFigure& figure) {
   return std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
 }
 
-/// Puts a report on pages, in the words of one language.
+/// Lays out a report on pages in one language.
 class Composer {
  public:
   Composer(PageFlow& flow, const Wording& wording) : flow_(flow), say_(wording) {}
 
-  /// `whole`: a page of its own; else something stands below that has to fit the page.
+  /// `whole`: a page of its own; otherwise other content must fit below.
   void title(const ReportModel& model, bool whole) {
     const double above_mm = whole ? 12.0 : 2.0;
     flow_.add(above_mm + (whole ? 18.0 : 4.0), [above_mm](QPainter& painter, const QRectF& area,
@@ -114,7 +115,7 @@ class Composer {
  private:
   [[nodiscard]] PlainTable plain(const ReportTable& table) const {
     PlainTable out;
-    for (const Text& column : table.columns) {  // "[95 %]" and "Eq. 25" stay together
+    for (const Text& column : table.columns) {  // keep "[95 %]" and "Eq. 25" together
       out.columns.push_back(say_(column)
                                 .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"))
                                 .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0")));
@@ -136,7 +137,7 @@ class Composer {
     const PlainTable values = printed ? plain(twin) : PlainTable{};
     const TableLayout layout = printed ? flow_.layOut(values) : TableLayout{};
     const double height_mm = heightOf(figure);
-    // A figure and its values stand on one page if one can hold them.
+    // A figure and its values share a page if they fit on one.
     const double together_mm =
         height_mm + layout.height_mm() + notesHeight_mm(figure.notes, figure.provenance);
     flow_.text(say_(figure.title), 9.5, true, kAccent,
@@ -146,8 +147,7 @@ class Composer {
     flow_.add(height_mm,
               [&figure, say = say_, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
                 QGraphicsScene scene;
-                QGraphicsWidget* chart =
-                    buildFigure(figure, {}, say).release();  // the scene owns it from here
+                QGraphicsWidget* chart = buildFigure(figure, {}, say).release();  // the scene takes ownership
                 scene.addItem(chart);
                 chart->resize(width_mm * kChartPixelsPerMm, height_mm * kChartPixelsPerMm);
                 scene.setSceneRect(chart->geometry());
@@ -172,7 +172,7 @@ class Composer {
     const PlainTable cells = plain(table);
     const TableLayout layout = flow_.layOut(cells);
     const double notes_mm = notesHeight_mm(table.notes, table.provenance);
-    // A title takes the head and the first rows with it, or the whole of a short table.
+    // Keep a title with the header and the first rows, or with the whole of a short table.
     double begin_mm = kHeading_mm + layout.header_mm;
     for (std::size_t r = 0; r < std::min(kRowsWithTitle, layout.rows_mm.size()); ++r) {
       begin_mm += layout.rows_mm[r];
@@ -200,7 +200,7 @@ class Composer {
   void addNotes(const std::vector<Text>& notes, const Provenance& from) {
     const Text line = provenanceLine(from);
     const double last_mm = line.empty() ? 0.0 : flow_.textHeight_mm(say_(line), kNote_pt);
-    for (const Text& note : notes) {  // the last line never stands alone on a page
+    for (const Text& note : notes) {  // keep the last line from being alone on a page
       flow_.text(say_(note), kNote_pt, false, kQuietInk, &note == &notes.back() ? last_mm : 0.0);
     }
     if (!line.empty()) {

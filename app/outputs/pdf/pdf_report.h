@@ -11,14 +11,14 @@
 
 namespace torsio {
 
-/// Told after every page: pages drawn so far and in all. May throw to give up.
+/// Called after every page with the number drawn so far and the total. May throw to cancel.
 using PdfProgress = std::function<void(std::size_t page, std::size_t pages)>;
 
-/// Writes the whole report as a vector PDF (PDF/A-1b, A4, page x of y; tagged, with bookmarks of sections,
-/// figures and tables) in the words of `wording`, through a temporary file. `language`: that of the words,
-/// for the file. Needs a QApplication (makeHeadlessGraphicsApplication suffices). GUI thread. Throws
+/// Writes the report as a vector PDF (PDF/A-1b, A4, page x of y; tagged, with bookmarks of sections, figures
+/// and tables) through a temporary file, translated with `wording`. `language`: language tag of the file.
+/// Needs a QApplication (makeHeadlessGraphicsApplication() suffices). GUI thread. Throws
 /// Error{kFileUnwritable}, or what `progress` throws; then an older file of that name is untouched and no
-/// half file is left.
+/// partial file remains.
 void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
                     const Wording& wording = englishWording, const PdfProgress& progress = {},
                     const std::string& language = "en");

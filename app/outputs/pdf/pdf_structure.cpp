@@ -23,7 +23,7 @@ using PdfObject = QPDFObjectHandle;
 
 constexpr double kUpperEdge_mm = 297.0;
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr std::uint64_t kMark = 50'000'000;  // device units left of the page: nothing else is drawn there
+constexpr std::uint64_t kMark = 50'000'000;  // device units left of the page, where nothing else is drawn
 constexpr char kMarkBegin[] = "\n-";
 constexpr char kMarkEnd[] = "0 1 1 re\nf\n";
 
@@ -84,7 +84,8 @@ void addBookmarks(QPDF& pdf, const std::vector<PdfBookmark>& bookmarks) {
     }
     parent.replaceKey("/Last", entry);
     const long long count = parent.hasKey("/Count") ? parent.getKey("/Count").getIntValue() : 0;
-    parent.replaceKey("/Count", PdfObject::newInteger(count + (top ? 1 : -1)));  // negative: folded at first
+    parent.replaceKey("/Count", PdfObject::newInteger(count + (top ? 1 : -1)));  // negative: collapsed
+                                                                                 // initially
     section = top ? entry : section;
   }
   pdf.getRoot().replaceKey("/Outlines", outlines);
@@ -110,10 +111,10 @@ const char* structureName(PdfRole role) {
   return "/P";
 }
 
-/// A part that was found in the drawing of a page: its number there.
+/// Parts found in a page's content stream, with their numbers on the page.
 using FoundParts = std::map<std::size_t, std::size_t>;
 
-/// The drawing of a page with marked-content operators in place of the marks.
+/// Replaces the markers in a page's content stream by marked-content operators.
 std::string taggedDrawing(const std::string& drawing, const std::vector<PdfPart>& parts, FoundParts& found) {
   std::string tagged;
   std::size_t from = 0;
@@ -143,12 +144,12 @@ std::string taggedDrawing(const std::string& drawing, const std::vector<PdfPart>
   return open ? tagged + "\nEMC\n" : tagged;
 }
 
-/// The structure tree while it grows.
+/// Builds the structure tree.
 class StructureTree {
  public:
   explicit StructureTree(QPDF& pdf) : pdf_(pdf) {}
 
-  /// Returns the element. `number`: of the part in the drawing of its page.
+  /// Returns the element. `number`: index of the part on its page.
   PdfObject add(const PdfPart& part, std::size_t number, const PdfObject& page) {
     PdfObject made = child(structureName(part.role), parentOf(part));
     made.replaceKey("/Pg", page);
@@ -246,12 +247,12 @@ std::string withStructure(const std::string& pdf, const PdfStructure& structure)
     addTags(file, structure.parts);
     QPDFWriter writer(file);
     writer.setOutputMemory();
-    writer.setObjectStreamMode(qpdf_o_disable);  // PDF/A-1 knows none
-    writer.setNewlineBeforeEndstream(true);      // PDF/A asks for it
+    writer.setObjectStreamMode(qpdf_o_disable);  // PDF/A-1 does not allow object streams
+    writer.setNewlineBeforeEndstream(true);      // required by PDF/A
     writer.write();
     const std::shared_ptr<Buffer> written = writer.getBufferSharedPointer();
     return {reinterpret_cast<const char*>(written->getBuffer()), written->getSize()};
-  } catch (const std::exception& error) {  // qpdf's own and std::logic_error
+  } catch (const std::exception& error) {  // qpdf's exceptions and std::logic_error
     refuse(Text::tr("the pages cannot be given bookmarks: %1", error.what()), Text::tr("report"),
            Text::tr("Write the report again"));
   }

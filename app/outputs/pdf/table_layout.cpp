@@ -17,14 +17,14 @@ namespace torsio {
 namespace {
 
 constexpr std::array kPoints{7.5, 7.0, 6.5, 6.0, 5.5};
-constexpr double kShortCell_mm = 34.0;  // what is shorter stays on one line
+constexpr double kShortCell_mm = 34.0;  // shorter cells stay on one line
 constexpr double kShortHeader_mm = 19.0;
-constexpr double kHalf = 0.6;         // of a header: two lines, which do not break in the very middle
+constexpr double kHalf = 0.6;         // of a header: lets it break into two uneven lines
 constexpr double kRounding_mm = 0.6;  // a cell exactly as wide as its text would wrap
 constexpr double kMargin_mm = 2.0 * kCellPadding_mm + kRounding_mm;
 constexpr double kMaxStretch = 1.35;
 
-/// Numbers, and what stands in their place: "< 0.001", "4, 54".
+/// Accepts numbers and their substitutes: "< 0.001", "4, 54".
 bool looksNumeric(const QString& cell) {
   static const QString kSigns = QStringLiteral("0123456789.,+-eE%<= ");
   const QString plain = plainMinus(cell);
@@ -32,8 +32,8 @@ bool looksNumeric(const QString& cell) {
          std::all_of(plain.begin(), plain.end(), [](QChar sign) { return kSigns.contains(sign); });
 }
 
-/// Of every column: the longest word, what keeps short cells on one line, the longest cell, and what its
-/// header likes to have besides.
+/// Widths for each column: longest word, shortest width that keeps short cells on one line, longest cell, and
+/// preferred header width.
 struct Demand {
   std::vector<double> least;
   std::vector<double> wanted;
@@ -45,8 +45,8 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Headers may wrap, so only their words are asked for; a short one stays whole and others take two lines
-/// where there is room.
+/// Headers may wrap, so only their words count; a short one stays whole, others take two lines if there is
+/// room.
 Demand demandOf(const PlainTable& table, const QFontMetricsF& regular, const QFontMetricsF& bold,
                 double unit) {
   Demand demand;
@@ -63,7 +63,7 @@ Demand demandOf(const PlainTable& table, const QFontMetricsF& regular, const QFo
       if (cell <= kShortCell_mm) {
         wanted = std::max(wanted, cell);
         if (cell <= word) {
-          continue;  // its words are shorter still
+          continue;  // its words are even shorter
         }
       }
       word = std::max(word, widestPart(row[c], regular) / unit);
@@ -76,7 +76,7 @@ Demand demandOf(const PlainTable& table, const QFontMetricsF& regular, const QFo
   return demand;
 }
 
-/// From `from` towards `to`; what there is goes first to those that lack little.
+/// Widens columns from `from` towards `to`, first those that lack little.
 std::vector<double> widened(const std::vector<double>& from, const std::vector<double>& to,
                             double available_mm) {
   std::vector<double> widths = from;

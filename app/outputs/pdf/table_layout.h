@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// A table of words, ready to be set.
+/// A table of strings for layout.
 struct PlainTable {
   std::vector<QString> columns;  ///< all empty: no header
   std::vector<std::vector<QString>> rows;
@@ -18,13 +18,12 @@ struct PlainTable {
   [[nodiscard]] bool hasHeader() const;
 };
 
-/// How a table is set on paper: size of its letters, width of its columns, height of its rows. Lengths in
-/// millimetres.
+/// Layout of a table on paper: font size, column widths, row heights. Lengths in millimetres.
 struct TableLayout {
   QFont regular;
   QFont bold;
   std::vector<double> widths_mm;
-  std::vector<bool> numeric;  ///< to the right
+  std::vector<bool> numeric;  ///< right-aligned
   double header_mm = 0.0;     ///< 0: no header
   std::vector<double> rows_mm;
 
@@ -33,8 +32,8 @@ struct TableLayout {
 
 inline constexpr double kCellPadding_mm = 1.4;
 
-/// Letters as large as they may be so that no word is cut and no short cell ("Group 1", "virtual 0-20 min")
-/// takes a second line. `font`: of a size in points and weight.
+/// Chooses the largest font in which no word is split and no short cell ("Group 1", "virtual 0-20 min")
+/// wraps. `font`: with a size in points and weight.
 [[nodiscard]] TableLayout layOut(const PlainTable& table, double available_mm, QPaintDevice& device,
                                  double unit, const std::function<QFont(double points, bool bold)>& font);
 

@@ -42,7 +42,7 @@ namespace torsio {
 
 namespace {
 
-/// "score of T-07, after 40 min".
+/// Names a number: "score of T-07, after 40 min".
 Text nameOf(const ResultKey& key, const ResultNames& names) {
   std::vector<Text> parts;
   const auto cells = keyCells(key, names);
@@ -67,7 +67,7 @@ CohortInputs wholeInputs(Connection& connection, const CohortId& cohortId, const
   return inputs;
 }
 
-/// Walks from a result to the results and the rows of the record that it was made of.
+/// Traces a result back to the results and rows of the record that it was calculated from.
 class CellTracer::Walk {
  public:
   Walk(Connection& connection, const CohortId& cohortId, const CohortInputs& inputs)
@@ -92,7 +92,7 @@ class CellTracer::Walk {
     }
   }
 
-  /// Follows the result whose cells somebody gave.
+  /// Traces the result with these cells.
   TraceStep trace(const std::string& cell) {
     const std::vector<CsvRecord> typed = csvRecords(cell, "the cell");
     const Ledger& ledger = cohort_.ledger;
@@ -207,7 +207,7 @@ class CellTracer::Walk {
     return rubricNames_.at(revision.rubricId) + ", revision " + std::to_string(revision.number);
   }
 
-  /// What stands behind one mark of one rater.
+  /// Traces one mark of one rater.
   const std::vector<TraceStep>& markSteps(const MarkId& id) {
     const auto [known, first] = markSteps_.try_emplace(id);
     std::vector<TraceStep>& steps = known->second;

@@ -12,31 +12,30 @@
 
 namespace torsio {
 
-/// One step from a number of a report back to what it was made of.
+/// One step in tracing a reported number to its sources.
 struct TraceStep {
   Text what{};          ///< "score of T-07, after 40 min"
-  std::string value{};  ///< as it stands in the table; empty: none
+  std::string value{};  ///< as in the table; empty: none
   std::vector<TraceStep> madeOf{};
 };
 
-/// Which number: a line of the cohort's table of numbers, from its first cell to its statistic, as it stands
-/// there ("training,T-07,Group 1,,,after 40 min,score").
+/// The number to trace: a row of the cohort's table of numbers, from its first cell to its statistic, exactly
+/// as in the table ("training,T-07,Group 1,,,after 40 min,score").
 struct TraceRequest {
-  std::string record{};    ///< file or address of the record; opened for reading
-  std::string cohort{};    ///< name; empty: the oldest one
-  std::string campaign{};  ///< name of the evaluation of models; empty: the oldest one that has marks
+  std::string record{};    ///< file or address of the record; opened read-only
+  std::string cohort{};    ///< name; empty: the oldest
+  std::string campaign{};  ///< name of the evaluation of models; empty: the oldest with marks
   std::string cell{};
 };
 
 class Connection;
 
-/// Returns what the command line follows: everything that is known of a cohort and an evaluation of models,
-/// under codes.
+/// Reads all data of a cohort and an evaluation, under codes, for the command line.
 [[nodiscard]] CohortInputs wholeInputs(Connection& connection, const CohortId& cohortId,
                                        const CampaignId& campaignId);
 
-/// Follows the numbers of one cohort, as far as its reader may look: where single marks are not shown, it
-/// ends at how many there are.
+/// Traces the numbers of one cohort, as far as its reader may look: if single marks are hidden, it ends at
+/// their count.
 class CellTracer {
  public:
   CellTracer(Connection& connection, const CohortId& cohortId, const CohortInputs& inputs);
@@ -44,7 +43,7 @@ class CellTracer {
   CellTracer& operator=(const CellTracer&) = delete;
   ~CellTracer();
 
-  /// Throws Error{kBadParameter}: the ledger has no such result.
+  /// Throws Error{kBadParameter} if the ledger has no such result.
   [[nodiscard]] TraceStep trace(const std::string& cell);
 
  private:
@@ -52,12 +51,12 @@ class CellTracer {
   std::unique_ptr<Walk> walk_;
 };
 
-/// Follows a number to its marks, criteria, revision of the scoring sheet, recording and program. Throws
-/// Error{kBadParameter}: no such cohort, campaign or cell; DbError.
+/// Traces a number to its marks, criteria, scoring sheet revision, recording and program. Throws
+/// Error{kBadParameter} for an unknown cohort, campaign or cell; DbError.
 [[nodiscard]] TraceStep traceCell(const TraceRequest& request);
 
-/// Follows a number of a report that was made of `inputs`. kResultsCompute. Throws Error{kBadParameter}: the
-/// table of numbers has no such line.
+/// Traces a number of a report made from `inputs`. kResultsCompute. Throws Error{kBadParameter} if the table
+/// of numbers has no such row.
 [[nodiscard]] TraceStep traceNumber(SessionContext& session, const CohortId& cohortId,
                                     const CohortInputs& inputs, const std::string& cell);
 

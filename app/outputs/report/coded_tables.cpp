@@ -40,8 +40,8 @@ using Cells = std::vector<std::string>;
 constexpr std::int64_t kAllTrials = 1'000'000;
 constexpr std::int64_t kAllEntries = INT64_MAX;
 
-/// Keeps in the audit trail what leaves, then writes it: a trace of a file that could not be written is
-/// better than data that left without a trace. The last column is the head of the audit trail as it was.
+/// Audits an export, then writes it: an entry for a file that could not be written is better than an export
+/// without an entry. The last column is the previous head of the audit trail.
 std::size_t write(SessionContext& session, const AuditNote& what, std::vector<Cells> lines,
                   const std::filesystem::path& file, const CsvStyle& look) {
   const std::string told = plainHead(session.connection(), session.now_us());
@@ -63,7 +63,7 @@ std::size_t write(SessionContext& session, const AuditNote& what, std::vector<Ce
   return rows;
 }
 
-/// The scoring sheets of a cohort, read once.
+/// The scoring sheets of a cohort, cached.
 class SheetsOfCohort {
  public:
   SheetsOfCohort(Connection& connection, const CohortId& cohortId) : repository_(connection) {
@@ -79,7 +79,7 @@ class SheetsOfCohort {
       names_[rubric.id] = rubric.name;
     }
   }
-  /// Null: the mark answers no request.
+  /// Returns null if the mark was not requested.
   [[nodiscard]] const RubricRevision* rubricOf(const AssignmentId& assignmentId) const {
     const auto found = revisionOf_.find(assignmentId);
     return found == revisionOf_.end() ? nullptr : &revisions_.at(found->second);
@@ -88,7 +88,7 @@ class SheetsOfCohort {
     const std::optional<Sheet> sheet = repository_.submitted(assignmentId);
     return sheet ? sheet->rows : std::vector<SheetRow>{};
   }
-  /// Of the criteria, in points; empty: none.
+  /// Returns the mean of the criteria, in points; empty if there are none.
   [[nodiscard]] std::string meanOf(const SubmittedMark& mark) const {
     const RubricRevision* rubric = rubricOf(mark.assignmentId);
     const std::optional<double> mean =
@@ -120,7 +120,7 @@ std::string endOf(const TrialListing& trial) {
   return trial.summary->outcome == TrialOutcome::kCompleted ? "completed" : "interrupted";
 }
 
-/// A version that was made when its rater could know the marks of the others.
+/// Returns whether a version was made when its rater could know the other raters' marks.
 bool afterPanel(const SheetRepository& sheets, const SubmittedMark& mark) {
   if (mark.version < 2) {
     return false;
@@ -129,7 +129,7 @@ bool afterPanel(const SheetRepository& sheets, const SubmittedMark& mark) {
   return opened_us && mark.submittedUtc_us > *opened_us;
 }
 
-/// What the rater said by signing, when and why; empty cells for a mark without a signature.
+/// Adds meaning, reason and time of the signature; empty cells for an unsigned mark.
 void addSignature(Cells& line, const std::map<std::string, Signature>& signatures,
                   const SubmittedMark& mark) {
   const auto found = signatures.find(mark.id);

@@ -12,29 +12,28 @@
 
 namespace torsio {
 
-/// Writes the recordings of a cohort's trainees as a table under their codes, oldest first (UTF-8 with byte
-/// order mark, comma-separated), and keeps in the audit trail that it was taken out. Returns how many there
-/// are. kTrialViewCoded. Throws Error{kFileUnwritable}.
+/// Writes the recordings of a cohort's trainees as a table under codes, oldest first (UTF-8 with byte order
+/// mark, comma-separated), and audits the export. Returns the number of rows. kTrialViewCoded. Throws
+/// Error{kFileUnwritable}.
 std::size_t exportRecordings(SessionContext& session, const CohortId& cohortId,
                              const std::filesystem::path& file, const CsvStyle& look = {});
 
-/// Writes every newest mark of a cohort under the codes of trainee and rater, without comments, in the same
-/// form. Returns how many there are. kMarkViewCoded. Throws Error{kFileUnwritable}.
+/// Writes the latest version of every mark of a cohort under the codes of trainee and rater, without
+/// comments, in the same format. Returns the number of rows. kMarkViewCoded. Throws Error{kFileUnwritable}.
 std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const std::filesystem::path& file,
                         const CsvStyle& look = {});
 
-/// The sheets behind the marks: one line a mark and criterion, with the scoring sheet, its revision and the
-/// hash of the program. kMarkViewCoded. Returns the number of lines. Throws Error{kFileUnwritable}.
+/// Writes the sheets behind the marks: one row per mark and criterion, with scoring sheet, revision and
+/// program hash. kMarkViewCoded. Returns the number of rows. Throws Error{kFileUnwritable}.
 std::size_t exportCriteria(SessionContext& session, const CohortId& cohortId,
                            const std::filesystem::path& file, const CsvStyle& look = {});
-/// The scoring sheets that were used in a cohort: one line an anchor (a criterion without one has a line,
-/// too). kMarkViewCoded. Returns the number of lines. Throws Error{kFileUnwritable}.
+/// Writes the scoring sheets used in a cohort: one row per anchor (and one per criterion without anchors).
+/// kMarkViewCoded. Returns the number of rows. Throws Error{kFileUnwritable}.
 std::size_t exportRubrics(SessionContext& session, const CohortId& cohortId,
                           const std::filesystem::path& file, const CsvStyle& look = {});
 
-/// Writes the entries of the audit trail that pass a filter, all of them, newest first, with the codes of
-/// whom they are about, in the same form. Returns how many there are. kAuditView. Throws
-/// Error{kFileUnwritable}.
+/// Writes all audit entries that match the filter, latest first, with the codes of their subjects, in the
+/// same format. Returns the number of rows. kAuditView. Throws Error{kFileUnwritable}.
 std::size_t exportAuditTrail(SessionContext& session, AuditFilter filter, const std::filesystem::path& file,
                              const CsvStyle& look = {});
 

@@ -52,7 +52,7 @@ void addFreeze(SessionContext& session, const ReportRequest& request, CohortInpu
               Text::tr("Choose one of the list"));
 }
 
-/// Whoever may not look at marks gets them, under codes, once nothing can be influenced any more
+/// Readers without the right to see marks get them, under codes, once the marks can no longer be influenced
 /// (docs/decisions/0007).
 bool showsSingleMarks(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs) {
   if (session.may(Operation::kMarkViewCoded)) {
@@ -62,7 +62,7 @@ bool showsSingleMarks(SessionContext& session, const ReportRequest& request, con
          SheetRepository(session.connection()).openAssignments(request.cohortId) == 0;
 }
 
-/// The design in words, and whether the draw could be repeated.
+/// Adds a description of the design, and whether the allocation could be replayed.
 void addAllocation(SessionContext& session, const CohortId& cohortId, CohortInputs& inputs) {
   if (!session.may(Operation::kAllocationView)) {
     return;
@@ -99,7 +99,7 @@ void addAllocation(SessionContext& session, const CohortId& cohortId, CohortInpu
   }
 }
 
-/// "T-07 Li Na" in place of "T-07", everywhere.
+/// Replaces "T-07" by "T-07 Li Na" everywhere.
 void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   session.require(Operation::kPersonViewIdentity);
   PeopleRepository people(session.connection());
@@ -153,7 +153,7 @@ void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   }
 }
 
-/// What has to be known of organs of the centre's own on which trials of the cohort were recorded.
+/// Adds warnings about the centre's own organs used in trials of the cohort.
 void addOrganWarnings(Connection& connection, const CohortId& cohortId, CohortInputs& inputs) {
   std::vector<OrganWarning> told;
   for (const std::string& parameters : TrialRepository(connection).warnedParameters(cohortId)) {
@@ -166,7 +166,7 @@ void addOrganWarnings(Connection& connection, const CohortId& cohortId, CohortIn
   }
 }
 
-/// Whether two people were asked for, and what was signed.
+/// Adds whether double confirmation was required, and the signatures.
 void addSafeguards(SessionContext& session, const FreezeId& frozenId, const TrainingResult& training,
                    CohortInputs& inputs) {
   Connection& connection = session.connection();

@@ -15,23 +15,23 @@ namespace torsio {
 struct ReportableCampaign {
   CampaignId id{};
   std::string name{};
-  bool hasMarks = false;  ///< somebody has scored in it
+  bool hasMarks = false;  ///< it has marks
 };
 /// Oldest first. kResultsCompute.
 [[nodiscard]] std::vector<ReportableCampaign> reportableCampaigns(SessionContext& session);
 
-/// What a report is asked for.
+/// Contents of a report.
 struct ReportRequest {
   CohortId cohortId{};
-  CampaignId campaignId{};  ///< empty: no evaluation of models
-  FreezeId frozenId{};      ///< empty: the data as they are now
+  CampaignId campaignId{};  ///< empty: no evaluation
+  FreezeId frozenId{};      ///< empty: current data
   ReportIdentity identity = ReportIdentity::kCoded;
 };
 
-/// Everything that the report says, read from the record; with a frozen data set also whether the record is
-/// still the same. kResultsCompute; for named trainees kPersonViewIdentity too. Single marks are included for
-/// whoever has kMarkViewCoded; for others in a coded report of a frozen data set that is still the same and
-/// waits for no rater. Throws Error{kBadParameter} for an unknown cohort or data set.
+/// Reads everything that the report says; for a frozen data set also whether the record still matches.
+/// kResultsCompute; for named trainees also kPersonViewIdentity. Includes single marks for actors with
+/// kMarkViewCoded; for others, in a coded report of a frozen data set that still matches and has no pending
+/// raters. Throws Error{kBadParameter} for an unknown cohort or data set.
 [[nodiscard]] CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
                                         TrialDigests& digests, const ProgressCallback& progress = {});
 

@@ -13,27 +13,27 @@ namespace torsio {
 
 enum class ReportFormat { kPdf, kCsv };
 
-/// What left the house.
+/// Exported report.
 struct ReportExport {
   std::filesystem::path file{};
   std::string contentHash{};  ///< BLAKE2b-256 of the file
   std::uint64_t bytes = 0;
 };
 
-/// Told after every page; may throw to give up, then nothing is left.
+/// Called after every page; may throw to cancel, then no file remains.
 using ReportPages = std::function<void(std::size_t page, std::size_t pages)>;
 
 /// Writes the report (PDF, in one of reportLanguages() of app/outputs/wording/wording.h: GUI thread, needs a
-/// QApplication) or its table of numbers (UTF-8 with byte order mark, in the look that is asked for) and
-/// keeps in the audit trail who took out what: cohort, data set, form of identity, format, language, size and
-/// hash of the file; no name. Coded and aggregated: kReportExportCoded; named: kReportExportNamed. `inputs`
-/// are those of `request`. Throws Error{kFileUnwritable}; an older file of that name is then untouched.
+/// QApplication) or its table of numbers (UTF-8 with byte order mark, in the requested format) and audits who
+/// exported what: cohort, data set, form of identity, format, language, size and hash of the file; no names.
+/// Coded and aggregated: kReportExportCoded; named: kReportExportNamed. `inputs` are those of `request`.
+/// Throws Error{kFileUnwritable}; an older file of that name is then untouched.
 ReportExport exportReport(SessionContext& session, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file,
                           const std::string& language = "en", const ReportPages& pages = {},
                           const CsvStyle& look = {});
 
-/// "coded", "named", "aggregated".
+/// Returns "coded", "named" or "aggregated".
 [[nodiscard]] std::string_view identityCode(ReportIdentity identity) noexcept;
 
 }  // namespace torsio

@@ -9,11 +9,12 @@ namespace torsio {
 
 class Connection;
 
-/// The cohort of this name; the oldest one for an empty name. Throws Error{kBadParameter}: there is none.
+/// Returns the cohort of this name, or the oldest for an empty name. Throws Error{kBadParameter} if there is
+/// none.
 [[nodiscard]] CohortId cohortNamed(Connection& connection, const std::string& name);
 
-/// The evaluation of models of this name; for an empty name the oldest one that has marks, or none. Throws
-/// Error{kBadParameter}: there is none of that name.
+/// Returns the evaluation of this name; for an empty name the oldest with marks, or none. Throws
+/// Error{kBadParameter} for an unknown name.
 [[nodiscard]] CampaignId campaignNamed(Connection& connection, const std::string& name);
 
 }  // namespace torsio

@@ -25,7 +25,7 @@ ExportCell numberOf(const Result* result) {
   return value ? ExportCell(*value) : ExportCell();
 }
 
-/// What is no number.
+/// Returns the text of a cell that is not a number.
 ExportCell wordOf(const Result& result) {
   const auto* word = std::get_if<Text>(&result.value);
   return word == nullptr ? ExportCell() : textOf(word->str());
@@ -71,7 +71,7 @@ ExportColumn yesNo(std::string name, Text title) {
   return column;
 }
 
-/// What varies from run to run; the name is the statistic, but for capital letters.
+/// Returns the columns that vary between runs, named like the statistics in lower case.
 std::vector<ExportColumn> trialNumbers() {
   return {number("minutes", Text::tr("Time in the exercise"), "min"),
           number("twists", Text::tr("Twists")),
@@ -95,7 +95,7 @@ std::string columnName(const std::string& statistic) {
   return name;
 }
 
-/// An untwisting has quantities of its own.
+/// Untwistings have their own quantities.
 ExportColumn quantityColumn(const std::string& id) {
   const std::optional<Quantity> known = quantityOf(id);
   if (!known) {
@@ -106,7 +106,7 @@ ExportColumn quantityColumn(const std::string& id) {
   return number(id, row.name, plain ? std::string() : std::string(row.unit));
 }
 
-/// Makes the tables of a cohort.
+/// Builds the tables of a cohort.
 class Tables {
  public:
   Tables(const AnalysedCohort& cohort, const std::map<TrialId, std::int64_t>& started)
@@ -140,7 +140,7 @@ class Tables {
     }
     return column;
   }
-  /// A number whose labels say what each group does.
+  /// Returns a number column whose labels describe the groups.
   [[nodiscard]] ExportColumn groupNumber() const {
     ExportColumn column = number("group_number", Text::tr("Number of the group"));
     for (std::size_t g = 0; g < in_.groups.size(); ++g) {
@@ -245,7 +245,7 @@ class Tables {
     return table;
   }
 
-  /// Marks that were given, and a row without a mark for each that a rater who scored at the occasion did not
+  /// Returns the marks, and a row without a mark for each that a rater who scored at the occasion did not
   /// give a trainee.
   [[nodiscard]] ExportTable marks() const {
     ExportTable table{
@@ -412,7 +412,7 @@ class Tables {
     return table;
   }
 
-  /// The columns of a line of cohort.csv, from what it is about to its flags.
+  /// Returns the columns of a row of cohort.csv, from its subject to its flags.
   static std::vector<ExportColumn> lineColumns() {
     return {{"item", Text::tr("Trainee, rater or all")},
             groupColumn(),
@@ -436,7 +436,7 @@ class Tables {
     return row;
   }
 
-  /// One line a result of a section.
+  /// Returns one row per result of a section.
   [[nodiscard]] ExportTable statistics(ResultSection section, const Text& title, const Text& source) const {
     ExportTable table{std::string(sectionName(section)), title, source, lineColumns(), {}};
     for (const Result& result : ledger_.every()) {

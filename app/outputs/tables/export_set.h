@@ -11,28 +11,28 @@
 
 namespace torsio {
 
-/// The tables of a cohort, by what a row is.
+/// The tables of a cohort, named by what a row is.
 struct ExportSet {
-  ExportTable groups;        ///< a group of the cohort
-  ExportTable participants;  ///< a trainee
-  ExportTable scores;        ///< a trainee and occasion
-  ExportTable marks;         ///< a mark of a rater, or one that is missing
-  ExportTable trials;        ///< a recorded trial
-  ExportTable twists;        ///< a twist of a trial
-  ExportTable competence;    ///< a trainee and exercise
-  ExportTable evaluation;    ///< a number of the evaluation of models
-  ExportTable agreement;     ///< a number about raters
-  ExportTable comparison;    ///< a number about groups
-  ExportTable deviations;    ///< something that did not go by the protocol
-  ExportTable numbers;       ///< a line of cohort.csv, its value also as the text that stands there
+  ExportTable groups;        ///< per group of the cohort
+  ExportTable participants;  ///< per trainee
+  ExportTable scores;        ///< per trainee and occasion
+  ExportTable marks;         ///< per mark of a rater, given or missing
+  ExportTable trials;        ///< per recorded trial
+  ExportTable twists;        ///< per twist of a trial
+  ExportTable competence;    ///< per trainee and exercise
+  ExportTable evaluation;    ///< per number of the evaluation of models
+  ExportTable agreement;     ///< per number about raters
+  ExportTable comparison;    ///< per number about groups
+  ExportTable deviations;    ///< per protocol deviation
+  ExportTable numbers;       ///< per row of cohort.csv, with the value also as its text
 };
 
-/// Sorts the results of a cohort into tables: what its ledger leaves out is left out here, and no number is
-/// computed. `startedUtc_us`: when runs began, as far as that may be told.
+/// Sorts the results of a cohort into tables; computes none, and omits what its ledger omits.
+/// `startedUtc_us`: start times of runs, as far as they may be shown.
 [[nodiscard]] ExportSet exportSet(const AnalysedCohort& cohort,
                                   const std::map<TrialId, std::int64_t>& startedUtc_us);
 
-/// The tables in the order in which people look at them.
+/// Returns the tables in reading order.
 [[nodiscard]] std::vector<const ExportTable*> tablesOf(const ExportSet& set);
 
 }  // namespace torsio

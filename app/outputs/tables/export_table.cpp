@@ -15,7 +15,7 @@ namespace torsio {
 
 namespace {
 
-constexpr double kLargest = 1.79769313486231e308;  // of 15 digits
+constexpr double kLargest = 1.79769313486231e308;  // with 15 digits
 
 std::string isoTime(std::int64_t utc_us) {
   const std::chrono::sys_time<std::chrono::microseconds> at{std::chrono::microseconds(utc_us)};

@@ -17,32 +17,32 @@ enum class ColumnKind {
   kTime,    ///< microseconds since 1970 UTC, as std::int64_t
 };
 
-/// A column of a table that leaves the house.
+/// A column of an exported table.
 struct ExportColumn {
-  std::string name;  ///< for programs: lower-case ASCII letters, digits and underscores; unique in its table
-  Text title;        ///< for people
+  std::string name;  ///< for programs: lower-case ASCII letters, digits and underscores; unique within the
+                     ///< table
+  Text title;        ///< for readers
   ColumnKind kind = ColumnKind::kText;
   std::string unit{};                             ///< "N m"; empty: none
-  std::vector<std::pair<double, Text>> labels{};  ///< what single numbers stand for
+  std::vector<std::pair<double, Text>> labels{};  ///< meaning of particular values
 };
 
-/// Empty where there is no value.
+/// monostate: no value.
 using ExportCell = std::variant<std::monostate, std::string, double, std::int64_t>;
 
-/// Plain values with their meaning, from which every file format is written.
+/// Plain values with their meaning; the source of every file format.
 struct ExportTable {
-  std::string name;  ///< as of a column
+  std::string name;  ///< format as for a column
   Text title;
-  Text source;  ///< what its numbers are made of, in a sentence
+  Text source;  ///< one sentence on what its numbers are calculated from
   std::vector<ExportColumn> columns;
-  std::vector<std::vector<ExportCell>> rows;  ///< each as long as columns
+  std::vector<std::vector<ExportCell>> rows;  ///< each as long as `columns`
 };
 
-/// Returns the nearest number of 15 significant digits, which is what spreadsheets keep.
+/// Rounds to 15 significant digits, the precision of spreadsheets.
 [[nodiscard]] double sheetNumber(double value);
 
-/// Returns a cell as text for programs: numbers with all their digits, times as
-/// "2026-01-05T08:00:00.125000Z".
+/// Formats a cell for programs: numbers in full precision, times as "2026-01-05T08:00:00.125000Z".
 [[nodiscard]] std::string cellText(const ExportCell& cell);
 
 }  // namespace torsio

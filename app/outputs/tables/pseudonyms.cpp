@@ -47,8 +47,8 @@ std::int64_t smallestOf(const std::vector<CohortTrainee>& trainees) {
   return smallest;
 }
 
-/// Leaves out one property of whoever shares it with fewer than kSmallestCell people, and of everybody in
-/// that group once somebody's is left out, so that nobody is told by what is missing.
+/// Hides one property for everybody in groups where fewer than kSmallestCell people share a combination of
+/// sex and level, so that the gaps identify nobody. Returns the number of hidden values.
 std::int64_t hide(std::vector<CohortTrainee>& trainees, std::string CohortTrainee::*property) {
   std::vector<std::size_t> groups;
   for (const auto& [cell, people] : peopleOfCells(trainees)) {
@@ -71,15 +71,15 @@ void sortBy(std::vector<Item>& items, const Key& key) {
   std::stable_sort(items.begin(), items.end(), [&](const Item& a, const Item& b) { return key(a) < key(b); });
 }
 
-/// Who has as many deviations as few others is found by counting: those stand there without their person, and
-/// with a move of their own. Returns how many.
+/// Removes the person from deviations of people who could be identified by how many they have, and shifts
+/// those dates separately. Returns the number of deviations.
 std::int64_t unlinkRareDeviations(std::vector<CohortDeviation>& deviations, const Pseudonyms& names) {
   std::map<std::string, std::int64_t> ofPerson;
   for (const CohortDeviation& one : deviations) {
     ++ofPerson[one.trainee];
   }
   ofPerson.erase("");
-  std::map<std::int64_t, std::int64_t> people;  // by how many deviations they have
+  std::map<std::int64_t, std::int64_t> people;  // by number of deviations
   for (const auto& [person, count] : ofPerson) {
     ++people[count];
   }
@@ -93,7 +93,7 @@ std::int64_t unlinkRareDeviations(std::vector<CohortDeviation>& deviations, cons
   return unlinked;
 }
 
-/// Trials under opaque ids, without their content's hash; each start is moved by its person's days.
+/// Gives trials opaque ids, removes content hashes, and shifts each start by its person's days.
 void renameTrials(std::vector<TrialSummaryRow>& trials, std::map<TrialId, std::int64_t>& startedUtc_us,
                   const Pseudonyms& names) {
   std::map<TrialId, std::int64_t> moved;
@@ -109,7 +109,7 @@ void renameTrials(std::vector<TrialSummaryRow>& trials, std::map<TrialId, std::i
   startedUtc_us = std::move(moved);
 }
 
-/// The order of the record would tell who is who.
+/// Sorts by code: the record's order would identify people.
 void sortByCode(CohortInputs& in) {
   sortBy(in.trainees, [](const CohortTrainee& one) { return one.code; });
   sortBy(in.scores, [](const TraineeScore& one) { return std::pair(one.trainee, one.occasion); });

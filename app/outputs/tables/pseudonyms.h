@@ -10,44 +10,44 @@
 
 namespace torsio {
 
-/// Names for people outside the centre, from a key: the same person has the same name under the same key, and
-/// without the key nobody can tell which.
+/// Pseudonyms derived from a key: the same person and key give the same name, which cannot be traced back
+/// without the key.
 class Pseudonyms {
  public:
-  /// `key`: at least 32 bytes nobody can guess; a new one for each set of files that shall not be joined.
-  /// Throws Error{kBadParameter} for a shorter one.
+  /// `key`: at least 32 unguessable bytes; use a new one for files that must not be linkable. Throws
+  /// Error{kBadParameter} for a shorter one.
   explicit Pseudonyms(std::string key);
-  /// A key of 244 bits from the random numbers of the system.
+  /// Returns a key of 244 bits from the system's random numbers.
   [[nodiscard]] static std::string freshKey();
 
-  /// "P-" or another `kind`, and ten hexadecimal digits.
+  /// Returns "P-" or another `kind` and ten hexadecimal digits.
   [[nodiscard]] std::string of(std::string_view kind, std::string_view code) const;
-  /// Whole days within half a year to either side, never none, by which every time of a person is moved:
-  /// intervals stay.
+  /// Returns the shift of all times of a person: whole days up to half a year in either direction, never
+  /// zero. Intervals are preserved.
   [[nodiscard]] std::int64_t shift_us(std::string_view code) const;
 
  private:
   std::string key_;
 };
 
-/// What was done so that nobody is found.
+/// What pseudonymisation changed.
 struct PseudonymReport {
   std::int64_t people = 0;
-  std::int64_t smallestBefore = 0;  ///< people who share group, sex and level with the rarest of them
-  std::int64_t smallestAfter = 0;   ///< the same, of what is written: k
-  std::int64_t levelsHidden = 0;    ///< people whose level of training was left out
+  std::int64_t smallestBefore = 0;  ///< size of the smallest group with equal group, sex and level
+  std::int64_t smallestAfter = 0;   ///< the same after hiding: k
+  std::int64_t levelsHidden = 0;    ///< people whose level of training was hidden
   std::int64_t sexesHidden = 0;
   std::int64_t textsLeftOut = 0;
-  std::int64_t deviationsUnlinked = 0;  ///< deviations that stand there without their person
+  std::int64_t deviationsUnlinked = 0;  ///< deviations without their person
 };
 
-/// Returns the inputs as somebody outside may have them: opaque names for trainees and raters, in the order
-/// of those names; recordings by opaque names, too; times of each person moved, those of `startedUtc_us` (by
-/// recording) as well; deviations of whoever has as many as fewer than kSmallestCell others without their
-/// person; sex and level left out where fewer than kSmallestCell share them within their group;
-/// the centre, hashes of recordings, the seed of the draw and, but for `withFreeText`, what somebody wrote
-/// (names of cohort and data set, too) are left out; who froze the data has an opaque name.
-/// `report`: what was done. Numbers change in their last digits at most, because sums run in another order.
+/// Returns the inputs for readers outside the centre: opaque names for trainees and raters, sorted by them;
+/// opaque names for recordings; each person's times shifted, including those in `startedUtc_us` (by
+/// recording). Removes the person from deviations if fewer than kSmallestCell people have the same number of
+/// them; sex and level if fewer than kSmallestCell share them within their group; centre, recording hashes
+/// and allocation seed; and, unless `withFreeText`, free text (including names of cohort and data set). The
+/// person who froze the data gets an opaque name. `report`: what was changed. Numbers change in their last
+/// digits at most, because sums run in another order.
 [[nodiscard]] CohortInputs pseudonymised(CohortInputs inputs, std::map<TrialId, std::int64_t>& startedUtc_us,
                                          const Pseudonyms& names, bool withFreeText, PseudonymReport& report);
 

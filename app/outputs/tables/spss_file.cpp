@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::int64_t kSpssEpoch_s = 12'219'379'200;  // from 1582-10-14 to 1970-01-01
 constexpr std::size_t kLongestText = 32'767;           // bytes that SPSS keeps
 
-/// Writes one table; what the library refuses becomes an error that names the table.
+/// Writes one table; turns errors of the library into errors that name the table.
 class SpssWriter {
  public:
   SpssWriter(const ExportTable& table, std::ostream& out) : table_(table), out_(out) {

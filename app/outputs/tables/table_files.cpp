@@ -22,8 +22,7 @@ constexpr std::array<std::pair<std::string_view, TableFormat>, 3> kFormats = {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Files of one folder that are written one after the other; unless they are kept, those that were not there
-/// before go again.
+/// Files written to one folder; unless kept, the new ones are removed again.
 class NewFiles {
  public:
   explicit NewFiles(fs::path folder) : folder_(std::move(folder)), hadFolder_(fs::exists(folder_)) {
@@ -40,7 +39,7 @@ class NewFiles {
       fs::remove(file, ignored);
     }
     if (!hadFolder_) {
-      fs::remove(folder_, ignored);  // only an empty one
+      fs::remove(folder_, ignored);  // removes only an empty one
     }
   }
   const fs::path& add(const std::string& name) {
@@ -84,7 +83,7 @@ std::string labelsText(const ExportColumn& column) {
   return text;
 }
 
-/// A string of R.
+/// Quotes a string for R.
 std::string quoted(const std::string& words) {
   std::string text = "\"";
   for (const char c : words) {
@@ -95,7 +94,7 @@ std::string quoted(const std::string& words) {
   return text + "\"";
 }
 
-/// Makes a factor of a column of numbers that have labels; the numbers stay its codes.
+/// Converts a column of labelled numbers to a factor; the numbers stay its codes.
 std::string factorLine(const std::string& column, const ExportColumn& from) {
   std::string values;
   std::string labels;
@@ -118,7 +117,7 @@ std::string codebookText(const std::vector<const ExportTable*>& tables) {
   return text;
 }
 
-/// Base R only; read.csv() keeps names and all digits.
+/// Uses base R only; read.csv() keeps names and full precision.
 std::string readerScript(const std::vector<const ExportTable*>& tables) {
   std::string text =
       "# Reads the tables of this folder. Run R in a UTF-8 locale, in this folder or with setwd() to it.\n";

@@ -19,14 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestCell = 32'767;  // characters of a cell; bytes are no fewer
+constexpr std::size_t kLongestCell = 32'767;  // characters per cell; its bytes are never fewer
 constexpr std::size_t kLongestSheetName = 31;
 constexpr std::uint8_t kA4 = 9;
 constexpr double kNarrowest = 9.0;  // characters
 constexpr double kWidest = 48.0;
-constexpr double kUtcEpoch_days = 25'569.0;  // 1970-01-01 as a spreadsheet counts days
+constexpr double kUtcEpoch_days = 25'569.0;  // 1970-01-01 in spreadsheet days
 
-/// Number of characters of a UTF-8 text; a Chinese one takes the room of two.
+/// Returns the width of a UTF-8 text in characters; Chinese ones count twice.
 double widthOf(const std::string& text) {
   double width = 0.0;
   for (const char c : text) {
@@ -36,7 +36,7 @@ double widthOf(const std::string& text) {
   return width;
 }
 
-/// At most `bytes` of a UTF-8 text, cut between two characters.
+/// Truncates a UTF-8 text to at most `bytes`, between two characters.
 std::string shortened(const std::string& text, std::size_t bytes) {
   if (text.size() <= bytes) {
     return text;
@@ -166,7 +166,7 @@ class Workbook {
   void close() { requireWritten(workbook_close(std::exchange(book_, nullptr)), file_); }
 
  private:
-  /// A name that a sheet may have and no other one has.
+  /// Adds a sheet with a valid, unique name.
   SheetPen sheet(const std::string& wish) {
     std::string name;
     for (const char c : wish) {

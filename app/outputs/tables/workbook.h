@@ -12,23 +12,22 @@
 
 namespace torsio {
 
-/// The words of the reader, as UTF-8.
+/// Translates a text for the reader, as UTF-8.
 using ExportWording = std::function<std::string(const Text&)>;
 
-/// What a workbook is made from.
+/// Contents of a workbook.
 struct WorkbookContents {
   Text title;
-  Facts facts;                               ///< first sheet: what this is, when, from which record
-  std::vector<const ExportTable*> tables;    ///< a sheet each
-  std::vector<const ReportFigure*> figures;  ///< numbers and a chart that the spreadsheet draws, on one sheet
-  std::vector<Text> methods;                 ///< a sheet of paragraphs; a section's title begins with "# "
+  Facts facts;                               ///< first sheet: title, time and source record
+  std::vector<const ExportTable*> tables;    ///< one sheet each
+  std::vector<const ReportFigure*> figures;  ///< numbers and a native chart, on one sheet
+  std::vector<Text> methods;                 ///< one sheet of paragraphs; section titles begin with "# "
 };
 
-/// Writes an Office Open XML workbook: frozen headings, filters, widths; numbers are numbers of 15 digits,
-/// times are times of the spreadsheet (UTC), text is never a formula. A last sheet says what each column is
-/// and where it comes from. Through a temporary file beside `file`, which the worker's memory does not hold.
-/// Throws Error{kFileUnwritable}; then an older file of that name is untouched, as when `progress` throws to
-/// give up. Any thread.
+/// Writes an Office Open XML workbook: frozen headings, filters, column widths; numbers have 15 digits, times
+/// are spreadsheet times (UTC), text is never a formula. The last sheet explains each column and its source.
+/// Writes through a temporary file next to `file`, so memory use stays small. Throws Error{kFileUnwritable},
+/// or what `progress` throws; an older file of that name is then untouched. Any thread.
 void writeWorkbook(const WorkbookContents& contents, const ExportWording& say,
                    const std::filesystem::path& file, const ProgressCallback& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of a report as charts that the spreadsheet draws itself, from cells beside them.
+// The figures of a report as native spreadsheet charts, with their data in cells next to them.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,9 +16,9 @@ namespace {
 constexpr std::uint16_t kChartColumn = 10;
 constexpr std::uint32_t kChartRows = 20;
 
-/// Cells of a figure and where they stand.
+/// Cell range of a figure.
 struct Block {
-  std::uint32_t first = 0;  ///< row of the first numbers, beneath the heading
+  std::uint32_t first = 0;  ///< row of the first numbers, below the heading
   std::uint32_t rows = 0;
   [[nodiscard]] std::uint32_t last() const noexcept { return first + std::max(rows, 1U) - 1; }
 };
@@ -29,7 +29,7 @@ class FigureWriter {
                const WorkbookFormats& formats, const ExportWording& say)
       : book_(workbook), name_(sheetName), pen_(pen), formats_(formats), say_(say) {}
 
-  /// Returns the row beneath the figure.
+  /// Writes a figure and returns the row below it.
   std::uint32_t write(const ReportFigure& figure, std::uint32_t row) {
     pen_.text(row, 0, say_(figure.title), formats_.title);
     const std::uint32_t head = row + 2;
@@ -64,7 +64,7 @@ class FigureWriter {
     return i < figure.categories.size() ? say_(figure.categories[i]) : std::to_string(i + 1);
   }
 
-  /// A row a category, a column a series; with its interval where there is one.
+  /// Writes one row per category and one column per series, with intervals if there are any.
   Block byCategory(const ReportFigure& figure, std::uint32_t head) {
     std::size_t count = figure.categories.size();
     std::uint16_t column = 1;
@@ -114,7 +114,7 @@ class FigureWriter {
     return chart;
   }
 
-  /// A row a box: its five numbers, mean, and the parts that a stacked column is made of.
+  /// Writes one row per box: its five numbers, mean, and the segments of a stacked column.
   Block boxes(const ReportFigure& figure, std::uint32_t head) {
     std::uint16_t column = 1;
     for (const Phrase name :
@@ -140,7 +140,7 @@ class FigureWriter {
     return {head + 1, row - head - 1};
   }
 
-  /// Boxes of stacked columns, which every spreadsheet draws; the lowest part is not seen.
+  /// Draws boxes as stacked columns, which every spreadsheet supports; the lowest segment is invisible.
   lxw_chart* boxChart(const ReportFigure&, const Block& block) {
     lxw_chart* chart = workbook_add_chart(book_, LXW_CHART_COLUMN_STACKED);
     lxw_chart_series* base = addSeries(chart, block, 0, 2, say_(Text::tr("lower quartile")));
@@ -154,7 +154,7 @@ class FigureWriter {
     return chart;
   }
 
-  /// Columns x and y of each series.
+  /// Writes the columns x and y of each series.
   Block points(const ReportFigure& figure, std::uint32_t head, lxw_chart*& chart) {
     const bool lines = figure.kind == FigureKind::kLines;
     chart = workbook_add_chart(book_, lines ? LXW_CHART_SCATTER_STRAIGHT_WITH_MARKERS : LXW_CHART_SCATTER);
@@ -167,7 +167,7 @@ class FigureWriter {
       longest = std::max(longest, series.y.size());
       column = static_cast<std::uint16_t>(column + 2);
     }
-    for (std::size_t i = 0; i < longest; ++i) {  // rows in their order: what is written is on the disk
+    for (std::size_t i = 0; i < longest; ++i) {  // rows in order: written rows are flushed to disk
       const auto row = static_cast<std::uint32_t>(head + 1 + i);
       column = 0;
       for (const FigureSeries& series : figure.series) {
@@ -193,7 +193,7 @@ class FigureWriter {
     chart_title_off(chart);
     const std::string x = say_(figure.xLabel);
     const std::string y = say_(figure.yLabel);
-    const bool lying = figure.kind == FigureKind::kForest;  // a bar chart has its axes changed over
+    const bool lying = figure.kind == FigureKind::kForest;  // a bar chart has its axes swapped
     chart_axis_set_name(lying ? chart->y_axis : chart->x_axis, x.c_str());
     chart_axis_set_name(lying ? chart->x_axis : chart->y_axis, y.c_str());
     if (figure.yMin && figure.kind != FigureKind::kForest) {

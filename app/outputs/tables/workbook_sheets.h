@@ -10,29 +10,29 @@ struct lxw_workbook;
 struct lxw_worksheet;
 struct lxw_format;
 
-// Parts of writeWorkbook(), one a source file.
+// Parts of writeWorkbook(), one per source file.
 namespace torsio {
 
-/// How cells look, made once a workbook.
+/// Cell formats, created once per workbook.
 struct WorkbookFormats {
   lxw_format* heading = nullptr;
   lxw_format* title = nullptr;
   lxw_format* wrapped = nullptr;
   lxw_format* time = nullptr;
-  lxw_format* figure = nullptr;  ///< numbers that are drawn
+  lxw_format* figure = nullptr;  ///< numbers of figures
 };
 
-/// Refuses what the library did not write, by its code (0: it did): throws Error{kFileUnwritable} for `file`.
+/// Throws Error{kFileUnwritable} for `file` if the library's error code is not 0.
 void requireWritten(int error, const std::string& file);
 
-/// A place on a sheet, rows and columns from 0.
+/// Writes cells of a sheet; rows and columns from 0.
 class SheetPen {
  public:
   SheetPen(lxw_worksheet* sheet, std::string file) : sheet_(sheet), file_(std::move(file)) {}
 
-  /// Text is never taken for a formula. What is longer than a cell holds ends with an ellipsis.
+  /// Writes text, never as a formula; text too long for a cell is truncated with an ellipsis.
   void text(std::uint32_t row, std::uint16_t column, const std::string& words, lxw_format* look = nullptr);
-  /// Not finite: an empty cell.
+  /// Writes a number; an empty cell if not finite.
   void number(std::uint32_t row, std::uint16_t column, double value, lxw_format* look = nullptr);
   void cell(std::uint32_t row, std::uint16_t column, const ExportCell& value, const WorkbookFormats& formats);
 
@@ -43,7 +43,7 @@ class SheetPen {
   std::string file_;
 };
 
-/// Fills a sheet with the numbers of every figure, one beneath the other, and its chart beside them.
+/// Fills a sheet with the numbers of all figures, one below the other, each with its chart next to it.
 void writeFigures(lxw_workbook* workbook, const std::string& sheetName, SheetPen pen,
                   const std::vector<const ReportFigure*>& figures, const WorkbookFormats& formats,
                   const ExportWording& say);

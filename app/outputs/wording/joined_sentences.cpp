@@ -5,8 +5,8 @@ namespace torsio {
 
 namespace {
 
-bool bringsItsRoom(QChar stop) {
-  return stop == QChar(0x3002) || stop == QChar(0xFF01) || stop == QChar(0xFF1F);  // full-width . ! ?
+bool isFullWidthStop(QChar stop) {
+  return stop == QChar(0x3002) || stop == QChar(0xFF01) || stop == QChar(0xFF1F);  // full-width . ! and ?
 }
 
 }  // namespace
@@ -14,7 +14,7 @@ bool bringsItsRoom(QChar stop) {
 QString joinedSentences(const QStringList& sentences) {
   QString all;
   for (const QString& sentence : sentences) {
-    if (!all.isEmpty() && !sentence.isEmpty() && !bringsItsRoom(all.back())) {
+    if (!all.isEmpty() && !sentence.isEmpty() && !isFullWidthStop(all.back())) {
       all += QLatin1Char(' ');
     }
     all += sentence;

@@ -6,8 +6,8 @@
 
 namespace torsio {
 
-/// Sentences one after the other, of whatever language: a blank between them, none after a stop of Chinese,
-/// which brings its own room. Empty ones are left out. Any thread.
+/// Joins sentences of any language: with a space, or without one after Chinese punctuation, which includes
+/// its own space. Skips empty ones. Any thread.
 [[nodiscard]] QString joinedSentences(const QStringList& sentences);
 
 }  // namespace torsio

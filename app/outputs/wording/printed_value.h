@@ -6,18 +6,18 @@
 
 namespace torsio {
 
-// Sources, the record and files write times as ISO 8601 has them and whole numbers without groups, so that
-// programs read them. What people read instead. Any thread.
+// Sources, the record and files have times in ISO 8601 and whole numbers without grouping, for programs.
+// These functions format them for readers. Any thread.
 
-/// The form of a day, as QLocale::toString and QDateEdit take it. In English the month is in letters: 03/12
-/// is March to some and December to others.
+/// Returns the date format for QLocale::toString and QDateEdit. In English the month is a word: 03/12 is
+/// March to some and December to others.
 [[nodiscard]] QString dayFormat(const QLocale& locale);
 
-/// A text that is a time as formatUtc() writes it ("2026-01-05 08:00 UTC"), with its day in the form of the
-/// locale ("5 Jan 2026 08:00 UTC"); any other as it stands.
+/// Reformats a time written by formatUtc() ("2026-01-05 08:00 UTC") with the date in the locale's format ("5
+/// Jan 2026 08:00 UTC"); other texts are unchanged.
 [[nodiscard]] QString printedTime(QString text, const QLocale& locale);
 
-/// A text that is a whole number, with its digits in groups; any other as it stands.
+/// Groups the digits of a whole number; other texts are unchanged.
 [[nodiscard]] QString printedCount(QString text, const QLocale& locale);
 
 }  // namespace torsio

@@ -12,7 +12,7 @@
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 
-/// The linker drops resources of a static library that nothing names.
+/// The linker drops the resources of a static library unless something refers to them.
 static void initTranslations() {
   Q_INIT_RESOURCE(torsio_translations);
 }
@@ -29,7 +29,7 @@ QLocale localeOf(const std::string& language) {
                               : QLocale(QString::fromStdString(language));
 }
 
-/// Whether an argument is what an English pattern counts: its place stands before a plural.
+/// Returns whether an argument is a count in an English pattern: it comes before a plural.
 bool counts(const std::string& pattern, std::size_t argument) {
   return pattern.find("%" + std::to_string(argument + 1) + " {") != std::string::npos;
 }
