@@ -45,7 +45,7 @@ void setValue(AttemptMeasures& out, Quantity quantity, const std::optional<doubl
   }
 }
 
-/// The shortest hold among the twists on target.
+/// Returns the shortest hold among the twists on target.
 std::optional<double> shortestHold_s(const MeasuredTrial& measured) {
   std::optional<double> shortest_s;
   for (const MeasuredTwist* twist : measured.completed()) {
@@ -63,13 +63,13 @@ void addValues(const MeasuredTrial& measured, AttemptMeasures& out) {
       out.values[row.quantity] = overTwists(row.quantity, values);
     }
   }
-  // Peaks are those of the recording, however many twists it has.
+  // Adds peaks over the whole recording, however many twists it has.
   setValue(out, Quantity::kPeakForce, measured.loads.tissueForce_N);
   setValue(out, Quantity::kDeviceForce, measured.loads.deviceForce_N);
   setValue(out, Quantity::kPeakTorque, measured.loads.torque_Nm);
   setValue(out, Quantity::kTornTwists, static_cast<double>(measured.torn));
   if (measured.detorsion) {
-    return;  // no targets
+    return;  // no twists
   }
   const auto reached = static_cast<double>(out.twistsOnTarget());
   setValue(out, Quantity::kCompletedTwists, static_cast<double>(out.twists.size()));

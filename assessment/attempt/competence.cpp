@@ -62,7 +62,7 @@ CompetenceErrors competenceErrors(const CompetenceDesign& design, std::int64_t a
   CompetenceErrors errors{.attempts = attempts};
   errors.falsePass = lcCusumProbability(cusum, design.inadequate, n);
   errors.falseFail = 1.0 - lcCusumProbability(cusum, design.adequate, n);
-  constexpr std::size_t kLongest = 10'000;  // beyond them it has settled for every design that can be met
+  constexpr std::size_t kLongest = 10'000;  // beyond this, any design that can be met has converged
   errors.falseAlarm = n <= kLongest
                           ? std::max(0.0, lcCusumNotAble(cusum, design.adequate, n) - errors.falseFail)
                           : lcCusumNotAble(cusum, design.adequate, kLongest);
@@ -130,7 +130,7 @@ std::vector<bool> failedAttempts(const CompetenceDesign& design, std::span<const
       continue;
     }
     for (const JudgedTwist& twist : run.twists) {
-      // Judged already by the same tolerance: the bit that the exercise itself gave.
+      // Judged by the same tolerance: use the exercise's own result.
       const bool within = run.tolerance_rad == design.tolerance_rad
                               ? twist.onTarget
                               : twist.error_deg <= degrees(design.tolerance_rad);

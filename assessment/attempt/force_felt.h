@@ -5,9 +5,9 @@
 
 namespace torsio {
 
-/// Tells whether the hand of a recording felt the force that is measured on it. What is led round the organ
-/// is a stylus with motors; what turns on the spot (mouse, game controller, puck) gives no force: there the
-/// measures of force are computed from the model, shown, and marked wherever they are read.
+/// Returns whether the hand felt the measured force. A drive led around the organ is a stylus with motors;
+/// one that turns on the spot (mouse, game controller, puck) gives no force: its force measures are computed
+/// by the model and marked as such wherever they are shown.
 [[nodiscard]] constexpr bool forceFelt(TwistDrive drive) noexcept {
   return drive == TwistDrive::kTangential;
 }

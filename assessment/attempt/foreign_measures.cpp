@@ -24,7 +24,7 @@ Vec3 tipOf(const Sample& sample) {
   return {steps[0] * kPositionStep_m, steps[1] * kPositionStep_m, steps[2] * kPositionStep_m};
 }
 
-/// The tip every millisecond, on straight lines between the samples.
+/// Samples the tip every millisecond by linear interpolation.
 TrialTrace evenTrace(std::span<const std::int64_t> times_us, std::span<const Sample> samples) {
   TrialTrace trace;
   std::size_t at = 0;
@@ -42,7 +42,7 @@ TrialTrace evenTrace(std::span<const std::int64_t> times_us, std::span<const Sam
   return trace;
 }
 
-/// Stretches without a long gap, [first, last).
+/// Returns the ranges without long gaps, [first, last).
 std::vector<std::pair<std::size_t, std::size_t>> stretches(const TrialHeader& header,
                                                            std::span<const std::int64_t> times_us) {
   const double longest_us =

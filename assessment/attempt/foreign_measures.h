@@ -10,22 +10,21 @@
 
 namespace torsio {
 
-/// Fewest samples a second of which a path can be filtered at kPoseCutoff_Hz.
+/// Minimum sample rate for filtering a path at kPoseCutoff_Hz.
 inline constexpr double kSlowestForeign_Hz = 20.0;
 
-/// Least share of the time between first and last sample that must be seen without gaps.
+/// Minimum share of the time between first and last sample without gaps.
 inline constexpr double kLeastSeen = 0.95;
 
-/// Measures what other equipment recorded (isForeign): time, path and rest of the tip, the places between two
-/// samples on a straight line. Every other metric is undefined, never 0: "not applicable: foreign recording".
-/// A gap is longer than 20 ms and two and a half samples: path and rest are those of the stretches between
-/// gaps, and nothing is made up within one. Samples whose numbers were left out (Sample::tick) count as lost.
-/// Undefined as a whole with fewer than two samples, fewer than kSlowestForeign_Hz, or less than kLeastSeen.
-/// Any thread.
+/// Measures a recording of other equipment (isForeign()): time, path and idle time of the tip, with positions
+/// interpolated linearly. All other metrics are undefined, never 0: "not applicable: foreign recording". A
+/// gap is longer than both 20 ms and two and a half samples; path and idle time are those outside gaps,
+/// nothing is interpolated within one. Missing ticks (Sample::tick) count as lost. Undefined as a whole with
+/// fewer than two samples, a rate below kSlowestForeign_Hz, or a share below kLeastSeen. Any thread.
 [[nodiscard]] Outcome<TrialMetrics> measureForeign(const TrialHeader& header,
                                                    std::span<const Sample> samples);
 
-/// Measures such a recording for keeping: metrics that are defined, the time in any case, and no twist.
+/// Returns the measures to store for such a recording: defined metrics, always the time, and no twists.
 [[nodiscard]] AttemptMeasures foreignAttempt(const TrialHeader& header, std::span<const Sample> samples);
 
 }  // namespace torsio

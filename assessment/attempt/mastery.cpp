@@ -7,7 +7,7 @@ namespace torsio {
 
 namespace {
 
-// The share as whole numbers: 0.8 x 5 must be 4, not a little more.
+// Integer arithmetic: 0.8 x 5 must be exactly 4.
 constexpr std::int64_t kWanted = 4;
 constexpr std::int64_t kOutOf = 5;
 

@@ -9,34 +9,33 @@
 
 namespace torsio {
 
-/// "The quantity reaches the threshold in so many attempts in a row."
+/// Rule "the quantity reaches the threshold in this many successive attempts".
 struct MasteryRule {
-  std::optional<Quantity> quantity{};  ///< empty: this version of Torsio does not measure it
-  bool atMost = false;                 ///< the value must be at most the threshold; false: at least
+  std::optional<Quantity> quantity{};  ///< empty: unknown to this version
+  bool atMost = false;                 ///< the value must be at most the threshold; otherwise at least
   double threshold = 0.0;
   std::int64_t consecutive = 1;
-  /// "Overshoot: at most 5.0°".
+  /// Returns "Overshoot: at most 5.0°".
   [[nodiscard]] Text text() const;
   friend bool operator==(const MasteryRule&, const MasteryRule&) = default;
 };
 
-/// How far somebody has come with one rule.
+/// Progress towards a rule.
 struct MasteryProgress {
-  std::int64_t streak = 0;  ///< attempts in a row up to the last one
-  bool met = false;         ///< so many in a row were reached once: mastery is not lost again
+  std::int64_t streak = 0;  ///< current number of successive attempts that satisfy it
+  bool met = false;         ///< the required number was reached once: mastery is permanent
   std::optional<double> last{};
 };
 
-/// Whether `value` satisfies the rule once.
+/// Returns whether a single `value` satisfies the rule.
 [[nodiscard]] bool reaches(const MasteryRule& rule, double value) noexcept;
 
-/// Follows one rule over the values of the attempts that count, oldest first. A value that is not defined
-/// breaks the row.
+/// Evaluates a rule over the values of attempts that count, oldest first. An undefined value ends the streak.
 [[nodiscard]] MasteryProgress masteryProgress(const MasteryRule& rule,
                                               std::span<const std::optional<double>> values);
 
-/// Returns how many of `twists` completed twists must be released on target for a run to pass: four in five
-/// of them, or of the `least` number that the exercise asks for, and one at least.
+/// Returns how many of `twists` completed twists must be released on target to pass: four in five of them, or
+/// of the exercise's `least` number, and at least one.
 [[nodiscard]] std::int64_t wantedOnTarget(std::int64_t twists, std::int64_t least = 1) noexcept;
 
 }  // namespace torsio

@@ -14,7 +14,7 @@ namespace torsio {
 
 namespace {
 
-/// A recording with what every judgement of it needs.
+/// A recording with the data for judging it.
 struct Reading {
   SampleTimes times;
   std::vector<double> targets_rad;
@@ -45,7 +45,7 @@ TracePhase tracePhase(ExercisePhase phase) {
   return TracePhase::kFree;
 }
 
-/// How long the twist was on target until it was let go.
+/// Returns how long the twist was on target before its release.
 double heldTime_s(const Reading& reading, const RecordedTwist& twist, std::size_t since) {
   return since == twist.letGo ? 0.0 : secondsBetween(reading, since, twist.letGo - 1);
 }
@@ -126,8 +126,8 @@ Outcome<TrialMetrics> measured(const TrialTrace& trace, const TrialTargets& targ
   return measureTrial(trace, targets);
 }
 
-/// Measures what belongs to a grip that began at `first` and ended before `end`. Its peaks are those of the
-/// samples since `since`, so that the press before the grip counts with it.
+/// Measures a grip that began at `first` and ended before `end`. Peaks include the samples from `since`, such
+/// as pressing before the grip.
 Outcome<TrialMetrics> measuredGrip(const TrialTrace& trace, const TrialTargets& targets,
                                    std::span<const Sample> since, std::size_t first, std::size_t end) {
   const Outcome<TrialMetrics> grip = measured(cut(trace, first, end), targets);
@@ -147,7 +147,7 @@ Outcome<TrialMetrics> measuredGrip(const TrialTrace& trace, const TrialTargets& 
   return metrics;
 }
 
-/// Leaves out of a trace what only an exercise of twisting has.
+/// Removes from a trace what applies only to twists.
 void dropTwists(TrialTrace& trace) {
   trace.angle_rad.clear();
   trace.targetAngle_rad.clear();
@@ -197,7 +197,7 @@ std::vector<double> valuesOfDetorsion(const MeasuredDetorsion& detorsion, Quanti
   return values;
 }
 
-/// Counts what a gap in the samples kept from being measured.
+/// Counts what could not be measured because of gaps in the samples.
 std::int64_t tornIn(const Reading& reading, const MeasuredTrial& measured) {
   if (longGaps(reading.times.us).empty()) {
     return 0;

@@ -18,91 +18,87 @@
 
 namespace torsio {
 
-/// By what a run is judged: everything that its exercise asks for.
+/// Rules for judging a run: all requirements of its exercise.
 struct AttemptRules {
   double tolerance_rad = kDefaultTolerance_rad;  ///< > 0
   std::optional<double> forceLimit_N{};
   std::optional<double> torqueLimit_Nm{};
-  double hold_s = 0.0;           ///< on target before letting go, asked for to pass; changes no measure
-  std::int64_t leastTwists = 1;  ///< completed, asked for to pass; changes no measure
-  std::optional<DetorsionRules> detorsion{};  ///< of a recording that comesTwisted
-  std::vector<MasteryRule> mastery{};         ///< of the exercise, asked for to pass; change no measure
+  double hold_s = 0.0;           ///< required time on target before release; affects passing, not measures
+  std::int64_t leastTwists = 1;  ///< required completed twists; affects passing, not measures
+  std::optional<DetorsionRules> detorsion{};  ///< for a recording with comesTwisted()
+  std::vector<MasteryRule> mastery{};         ///< required to pass; they affect no measure
   friend bool operator==(const AttemptRules&, const AttemptRules&) = default;
 };
 
-/// The axis that a grasped section turns about.
+/// Axis of rotation of a grasped section.
 struct GraspAxis {
   Vec3 point_m;
-  Vec3 direction;  ///< unit
+  Vec3 direction;  ///< unit vector
 };
 
-/// What the organ adds to a recording when its scene is at hand; without a function the metrics that need it
-/// stay undefined.
+/// Data from the scene's organ, if available; metrics that need a missing function are undefined.
 struct OrganKnowledge {
-  /// Largest shear stress of the surface, Pa, as the organ lies in a sample of the recording.
+  /// Returns the maximum shear stress of the surface, Pa, for a sample's state.
   std::function<double(const Sample& sample)> peakShear_Pa{};
   std::function<GraspAxis(double arc_m)> axisAt{};
   std::optional<double> shearLimit_Pa{};
 };
 
-/// One twist with its metrics, or why it cannot be measured. What was not completed is measured as well, but
-/// counts nowhere.
+/// A twist with its metrics, or why it cannot be measured. Twists not completed are measured but never
+/// counted.
 struct MeasuredTwist {
   RecordedTwist twist{};
-  double start_s = 0.0;   ///< grip, since the first sample of the recording
-  double letGo_s = 0.0;   ///< last sample of the grip, since the first sample of the recording
-  double held_s = 0.0;    ///< on target until it was let go
-  bool onTarget = false;  ///< completed, within the tolerance of the target in force
+  double start_s = 0.0;   ///< of the grip, since the first sample
+  double letGo_s = 0.0;   ///< last sample of the grip, since the first sample
+  double held_s = 0.0;    ///< on target until the release
+  bool onTarget = false;  ///< completed, within the tolerance of its target
   Outcome<TrialMetrics> metrics = Outcome<TrialMetrics>::undefined(Text::tr("not measured"));
 };
 
 /// An untwisting with its metrics, or why it cannot be measured.
 struct MeasuredDetorsion {
   Outcome<DetorsionMetrics> metrics = Outcome<DetorsionMetrics>::undefined(Text::tr("not measured"));
-  /// Of the whole recording: time, path and rest of the hand.
+  /// Of the whole recording: time, path and idle time of the hand.
   Outcome<TrialMetrics> whole = Outcome<TrialMetrics>::undefined(Text::tr("not measured"));
-  std::vector<Outcome<TrialMetrics>> grips{};  ///< one a grip: forces and torques; no metric of twisting
+  std::vector<Outcome<TrialMetrics>> grips{};  ///< one per grip: forces and torques, no metrics of twists
 };
 
-/// What one recording comes to, twist by twist; or the untwisting of an organ that came twisted.
+/// Measures of a recording by twist, or of an untwisting.
 struct MeasuredTrial {
   bool deviceClock = true;                       ///< SampleTimes::deviceClock
   std::int64_t duration_us = 0;                  ///< recordedDuration_us
-  std::vector<MeasuredTwist> twists{};           ///< all of them, in their order; none of an untwisting
-  std::optional<MeasuredDetorsion> detorsion{};  ///< empty: an exercise of twisting
+  std::vector<MeasuredTwist> twists{};           ///< all, in order; none for an untwisting
+  std::optional<MeasuredDetorsion> detorsion{};  ///< empty: an exercise with twists
   RecordedLoads loads{};                         ///< over the whole recording
-  /// Twists, or 1 of an untwisting, that could not be measured because samples are missing for more than
-  /// 20 ms.
+  /// Number of twists, or 1 for an untwisting, not measurable because more than 20 ms of samples are missing.
   std::int64_t torn = 0;
 
   /// Duration in seconds.
   [[nodiscard]] double duration_s() const noexcept;
-  /// The twists that count.
+  /// Returns the completed twists.
   [[nodiscard]] std::vector<const MeasuredTwist*> completed() const;
-  /// Number of twists that were cut off by the end of the recording, a fault or missing samples.
+  /// Counts the twists cut off by the end of the recording, a fault or missing samples.
   [[nodiscard]] std::int64_t unfinished() const noexcept;
-  /// Values of one quantity over the completed twists in which it is defined. Of an untwisting: its own
-  /// metrics and those of the whole recording have one value or none, loads one a grip, metrics of twisting
-  /// none. Peaks of force and torque are those since the grip before was let go; those of the recording are
-  /// `loads`.
+  /// Returns a quantity's values over the completed twists that define it. For an untwisting: at most one
+  /// value of its own quantities and those of the whole recording, one per grip for loads, none for
+  /// quantities of twists. Peaks of force and torque are those since the previous release; `loads` has those
+  /// of the recording.
   [[nodiscard]] std::vector<double> valuesOf(Quantity quantity) const;
 };
 
-/// Turns a recording into the trace that the metrics read: angle, target in force, force on the tissue and
-/// as sent to the device, torque and tip of every sample. The samples of a stay on target until letting go
-/// count as hold when it lasted at least kShortestHold_s.
+/// Converts a recording to the trace for the metrics: angle, target, force on the tissue and sent to the
+/// device, torque and tip of every sample. Samples on target before a release count as holding if they last
+/// at least kShortestHold_s.
 [[nodiscard]] TrialTrace trialTrace(const TrialHeader& header, std::span<const Sample> samples,
                                     double tolerance_rad, const OrganKnowledge& organ = {});
 
-/// Measures every twist of a recording; of one that comesTwisted its untwisting instead. Fewer than two
-/// samples give no twists. A gap of more than 20 ms leaves the metrics of the twist that holds it undefined.
-/// Slow: seconds for an hour.
+/// Measures every twist of a recording; if comesTwisted(), its untwisting instead. Fewer than two samples
+/// give no twists. A gap of more than 20 ms makes its twist's metrics undefined. Slow: seconds for an hour.
 [[nodiscard]] MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> samples,
                                           const AttemptRules& rules, const OrganKnowledge& organ = {});
 
-/// Measures a recording as one stretch, from its first sample to its last, without metrics of twisting if it
-/// comesTwisted; undefined with fewer than two
-/// samples or a gap of more than 20 ms.
+/// Measures a recording as a whole, without metrics of twists if comesTwisted(); undefined with fewer than
+/// two samples or a gap of more than 20 ms.
 [[nodiscard]] Outcome<TrialMetrics> measureWhole(const TrialHeader& header, std::span<const Sample> samples,
                                                  const AttemptRules& rules, const OrganKnowledge& organ = {});
 

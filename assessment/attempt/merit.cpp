@@ -20,7 +20,7 @@ double merit(Quantity quantity, double own, double expert) {
   const QuantityRow& row = rowOf(quantity);
   const MeritWeight& weight = row.traits.merit;
   const bool higher = row.direction == Direction::kHigherIsBetter;
-  // Both smoothness measures are negative, nearer 0 is better.
+  // Smoothness measures are negative; closer to 0 is better.
   const bool negative = own < 0.0 || expert < 0.0;
   const double a = std::max(std::abs(own) + weight.floor, kSmallestSize);
   const double b = std::max(std::abs(expert) + weight.floor, kSmallestSize);

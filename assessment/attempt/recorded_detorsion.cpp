@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kHandLost = kDeviceLost | kDeviceUncalibrated;
 
-/// How far the jaw is closed: a button closes it fully.
+/// Returns the closure of the jaw; a button closes it fully.
 double closure(const DeviceSample& device) noexcept {
   const bool grips = (device.buttons & kButtonGrip) != 0;
   return grips ? 1.0 : std::clamp(static_cast<double>(device.grip) * kGripStep, 0.0, 1.0);

@@ -12,31 +12,31 @@
 
 namespace torsio {
 
-/// Follows the clip and the way out for the content through a recording, sample by sample, as the servo
-/// decides them: by command, the clip also by the second button, each time that it is pressed by an
-/// instrument that touched or held the organ in the tick before. A plain value; any one thread.
+/// Reconstructs clip and vent sample by sample, with the servo's logic: by command, and the clip also by the
+/// second button whenever it is pressed while the instrument touched or held the organ in the previous tick.
+/// A plain value; any one thread.
 class RecordedSwitches {
  public:
-  /// Takes the next sample.
+  /// Processes the next sample.
   void obey(const Sample& sample) noexcept;
-  /// Whether a clip or an assistant holds the organ in this tick.
+  /// Returns whether a clip or an assistant holds the organ in this tick.
   [[nodiscard]] bool clipped() const noexcept { return clipped_; }
-  /// Whether the way out has been opened; whether anything leaves by it is the scene's to say.
+  /// Returns whether the vent is open; the scene determines whether anything escapes.
   [[nodiscard]] bool venting() const noexcept { return venting_; }
 
  private:
   bool clipped_ = false;
   bool venting_ = false;
-  bool pressed_ = true;   // one that is held down at the start sets no clip
-  bool atOrgan_ = false;  // in the tick before
+  bool pressed_ = true;   // a button held down at the start sets no clip
+  bool atOrgan_ = false;  // in the previous tick
 };
 
-/// Whether a recording is that of an organ which came twisted and is to be undone.
+/// Returns whether the recording is of an organ that starts twisted and is to be untwisted.
 [[nodiscard]] bool comesTwisted(std::span<const Sample> samples) noexcept;
 
-/// Measures the untwisting of a recording that comesTwisted. `times_us` (sampleTimes) has one entry a sample;
-/// without `peakShear_Pa` the stress of the wall stays undefined. Undefined as a whole with fewer than two
-/// samples, a gap of more than 20 ms, or no rules.
+/// Measures the untwisting of a recording with comesTwisted(). `times_us` (sampleTimes) has one entry per
+/// sample; without `peakShear_Pa`, wall stress is undefined. Undefined as a whole with fewer than two
+/// samples, a gap of more than 20 ms, or without rules.
 [[nodiscard]] Outcome<DetorsionMetrics> measureRecordedDetorsion(
     std::span<const Sample> samples, std::span<const std::int64_t> times_us,
     const std::optional<DetorsionRules>& rules,

@@ -23,7 +23,7 @@ double tissueForce_N(const Sample& sample) noexcept {
 }
 
 bool tissueForceKnown(const Sample& sample) noexcept {
-  // A reading that made no sense inhibits the device, too; the tissue was asked about the last good one.
+  // An invalid reading also inhibits the device, but the tissue was computed for the last valid one.
   const bool badReading = (sample.device.status & kDeviceInvalid) != 0;
   const std::uint32_t doubts = kForceModelLate | (badReading ? kForceFull : kForceNotFinite);
   return !handLeads(sample) || (sample.limits & doubts) == 0;

@@ -17,7 +17,7 @@ bool isIn(std::span<const Sample> samples, std::size_t i, ExercisePhase phase) {
   return i < samples.size() && samples[i].phase == phase;
 }
 
-bool stampsRise(std::span<const Sample> samples) {
+bool stampsIncrease(std::span<const Sample> samples) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (samples[i].device.time_us <= samples[i - 1].device.time_us) {
       return false;
@@ -26,7 +26,7 @@ bool stampsRise(std::span<const Sample> samples) {
   return true;
 }
 
-/// How the grip [.., letGo) ended.
+/// Returns how the grip [.., letGo) ended.
 TwistEnding endingOf(std::span<const Sample> samples, std::span<const std::int64_t> times_us,
                      std::size_t letGo) {
   if (letGo == samples.size() || (samples[letGo].device.status & kDeviceEnded) != 0) {
@@ -51,7 +51,7 @@ bool RecordedTwist::onTarget(double tolerance_rad) const noexcept {
 }
 
 SampleTimes sampleTimes(const TrialHeader& header, std::span<const Sample> samples) {
-  SampleTimes times{.deviceClock = stampsRise(samples)};
+  SampleTimes times{.deviceClock = stampsIncrease(samples)};
   times.us.reserve(samples.size());
   for (const Sample& sample : samples) {
     times.us.push_back(times.deviceClock ? sample.device.time_us : sample.tick * header.tickPeriod_us);
@@ -65,8 +65,8 @@ std::int64_t recordedDuration_us(const TrialHeader& header, std::span<const Samp
   }
   const Sample& first = samples.front();
   const Sample& last = samples.back();
-  const std::int64_t span_us = stampsRise(samples) ? last.device.time_us - first.device.time_us
-                                                   : (last.tick - first.tick) * header.tickPeriod_us;
+  const std::int64_t span_us = stampsIncrease(samples) ? last.device.time_us - first.device.time_us
+                                                       : (last.tick - first.tick) * header.tickPeriod_us;
   return span_us + header.tickPeriod_us;
 }
 

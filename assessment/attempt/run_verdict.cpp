@@ -51,7 +51,7 @@ std::vector<TargetCheck> checksOf(const QuantityValues& values, const AttemptRul
   return checks;
 }
 
-/// The value: with further digits where it would look like the limit that it misses.
+/// Formats the value, with more digits if it would look equal to the limit that it misses.
 Text valueText(const TargetCheck& check, Quantity quantity) {
   constexpr int kMaxFurther = 4;
   if (!check.value) {
@@ -142,7 +142,7 @@ RunVerdict judgeRun(const QuantityValues& values, const AttemptRules& rules, boo
   const auto all = [&verdict](auto&& holds) {
     return std::all_of(verdict.checks.begin(), verdict.checks.end(), holds);
   };
-  // What was measured and missed is missed, however busy the computer was.
+  // A measured miss is a miss, even if samples were lost.
   const bool missed = !all([](const TargetCheck& check) { return check.passed || !check.value; });
   verdict.outcome = interrupted                                                  ? RunOutcome::kInterrupted
                     : all([](const TargetCheck& check) { return check.passed; }) ? RunOutcome::kPassed

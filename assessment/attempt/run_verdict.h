@@ -13,32 +13,32 @@
 
 namespace torsio {
 
-/// One thing that was asked of a run.
+/// One requirement on a run.
 struct TargetCheck {
-  std::optional<Quantity> quantity{};  ///< empty: of a later version of Torsio, never passed
+  std::optional<Quantity> quantity{};  ///< empty: of a later version, never passed
   bool passed = false;
   std::optional<double> value{};  ///< SI; empty: not measured in this run
   double wanted = 0.0;
-  bool atLeast = true;           ///< value >= wanted passes; false: value <= wanted
-  std::int64_t outOf = 0;        ///< of kTargetsReached: completed twists
-  std::int64_t streak = 0;       ///< of a rule of mastery: runs in a row, this one included
-  std::int64_t consecutive = 0;  ///< of a rule of mastery: runs in a row needed; 0: asked of every run
+  bool atLeast = true;           ///< value >= wanted passes; otherwise value <= wanted
+  std::int64_t outOf = 0;        ///< for kTargetsReached: completed twists
+  std::int64_t streak = 0;       ///< for a mastery rule: successive runs including this one
+  std::int64_t consecutive = 0;  ///< for a mastery rule: required successive runs; 0: required in every run
 
-  /// "Peak force: 3.31 N, at most 3.30 N".
+  /// Returns "Peak force: 3.31 N, at most 3.30 N".
   [[nodiscard]] Text text() const;
   friend bool operator==(const TargetCheck&, const TargetCheck&) = default;
 };
 
-/// Tells whether the values are those of an untwisting: no twists are counted there.
+/// Returns whether the values are those of an untwisting, which has no twists.
 [[nodiscard]] bool isUntwisting(const QuantityValues& values);
 
-/// Whether force and torque stayed within the limits. A load that is not known does not keep to its limit.
+/// Returns whether force and torque stayed within the limits. An unknown load does not meet its limit.
 [[nodiscard]] bool withinLimits(const QuantityValues& values, const AttemptRules& rules);
-/// Whether a run also completed as many twists as its exercise asks for: one that did not is no success, in
-/// no row and in no learning curve.
+/// Returns whether a run is within the limits and has the required number of completed twists; otherwise it
+/// is never a success and enters no streak or learning curve.
 [[nodiscard]] bool meetsDemands(const QuantityValues& values, const AttemptRules& rules);
 
-/// What a run came to.
+/// Outcome of a run.
 enum class RunOutcome : std::uint8_t { kPassed, kNotPassed, kNotJudged, kInterrupted, kRefused };
 inline constexpr std::array<Term<RunOutcome>, 5> kRunOutcomes{{
     {RunOutcome::kPassed, "passed", Text::tr("passed"), "every target was reached"},
@@ -55,7 +55,7 @@ static_assert(isWholeTable(kRunOutcomes, RunOutcome{5}));
   return kRunOutcomes;
 }
 
-/// "passed", "not judged": for a table.
+/// Returns "passed", "not judged" ..., for tables.
 [[nodiscard]] inline Text wordOf(RunOutcome outcome) {
   return kRunOutcomes[static_cast<std::size_t>(outcome)].label;
 }
@@ -64,22 +64,22 @@ static_assert(isWholeTable(kRunOutcomes, RunOutcome{5}));
 /// show this value and decide nothing themselves.
 struct RunVerdict {
   RunOutcome outcome = RunOutcome::kRefused;
-  bool torn = false;                  ///< the computer lost more than 20 ms of a twist
-  std::vector<TargetCheck> checks{};  ///< everything that was asked for, rules of mastery last
+  bool torn = false;                  ///< more than 20 ms of a twist were lost
+  std::vector<TargetCheck> checks{};  ///< all requirements, mastery rules last
 
   [[nodiscard]] bool passed() const noexcept { return outcome == RunOutcome::kPassed; }
-  /// The verdict in one sentence.
+  /// Describes the verdict in one sentence.
   [[nodiscard]] Text sentence() const;
-  /// What the computer had to do with it; empty: nothing.
+  /// Describes the computer's part in it; empty: none.
   [[nodiscard]] Text cause() const;
-  /// What to do about the cause; empty: nothing.
+  /// Describes the remedy for the cause; empty: none.
   [[nodiscard]] Text remedy() const;
   friend bool operator==(const RunVerdict&, const RunVerdict&) = default;
 };
 
-/// Judges a run by the values that were measured of it (AttemptMeasures::values): the angle always, or that
-/// the organ of an untwisting was undone; number of twists, hold and limits where the exercise sets them; and
-/// the rules of mastery. A limit counts for everything that the tissue bore.
+/// Judges a run by its measures (AttemptMeasures::values): always the angle, or that the organ was untwisted;
+/// number of twists, hold and limits if the exercise sets them; and the mastery rules. Limits apply to
+/// everything done to the tissue.
 [[nodiscard]] RunVerdict judgeRun(const QuantityValues& values, const AttemptRules& rules,
                                   bool interrupted = false);
 

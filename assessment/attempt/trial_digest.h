@@ -12,24 +12,23 @@
 
 namespace torsio {
 
-/// Everything that was measured of one recording, with the version of the formulas and the rules that it was
-/// judged by.
+/// All measures of a recording, with the version of the formulas and the rules used.
 struct TrialDigest {
   TrialId trialId{};
   std::int64_t formulaVersion = 0;
   double tolerance_rad = 0.0;
   std::optional<double> forceLimit_N{};    ///< at least 0; empty: none
   std::optional<double> torqueLimit_Nm{};  ///< at least 0; empty: none
-  std::string contentHash{};               ///< of the recording that was measured
+  std::string contentHash{};               ///< of the measured recording
   std::string model{};
   std::int64_t duration_us = 0;
   std::int64_t unfinishedTwists = 0;
   std::optional<double> meanAbsoluteError_deg{};
   std::optional<double> peakTorque_Nm{};
   std::optional<double> peakForce_N{};
-  /// Completed twists in their order: absolute error in degrees, on target.
+  /// Completed twists in order: absolute error in degrees, on target.
   std::vector<std::pair<double, bool>> attempts{};
-  std::map<std::string, double> measures{};  ///< by metric id of at most 255 bytes
+  std::map<std::string, double> measures{};  ///< by metric id, at most 255 bytes
   std::int64_t computedUtc_us = 0;
   friend bool operator==(const TrialDigest&, const TrialDigest&) = default;
 };

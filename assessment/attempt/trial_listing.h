@@ -11,7 +11,7 @@
 
 namespace torsio {
 
-/// The machine that recorded, in words: what a late tick is explained by. Empty: not known.
+/// Description of the recording machine, for explaining late ticks. Empty: unknown.
 struct RecordingHost {
   std::string name{};
   std::string os{};
@@ -22,16 +22,16 @@ struct RecordingHost {
 
 /// What the database adds to a trial's header.
 struct TrialContext {
-  std::string station{};      ///< which machine records: it alone may close its interrupted trials
-  EnrolmentId enrolmentId{};  ///< the cohort for which the trial counts; empty for free practice
-  ModuleId moduleId{};        ///< of the curriculum version that was running; empty for free practice
-  PhaseId phaseId{};          ///< empty: outside any phase
-  std::optional<AttemptMode> attemptMode{};  ///< as it counted then; empty for free practice
+  std::string station{};      ///< the recording machine, which alone may close its interrupted trials
+  EnrolmentId enrolmentId{};  ///< the cohort that the trial counts for; empty for free practice
+  ModuleId moduleId{};        ///< of the curriculum version then running; empty for free practice
+  PhaseId phaseId{};          ///< empty: no phase
+  std::optional<AttemptMode> attemptMode{};  ///< at the time; empty for free practice
   RecordingHost host{};
   friend bool operator==(const TrialContext&, const TrialContext&) = default;
 };
 
-/// One line of a list of trials.
+/// A trial in a list.
 struct TrialListing {
   TrialId trialId{};
   std::string traineeCode{};  ///< empty: nobody (free practice)
@@ -42,14 +42,14 @@ struct TrialListing {
   std::string phaseLabel{};
   std::int64_t startedUtc_us = 0;
   bool demonstration = false;
-  std::optional<TrialSummary> summary{};  ///< empty: running, or interrupted and not closed yet
+  std::optional<TrialSummary> summary{};  ///< empty: running, or interrupted and not yet closed
   ModuleId moduleId{};
   PhaseId phaseId{};
   std::optional<AttemptMode> attemptMode{};  ///< empty: free practice
-  TissueModel model = TissueModel::kTwist;   ///< that answered the hand
+  TissueModel model = TissueModel::kTwist;   ///< of the run
 };
 
-/// Which trials to list, newest first. Empty texts do not restrict.
+/// Trials to list, latest first. Empty texts do not restrict.
 struct TrialFilter {
   std::string traineeCode{};
   EnrolmentId enrolmentId{};

@@ -34,7 +34,7 @@ constexpr Phrase kHolding = Text::tr("while the organ is held");
 constexpr Phrase kTouching = Text::tr("from the first contact to the last");
 
 // clang-format off
-// Of an organ that came twisted by phi_0: limits, d (hands off) and q_c are those of its scene.
+// For an organ that starts twisted by phi_0; limits, d (hands off) and q_c come from its scene.
 constexpr std::array kRows = std::to_array<QuantityRow>({
     {Quantity::kOnTarget, "twist.on_target", Text::tr("Twists on target"),
      Text::tr("Share of the twists that were let go within the tolerance of the target."),
@@ -289,7 +289,7 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
 });
 // clang-format on
 
-constexpr bool everyRowStandsAtItsPlace() {
+constexpr bool rowsAreCompleteAndOrdered() {
   for (std::size_t i = 0; i < kRows.size(); ++i) {
     const QuantityRow& row = kRows[i];
     if (static_cast<std::size_t>(row.quantity) != i || row.id.empty() || row.name.empty() ||
@@ -299,7 +299,7 @@ constexpr bool everyRowStandsAtItsPlace() {
   }
   return kRows.size() == static_cast<std::size_t>(Quantity::kEnd);
 }
-static_assert(everyRowStandsAtItsPlace(), "each quantity has one complete row, in the order of the enum");
+static_assert(rowsAreCompleteAndOrdered(), "each quantity has one complete row, in the order of the enum");
 
 }  // namespace
 
@@ -323,7 +323,7 @@ std::string shownNumber(Quantity quantity, double value, int more) {
   std::array<char, 64> digits{};
   std::snprintf(digits.data(), digits.size(), "%.*f", shown.decimals + more, value * shown.scale);
   const std::string text(digits.data());
-  return text.front() == '-' ? "\u2212" + text.substr(1) : text;  // the minus sign of print
+  return text.front() == '-' ? "\u2212" + text.substr(1) : text;  // typographic minus
 }
 
 Text shownValue(Quantity quantity, double value, int more) {

@@ -13,12 +13,12 @@
 
 namespace torsio {
 
-/// Version of all formulas by which a recording is measured: quantities, what a twist is, what is on target.
-/// It is stored beside every value. Count it up whenever a number changes: values of an older version are not
-/// read, the recording is measured again.
+/// Version of all formulas for measuring a recording: quantities, definition of a twist, of on target. Stored
+/// with every value. Increment it whenever a number changes: values of older versions are ignored and
+/// recordings are measured again.
 inline constexpr std::int64_t kMetricsVersion = 7;
 
-/// What is measured of a run. The order is that of all lists and tables.
+/// Measured quantities of a run, in the order of all lists and tables.
 enum class Quantity : std::uint8_t {
   kOnTarget,
   kTargetsReached,
@@ -84,81 +84,80 @@ enum class Quantity : std::uint8_t {
 
 enum class Direction : std::uint8_t { kLowerIsBetter, kHigherIsBetter, kNeither };
 
-/// What kind of number a quantity is.
+/// Type of a quantity's values.
 enum class QuantityKind : std::uint8_t {
   kMeasure,
-  kCount,   ///< whole numbers, also on an axis
-  kAnswer,  ///< 1 is yes, 0 is no; it has neither scale nor learning curve
+  kCount,   ///< whole numbers, on axes too
+  kAnswer,  ///< 1: yes, 0: no; without scale or learning curve
 };
 
-/// What a quantity is measured of.
+/// What a quantity is measured on.
 enum class QuantityScope : std::uint8_t {
   kRun,         ///< the run as a whole
-  kHand,        ///< each twist; of an untwisting or of a foreign recording the whole recording
+  kHand,        ///< each twist; for an untwisting or a foreign recording, the whole recording
   kGrip,        ///< each twist, or each grip of an untwisting
-  kUntwisting,  ///< the untwisting of an organ that came twisted; there the quantities of twisting are
-                ///< missing
+  kUntwisting,  ///< an untwisting, which has no quantities of twists
 };
 
-/// How the values of several twists become one of the run.
+/// How the values of several twists are combined for the run.
 enum class OverTwists : std::uint8_t { kMedian, kSum, kLargest };
 
-/// Where in a twist to look for a value.
+/// Where to look for a value in a twist.
 enum class QuantityMoment : std::uint8_t {
   kWholeTwist,
-  kPeakForce,     ///< where the force on the tissue is largest
-  kFarthestTurn,  ///< where the angle is farthest in the direction of the target
-  kFromGrip,      ///< as many seconds from the grip on as the value says
+  kPeakForce,     ///< at the maximum force on the tissue
+  kFarthestTurn,  ///< at the maximum angle in the target's direction
+  kFromGrip,      ///< the value is the time in seconds since the grip
   kHold,          ///< while the angle is held
-  kRelease,       ///< when the organ is let go
+  kRelease,       ///< at the release
 };
 
-/// How a value is shown.
+/// How a value is displayed.
 struct ShownUnit {
-  std::string_view unit{};  ///< "\u00b0", "mm"; empty: a mere number
-  double scale = 1.0;       ///< a stored value times this is the shown one
+  std::string_view unit{};  ///< "\u00b0", "mm"; empty: dimensionless
+  double scale = 1.0;       ///< displayed value / stored value
   int decimals = 0;
 };
 
-/// How a hand is praised or corrected by a quantity (assessment/attempt/merit.h).
+/// How a quantity counts in strengths and weaknesses (assessment/attempt/merit.h).
 struct MeritWeight {
-  double weight = 0.0;  ///< 0: not at all; above 1 for a quantity that is a logarithm and moves little
-  double floor = 0.0;   ///< a difference that nobody can see, SI
+  double weight = 0.0;  ///< 0: not at all; above 1 for a quantity that is a logarithm and varies little
+  double floor = 0.0;   ///< imperceptible difference, SI
 };
 
-/// What holds for some quantities only.
+/// Properties of some quantities only.
 struct QuantityTraits {
   QuantityKind kind = QuantityKind::kMeasure;
   OverTwists over = OverTwists::kMedian;
-  bool asked = false;    ///< whether a curriculum may ask for it
-  double least = 0.0;    ///< the smallest value that it can have, SI; thresholds begin there
-  bool inTrend = false;  ///< whether a trend offers it even where no curriculum asks for it
+  bool asked = false;    ///< usable in rules of a curriculum
+  double least = 0.0;    ///< minimum possible value, SI; lower end for thresholds
+  bool inTrend = false;  ///< offered in trends even if no rule uses it
   MeritWeight merit{};
-  Phrase advice{};  ///< to a trainee whose weakness it is; empty: none
+  Phrase advice{};  ///< for a trainee with this weakness; empty: none
   QuantityMoment moment = QuantityMoment::kWholeTwist;
-  Phrase missing = Text::tr("not measured");  ///< stands in place of a value that a run does not have
+  Phrase missing = Text::tr("not measured");  ///< shown if a run has no value
 };
 
-/// One row of the catalogue: everything that is known of a quantity whatever its value.
+/// A row of the catalogue: everything known of a quantity besides its value.
 struct QuantityRow {
   Quantity quantity{};
-  std::string_view id{};  ///< "twist.overshoot": in the database and in files; never changes
+  std::string_view id{};  ///< "twist.overshoot", used in the database and files; never changes
   Phrase name{};
   Phrase meaning{};  ///< one sentence for a physician
   Phrase formula{};
-  std::string_view unit{};  ///< of a stored value: SI, "1" or "count"
+  std::string_view unit{};  ///< of stored values: SI, "1" or "count"
   ShownUnit shown{};
   Direction direction = Direction::kNeither;
-  Phrase window{};  ///< which part of a run
+  Phrase window{};  ///< part of a run that it is measured in
   QuantityScope scope = QuantityScope::kGrip;
   QuantityTraits traits{};
   std::int64_t version = kMetricsVersion;
 };
 
-/// All rows, in the order of Quantity.
+/// Returns all rows, in the order of Quantity.
 [[nodiscard]] std::span<const QuantityRow> quantityRows() noexcept;
 [[nodiscard]] const QuantityRow& rowOf(Quantity quantity);
-/// Returns the quantity of a stored id; empty: this version of Torsio measures nothing of that name.
+/// Returns the quantity of a stored id; empty if unknown to this version.
 [[nodiscard]] std::optional<Quantity> quantityOf(std::string_view id) noexcept;
 
 [[nodiscard]] inline std::string idOf(Quantity quantity) {
@@ -171,21 +170,20 @@ struct QuantityRow {
   return rowOf(quantity).scope == QuantityScope::kUntwisting;
 }
 
-/// Values by quantity, SI; what is not defined is missing.
+/// Values by quantity, SI; undefined ones are missing.
 using QuantityValues = std::map<Quantity, double>;
 [[nodiscard]] inline std::optional<double> valueIn(const QuantityValues& values, Quantity quantity) {
   const auto found = values.find(quantity);
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Returns the shown number of a stored value without its unit: "12.4", "\u22120.8". `more`: further
-/// decimals.
+/// Formats a stored value for display without its unit: "12.4", "\u22120.8". `more`: additional decimals.
 [[nodiscard]] std::string shownNumber(Quantity quantity, double value, int more = 0);
-/// "12.4 s", "3.1\u00b0", "62 %"; "yes" and "no" of an answer.
+/// Formats "12.4 s", "3.1\u00b0", "62 %"; "yes" and "no" for an answer.
 [[nodiscard]] Text shownValue(Quantity quantity, double value, int more = 0);
-/// The value, or what stands in its place.
+/// Formats the value, or the text for a missing one.
 [[nodiscard]] Text shownValue(Quantity quantity, const std::optional<double>& value);
-/// "Overshoot (\u00b0)"; the bare name of a quantity without a shown unit.
+/// Returns "Overshoot (\u00b0)"; only the name if the quantity has no displayed unit.
 [[nodiscard]] Text titleWithUnit(Quantity quantity);
 
 }  // namespace torsio

@@ -16,7 +16,7 @@ namespace torsio {
 
 namespace {
 
-// Ischaemic tissue bears less: limits x (1 - .5 min(D, 1)); assumed (docs/model.md P).
+// Ischaemic tissue is weaker: limits x (1 - .5 min(D, 1)); assumed (docs/model.md P).
 constexpr double kLostStrength = 0.5;
 
 void checkTicks(std::span<const DetorsionTick> ticks) {
@@ -37,7 +37,7 @@ double yesNo(bool yes) noexcept {
   return yes ? 1.0 : 0.0;
 }
 
-/// What an untwisting comes to, put together in one place.
+/// Calculates the metrics of an untwisting.
 class DetorsionMeasurer {
  public:
   DetorsionMeasurer(std::span<const DetorsionTick> ticks, const DetorsionRules& rules, DetorsionMetrics& out)
@@ -55,13 +55,13 @@ class DetorsionMeasurer {
  private:
   void set(Quantity quantity, Outcome<double> value) { out_.set(quantity, std::move(value)); }
 
-  /// Seconds from the first tick to tick i.
+  /// Returns the time of tick i since the first, s.
   [[nodiscard]] double at_s(std::size_t i) const {
     return static_cast<double>(ticks_[i].time_us - ticks_.front().time_us) / kSecond_us;
   }
 
-  /// First tick from which `test` holds for so long; the number of ticks when there is none. The last tick
-  /// lasts a tick, too.
+  /// Returns the first tick from which `test` holds for this time; the number of ticks if there is none. The
+  /// last tick counts as one period.
   template <class Test>
   [[nodiscard]] std::size_t lasting(double duration_s, Test test) const {
     const auto wanted_us = static_cast<std::int64_t>(std::ceil(duration_s * kSecond_us - 0.5));
@@ -196,7 +196,7 @@ class DetorsionMeasurer {
 
   [[nodiscard]] static bool isFree(const DetorsionTick& tick) noexcept { return !tick.held && !tick.clipped; }
 
-  /// Share of what sound tissue bears.
+  /// Returns the strength relative to healthy tissue.
   [[nodiscard]] static double strengthOf(const DetorsionTick& tick) noexcept {
     return 1.0 - kLostStrength * std::min(tick.dose, 1.0);
   }
@@ -230,7 +230,7 @@ class DetorsionMeasurer {
     set(Quantity::kResidual, residual());
   }
 
-  /// The angle handsOff_s after hand and clip have let go for the last time.
+  /// Returns the angle at handsOff_s after hand and clip let go for the last time.
   [[nodiscard]] Outcome<double> residual() const {
     std::size_t freeSince = ticks_.size();
     while (freeSince > 0 && isFree(ticks_[freeSince - 1])) {
@@ -256,7 +256,7 @@ class DetorsionMeasurer {
 }  // namespace
 
 double leastRegrips(double start_rad) noexcept {
-  constexpr double kRounding = 1e-4;  // 310 degrees, as they are recorded, are two turns of a hand
+  constexpr double kRounding = 1e-4;  // tolerance, so that a recorded 310 degrees is two turns of a hand
   return std::max(0.0, std::ceil(std::abs(start_rad) / kHandTurn_rad - kRounding) - 1.0);
 }
 

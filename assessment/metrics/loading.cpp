@@ -10,7 +10,7 @@ namespace torsio {
 
 namespace {
 
-/// Quantile of type 7 by partial ordering: a sort of millions of samples would take most of the time.
+/// Quantile of type 7 by partial ordering: sorting millions of samples would dominate the time.
 double quantile95(std::span<const double> values) {
   std::vector<double> x(values.begin(), values.end());
   const double position = 0.95 * static_cast<double>(x.size() - 1);

@@ -17,16 +17,16 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr std::size_t kLongestMovement = 65'536;  // samples: one minute at 1 kHz
-constexpr std::size_t kKeptSizes = 17;            // roots of transforms up to 65,536 points stay
+constexpr std::size_t kKeptSizes = 17;            // cached roots for transforms up to 65,536 points
 
-/// Real and imaginary parts, apart from each other.
+/// Real and imaginary parts in separate arrays.
 struct Spectrum {
   std::vector<double> re;
   std::vector<double> im;
 };
 
-/// Roots of unity for each stage of a transform of n points, one stage after the other: the stage that joins
-/// halves of h points begins at h - 1.
+/// Returns roots of unity for each stage of a transform of n points: the stage that joins halves of h points
+/// begins at h - 1.
 Spectrum rootsOf(std::size_t n) {
   Spectrum roots{std::vector<double>(n - 1), std::vector<double>(n - 1)};
   for (std::size_t i = 0; i < n / 2; ++i) {
@@ -43,7 +43,7 @@ Spectrum rootsOf(std::size_t n) {
   return roots;
 }
 
-/// The same from a table that is made once; any thread. `own` holds what is too long to be kept.
+/// Like rootsOf(), from a cached table; any thread. `own` receives roots too long for the cache.
 const Spectrum& keptRootsOf(std::size_t n, Spectrum& own) {
   static std::array<std::once_flag, kKeptSizes> made;
   static std::array<Spectrum, kKeptSizes> kept;
@@ -56,12 +56,12 @@ const Spectrum& keptRootsOf(std::size_t n, Spectrum& own) {
   return kept[power];
 }
 
-/// Transforms a real signal, followed by zeros up to `size` points, a power of two; radix 2. The first
-/// stages only spread each value over its neighbours while these are zeros.
+/// Transforms a real signal, zero-padded to `size` points, a power of two; radix 2. The first stages only
+/// copy each value to its neighbours while these are zeros.
 Spectrum transformed(std::span<const double> signal, std::size_t size) {
   Spectrum x{std::vector<double>(size), std::vector<double>(size)};
   const std::size_t spread = size / std::bit_ceil(signal.size());
-  for (std::size_t i = 0, j = 0; i < signal.size(); ++i) {  // j: the bits of i in reverse
+  for (std::size_t i = 0, j = 0; i < signal.size(); ++i) {  // j: the bits of i reversed
     std::fill_n(x.re.begin() + static_cast<std::ptrdiff_t>(j), spread, signal[i]);
     std::size_t bit = size >> 1;
     for (; (j & bit) != 0; bit >>= 1) {
@@ -95,7 +95,7 @@ double amplitudeOf(const Spectrum& spectrum, std::size_t i) {
 }
 
 double largestAmplitude(const Spectrum& spectrum) {
-  // Square roots only of what may be the largest; of squares that leave the range of numbers, all.
+  // Take square roots only of candidates for the maximum, or of all if the squares overflow or underflow.
   constexpr double kNear = 1.0 - 1e-12;
   std::vector<double> squares(spectrum.re.size());
   double most = 0.0;
@@ -121,7 +121,7 @@ double peakOf(std::span<const double> speed) {
   return peak;
 }
 
-/// Height above the higher of the two valleys that separate the peak from a higher one (or from the end).
+/// Height above the higher of the two valleys between the peak and higher ones (or the ends).
 double prominence(std::span<const double> v, std::size_t peak) {
   double left = v[peak];
   for (std::size_t i = peak; i-- > 0 && v[i] <= v[peak];) {
@@ -244,7 +244,7 @@ std::vector<std::size_t> speedPeaks(std::span<const double> speed, double rate_H
     if (!(speed[i] > speed[i - 1])) {
       continue;
     }
-    std::size_t end = i;  // a flat top counts once, at its middle
+    std::size_t end = i;  // a flat top counts once, at its centre
     while (end + 1 < speed.size() && speed[end + 1] == speed[i]) {
       ++end;
     }

@@ -24,7 +24,7 @@ double warpedFrequency(double cutoff_Hz, double rate_Hz) {
   return std::tan(std::numbers::pi * cutoff_Hz / rate_Hz);
 }
 
-/// One pass, started as if the first value had stood there for ever.
+/// Filters once, as if the first value had been constant before.
 void runSteady(const Biquad& f, std::vector<double>& x) {
   double z1 = (1.0 - f.b0) * x.front();
   double z2 = (f.b2 - f.a2) * x.front();
@@ -100,7 +100,7 @@ std::vector<std::size_t> longGaps(std::span<const std::int64_t> times_us) {
 
 namespace {
 
-/// Points of a uniform grid from the first time stamp to the last.
+/// Returns the number of points of a uniform grid from the first to the last time stamp.
 std::size_t gridPoints(std::span<const std::int64_t> times_us, double step_us) {
   const auto span_us = static_cast<double>(times_us.back() - times_us.front());
   return static_cast<std::size_t>(std::floor(span_us / step_us + 1e-9)) + 1;

@@ -47,8 +47,7 @@ TargetApproach targetApproach(std::span<const double> angle, double target, doub
 
 namespace {
 
-/// Correlation of actual[i + lag] with target[i] over the part that both have, looking at every `stride`-th
-/// sample.
+/// Correlates actual[i + lag] with target[i] over their overlap, using every `stride`-th sample.
 double correlationAt(std::span<const double> actual, std::span<const double> target, std::ptrdiff_t lag,
                      std::size_t stride) {
   const std::ptrdiff_t n = std::ssize(actual) - std::abs(lag);
@@ -98,7 +97,7 @@ LagSearch searchLag(std::span<const double> actual, std::span<const double> targ
 void addLag(std::span<const double> actual, std::span<const double> target, double rate_Hz,
             TrackingError& out) {
   constexpr std::size_t kLongSignal = 20'000;
-  constexpr std::size_t kCoarse = 10;  // 10 ms at 1 kHz: far below what a hand's course changes in
+  constexpr std::size_t kCoarse = 10;  // 10 ms at 1 kHz: much shorter than changes of a hand's course
   const auto reach =
       std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(kLargestLag_s * rate_Hz), std::ssize(actual) / 2);
   LagSearch search{-2.0, 0};

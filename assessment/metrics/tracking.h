@@ -8,16 +8,16 @@
 
 namespace torsio {
 
-/// How a target angle was reached and kept. All angles in one unit, times in seconds from the first sample.
+/// How a target angle was reached and kept. Angles in one unit, times in seconds from the first sample.
 struct TargetApproach {
   double overshoot = 0.0;  ///< beyond the target after first reaching it, at least 0
   int excursions = 0;      ///< times beyond target + tolerance after reaching it
   Outcome<double> timeToTarget =
-      Outcome<double>::undefined(Text::tr("the target was not reached"));  ///< first inside +- tolerance
+      Outcome<double>::undefined(Text::tr("the target was not reached"));  ///< first time within +- tolerance
   Outcome<double> settling =
-      Outcome<double>::undefined(Text::tr("the angle did not settle"));  ///< start of the last stay
+      Outcome<double>::undefined(Text::tr("the angle did not settle"));  ///< start of the final stay
 };
-/// Measures how a target was reached. `target` not zero, `tolerance` > 0 (contract).
+/// Measures how a target was reached. `target` must not be zero, `tolerance` > 0 (contract).
 [[nodiscard]] TargetApproach targetApproach(std::span<const double> angle, double target, double tolerance,
                                             double rate_Hz);
 
@@ -31,13 +31,13 @@ struct TrackingError {
   Outcome<double> rmseWithoutLag = Outcome<double>::undefined(Text::tr("the target does not move"));
 };
 inline constexpr double kLargestLag_s = 0.5;
-/// Compares the actual angle with the target on the same clock. Undefined for empty signals.
+/// Compares the actual angle with the target at the same times. Undefined for empty signals.
 [[nodiscard]] Outcome<TrackingError> trackingError(std::span<const double> actual,
                                                    std::span<const double> target, double rate_Hz);
 
-/// Computes the standard deviation of the angle while it should be held still (divisor n - 1).
+/// Computes the standard deviation of the angle during a hold (divisor n - 1).
 [[nodiscard]] Outcome<double> holdSteadiness(std::span<const double> heldAngle);
-/// Returns the largest rate at which the torque was let go, as a positive number; 0 when it never fell.
+/// Returns the maximum rate at which the torque fell at release, positive; 0 if it never fell.
 [[nodiscard]] Outcome<double> releaseRate(std::span<const double> releasedTorque, double rate_Hz);
 
 }  // namespace torsio

@@ -127,7 +127,7 @@ Prepared prepare(const TrialTrace& trace) {
   return out;
 }
 
-/// The longest stretch of samples whose phase satisfies `test`: [first, last).
+/// Finds the longest range of samples whose phase satisfies `test`: [first, last).
 template <class Test>
 std::pair<std::size_t, std::size_t> longest(const std::vector<TracePhase>& phase, Test test) {
   std::pair<std::size_t, std::size_t> best{0, 0};
@@ -183,8 +183,8 @@ class Measurer {
  private:
   void set(Quantity quantity, Outcome<double> value) { out_.set(quantity, std::move(value)); }
 
-  /// A signal in a stretch of the trial, filtered by itself: a filter over the whole trial would smear the
-  /// release into the end of the hold.
+  /// Filters a part of the trial separately: filtering the whole trial would smear the release into the end
+  /// of the hold.
   [[nodiscard]] static std::vector<double> calm(const std::vector<double>& raw,
                                                 std::pair<std::size_t, std::size_t> stretch,
                                                 double cutoff_Hz) {
@@ -192,7 +192,7 @@ class Measurer {
     return filtered({signal.begin(), signal.end()}, cutoff_Hz);
   }
 
-  /// Of the samples as they came: a limit is held against them, and a filter would take the top off.
+  /// Unfiltered: limits apply to these peaks, and a filter would flatten them.
   void measurePeaks() {
     const auto largest = [this](Quantity quantity, const std::vector<double>& list) {
       double most = 0.0;
@@ -211,8 +211,8 @@ class Measurer {
   void measureTurn() {
     const std::vector<double> angle = calm(s_.angleRaw, held_, kPoseCutoff_Hz);
     std::vector<double> speed = derivative(angle, kRate_Hz);
-    set(Quantity::kLdlj,
-        logDimensionlessJerk(speed, kRate_Hz));  // signed: a kink at each reversal would be our own
+    set(Quantity::kLdlj, logDimensionlessJerk(speed, kRate_Hz));  // signed: the absolute value would have a
+                                                                  // kink at each reversal
     for (double& value : speed) {
       value = std::abs(value);
     }

@@ -14,31 +14,29 @@
 
 namespace torsio {
 
-/// What a sample of a trace belongs to.
+/// Phase of a sample.
 enum class TracePhase : std::uint8_t { kFree, kContact, kTwisting, kHolding, kReleasing };
 
-/// One trial between its task start and task end, one entry a sample. Lists that do not apply stay empty; the
-/// others have the length of `times_us`. Handedness and two-handed measures do not exist: there is one
-/// stylus.
+/// One trial between its task start and end, one entry per sample. Lists that do not apply are empty; the
+/// others have the length of `times_us`. There is one stylus, so no handedness or two-handed measures.
 struct TrialTrace {
   std::vector<std::int64_t> times_us;
   std::vector<TracePhase> phase;
   std::vector<Vec3> tip_m;
-  std::vector<double> angle_rad;  ///< unwrapped twist
-  std::vector<double>
-      targetAngle_rad;                ///< in force at the sample; empty: TrialTargets::target_rad throughout
-  std::vector<double> force_N;        ///< magnitude on the tissue
-  std::vector<double> deviceForce_N;  ///< magnitude that was sent to the device
-  std::vector<double> torque_Nm;      ///< signed
+  std::vector<double> angle_rad;        ///< unwrapped twist
+  std::vector<double> targetAngle_rad;  ///< at each sample; empty: always TrialTargets::target_rad
+  std::vector<double> force_N;          ///< magnitude on the tissue
+  std::vector<double> deviceForce_N;    ///< magnitude sent to the device
+  std::vector<double> torque_Nm;        ///< signed
   std::vector<double> patchShear_Pa;
 };
 
-/// Which error still counts as on target where neither a module nor a pattern says another: two degrees.
+/// Default tolerance, if neither module nor pattern has one: two degrees.
 inline constexpr double kDefaultTolerance_rad = radians(2.0);
 
-/// Parts of the exercise version that the judgement uses.
+/// The exercise's parameters used by the metrics.
 struct TrialTargets {
-  double target_rad = 0.0;  ///< 0: no end angle. Not read when the trace has targets of its own
+  double target_rad = 0.0;  ///< 0: no target angle. Ignored if the trace has its own targets
   double tolerance_rad = kDefaultTolerance_rad;
   std::optional<double> forceLimit_N;
   std::optional<double> torqueLimit_Nm;
@@ -47,16 +45,16 @@ struct TrialTargets {
   Vec3 axis{0.0, 0.0, 1.0};
 };
 
-/// What was measured, or why it could not be.
+/// Measured values, or why they are undefined.
 class MetricValues {
  public:
-  /// Holds the quantities of these scopes, all of them undefined.
+  /// Contains the quantities of these scopes, all undefined.
   explicit MetricValues(std::initializer_list<QuantityScope> scopes);
-  /// The value of a quantity that it holds; another is a bug of Torsio.
+  /// Returns the value of a quantity, which must be included.
   [[nodiscard]] const Outcome<double>& at(Quantity quantity) const;
   void set(Quantity quantity, Outcome<double> value);
   [[nodiscard]] std::optional<double> valueOf(Quantity quantity) const;
-  /// Gives this reason to everything that has no value.
+  /// Sets the reason of all undefined quantities.
   void explainMissing(const Text& reason);
   [[nodiscard]] const std::map<Quantity, Outcome<double>>& all() const noexcept { return values_; }
 
@@ -64,7 +62,7 @@ class MetricValues {
   std::map<Quantity, Outcome<double>> values_;
 };
 
-/// Quantities of kHand and kGrip of a stretch of a recording.
+/// Quantities of kHand and kGrip for a part of a recording.
 struct TrialMetrics : MetricValues {
   TrialMetrics() : MetricValues({QuantityScope::kHand, QuantityScope::kGrip}) {}
 
@@ -73,9 +71,8 @@ struct TrialMetrics : MetricValues {
   double forceCutoff_Hz = 0.0;
 };
 
-/// All metrics of one trial, in the order of preparation: uniform time, filter, derive, measure. Throws
-/// Error{kBadData} when lists differ in length, values are not finite, time stamps do not rise, or a gap
-/// exceeds 20 ms.
+/// Computes all metrics of a trial: resample, filter, derive, measure. Throws Error{kBadData} if lists differ
+/// in length, values are not finite, time stamps do not increase, or a gap exceeds 20 ms.
 [[nodiscard]] TrialMetrics measureTrial(const TrialTrace& trace, const TrialTargets& targets);
 
 }  // namespace torsio

@@ -10,7 +10,7 @@ namespace torsio {
 
 namespace {
 
-/// Removes the items for which `gone` holds and moves the group numbers of the others.
+/// Removes the items for which `gone` is true and renumbers the groups of the others.
 template <typename Item>
 void keepGroups(std::vector<Item>& items, const std::vector<std::optional<std::size_t>>& newNumber) {
   std::vector<Item> kept;

@@ -8,16 +8,15 @@
 
 namespace torsio {
 
-/// Returns the inputs without groups of fewer than kSmallestCell trainees and without rater classes that
-/// small, so that no number of an aggregated report is about a handful of people. `left`: one sentence for
-/// each thing that was left out.
+/// Returns the inputs without groups and rater classes of fewer than kSmallestCell people, so that no number
+/// of an aggregated report concerns only a few people. `left`: one sentence per omission.
 [[nodiscard]] CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<Text>& left);
 
-/// Takes figures and tables about single people out of the report.
+/// Removes figures and tables about single people from the report.
 void removeIndividuals(ReportModel& report);
 
-/// Lists counts ("female 4, male 6"), or words when one of them is below kSmallestCell: with the sum of the
-/// row at hand, hiding only the small one would hide nothing.
+/// Lists counts ("female 4, male 6"), or a text if one of them is below kSmallestCell: hiding only the small
+/// one would be useless, as the row's sum is known.
 [[nodiscard]] Text countsText(const std::vector<std::pair<Text, std::int64_t>>& counts,
                               ReportIdentity identity);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Agreement of the raters: overall, within groups, and with marks missing.
+// Agreement of the raters: overall, within groups, and with missing marks.
 #include <algorithm>
 
 #include "assessment/results/analysis_tables.h"

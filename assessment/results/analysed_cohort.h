@@ -11,22 +11,22 @@
 
 namespace torsio {
 
-/// What may be seen of a cohort, its analysis and all its results: made once for whoever needs both the
-/// results and the report. The analysis takes seconds for 100,000 marks.
+/// Visible data of a cohort, their analysis and all results: computed once for both the results and the
+/// report. The analysis takes seconds for 100,000 marks.
 struct AnalysedCohort {
   CohortInputs shown;
-  std::vector<Text> left;              ///< one sentence for each thing that was left out
-  std::optional<StudyAnalysis> study;  ///< empty without marks
-  Ledger ledger;                       ///< what of the results may be seen
+  std::vector<Text> left;              ///< one sentence per omission
+  std::optional<StudyAnalysis> study;  ///< empty if there are no marks
+  Ledger ledger;                       ///< visible results
 };
 
 [[nodiscard]] AnalysedCohort analysedCohort(const CohortInputs& inputs);
 
-/// Where the results of a run stand, and those of inputs.competence[number].
+/// Return the keys for the results of a run, and of inputs.competence[number].
 [[nodiscard]] ResultKey trialKey(const TrialSummaryRow& trial);
 [[nodiscard]] ResultKey competenceKey(const CohortInputs& inputs, std::size_t number);
 
-/// Makes cohortReport(inputs) from analysedCohort(inputs). Throws as that.
+/// Builds cohortReport(inputs) from analysedCohort(inputs). Throws like the former.
 [[nodiscard]] ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analysed);
 
 }  // namespace torsio

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a board reads in a minute: the question, who took part, the answer with its uncertainty, who reached
-// the standard, what this does not show, and where to sign.
+// A one-minute summary for a board: the question, who took part, the answer with its uncertainty, who reached
+// the standard, limitations, and signatures.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -21,22 +21,21 @@ namespace torsio {
 
 namespace {
 
-constexpr int kPointDecimals = 1;  // what a mean over ten marks in half points deserves
+constexpr int kPointDecimals = 1;  // appropriate for a mean of ten marks in half points
 constexpr double kSignificant = 0.05;
 constexpr std::size_t kSignatures = 3;
 constexpr std::size_t kNamedAtMost = 10;  // people in one cell
-constexpr std::size_t kRoomyGroups = 3;   // with more of them the page is full
-constexpr std::size_t kPairsAtMost = 3;   // that are named though they were not shown to differ
+constexpr std::size_t kRoomyGroups = 3;   // more of them fill the page
+constexpr std::size_t kPairsAtMost = 3;   // not shown to differ, but still named
 
 bool opensDirection(const PrimaryDifference& pair) {
   return pair.interval.lower <= 0.0 && pair.interval.upper >= 0.0;
 }
 
-/// With more decimals where an interval is so narrow that its ends would read the same.
-/// As many decimals as tell the ends of the interval apart.
+/// Returns the decimals needed to distinguish the ends of the interval, more than usual if it is narrow.
 int decimalsOf(const PrimaryDifference& pair) {
   constexpr int kMaxDecimals = 4;
-  constexpr double kSteps = 2.0;  // of the last decimal, between the ends
+  constexpr double kSteps = 2.0;  // in units of the last decimal, between the ends
   int decimals = kPointDecimals;
   while (decimals < kMaxDecimals &&
          pair.interval.upper - pair.interval.lower < kSteps * std::pow(10.0, -decimals)) {
@@ -73,7 +72,7 @@ Text peopleOf(const CohortInputs& in) {
       in.deviations.size());
 }
 
-/// The pairs beside those that differ: nobody is to read that there was nothing else.
+/// Names the pairs that do not differ: readers must not think that there were none.
 Text othersOf(const std::vector<Text>& differing, const std::vector<Text>& others) {
   const Text answer =
       Text::tr("Answer, adjusted for the score before, with the 95 % interval of each pair by itself: %1.",
@@ -88,7 +87,7 @@ Text othersOf(const std::vector<Text>& differing, const std::vector<Text>& other
           : Text::tr("%1 other pairs were not shown to differ: see the figure.", others.size()));
 }
 
-/// The answer to the question, as far as the data give one.
+/// Answers the question as far as the data allow.
 Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
   const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
   if (pairs.empty()) {
@@ -120,7 +119,7 @@ Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
                   : Text::tr("No p value stays below %1 after Holm.", formatFixed(kSignificant, 2)));
 }
 
-/// What the answer rests on where that is not the analysis of covariance of every mark.
+/// States what the answer is based on if that is not the analysis of covariance of every mark.
 std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& study) {
   std::vector<Text> out;
   if (in.freeze && !in.freeze->unchanged) {
@@ -191,7 +190,7 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   FigureSeries series;
   series.name = Text::tr("difference [95 %]");
   for (const PrimaryDifference& pair : pairs) {
-    const int decimals = decimalsOf(pair);  // points, as the axis says: a chart cuts what is long
+    const int decimals = decimalsOf(pair);  // points, like the axis: a chart truncates long labels
     figure.categories.push_back(Text::verbatim(
         "%1: %2 [%3; %4]", pairName(in, pair.first, pair.second), formatFixed(pair.value, decimals),
         formatFixed(pair.interval.lower, decimals), formatFixed(pair.interval.upper, decimals)));
@@ -207,7 +206,7 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   return figure;
 }
 
-/// "2 of 10: T-03, T-07".
+/// Formats "2 of 10: T-03, T-07".
 Text ableOf(const CohortInputs& in, const std::vector<Text>& able, std::int64_t judged) {
   const Text count = Text::tr("%1 of %2", able.size(), judged);
   if (able.empty() || in.identity == ReportIdentity::kAggregated) {
@@ -217,18 +216,18 @@ Text ableOf(const CohortInputs& in, const std::vector<Text>& able, std::int64_t 
                                     : Text::tr("%1: %2", count, listed(able));
 }
 
-/// Per group: scores at the end, and how many have been shown adequate on the simulator.
+/// Returns per group the scores at the end, and how many were shown competent on the simulator.
 ReportTable standardTable(const CohortInputs& in) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-standard", Text::tr("Scores at the end, and who reached the standard"),
                           Text::tr("mean of the trainee scores; LC-CUSUM"));
   table.columns = {Text::tr("Group"), Text::tr("Trainees"), Text::tr("Mean score [lowest; highest]"),
                    Text::tr("Competent on the simulator")};
-  // The verdicts of the section Competence; nobody is judged here.
+  // Verdicts of the section Competence; none are computed here.
   std::map<std::string, bool> ableAtAll;
   double falsePass = 0.0;
   std::map<std::string, double>
-      missed;  // by trainee: one exercise is enough not to be competent at every one
+      missed;  // by trainee: one exercise is enough for not being competent at all of them
   for (const CohortCompetence& one : in.competence) {
     const auto [known, first] = ableAtAll.try_emplace(one.trainee, one.able);
     known->second = known->second && one.able;
@@ -277,7 +276,7 @@ ReportTable standardTable(const CohortInputs& in) {
   return table;
 }
 
-/// `roomy`: with a line above each to write on.
+/// `roomy`: with a line for each signature.
 ReportTable signatureTable(bool roomy) {
   ReportTable table;
   table.id = "table-signatures";

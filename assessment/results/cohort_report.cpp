@@ -184,7 +184,7 @@ ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
   return report;
 }
 
-/// A cell of what is undefined, or not to be seen by itself, leads nowhere.
+/// Removes the keys of cells whose results are undefined or not to be shown.
 void forgetMissingKeys(const Ledger& ledger, ReportModel& report) {
   for (ReportSection& section : report.sections) {
     for (ReportTable& table : section.tables) {
@@ -205,7 +205,7 @@ std::string hashOf(const Ledger& ledger) {
   return digest.hex();
 }
 
-/// What every page is known by: the length of the trail when it was made, and the hash of all its numbers.
+/// Adds the reference printed on every page: length of the audit trail at that time, and hash of all numbers.
 void addReference(const CohortInputs& inputs, std::string numbersHash, ReportModel& report) {
   report.numbersHash = std::move(numbersHash);
   report.auditHead = inputs.auditHead;

@@ -19,77 +19,77 @@ namespace torsio {
 /// How people appear in a report. The numbers are the same; what may leave the centre differs.
 enum class ReportIdentity {
   kCoded,       ///< pseudonyms
-  kNamed,       ///< the caller has put names beside the codes of the trainees; raters stay coded
-  kAggregated,  ///< no line about a single person, no count of fewer than kSmallestCell
+  kNamed,       ///< names added to the trainees' codes by the caller; raters stay coded
+  kAggregated,  ///< no row about a single person, no count below kSmallestCell
 };
 
-/// Fewest people about whom an aggregated report says anything.
+/// Minimum number of people behind any statement of an aggregated report.
 inline constexpr std::int64_t kSmallestCell = 5;
 
-/// A trainee as the report shows one: a code, and a name only where the caller put it there.
+/// A trainee in the report: a code, and a name only if the caller added it.
 struct CohortTrainee {
   std::string code;
   std::size_t group = 0;
   std::string sex;
   std::string level;
-  bool withdrew = false;            ///< takes part no more; what was recorded stays
-  std::int64_t enrolledUtc_us = 0;  ///< 0: not known
+  bool withdrew = false;            ///< no longer takes part; recorded data stay
+  std::int64_t enrolledUtc_us = 0;  ///< 0: unknown
 };
 
-/// A group and what it does.
+/// A group and its protocol.
 struct CohortGroup {
   Text name;      ///< "Group 1"
   Text protocol;  ///< "40 min virtual"
-  /// Of the curriculum's arm; empty: the group follows none.
+  /// From the curriculum's arm; empty if the group follows none.
   std::optional<double> plannedVirtual_min{};
   std::optional<double> plannedReal_min{};
   std::string code{};
-  std::string arm{};  ///< label of the curriculum's arm
+  std::string arm{};  ///< label of the arm in the curriculum
 };
 
-/// How trainees came into their groups.
+/// How trainees were allocated to groups.
 struct CohortAllocation {
   Text method;
   std::string version;
   Text generator;
   std::uint64_t seed = 0;
   std::string commitment;
-  bool replayed = false;                 ///< the sequence was repeated from the seed and found the same
+  bool replayed = false;                 ///< the allocation was replayed from the seed with the same result
   Facts design;                          ///< strata, block sizes ...
-  bool sealed = false;                   ///< the seed has not been revealed yet and is not printed
-  bool replayDiffers = false;            ///< it was repeated, and something was found to differ
-  std::int64_t lockedUtc_us = 0;         ///< when the commitment was made; 0: not known
-  std::int64_t enrolledBeforeLock = 0;   ///< trainees enrolled at that time or before
+  bool sealed = false;                   ///< the seed is not revealed yet, so it is not printed
+  bool replayDiffers = false;            ///< a replay found a difference
+  std::int64_t lockedUtc_us = 0;         ///< time of the commitment; 0: unknown
+  std::int64_t enrolledBeforeLock = 0;   ///< trainees enrolled at or before that time
   std::int64_t allocatedBeforeLock = 0;  ///< trainees allocated before that time
-  std::int64_t movedByHand = 0;          ///< allocations that are not as drawn
+  std::int64_t movedByHand = 0;          ///< allocations overridden
 };
 
-/// The named state of the data that the report is made from.
+/// The frozen data set that the report is made from.
 struct CohortFreeze {
   std::string name;
   std::string contentHash;
   std::int64_t frozenUtc_us = 0;
   std::string frozenBy;
-  bool unchanged = true;  ///< the data of today still have that hash
+  bool unchanged = true;  ///< the current data still have that hash
 };
 
-/// Something that did not go by the protocol.
+/// A deviation from the protocol.
 struct CohortDeviation {
   std::int64_t happenedUtc_us = 0;
-  std::string trainee;  ///< empty: the whole cohort
+  std::string trainee;  ///< empty: whole cohort
   std::string kind;
   std::string description;
   DeviationId id{};
 };
 
-/// How the marks of the training study were given, counted.
+/// Numbers of marks of the training study by the way they were made.
 struct MarkWays {
-  std::int64_t blinded = 0;  ///< on a recording under a case label, by a sheet of the desk
-  std::int64_t live = 0;     ///< by a sheet at the real arm
-  std::int64_t entered = 0;  ///< without any sheet
+  std::int64_t blinded = 0;  ///< on a recording under a case label, with a sheet of the review desk
+  std::int64_t live = 0;     ///< with a sheet at the real arm
+  std::int64_t entered = 0;  ///< without a sheet
 };
 
-/// What a trainee spent training and resting, as it was noted.
+/// A trainee's recorded time for training and rest.
 struct CohortDose {
   std::string trainee;
   double virtual_min = 0.0;
@@ -97,9 +97,9 @@ struct CohortDose {
   double rest_min = 0.0;
 };
 
-/// One twist of a recorded trial, in its order.
+/// One twist of a recorded trial, in order.
 struct TwistAttempt {
-  double error_deg = 0.0;  ///< absolute, of the angle at letting go against the target in force
+  double error_deg = 0.0;  ///< absolute difference between angle at release and target
   bool onTarget = false;
 };
 
@@ -113,45 +113,47 @@ struct TrialSummaryRow {
   double minutes = 0.0;
   std::int64_t samples = 0;
   std::int64_t twists = 0;            ///< completed: assessment/attempt/recorded_twists.h
-  std::int64_t twistsOnTarget = 0;    ///< let go within the tolerance
-  std::int64_t unfinishedTwists = 0;  ///< cut off by the end, a fault or missing samples: not in `twists`
-  std::optional<double> meanAbsoluteError_deg;  ///< of the angle at letting go against the target in force
+  std::int64_t twistsOnTarget = 0;    ///< released within the tolerance
+  std::int64_t unfinishedTwists = 0;  ///< cut off by the end, a fault or missing samples; not included in
+                                      ///< `twists`
+  std::optional<double> meanAbsoluteError_deg;  ///< difference between angle at release and target
   std::optional<double> peakTorque_Nm;
   std::optional<double> peakForce_N;        ///< on the tissue
-  std::optional<double> peakDeviceForce_N;  ///< that the device was told to give
+  std::optional<double> peakDeviceForce_N;  ///< sent to the device
   std::int64_t refusedSamples = 0;
   std::int64_t lateTicks = 0;
-  std::int64_t forceCuts = 0;  ///< pauses of the servo after which there was no force for a moment
+  std::int64_t forceCuts = 0;  ///< pauses of the servo that briefly interrupted the force
   bool interrupted = false;
   std::string contentHash;
   std::vector<TwistAttempt> attempts;
-  /// Metrics of an untwisting by id, those that are defined; empty: an exercise of twisting.
+  /// Defined metrics of an untwisting by id; empty for an exercise with twists.
   std::map<std::string, double> detorsion{};
 };
 
-/// The verdict about one trainee at one exercise, as every other place shows it (app/recording/competence.h).
+/// The verdict on a trainee at an exercise, the same everywhere (app/services/recording/competence.h).
 struct CohortCompetence {
   std::string trainee;
   std::size_t group = 0;
   Text exercise;
   std::int64_t attempts = 0;
   std::int64_t failed = 0;
-  Text level;  ///< in words
+  Text level;  ///< as text
   bool able = false;
-  std::optional<std::int64_t> ableAt{};  ///< number of the attempt that first showed it
-  std::vector<double> sums{};            ///< one an attempt: LC-CUSUM until able, the relapse watch after
+  std::optional<std::int64_t> ableAt{};  ///< first attempt that showed competence
+  std::vector<double> sums{};            ///< one per attempt: LC-CUSUM until competent, then the relapse
+                                         ///< watch
   double limit = 1.0;
   double falsePass = 0.0;
   double falseFail = 0.0;
   double falseAlarm = 0.0;
-  std::int64_t withinAttempts = 0;  ///< to which these rates belong
-  std::int64_t designVersion = 0;   ///< 0: the design shipped with the exercise
-  Text design;                      ///< in words
-  Text errors;                      ///< these rates in words, within the attempts of the design
+  std::int64_t withinAttempts = 0;  ///< number of attempts for these rates
+  std::int64_t designVersion = 0;   ///< 0: shipped with the exercise
+  Text design;                      ///< as text
+  Text errors;                      ///< the rates as text, within the design's attempts
   std::vector<TrialId> runs{};      ///< the attempts, oldest first
 };
 
-/// What a rater said by signing one mark.
+/// A rater's signature of one mark.
 struct CohortSignature {
   std::string signer{};  ///< code, or code and name
   std::string trainee{};
@@ -162,13 +164,13 @@ struct CohortSignature {
   std::int64_t signedUtc_us = 0;
 };
 
-/// What a mark of a criterion means, in words.
+/// Meaning of a mark of a criterion, as text.
 struct ReportedAnchor {
   double points = 0.0;
   std::string meaning{};
 };
 
-/// A line of a scoring sheet as raters saw it.
+/// A row of a scoring sheet as seen by raters.
 struct ReportedCriterion {
   std::string code{};  ///< "proficiency"
   std::string label{};
@@ -178,7 +180,7 @@ struct ReportedCriterion {
   std::vector<ReportedAnchor> anchors{};
 };
 
-/// A revision of a scoring sheet that raters filled in.
+/// A revision of a scoring sheet used by raters.
 struct ReportedSheet {
   std::string name{};
   std::int64_t revision = 1;
@@ -186,19 +188,19 @@ struct ReportedSheet {
   RubricRevisionId id{};
 };
 
-/// What one rater gave for one criterion.
+/// A rater's mark for one criterion.
 struct CriterionMark {
   std::string trainee{};
   std::string rater{};
   std::size_t group = 0;
   std::size_t occasion = 0;
-  std::size_t sheet = 0;           ///< of CohortInputs::sheets
-  std::size_t criterion = 0;       ///< of the sheet
+  std::size_t sheet = 0;           ///< index in CohortInputs::sheets
+  std::size_t criterion = 0;       ///< index in the sheet
   std::optional<double> points{};  ///< empty: not assessable
-  MarkId mark{};                   ///< of which it is a part
+  MarkId mark{};                   ///< the mark that it belongs to
 };
 
-/// Indices of a model that nobody of a class of raters scored.
+/// Indices of a model that no rater of a class has scored.
 struct UnscoredIndices {
   std::string raterClass{};            ///< name
   std::string model{};                 ///< code
@@ -207,31 +209,31 @@ struct UnscoredIndices {
 
 /// An evaluation that cannot be computed yet.
 struct UnfinishedEvaluation {
-  std::int64_t marks = 0;                   ///< so far
-  std::vector<std::string> classesMissing;  ///< names of the weighted classes that have not scored everything
-  std::vector<UnscoredIndices> unscored{};  ///< by these classes, in the order of classes and models
+  std::int64_t marks = 0;                   ///< number so far
+  std::vector<std::string> classesMissing;  ///< names of weighted classes that have not scored everything
+  std::vector<UnscoredIndices> unscored{};  ///< by these classes, in order of classes and models
 };
 
-/// Everything a cohort report is made from.
+/// Input of a cohort report.
 struct CohortInputs {
   Text title = Text::tr("Cohort report");
   std::string centre;
   std::string softwareVersion;
-  std::string programHash;  ///< BLAKE2b-256 of the program file; empty: not known
+  std::string programHash;  ///< BLAKE2b-256 of the program file; empty: unknown
   std::int64_t createdUtc_us = 0;
-  std::int64_t auditEntries = 0;  ///< length of the audit trail then
-  std::string auditHead;          ///< hash of its newest entry; empty: nothing was noted yet
+  std::int64_t auditEntries = 0;  ///< length of the audit trail at that time
+  std::string auditHead;          ///< hash of its latest entry; empty: no entries
   bool demonstration = false;
-  std::vector<Text> simulated;           ///< what of this is simulated and by which rule
-  Facts facts;                           ///< further lines for the cover
-  std::int64_t trainingTimeDivisor = 1;  ///< 60: one simulated minute stands for one hour of training
-  std::int64_t rests = 0;                ///< trainees who took a rest
+  std::vector<Text> simulated;           ///< which data are simulated, and by which rule
+  Facts facts;                           ///< additional lines of the cover
+  std::int64_t trainingTimeDivisor = 1;  ///< 60: one simulated minute represents one hour of training
+  std::int64_t rests = 0;                ///< number of trainees who took a rest
   ReportIdentity identity = ReportIdentity::kCoded;
-  std::optional<CohortFreeze> freeze;  ///< empty: the data as they are now
-  std::int64_t notAllocated = 0;       ///< enrolled, but in no group
-  /// Planned: smaller differences, in points, do not matter; above 0. Empty: none was planned.
+  std::optional<CohortFreeze> freeze;  ///< empty: current data
+  std::int64_t notAllocated = 0;       ///< enrolled but not in a group
+  /// Planned: smaller differences, in points, are irrelevant; above 0. Empty: none planned.
   std::optional<double> equivalenceMargin;
-  /// Whether the record says how the groups were to be compared: the margin is set with the cohort.
+  /// Returns whether the record states how the groups were to be compared: the margin is set with the cohort.
   [[nodiscard]] bool hasAnalysisPlan() const noexcept { return equivalenceMargin.has_value(); }
 
   std::vector<CohortGroup> groups;
@@ -240,43 +242,43 @@ struct CohortInputs {
 
   EvaluationInstrument instrument;
   EvaluationPolicy evaluationPolicy;
-  std::vector<ModelRatings> ratings;         ///< in the order of the models in the report
-  std::vector<ModelEvaluation> evaluations;  ///< same order; none while the evaluation is unfinished
-  std::size_t chiefClass = 2;                ///< the class of Fig. 18
-  std::optional<UnfinishedEvaluation> unfinishedEvaluation;  ///< in place of the two
+  std::vector<ModelRatings> ratings;         ///< in the report's order of models
+  std::vector<ModelEvaluation> evaluations;  ///< same order; empty while the evaluation is unfinished
+  std::size_t chiefClass = 2;                ///< class of Fig. 18
+  std::optional<UnfinishedEvaluation> unfinishedEvaluation;  ///< instead of these two
 
   ScoreScale trainingScale{10, 100, 10};
   std::vector<Text> occasions;  ///< "before", "after 20 min", "after 40 min"
   std::vector<TraineeScore> scores;
   std::vector<GroupSummary> summaries;
   std::size_t trainingRaters = 0;
-  /// The marks behind the scores. When given, the report has a section with agreement and comparisons.
+  /// The marks behind the scores. If given, the report has a section on agreement and comparisons.
   std::vector<TrainingMark> trainingMarks;
-  /// The sheets behind these marks, and what was given for their criteria; empty: entered without a sheet.
+  /// The sheets behind these marks, with marks of the criteria; empty: entered without a sheet.
   std::vector<ReportedSheet> sheets;
   std::vector<CriterionMark> criterionMarks;
-  /// Whether the reader may see single marks; scores, agreement and severity are shown in any case.
+  /// Whether the reader may see single marks; scores, agreement and severity are always shown.
   bool singleMarks = true;
 
   MarkWays markWays;
-  std::int64_t sheetsAsked = 0;            ///< of raters for this cohort, without those withdrawn
-  std::int64_t sheetsPresent = 0;          ///< of them, submitted
-  std::int64_t evaluationRatersAsked = 0;  ///< raters of the campaign; 0: not known
-  std::int64_t modelsHidden = 0;  ///< evaluated models that stood before their raters under a hidden label
+  std::int64_t sheetsAsked = 0;            ///< requested from raters for this cohort, without withdrawn ones
+  std::int64_t sheetsPresent = 0;          ///< of these, submitted
+  std::int64_t evaluationRatersAsked = 0;  ///< raters of the campaign; 0: unknown
+  std::int64_t modelsHidden = 0;           ///< evaluated models shown to their raters under a hidden label
 
-  std::int64_t notAssessable = 0;  ///< marks that a rater could not give, with a reason
+  std::int64_t notAssessable = 0;  ///< answers "not assessable" with a reason
   std::vector<CohortDose> doses;
   std::vector<CohortDeviation> deviations;
   std::vector<CohortSignature> signatures;  ///< of the marks that were signed
-  std::int64_t unsignedMarks = 0;           ///< the others
+  std::int64_t unsignedMarks = 0;           ///< number of the others
 
   std::vector<TrialSummaryRow> trials;
   std::vector<CohortCompetence> competence;
   Facts provenance;  ///< organ hash, parameter hash, database schema ...
 };
 
-/// Makes the cohort report as plain values (paper sections 5.3 and 6: Figs. 15 to 23). Same inputs, same
-/// report. Throws Error{kBadData} when lists that belong together differ in length.
+/// Builds the cohort report as plain values (paper sections 5.3 and 6: Figs. 15 to 23). The same inputs give
+/// the same report. Throws Error{kBadData} if lists that belong together differ in length.
 [[nodiscard]] ReportModel cohortReport(const CohortInputs& inputs);
 
 }  // namespace torsio

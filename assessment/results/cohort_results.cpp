@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fills the ledger of a cohort. The results about raters and groups come from study_results.cpp, those about
-// criteria from criteria_section.cpp.
+// Fills the ledger of a cohort. study_results.cpp adds the results about raters and groups,
+// criteria_section.cpp those about criteria.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -51,7 +51,7 @@ void addMarks(const CohortInputs& in, const ModelRatings& ratings, ResultWriter&
   }
 }
 
-/// How the raters order the models.
+/// Adds the raters' order of the models.
 void addModelOrder(const CohortInputs& in, Ledger& ledger) {
   const std::optional<ModelOrder> order = modelOrder(in);
   if (!order) {
@@ -69,7 +69,7 @@ void addModelOrder(const CohortInputs& in, Ledger& ledger) {
   }
 }
 
-/// What is there while a class of raters has not scored everything.
+/// Adds what is available before a class of raters has scored everything.
 void addUnfinishedEvaluation(const CohortInputs& in, Ledger& ledger) {
   ResultWriter marks(ledger, {.section = kEvaluation}, commonFlags(in), {"unfinished"});
   for (const ModelRatings& ratings : in.ratings) {
@@ -254,7 +254,7 @@ void addDeviations(const CohortInputs& in, Ledger& ledger) {
   }
 }
 
-/// What an aggregated table may hold: summaries over at least kSmallestCell.
+/// Returns whether an aggregated table may contain the row: a summary over at least kSmallestCell.
 bool isAggregate(const Result& result) {
   const ResultKey& key = result.key;
   if (key.section == kScoringSheet || key.section == kRecord) {
@@ -270,7 +270,7 @@ bool isSingleMark(const ResultKey& key) {
   return key.statistic == "mark" || key.statistic == "rater_mark" || key.statistic == "criterion_mark";
 }
 
-/// Lists all results: `in` is what of `inputs` may be seen, `study` its analysis, empty without marks.
+/// Lists all results: `in` is the visible part of `inputs`, `study` its analysis, empty without marks.
 Ledger ledgerOf(const CohortInputs& inputs, const CohortInputs& in,
                 const std::optional<StudyAnalysis>& study) {
   ResultNames names{{}, in.occasions};

@@ -23,8 +23,8 @@ Item competenceItem(const CohortInputs& in, const std::string& id, const Text& t
   return item;
 }
 
-/// Each design in force and its error rates, once for all exercises and numbers of attempts that it is said
-/// of.
+/// Describes each design in use with its error rates, once for all exercises and numbers of attempts it
+/// applies to.
 std::vector<Text> designSentences(const CohortInputs& in) {
   struct Said {
     Text design;
@@ -51,7 +51,7 @@ std::vector<Text> designSentences(const CohortInputs& in) {
   return sentences;
 }
 
-/// Sums as shares of the limit, up to the attempt that showed somebody to be competent.
+/// Shows the sums relative to the limit, up to the attempt that proved competence.
 ReportFigure sumsFigure(const CohortInputs& in) {
   auto figure =
       competenceItem<ReportFigure>(in, "figure-lc-cusum", Text::tr("LC-CUSUM of every trainee and exercise"));

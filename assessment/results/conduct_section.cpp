@@ -39,7 +39,7 @@ ReportSection deviationsSection(const CohortInputs& in) {
   return section;
 }
 
-/// Name, meaning and time beside what was signed: 21 CFR 11.50.
+/// Name, meaning and time with the signed object, as required by 21 CFR 11.50.
 ReportSection signaturesSection(const CohortInputs& in) {
   ReportSection section;
   section.title = Text::tr("Signatures of the marks");
@@ -55,7 +55,7 @@ ReportSection signaturesSection(const CohortInputs& in) {
   for (const CohortSignature& one : in.signatures) {
     table.rows.push_back({one.signer, one.trainee, one.occasion, std::to_string(one.version), one.meaning,
                           formatUtc(one.signedUtc_us),
-                          in.singleMarks ? Text(one.reason) : Text()});  // a reason may tell the mark
+                          in.singleMarks ? Text(one.reason) : Text()});  // a reason may reveal the mark
   }
   table.provenance.n = std::ssize(in.signatures);
   table.provenance.flags = commonFlags(in);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Groups at the end, adjusted for the score before: differences, what they rest on, and residuals.
+// Groups at the end, adjusted for the score before: differences, their assumptions, and residuals.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -43,7 +43,7 @@ Text regionText(const SignificantRegion& region) {
   return region.everywhere ? Text::tr("for every score before") : Text::tr("for no score before");
 }
 
-/// What the test of equal slopes says, and what follows from it.
+/// Describes the test of equal slopes and its consequence.
 Text slopesText(const StudyAnalysis& study) {
   const Outcome<FTest>& test = study.ancova->equalSlopes;
   if (!test) {
@@ -235,7 +235,7 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
 
 namespace {
 
-/// Where points would lie whose residuals are normal, from the lowest to the highest of them.
+/// Returns where points with normal residuals would be, from the lowest to the highest of them.
 FigureSeries normalLine(const std::vector<FigureSeries>& points) {
   FigureSeries line;
   line.name = Text::tr("as normal residuals");

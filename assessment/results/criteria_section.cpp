@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands behind the overall marks: the scoring sheets as raters saw them, and what was given for each
-// criterion.
+// Details of the overall marks: the scoring sheets as seen by raters, and the marks of each criterion.
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -21,14 +20,14 @@ namespace torsio {
 namespace {
 
 constexpr const char* kCriterionMark = "criterion_mark";
-constexpr int kMeanDecimals = 1;  // as the scores of the first page
+constexpr int kMeanDecimals = 1;  // like the scores of the first page
 
 struct Mean {
   double sum = 0.0;
   std::int64_t n = 0;
 };
 
-/// Of one trainee at one occasion on one sheet, a mean a criterion over the raters.
+/// A trainee's means over the raters at one occasion on one sheet, one per criterion.
 struct TraineeCriteria {
   std::size_t sheet = 0;
   std::size_t occasion = 0;
@@ -44,12 +43,12 @@ std::optional<double> valueOf(const Mean& mean, std::int64_t fewest) {
   return mean.sum / static_cast<double>(mean.n);
 }
 
-/// Fewest marks, or trainees, that a mean may have for this reader.
+/// Returns the minimum number of marks, or trainees, per mean for this reader.
 std::int64_t fewestFor(const CohortInputs& in) {
   return in.singleMarks ? 1 : kMinMarks;
 }
 
-/// By sheet, occasion, group, trainee.
+/// Sorted by sheet, occasion, group, trainee.
 std::vector<TraineeCriteria> traineeCriteria(const CohortInputs& in) {
   std::map<std::tuple<std::size_t, std::size_t, std::size_t, std::string>, std::vector<Mean>> found;
   for (const CriterionMark& mark : in.criterionMarks) {
@@ -68,7 +67,7 @@ std::vector<TraineeCriteria> traineeCriteria(const CohortInputs& in) {
   return all;
 }
 
-/// The trainee means of each group at each occasion on each sheet, summed.
+/// Sums the trainees' means for each group, occasion and sheet.
 std::vector<TraineeCriteria> groupCriteria(const CohortInputs& in,
                                            const std::vector<TraineeCriteria>& trainees) {
   std::vector<TraineeCriteria> all;
@@ -91,7 +90,7 @@ Text titleOf(const ReportedSheet& sheet) {
   return Text::tr("%1, revision %2", sheet.name, sheet.revision);
 }
 
-/// Of the model "Twist training, revision 1: proficiency".
+/// Returns the key for the model "Twist training, revision 1: proficiency".
 ResultKey criterionKey(const CohortInputs& in, std::size_t number, std::size_t criterion) {
   const ReportedSheet& sheet = in.sheets[number];
   return {.section = ResultSection::kCriterion,
@@ -100,7 +99,7 @@ ResultKey criterionKey(const CohortInputs& in, std::size_t number, std::size_t c
           .record = std::to_string(number)};
 }
 
-/// The mean of a group or trainee for a criterion.
+/// Returns the key for the mean of a group or trainee for a criterion.
 ResultKey meanKey(const CohortInputs& in, const TraineeCriteria& one, std::size_t criterion) {
   ResultKey key = criterionKey(in, one.sheet, criterion);
   key.statistic = "criterion_mean";
@@ -110,7 +109,7 @@ ResultKey meanKey(const CohortInputs& in, const TraineeCriteria& one, std::size_
   return key;
 }
 
-/// "1: hesitates; 10: sure".
+/// Formats "1: hesitates; 10: sure".
 Text anchorsOf(const ReportedCriterion& criterion) {
   std::vector<Text> anchors;
   for (const ReportedAnchor& anchor : criterion.anchors) {
@@ -142,7 +141,7 @@ std::vector<Text> columnsOf(const ReportedSheet& sheet, std::vector<Text> first)
   return first;
 }
 
-/// Adds the means of a group or trainee to the last row of a table.
+/// Adds the means of a group or trainee to a table's last row.
 void addMeans(const CohortInputs& in, const TraineeCriteria& one, ReportTable& table) {
   for (std::size_t c = 0; c < one.criteria.size(); ++c) {
     const std::optional<double> value = valueOf(one.criteria[c], fewestFor(in));

@@ -15,12 +15,12 @@ namespace torsio {
 
 namespace {
 
-/// The untwistings of one group in one phase.
+/// Untwistings of one group in one phase.
 struct Untwistings {
   Text phase;
   std::int64_t trials = 0;
   std::int64_t bloodBack = 0;
-  std::map<std::string, std::vector<double>> values;  // by metric id, of the trials in which it is defined
+  std::map<std::string, std::vector<double>> values;  // by metric id, for trials in which it is defined
 
   void add(const TrialSummaryRow& trial) {
     phase = trial.phase;
@@ -35,7 +35,7 @@ struct Untwistings {
       values["beyond the least"].push_back(regrips->second - least->second);
     }
   }
-  /// In how many trials the answer to a question was yes, of those that gave one.
+  /// Formats in how many trials a yes/no metric was yes, of those that have it.
   [[nodiscard]] Text yes(const std::string& id) const {
     const auto found = values.find(id);
     if (found == values.end()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether groups are equal within the margin of the plan.
+// Whether groups are equal within the planned margin.
 #include "assessment/results/analysis_tables.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"

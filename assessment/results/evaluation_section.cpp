@@ -12,7 +12,7 @@ namespace torsio {
 
 namespace {
 
-constexpr int kScoreDecimals = 4;  // Eq. 25 of 20/10/10 raters ends within four decimals
+constexpr int kScoreDecimals = 4;  // Eq. 25 for 20/10/10 raters has at most four decimals
 constexpr int kReadableDecimals = 2;
 
 std::vector<Text> indexNames(const CohortInputs& in) {
@@ -35,7 +35,7 @@ std::vector<Text> mergedFlags(const CohortInputs& in) {
   return flags;
 }
 
-/// Marks that a model lacks; each rater was to score every model.
+/// Counts a model's missing marks; each rater should score every model.
 std::int64_t missingOf(const CohortInputs& in, const ModelRatings& model) {
   return std::ssize(evaluationRaters(in)) * std::ssize(in.instrument.indices) - givenMarks(model);
 }
@@ -196,7 +196,7 @@ ReportFigure boxesFigure(const CohortInputs& in) {
   return out;
 }
 
-/// Where the classes of raters disagree: class means of every index, one row a model and class.
+/// Shows where the classes of raters disagree: class means of every index, one row per model and class.
 ReportFigure classesFigure(const CohortInputs& in) {
   ReportFigure out = figure(in, "figure-classes", Text::tr("Mean score by class of raters"),
                             FigureKind::kHeatMap, Text::tr("class means of Eq. 25"));

@@ -10,7 +10,7 @@ namespace torsio {
 
 namespace {
 
-/// Writes one figure's values.
+/// Writes the values of one figure.
 class Twin {
  public:
   Twin(const ReportFigure& figure, int decimals) : figure_(figure), decimals_(decimals) {
@@ -53,10 +53,9 @@ class Twin {
   }
 
  private:
-  /// Takes the zeros from the ends of a column's numbers that all of them have: marks stay "8.5", means
-  /// "8.73".
+  /// Removes trailing zeros that all numbers of a column have: marks are "8.5", means "8.73".
   void dropIdleZeros(std::size_t column) {
-    std::size_t idle = static_cast<std::size_t>(decimals_) + 1;  // with the point
+    std::size_t idle = static_cast<std::size_t>(decimals_) + 1;  // including the point
     for (const std::vector<ReportCell>& row : table_.rows) {
       const std::string cell = row[column].str();
       if (cell.empty()) {
@@ -81,7 +80,7 @@ class Twin {
     return figure_.xLabel.empty() ? Text::tr("Category") : figure_.xLabel;
   }
 
-  /// One row a category; a series with intervals takes three columns.
+  /// Writes one row per category; a series with intervals needs three columns.
   void byCategory() {
     table_.columns = {heading()};
     for (const FigureSeries& series : figure_.series) {
@@ -110,7 +109,7 @@ class Twin {
     }
   }
 
-  /// One row a category, the value of each series at it.
+  /// Writes one row per category with the value of each series.
   void points() {
     table_.columns = {heading()};
     for (const FigureSeries& series : figure_.series) {
@@ -156,7 +155,7 @@ class Twin {
     table_.columns = {Text::tr("Series"), heading(), figure_.yLabel};
     for (const FigureSeries& series : figure_.series) {
       if (series.faint && figure_.kind == FigureKind::kScatter) {
-        continue;  // a line to hold the points against has no values of its own
+        continue;  // a reference line has no values of its own
       }
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (!series.y[i]) {

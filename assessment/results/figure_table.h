@@ -5,12 +5,11 @@
 
 namespace torsio {
 
-/// Value of `decimals` for the shortest text that reads back as the same number.
+/// `decimals` for the shortest text that reads back as the same number.
 inline constexpr int kExactDecimals = -1;
 
-/// Returns the numbers behind a figure as a table: every value that is drawn, and nothing else. A value
-/// that does not exist is an empty cell. `decimals`: at most so many, as few as all numbers of a column do
-/// with; or kExactDecimals.
+/// Returns the numbers of a figure as a table: exactly the values drawn. Missing values are empty cells.
+/// `decimals`: maximum; each column uses as few as its numbers need; or kExactDecimals.
 [[nodiscard]] ReportTable figureTable(const ReportFigure& figure, int decimals = kExactDecimals);
 
 }  // namespace torsio

@@ -18,7 +18,7 @@ namespace torsio {
 
 namespace {
 
-/// What such a recording can be measured by.
+/// A metric that applies to foreign recordings.
 struct ForeignMetric {
   const char* id;
   Phrase column;

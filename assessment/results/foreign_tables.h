@@ -8,8 +8,8 @@
 
 namespace torsio {
 
-/// Tables about recordings of other equipment: medians by group and phase, and the course of each trainee
-/// from recording to recording. Empty: there are none.
+/// Returns tables on recordings of other equipment: medians by group and phase, and each trainee's course
+/// over the recordings. Empty if there are none.
 [[nodiscard]] std::vector<ReportTable> foreignTables(const CohortInputs& in);
 
 }  // namespace torsio

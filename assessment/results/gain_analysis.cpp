@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the groups gained, by ranks of whole numbers and by the median.
+// Gains of the groups, by ranks of whole numbers and by the median.
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -15,8 +15,8 @@ namespace torsio {
 
 namespace {
 
-/// The median with its interval by resampling trainees. Of a resample it is read off how often each of the
-/// sorted gains was drawn, which is what sorting it would give.
+/// Returns the median with its interval by resampling trainees. For a resample, counts how often each of the
+/// sorted gains was drawn instead of sorting.
 Outcome<Bootstrap> medianGain(const std::vector<double>& before, const std::vector<double>& after) {
   std::vector<double> gains;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -57,7 +57,7 @@ Outcome<Bootstrap> medianGain(const std::vector<double>& before, const std::vect
 
 void addGains(const CohortInputs& in, StudyAnalysis& study) {
   GainAnalysis out;
-  std::vector<std::future<Outcome<Bootstrap>>> medians;  // a core each, as far as there are
+  std::vector<std::future<Outcome<Bootstrap>>> medians;  // in parallel, as far as there are cores
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const auto exact = exactGains(in.scores, 0, in.occasions.size() - 1, g);
     if (!exact) {

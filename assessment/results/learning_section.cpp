@@ -15,7 +15,7 @@ namespace torsio {
 
 namespace {
 
-/// All twists of one trainee in the order in which they were recorded.
+/// All twists of a trainee in the order of recording.
 struct Course {
   std::string trainee;
   std::size_t group = 0;
@@ -49,7 +49,7 @@ std::size_t longest(const std::vector<Course>& all) {
   return most;
 }
 
-/// Mean error of a group at its n-th twist with a 95 % interval over the trainees who made it.
+/// Shows a group's mean error at its n-th twist with a 95 % interval over the trainees who made it.
 ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& all) {
   ReportFigure figure = itemOf<ReportFigure>(
       in, "figure-learning", Text::tr("Angle error by twist, mean of the trainees with 95 % interval"),
@@ -146,7 +146,7 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
   return table;
 }
 
-/// Sums over the trainees of one group.
+/// Totals over the trainees of one group.
 struct GroupTimes {
   std::int64_t trainees = 0;
   CohortDose noted;
@@ -173,7 +173,7 @@ GroupTimes timesOf(const CohortInputs& in, std::size_t group) {
     sum.rested += dose.rest_min > 0.0 ? 1 : 0;
   }
   for (const TrialSummaryRow& trial : in.trials) {
-    // An untwisting belongs to no phase of the study's arms.
+    // An untwisting does not belong to a phase of the study's arms.
     sum.recorded_min += members.contains(trial.trainee) && trial.detorsion.empty() ? trial.minutes : 0.0;
   }
   return sum;

@@ -33,23 +33,23 @@ enum class ResultSection : std::uint8_t {
   kRecord,
 };
 
-/// "evaluation", "training" ...: the first column of cohort.csv.
+/// Returns "evaluation", "training" ..., the first column of cohort.csv.
 [[nodiscard]] std::string_view sectionName(ResultSection section) noexcept;
 
-/// Names one result of a cohort. Fields that do not apply are empty.
+/// Identifies one result of a cohort. Fields that do not apply are empty.
 struct ResultKey {
   ResultSection section = ResultSection::kTraining;
   std::string statistic{};  ///< "score", "icc_2_1"
-  std::string of{};         ///< trainee, rater, scoring sheet; empty: all of them
+  std::string of{};         ///< trainee, rater, scoring sheet; empty: all
   std::optional<std::size_t> group{};
-  std::optional<std::size_t> against{};  ///< second group of a comparison of two
+  std::optional<std::size_t> against{};  ///< second group of a pairwise comparison
   std::string raterClass{};              ///< id
-  std::string model{};      ///< of tissue; scoring sheet, revision and code of a criterion; program version
+  std::string model{};      ///< tissue model; scoring sheet with revision and criterion code; program version
   std::string index{};      ///< of the instrument; rater of a mark; revision of a scoring sheet; exercise
   std::int64_t number = 0;  ///< of a twist, from 1
   std::optional<std::size_t> occasion{};
   std::string when{};    ///< phase of a run, time of a deviation
-  std::string record{};  ///< tells apart what has the same names: recording, deviation, exercise, sheet
+  std::string record{};  ///< distinguishes equal names: recording, deviation, exercise, sheet
 
   friend auto operator<=>(const ResultKey&, const ResultKey&) = default;
 };
@@ -59,10 +59,10 @@ struct ResultKeyHash {
   std::size_t operator()(const ResultKey& key) const noexcept;
 };
 
-/// In a pattern, `of` with this value matches every single person or thing, but no summary.
+/// As `of` in a pattern, matches every single person or thing, but no summary.
 inline constexpr const char* kEach = "*";
 
-/// Matches the keys that agree in section, statistic and `of`, and in every other field that is not empty.
+/// Matches keys with equal section, statistic and `of`, and equal values of its other non-empty fields.
 using ResultPattern = ResultKey;
 [[nodiscard]] bool matches(const ResultPattern& pattern, const ResultKey& key) noexcept;
 
@@ -73,34 +73,34 @@ enum class RecordKind : std::uint8_t {
   kRubricRevision,
   kCompetenceDesign,  ///< number of its version; 0: shipped with the exercise
   kDeviation,
-  kEnrolments,     ///< of the cohort: who was to be marked
-  kSheetRequests,  ///< of the cohort: the sheets that raters were asked for
-  kCampaign,       ///< the evaluation of models: who was asked for it
-  kCohortPlan,     ///< what was planned with the cohort
+  kEnrolments,     ///< of the cohort: who should be marked
+  kSheetRequests,  ///< of the cohort: the sheets requested from raters
+  kCampaign,       ///< the evaluation of models: who was assigned
+  kCohortPlan,     ///< plan of the cohort
   kAuditTrail,
   kProgram,
 };
 
-/// A row of the record, or what of it has no rows of its own.
+/// A row of the record, or data that have no rows of their own.
 struct RecordRef {
   RecordKind kind = RecordKind::kMark;
   std::string id{};
   friend bool operator==(const RecordRef&, const RecordRef&) = default;
 };
 
-/// What a result is made of. Results of one analysis share it.
+/// What a result was calculated from; shared by the results of one analysis.
 using ResultPart = std::variant<ResultPattern, RecordRef>;
 using ResultParts = std::shared_ptr<const std::vector<ResultPart>>;
 [[nodiscard]] ResultParts partsOf(std::vector<ResultPart> parts);
 
-/// No value. `reason`: a clause without full stop; empty: not said.
+/// No value. `reason`: a clause without full stop; may be empty.
 struct Undefined {
   Text reason{};
 };
 
 using ResultValue = std::variant<Undefined, double, std::int64_t, bool, Text>;
 
-/// One number, word or hash of a cohort with everything that says what it is.
+/// A number, word or hash of a cohort with its full description.
 struct Result {
   ResultKey key;
   ResultValue value;
@@ -109,36 +109,36 @@ struct Result {
   ResultParts madeOf;  ///< never empty
 };
 
-/// Returns a value as a number; empty: it is none.
+/// Returns a value as a number; empty if it is not one.
 [[nodiscard]] std::optional<double> numberIn(const ResultValue& value) noexcept;
 
-/// What groups and occasions are called, by their numbers in a key.
+/// Names of groups and occasions, by their indices in keys.
 struct ResultNames {
   std::vector<Text> groups{};
   std::vector<Text> occasions{};
 };
 
-/// Returns a key as it stands in cohort.csv: section, item, group, model, index, occasion, statistic.
+/// Returns the cells of a key in cohort.csv: section, item, group, model, index, occasion, statistic.
 [[nodiscard]] std::array<std::string, 7> keyCells(const ResultKey& key, const ResultNames& names);
-/// Returns these cells as one line of CSV.
+/// Returns these cells as one CSV line.
 [[nodiscard]] std::string keyAddress(const ResultKey& key, const ResultNames& names);
 
-/// All results of a cohort, each once, in the order in which they were added.
+/// All results of a cohort, unique, in the order of adding.
 class Ledger {
  public:
   Ledger() = default;
   explicit Ledger(ResultNames names) : names_(std::move(names)) {}
 
-  /// Adds a result. Throws ContractError when its key is there already or it is made of nothing.
+  /// Adds a result. Throws ContractError for a duplicate key, or a result calculated from nothing.
   void add(Result result);
-  /// Returns the result of a key; null: there is none.
+  /// Returns the result of a key; null if there is none.
   [[nodiscard]] const Result* find(const ResultKey& key) const;
-  /// Returns the results that match, in their order.
+  /// Returns the matching results in order.
   [[nodiscard]] std::vector<const Result*> select(const ResultPattern& pattern) const;
   [[nodiscard]] const std::deque<Result>& every() const noexcept { return results_; }
   [[nodiscard]] const ResultNames& names() const noexcept { return names_; }
 
-  /// Returns a ledger of the results for which `shown` holds.
+  /// Returns a ledger of the results for which `shown` is true.
   [[nodiscard]] Ledger filtered(const std::function<bool(const Result&)>& shown) const;
 
  private:

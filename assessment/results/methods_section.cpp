@@ -26,7 +26,7 @@ Text policyText(MissingPolicy policy) {
   return {};
 }
 
-/// Names of the rater classes that count nothing in M.
+/// Returns the names of rater classes with no weight in M.
 std::vector<Text> classesOfNoWeight(const CohortInputs& in) {
   std::vector<Text> names;
   for (const RaterClass& one : in.instrument.classes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What missing marks do to the comparison of groups: who is left out, the mixed model, and bounds.
+// Effect of missing marks on the comparison of groups: who is excluded, the mixed model, and bounds.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -16,7 +16,7 @@ namespace torsio {
 
 namespace {
 
-/// Codes, or in a report without single people how many they are.
+/// Returns codes, or in a report without single people their number.
 Text whoText(const CohortInputs& in, const std::vector<Text>& codes) {
   return in.identity == ReportIdentity::kAggregated ? Text::tr("%1 trainees", codes.size()) : listed(codes);
 }
@@ -31,8 +31,8 @@ std::vector<Text> leftOutCodes(const StudyAnalysis& study) {
   return codes;
 }
 
-/// Raters who are missing as a whole at one of the two occasions: no trainee lacks a mark that others have,
-/// but the two scores are not of the same raters.
+/// Finds raters without any marks at one of the two occasions: no trainee lacks a mark that others have, but
+/// the two scores are by different raters.
 std::vector<Text> otherRaters(const CohortInputs& in, const StudyAnalysis& study) {
   std::vector<Text> out;
   const OccasionMarks& first = study.occasions.front();
@@ -58,7 +58,7 @@ std::vector<Text> otherRaters(const CohortInputs& in, const StudyAnalysis& study
   return out;
 }
 
-/// What is in the record of how the groups were to be compared.
+/// Describes what the record states about the planned comparison of groups.
 Text planText(const CohortInputs& in) {
   return in.hasAnalysisPlan()
              ? Text::tr("Planned: the analysis of covariance of the score at the end on the score before.")
@@ -78,7 +78,7 @@ std::vector<Text> groupsNotCompared(const CohortInputs& in, const StudyAnalysis&
 }
 
 std::vector<Text> raterGroupSentences(const CohortInputs& in, const StudyAnalysis& study) {
-  std::map<std::string, std::set<std::size_t>> groupsOf;  // of the last occasion, by rater
+  std::map<std::string, std::set<std::size_t>> groupsOf;  // at the last occasion, by rater
   std::set<std::size_t> marked;
   for (const TrainingMark& mark : in.trainingMarks) {
     if (mark.occasion + 1 == in.occasions.size()) {

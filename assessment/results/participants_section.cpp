@@ -14,7 +14,7 @@ namespace torsio {
 
 namespace {
 
-/// The mean of a group before the training; `all`: as it stands in the record.
+/// Returns a group's mean before the training; `all`: including what is not shown.
 Text meanBefore(const CohortInputs& in, const CohortInputs& all, std::size_t group) {
   const auto ofGroup = [&](const GroupSummary& summary) {
     return summary.group == group && summary.occasion == 0;
@@ -74,7 +74,7 @@ ReportTable groupsTable(const CohortInputs& in, const CohortInputs& all) {
   return table;
 }
 
-/// Who was scored is counted from all that is in the record, shown or not.
+/// Counts who was scored over the whole record, whether shown or not.
 ReportTable flowTable(const CohortInputs& in, const CohortInputs& all) {
   ReportTable table;
   table.id = "table-flow";

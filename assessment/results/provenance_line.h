@@ -5,8 +5,8 @@
 
 namespace torsio {
 
-/// Returns the line that is printed beneath a figure or table: "Eq. 26 (evaluation-1); n = 360; missing =
-/// 0; few raters". Empty when there is nothing to say.
+/// Returns the line printed below a figure or table: "Eq. 26 (evaluation-1); n = 360; missing = 0; few
+/// raters". May be empty.
 [[nodiscard]] Text provenanceLine(const Provenance& from);
 
 }  // namespace torsio

@@ -80,7 +80,7 @@ ReportTable versionsTable(const CohortInputs& in) {
   return table;
 }
 
-/// Which marks or recordings stand behind which parts of the report.
+/// Lists the marks and recordings behind the parts of the report.
 ReportTable sourcesTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-sources";
@@ -126,7 +126,7 @@ ReportTable sourcesTable(const CohortInputs& in) {
   return table;
 }
 
-/// Back from a trainee's score to the marks and recordings of that trainee.
+/// Lists the marks and recordings behind each trainee's score.
 ReportTable chainTable(const CohortInputs& in) {
   struct Chain {
     std::int64_t marks = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the marks say of the raters: agreement in whole points, how many are needed, severity on one scale.
+// Properties of the raters derived from the marks: agreement in whole points, number needed, severity on one
+// scale.
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -39,7 +40,7 @@ PointAgreement agreementInPoints(const OccasionMarks& at) {
   return out;
 }
 
-/// The fewest raters whose mean is dependable enough; empty: more than kMaxRaters.
+/// Returns the minimum number of raters with a sufficiently dependable mean; empty if more than kMaxRaters.
 std::optional<std::size_t> fewestRaters(const GStudy& found) {
   for (std::size_t raters = 1; raters <= kMaxRaters; ++raters) {
     const Outcome<DStudy> study = dStudyPR(found, static_cast<double>(raters));
@@ -65,7 +66,7 @@ RatersNeeded ratersNeeded(const OccasionMarks& last) {
   return out;
 }
 
-/// Takes the marks that occur, in their order, for categories without gaps.
+/// Uses the marks that occur, in order, as categories without gaps.
 Outcome<RaschResult> onOneScale(const OccasionMarks& last) {
   std::set<double> used;
   for (const auto& row : last.marks) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRaterDecimals = 3;
 
-/// As itemOf(): what stands in it belongs to single persons.
+/// Like itemOf(), for content about single people.
 template <typename Item>
 Item individualItem(const CohortInputs& in, const std::string& id, const Text& title, const Text& formula) {
   Item item = itemOf<Item>(in, id, title, formula);
@@ -21,7 +21,7 @@ Item individualItem(const CohortInputs& in, const std::string& id, const Text& t
   return item;
 }
 
-/// Mean over the occasions of what each rater gave each trainee.
+/// Shows each rater's mean mark of each trainee over the occasions.
 ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
   ReportFigure figure =
       individualItem<ReportFigure>(in, "figure-marks", Text::tr("Marks by trainee and rater, last occasion"),
@@ -85,7 +85,7 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
   return figure;
 }
 
-/// Every mark of the last occasion against the mean of the other raters.
+/// Shows every mark of the last occasion against the mean of the other raters.
 std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
   ReportFigure figure = individualItem<ReportFigure>(
       in, "figure-bland-altman", Text::tr("Each mark against the other raters, last occasion"),
@@ -112,8 +112,8 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
   if (!variances || variances->usualRaters < 2) {
     return std::nullopt;
   }
-  // A trainee has several of these differences, so that they are not independent: the limits come from the
-  // variances of raters and rest, for one more rater against the mean of the usual number of others.
+  // A trainee has several of these differences, so they are not independent: the limits are calculated from
+  // the variances of raters and residual, for one more rater against the mean of the usual number of others.
   const double others = static_cast<double>(variances->usualRaters) - 1.0;
   const double reach = kAgreementLimit * std::sqrt((variances->varianceRaters + variances->varianceResidual) *
                                                    (1.0 + 1.0 / others));

@@ -75,7 +75,7 @@ std::vector<Text> blindingSentences(const CohortInputs& in) {
 
 namespace {
 
-/// Trainees of each group with a score at the end; without any score those who were allocated.
+/// Returns the trainees per group with a score at the end; without any scores, those allocated.
 std::vector<std::size_t> groupSizes(const CohortInputs& in) {
   std::vector<std::set<std::string>> members(in.groups.size());
   for (const TraineeScore& score : in.scores) {
@@ -95,7 +95,7 @@ std::vector<std::size_t> groupSizes(const CohortInputs& in) {
   return sizes;
 }
 
-/// The smallest group with a spread, where there are two of them.
+/// Returns the size of the smallest group of at least two, if there are two such groups.
 std::optional<std::size_t> smallestCompared(const std::vector<std::size_t>& sizes) {
   std::vector<std::size_t> compared;
   for (const std::size_t size : sizes) {

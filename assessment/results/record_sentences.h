@@ -5,23 +5,23 @@
 
 #include "assessment/results/cohort_report.h"
 
-// Sentences of the report that claim something about the study: each is computed from the record.
+// Statements of the report about the study, computed from the record.
 namespace torsio {
 
-/// Whether raters were blinded: from how each mark was given.
+/// States whether raters were blinded, from how each mark was made.
 [[nodiscard]] std::vector<Text> blindingSentences(const CohortInputs& inputs);
-/// What groups of the size at hand can detect. Empty with fewer than two groups.
+/// States what groups of this size can detect. Empty with fewer than two groups.
 [[nodiscard]] Text powerSentence(const CohortInputs& inputs);
-/// What groups of the size at hand can detect, as a clause for the first page, with its full stop.
+/// States what groups of this size can detect, as a clause with full stop for the first page.
 [[nodiscard]] Text detectableSentence(const CohortInputs& inputs);
-/// When the seed was committed to, against enrolment and allocation.
+/// States when the seed was committed, relative to enrolment and allocation.
 [[nodiscard]] Text commitmentSentence(const CohortAllocation& allocation);
-/// Whether the draw was repeated from its seed, and with what result.
+/// States whether the allocation was replayed from its seed, and the result.
 [[nodiscard]] Text replaySentence(const CohortAllocation& allocation);
-/// How many of the marks that could be there are there.
+/// States how many of the possible marks exist.
 [[nodiscard]] Text marksSentence(const CohortInputs& inputs);
 
-/// Whether every trainee has a mark of every rater at every occasion.
+/// Returns whether every trainee has a mark by every rater at every occasion.
 [[nodiscard]] bool allMarksGiven(const CohortInputs& inputs);
 
 }  // namespace torsio

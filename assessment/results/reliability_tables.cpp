@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What more raters would give, how strict each one is on one scale, and what each group gained by itself.
+// Effect of more raters, severity on one scale, and gains within groups.
 #include <algorithm>
 #include <cmath>
 
@@ -98,7 +98,7 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
   return table;
 }
 
-/// p of the signed ranks; of random changes of sign with how far it may be off.
+/// Formats p of the signed-rank test; for random sign changes, with its standard error.
 Text signedRankP(const SignedRank& ranks) {
   return ranks.exact ? Text(formatP(ranks.pTwoSided))
                      : Text::tr("%1, random changes of sign, standard error %2", formatP(ranks.pTwoSided),

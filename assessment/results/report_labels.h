@@ -11,10 +11,10 @@
 #include "assessment/statistics/values.h"
 #include "sim/core/text.h"
 
-// What several sections of the report say alike.
+// Texts shared by several sections of the report.
 namespace torsio {
 
-/// Makes the cells of a table that show results of one place.
+/// Builds the cells of a table that show results with a common key.
 class CellsAt {
  public:
   explicit CellsAt(ResultKey place) : place_(std::move(place)) {}
@@ -27,7 +27,7 @@ class CellsAt {
  private:
   ResultKey place_;
 };
-/// Where the comparison of two groups stands.
+/// Returns the key of the comparison of two groups.
 [[nodiscard]] inline CellsAt cellsOfPair(const CohortInputs& inputs, std::size_t first, std::size_t second) {
   return CellsAt({.section = ResultSection::kComparison,
                   .group = first,
@@ -35,13 +35,12 @@ class CellsAt {
                   .occasion = inputs.occasions.size() - 1});
 }
 
-/// Formats a value with its interval, "1.234 [1.000, 1.500]", three decimals; the value alone without an
-/// interval.
+/// Formats a value with its interval, "1.234 [1.000, 1.500]", three decimals; without an interval, the value
+/// alone.
 [[nodiscard]] std::string withInterval(double value, const std::optional<Interval>& interval);
 /// Formats an interval alone, "[1.000, 1.500]", three decimals.
 [[nodiscard]] std::string intervalText(const Interval& interval);
-/// Says why a statistic is missing: "not defined: every rating is the same". `reason` is that of an
-/// Outcome.
+/// Describes why a statistic is missing: "not defined: every rating is the same". `reason`: from an Outcome.
 [[nodiscard]] Text notDefined(const Text& reason);
 /// Formats a p value with its letter: "p < 0.001", "p = 0.032".
 [[nodiscard]] std::string equalsP(double p);

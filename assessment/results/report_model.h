@@ -14,50 +14,50 @@
 
 namespace torsio {
 
-/// Lines of a label and its value.
+/// Lines of labels and values.
 using Facts = std::vector<std::pair<Text, Text>>;
 
-/// Where a table or figure comes from; printed beneath it.
+/// Source of a table or figure, printed below it.
 struct Provenance {
   Text formula;  ///< "Eq. 26" ...
   std::string formulaVersion;
-  std::int64_t n = 0;  ///< values used
+  std::int64_t n = 0;  ///< number of values used
   std::int64_t missing = 0;
   std::vector<Text> flags;  ///< "renormalised", "demonstration data" ...
 };
 
-/// What stands in a cell of a table. It knows the result that it shows, or whose values it counts.
+/// Content of a table cell, with the result that it shows, or whose values it counts.
 struct ReportCell : Text {
   ReportCell() = default;
   ReportCell(const std::convertible_to<Text> auto& words) : Text(words) {}  // NOLINT: text is a cell
   ReportCell(const Text& words, ResultKey of)
       : Text(words), key(std::make_shared<const ResultKey>(std::move(of))) {}
 
-  std::shared_ptr<const ResultKey> key;  ///< null: no result stands behind it
+  std::shared_ptr<const ResultKey> key;  ///< null: no result
 };
 
 struct ReportTable {
-  std::string id;  ///< stable, "table-evaluation"
+  std::string id;  ///< stable id, "table-evaluation"
   Text title;
   std::vector<Text> columns;
-  std::vector<std::vector<ReportCell>> rows;  ///< each as long as columns; numbers are formatted already
-  bool individual = false;                    ///< lists single people: no part of an aggregated report
+  std::vector<std::vector<ReportCell>> rows;  ///< each as long as `columns`; numbers are already formatted
+  bool individual = false;                    ///< lists single people: not part of an aggregated report
   std::vector<Text> notes;
   Provenance provenance;
 };
 
 enum class FigureKind {
-  kGroupedBars,  ///< one bar a category and series
-  kRanges,       ///< low, middle, high a category and series
-  kBoxes,        ///< five numbers a series (values), outliers and mean drawn
+  kGroupedBars,  ///< one bar per category and series
+  kRanges,       ///< low, middle, high per category and series
+  kBoxes,        ///< five numbers per series (values), with outliers and mean
   kPoints,       ///< every value of a series at its category
-  kLines,        ///< y over x; intervals where low and high are given
-  kScatter,      ///< marks at (x, y)
-  kForest,       ///< categories from top to bottom, the value with its interval along the horizontal axis
-  kHeatMap,      ///< categories are columns, series are rows; a cell is shaded by its value
+  kLines,        ///< y over x; with intervals if low and high are given
+  kScatter,      ///< markers at (x, y)
+  kForest,       ///< categories from top to bottom, values with intervals along the horizontal axis
+  kHeatMap,      ///< categories are columns, series are rows; cells are shaded by value
 };
 
-/// A line across a figure: a limit, a target, zero. Crosses the axis of values.
+/// A line across a figure, such as a limit, a target or zero. Crosses the value axis.
 struct FigureReference {
   double value = 0.0;
   Text label;
@@ -77,13 +77,13 @@ struct BoxSummary {
 struct FigureSeries {
   Text name;
   std::vector<double>
-      x;  ///< kLines without categories: abscissa; kPoints: category number from 0; else empty
-  std::vector<std::optional<double>> y;  ///< one a category; kBoxes: all raw values
-  std::vector<double> low;               ///< kRanges, kForest: same length as y; kLines: same or none
+      x;  ///< kLines without categories: abscissa; kPoints: category index from 0; otherwise empty
+  std::vector<std::optional<double>> y;  ///< one per category; kBoxes: all raw values
+  std::vector<double> low;               ///< kRanges, kForest: same length as y; kLines: same or empty
   std::vector<double> high;
   std::optional<BoxSummary> box;    ///< kBoxes: required
-  std::optional<std::size_t> look;  ///< colour and marker of this number instead of the series' own
-  bool faint = false;               ///< a course of many: thin, unnamed; kScatter: a line to compare with
+  std::optional<std::size_t> look;  ///< colour and marker of this index instead of the series' own
+  bool faint = false;               ///< one curve of many: thin, unnamed; kScatter: a reference line
 };
 
 struct ReportFigure {
@@ -95,26 +95,25 @@ struct ReportFigure {
   std::vector<Text> categories;
   std::vector<FigureSeries> series;
   std::vector<FigureReference> references;
-  std::optional<double> yMin;  ///< of the axis of values, whichever way it lies
+  std::optional<double> yMin;  ///< of the value axis, in either orientation
   std::optional<double> yMax;
-  bool individual = false;      ///< shows single people: no part of an aggregated report
-  bool valuesInLabels = false;  ///< each category says its value: nobody needs a table of them
+  bool individual = false;      ///< shows single people: not part of an aggregated report
+  bool valuesInLabels = false;  ///< the category labels include the values, so no table is needed
   std::vector<Text> notes;
   Provenance provenance;
-  Text valuesStand;  ///< a sentence: where the values stand that are too many to print; "": nowhere else
+  Text valuesStand;  ///< a sentence on where to find values too many to print; empty: nowhere else
 };
 
 struct ReportSection {
   Text title;
-  bool onFirstPage = false;  ///< stands under the title, on one page with it
+  bool onFirstPage = false;  ///< below the title, on the same page
   std::vector<Text> paragraphs;
   std::vector<ReportFigure> figures;
   std::vector<ReportTable> tables;
 };
 
-/// All that a cohort report says, as plain values: PDF and screen are drawn from this and nothing else. Words
-/// are Text, so that whoever shows them may say them in another language; numbers are the same in every
-/// language. What people wrote themselves is a Text without places.
+/// A cohort report as plain values, the only source of PDF and screen. Strings are Text, so that they can be
+/// translated; numbers are the same in every language. Free text by people is a Text without arguments.
 struct ReportModel {
   Text title;
   Text subtitle;
@@ -124,10 +123,10 @@ struct ReportModel {
   std::string number;  ///< on every page: "R-1204-3fa29b1c"; empty: none
   std::string
       numbersHash;  ///< BLAKE2b-256 of the table of numbers (cohortCsvText(), without a byte order mark)
-  std::string auditHead;       ///< hash of the newest entry of the audit trail
-  bool demonstration = false;  ///< then every page says so
-  Facts facts;                 ///< cover
-  ResultNames names;           ///< for the keys of cells
+  std::string auditHead;       ///< hash of the latest entry of the audit trail
+  bool demonstration = false;  ///< stated on every page
+  Facts facts;                 ///< on the cover
+  ResultNames names;           ///< for formatting keys of cells
   std::vector<ReportSection> sections;
 };
 

@@ -11,10 +11,10 @@
 #include "assessment/results/study_analysis.h"
 #include "assessment/statistics/values.h"
 
-// The analyses that fill the ledger. Private to assessment/results.
+// Analyses that fill the ledger. Private to assessment/results.
 namespace torsio {
 
-/// Adds results that share their place and what they are made of, and differ in statistic and value.
+/// Adds results with a common key and sources that differ in statistic and value.
 class ResultWriter {
  public:
   /// `flags`: of the cohort; `own`: of these results.
@@ -27,10 +27,10 @@ class ResultWriter {
   ResultKey place;
   ResultParts madeOf;
 
-  /// Flags of these results beside those of the cohort.
+  /// Sets flags of these results in addition to the cohort's.
   void setFlags(const std::vector<std::string>& own);
 
-  /// Adds a number; empty: undefined.
+  /// Adds a number; empty if undefined.
   void add(const std::string& statistic, const std::optional<double>& value, std::int64_t n);
   /// Adds a member of an outcome, undefined for the outcome's reason.
   template <typename T, typename Member>
@@ -40,12 +40,12 @@ class ResultWriter {
   void addCount(const std::string& statistic, std::int64_t count, std::int64_t n) {
     put(statistic, count, n);
   }
-  /// Adds a hash, a word, an answer of yes or no.
+  /// Adds a hash, a word, or yes or no.
   void put(const std::string& statistic, ResultValue value, std::int64_t n);
-  /// Adds a number, and its interval as `statistic` with _lower_95 and _upper_95.
+  /// Adds a number with its interval as `statistic` with _lower_95 and _upper_95.
   void addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
                    std::int64_t n);
-  /// Adds an interval by itself; `statistic` says of what and how wide.
+  /// Adds an interval alone; `statistic` states its subject and level.
   void addBounds(const std::string& statistic, const Interval& interval, std::int64_t n);
 
  private:
@@ -54,11 +54,11 @@ class ResultWriter {
   std::string joined_;
 };
 
-/// Adds the criteria: every scoring sheet that was used with its anchors, what each group and trainee got for
-/// each criterion, and every mark of it (criteria_section.cpp).
+/// Adds the criteria: every scoring sheet used with its anchors, marks per criterion of each group and
+/// trainee, and all single ones (criteria_section.cpp).
 void addCriteriaResults(const CohortInputs& inputs, Ledger& ledger);
 
-/// Adds what the marks of the training study say about raters and groups.
+/// Adds results about raters and groups from the marks of the training study.
 void addStudyResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);
 
 }  // namespace torsio

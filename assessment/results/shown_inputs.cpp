@@ -29,7 +29,7 @@ void withholdMarks(CohortInputs& out, std::vector<Text>& left) {
   out.notAssessable = 0;
 }
 
-/// Raters with a mark for every index of every model.
+/// Counts raters with a mark for every index of every model.
 std::int64_t ratersPresent(const CohortInputs& in) {
   std::map<std::string, std::size_t> whole;
   for (const ModelRatings& model : in.ratings) {
@@ -49,7 +49,7 @@ void withholdEvaluation(CohortInputs& out, std::vector<Text>& left) {
   if (out.freeze || present >= out.evaluationRatersAsked) {
     return;
   }
-  if (out.evaluations.empty()) {  // the section says that it is unfinished, and what is missing
+  if (out.evaluations.empty()) {  // the section explains what is missing
     out.ratings.clear();
     return;
   }
@@ -61,7 +61,7 @@ void withholdEvaluation(CohortInputs& out, std::vector<Text>& left) {
   out.evaluations.clear();
 }
 
-/// Takes away what one or two marks could be read from.
+/// Removes values from which one or two marks could be inferred.
 void withholdSmallCells(CohortInputs& out, std::vector<Text>& left) {
   std::set<std::pair<std::size_t, std::string>> few;  // occasion, trainee
   for (const TraineeScore& score : out.scores) {
@@ -78,7 +78,7 @@ void withholdSmallCells(CohortInputs& out, std::vector<Text>& left) {
   }
   const auto smallGroup = [&](const auto& item) { return small.contains({item.occasion, item.group}); };
   const std::size_t before = out.scores.size() + out.summaries.size();
-  // A mean over the group that holds the withheld score would give it back.
+  // The withheld score could be inferred from a mean of its group.
   for (const TraineeScore& score : out.scores) {
     if (fewMarks(score)) {
       small.insert({score.occasion, score.group});

@@ -72,8 +72,8 @@ void measureAgreement(const CohortInputs& in, const std::vector<std::size_t>& gr
   }
 }
 
-/// Differences from the mean of the other raters, averaged over a trainee's occasions first: the trainee
-/// is the unit.
+/// Returns differences from the mean of the other raters, averaged first over a trainee's occasions: the
+/// trainee is the unit.
 std::vector<RaterSeverity> severities(const StudyAnalysis& study) {
   std::vector<RaterSeverity> out;
   for (std::size_t r = 0; r < study.raters.size(); ++r) {
@@ -107,7 +107,7 @@ std::vector<RaterSeverity> severities(const StudyAnalysis& study) {
   return out;
 }
 
-/// Marks at the first and the last occasion of everybody who was allocated, by code.
+/// Marks of all allocated trainees at the first and last occasion, by code.
 struct Ends {
   std::vector<std::string> codes;
   std::vector<MarkedTrainee> trainees;
@@ -133,7 +133,7 @@ Ends endsOf(const CohortInputs& in, const StudyAnalysis& study) {
   return out;
 }
 
-/// Whether every trainee with a mark was marked by the same raters.
+/// Returns whether all trainees with marks were marked by the same raters.
 bool sameRatersOf(const OccasionMarks& occasion) {
   std::set<std::vector<bool>> patterns;
   for (const std::vector<std::optional<double>>& marks : occasion.marks) {
@@ -179,7 +179,7 @@ void compareEnds(const CohortInputs& in, StudyAnalysis& out) {
   }
 }
 
-/// The course over the occasions of the trainees with a score at each.
+/// Computes the course over the occasions for trainees with a score at each.
 void followCourse(const CohortInputs& in, StudyAnalysis& out) {
   std::map<std::string, std::vector<std::optional<double>>> byTrainee;
   std::map<std::string, std::size_t> groupOf;
@@ -263,7 +263,7 @@ std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study) {
 }
 
 std::vector<std::vector<std::int64_t>> missingByGroup(const CohortInputs& in) {
-  std::map<std::string, std::vector<MarkedTrainee>> byTrainee;  // one entry an occasion
+  std::map<std::string, std::vector<MarkedTrainee>> byTrainee;  // one entry per occasion
   const auto entry = [&](const std::string& code, std::size_t group) -> std::vector<MarkedTrainee>& {
     return byTrainee.try_emplace(code, in.occasions.size(), MarkedTrainee{group, {}, {}}).first->second;
   };

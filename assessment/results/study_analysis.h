@@ -24,27 +24,26 @@ namespace torsio {
 /// Agreement of the raters in one group at one occasion.
 struct GroupAgreement {
   std::size_t group = 0;
-  std::int64_t trainees = 0;  ///< with a mark of every rater
+  std::int64_t trainees = 0;  ///< with marks by every rater
   Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
 };
 
-/// What pairs of raters have in common at one occasion where marks are taken in whole points.
+/// Pairwise agreement of raters at one occasion, for marks in whole points.
 struct PointAgreement {
-  std::size_t pairs = 0;       ///< of the raters present
-  std::vector<double> kappas;  ///< quadratic weights, of the pairs for which it is defined
-  std::int64_t shared = 0;     ///< marks of the same trainee by two raters
+  std::size_t pairs = 0;       ///< of the raters with marks
+  std::vector<double> kappas;  ///< quadratic weights, for pairs that define it
+  std::int64_t shared = 0;     ///< marks of the same trainee by both raters
   std::int64_t same = 0;
   std::int64_t withinOne = 0;
 };
 
-/// The marks of one occasion, trainees x raters in the order of StudyAnalysis; a mark that was not given is
-/// empty.
+/// Marks of one occasion, trainees x raters in the order of StudyAnalysis; missing ones are empty.
 struct OccasionMarks {
   std::vector<std::vector<std::optional<double>>> marks;
-  std::vector<std::size_t> present;  ///< raters with a mark here; what the others did not give is not missing
+  std::vector<std::size_t> present;  ///< raters with marks here; the others' marks do not count as missing
   std::int64_t n = 0;
   std::int64_t missing = 0;
-  std::int64_t completeTrainees = 0;  ///< with a mark of every rater present: what `icc` is made from
+  std::int64_t completeTrainees = 0;  ///< with marks by every rater present; input of `icc`
   Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
   std::vector<GroupAgreement> groups;
   Outcome<IncompleteReliability> reliability =
@@ -53,25 +52,25 @@ struct OccasionMarks {
   PointAgreement points;
 };
 
-/// What another number of raters would give (G- and D-study of the last occasion).
+/// Results for other numbers of raters (G- and D-study of the last occasion).
 struct RatersNeeded {
-  std::int64_t marks = 0;  ///< of the trainees whom every rater scored
+  std::int64_t marks = 0;  ///< of trainees scored by every rater
   Outcome<GStudy> components = Outcome<GStudy>::undefined(Text::tr("not computed"));
   std::vector<std::pair<std::size_t, Outcome<DStudy>>> planned;  ///< by number of raters, ascending
-  std::optional<std::size_t> fewest;  ///< whose mean has a dependability of kWantedDependability or more
+  std::optional<std::size_t> fewest;  ///< with a dependability of at least kWantedDependability
 };
 inline constexpr double kWantedDependability = 0.8;
-inline constexpr std::size_t kMaxRaters = 100;  ///< that are tried
+inline constexpr std::size_t kMaxRaters = 100;  ///< maximum tried
 
-/// What one group gained by itself from the first occasion to the last.
+/// A group's gain from the first to the last occasion.
 struct GroupGain {
   std::int64_t n = 0;  ///< trainees with a score at both
   Outcome<Bootstrap> median = Outcome<Bootstrap>::undefined(Text::tr("not computed"));
   Outcome<SignedRank> ranks = Outcome<SignedRank>::undefined(Text::tr("not computed"));
-  Outcome<Friedman> occasions = Outcome<Friedman>::undefined(Text::tr("not computed"));  ///< all of them
+  Outcome<Friedman> occasions = Outcome<Friedman>::undefined(Text::tr("not computed"));  ///< over all of them
 };
 
-/// Gains by group, as whole numbers, and what their ranks say.
+/// Gains by group, as whole numbers, and their rank statistics.
 struct GainAnalysis {
   Groups gains;
   std::vector<GroupGain> within;  ///< by group
@@ -79,25 +78,25 @@ struct GainAnalysis {
   std::vector<Outcome<MannWhitney>> pairs;  ///< in the order of between->pairs
 };
 
-/// A trainee of whom marks or scores are missing at the first or the last occasion.
+/// A trainee with missing marks or scores at the first or last occasion.
 struct MissingTrainee {
   std::string trainee;
   std::size_t group = 0;
   MissingCount marks;
-  bool leftOut = false;  ///< without any mark at one of the two
+  bool leftOut = false;  ///< without any marks at one of the two
 };
 
-/// How far a rater scores above (positive: lenient) or below the others, over all trainees and occasions
-/// that the rater shares with at least one other.
+/// How far a rater's marks are above (positive: lenient) or below the others', over all trainees and
+/// occasions shared with at least one other.
 struct RaterSeverity {
   std::string rater;
   std::int64_t n = 0;
   double offset = 0.0;               ///< mean of mark minus mean of the other raters, points
-  std::optional<Interval> interval;  ///< 95 %, Student's t over the trainees; empty with fewer than two
+  std::optional<Interval> interval;  ///< 95 %, Student's t over the trainees; empty for fewer than two
 };
 
-/// A difference of the primary comparison: of the mixed model where marks are missing and it is defined, else
-/// of the analysis of covariance.
+/// A difference of the primary comparison: by the mixed model if marks are missing and it is defined,
+/// otherwise by analysis of covariance.
 struct PrimaryDifference {
   std::size_t first = 0;
   std::size_t second = 0;
@@ -110,52 +109,52 @@ struct PrimaryDifference {
 
 /// Analysis of the training marks for the report, its figures and its table of numbers; computed once.
 struct StudyAnalysis {
-  std::vector<std::string> trainees;  ///< codes of those with a mark, ascending
+  std::vector<std::string> trainees;  ///< codes of trainees with marks, ascending
   std::vector<std::string> raters;
   std::vector<OccasionMarks> occasions;
-  std::vector<RaterSeverity> severity;  ///< in the order of the raters
-  std::vector<Outcome<BlandAltmanResult>>
-      againstPanel;    ///< by rater, last occasion; trainees with every mark
-  CompleteCases ends;  ///< scores before and at the end, of the trainees with both
-  std::vector<std::vector<std::string>> endCodes;  ///< whose those are
+  std::vector<RaterSeverity> severity;                   ///< in rater order
+  std::vector<Outcome<BlandAltmanResult>> againstPanel;  ///< by rater, last occasion; trainees with all marks
+  CompleteCases ends;                              ///< scores before and at the end, for trainees with both
+  std::vector<std::vector<std::string>> endCodes;  ///< trainee codes of `ends`
   std::vector<MissingTrainee> missing;             ///< by code
-  std::int64_t endMarks = 0;                       ///< given at the first and the last occasion
-  std::int64_t endMissing = 0;                     ///< missing there
+  std::int64_t endMarks = 0;                       ///< at the first and last occasion
+  std::int64_t endMissing = 0;                     ///< at these occasions
   Outcome<Ancova> ancova = Outcome<Ancova>::undefined(Text::tr("there are fewer than two occasions"));
   Outcome<SeparateSlopes> slopes = Outcome<SeparateSlopes>::undefined(
-      Text::tr("the slopes do not differ"));  ///< where the test of equal slopes asks for it
+      Text::tr("the slopes do not differ"));  ///< if the test of equal slopes requires it
   Outcome<MixedComparison> mixed =
-      Outcome<MixedComparison>::undefined(Text::tr("no mark is missing"));  ///< where one is missing
-  std::vector<MissingBounds> bounds;                                        ///< where a mark is missing
+      Outcome<MixedComparison>::undefined(Text::tr("no mark is missing"));  ///< if a mark is missing
+  std::vector<MissingBounds> bounds;                                        ///< if a mark is missing
   Outcome<MixedAnova> course = Outcome<MixedAnova>::undefined(Text::tr("there are fewer than two occasions"));
-  std::vector<NumberTable> courses;          ///< by group: trainees with a score at each occasion x occasions
-  std::vector<std::string> leftOutOfCourse;  ///< codes of those without a score at some occasion
-  std::optional<GainAnalysis> gains;         ///< empty: there are too many different numbers of marks
+  std::vector<NumberTable> courses;          ///< by group: trainees with a score at every occasion x
+                                             ///< occasions
+  std::vector<std::string> leftOutOfCourse;  ///< codes of trainees without a score at some occasion
+  std::optional<GainAnalysis> gains;         ///< empty: too many different numbers of marks
   RatersNeeded needed;
   Outcome<RaschResult> rasch = Outcome<RaschResult>::undefined(Text::tr("not computed"));  ///< last occasion
-  bool sameRaters = true;  ///< at the last occasion every trainee with a mark has one of each rater present
+  bool sameRaters = true;  ///< at the last occasion, every trainee with marks has one by each rater present
 
-  /// Whether the planned analysis, of covariance, has every mark it was planned with, of the same raters.
+  /// Returns whether the planned analysis (of covariance) has all its marks, by the same raters.
   [[nodiscard]] bool asPlanned() const noexcept { return missing.empty() && sameRaters; }
 };
 
-/// Counts the marks short of the number that most trainees have at an occasion: groups x occasions.
+/// Counts missing marks relative to the number that most trainees have at an occasion: groups x occasions.
 [[nodiscard]] std::vector<std::vector<std::int64_t>> missingByGroup(const CohortInputs& inputs);
 
-/// Returns the groups of which nobody has a score at both ends, by number.
+/// Returns the indices of groups without anybody scored at both ends.
 [[nodiscard]] std::vector<std::size_t> groupsWithoutEnds(const StudyAnalysis& study);
 
-/// Returns the marks of the trainees whom every rater who is present scored, trainees x such raters;
-/// `groupOf` and `only`: those of one group.
+/// Returns the marks of trainees scored by all raters present, trainees x these raters; `groupOf` and `only`
+/// select one group.
 [[nodiscard]] NumberTable completeMarks(const OccasionMarks& occasion,
                                         const std::vector<std::size_t>& groupOf = {},
                                         std::optional<std::size_t> only = std::nullopt);
 
-/// Gives the mean of the marks that others than `rater` gave a trainee, points; empty: nobody else scored.
+/// Returns the mean of a trainee's marks by raters other than `rater`, points; empty if there are none.
 [[nodiscard]] std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& marks,
                                                  std::size_t rater);
 
-/// Gives the differences of the primary comparison, (0,1), (0,2), ..., (1,2); none where it is not defined.
+/// Returns the differences of the primary comparison, (0,1), (0,2), ..., (1,2); empty if undefined.
 [[nodiscard]] std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study);
 
 [[nodiscard]] StudyAnalysis analyseStudy(const CohortInputs& inputs);

@@ -3,12 +3,13 @@
 
 #include "assessment/results/study_analysis.h"
 
-// Parts of analyseStudy(), one a source file. Private to assessment/results.
+// Parts of analyseStudy(), one per source file. Private to assessment/results.
 namespace torsio {
 
-/// Adds what the raters' marks say of the raters: agreement in points, how many are needed, one scale.
+/// Adds properties of the raters derived from their marks: agreement in points, number needed, severity on
+/// one scale.
 void addRaterModels(StudyAnalysis& study);
-/// Adds what the groups gained; there are two occasions or more.
+/// Adds the groups' gains; requires at least two occasions.
 void addGains(const CohortInputs& inputs, StudyAnalysis& study);
 
 }  // namespace torsio

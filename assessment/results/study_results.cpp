@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results about raters and about groups: what the report's tables and figures of the training study show.
+// Results about raters and groups: the contents of the report's tables and figures of the training study.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -32,7 +32,7 @@ ResultPattern marksAt(std::optional<std::size_t> occasion, std::optional<std::si
   return {.statistic = "rater_mark", .of = kEach, .group = group, .occasion = occasion};
 }
 
-/// Scores before and at the end, of the trainees with both; `only`: of one group.
+/// Returns the scores before and at the end, for trainees with both; `only`: of one group.
 std::vector<ResultPart> endScores(const CohortInputs& in, const StudyAnalysis& study,
                                   std::optional<std::size_t> only = std::nullopt) {
   std::vector<ResultPart> parts;
@@ -46,12 +46,12 @@ std::vector<ResultPart> endScores(const CohortInputs& in, const StudyAnalysis& s
   return parts;
 }
 
-/// Marks before and at the end, and who was to be marked.
+/// Returns the marks before and at the end, and who should be marked.
 ResultParts endMarks(const CohortInputs& in) {
   return partsOf({marksAt(0), marksAt(lastOf(in)), RecordRef{RecordKind::kEnrolments}});
 }
 
-/// Scores at every occasion, of the trainees with a score at each.
+/// Returns the scores at every occasion, for trainees with a score at each.
 ResultParts courseScores(const CohortInputs& in, const StudyAnalysis& study,
                          std::optional<std::size_t> only = std::nullopt) {
   std::vector<ResultPart> parts{RecordRef{RecordKind::kEnrolments}};
@@ -76,7 +76,7 @@ void addCoefficients(ResultWriter& rows, const Outcome<IccResult>& icc, std::int
   rows.add("sem_of_mean", icc->semMean, n);
 }
 
-/// Agreement of the pairs of raters in whole points.
+/// Adds pairwise agreement of the raters in whole points.
 void addPoints(ResultWriter& rows, const PointAgreement& points) {
   const std::vector<double>& kappas = points.kappas;
   const auto known = [&](auto summary) {
@@ -96,7 +96,7 @@ void addPoints(ResultWriter& rows, const PointAgreement& points) {
   rows.add("share_within_one_point", share(points.withinOne), points.shared);
 }
 
-/// How many raters are needed: components of variance, and what each number of raters would give.
+/// Adds how many raters are needed: variance components, and the result for each number of raters.
 void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   const RatersNeeded& needed = study.needed;
   if (!needed.components) {
@@ -119,7 +119,7 @@ void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, Ledger&
   }
 }
 
-/// The raters on one scale.
+/// Adds the raters' severity on one scale.
 void addRasch(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   if (!study.rasch) {
     return;
@@ -139,7 +139,7 @@ void addRasch(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger
   }
 }
 
-/// Agreement at each occasion: of everybody, of every mark where some are missing, and within each group.
+/// Adds agreement at each occasion: overall, with missing marks if there are any, and within each group.
 void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   for (std::size_t t = 0; t < study.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
@@ -164,7 +164,7 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& le
   }
 }
 
-/// Each rater against the others: one value a trainee, so that the differences are independent.
+/// Adds each rater compared with the others: one value per trainee, so that the differences are independent.
 void addRaters(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kAgreement}, commonFlags(in));
   rows.madeOf = partsOf({marksAt(std::nullopt)});
@@ -187,7 +187,7 @@ void addRaters(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledge
   }
 }
 
-/// Where the comparison of groups stands.
+/// Returns a writer for the comparison of groups.
 ResultWriter comparison(const CohortInputs& in, const Flags& flags, ResultParts parts, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kComparison, .occasion = lastOf(in)}, commonFlags(in), flags);
   rows.madeOf = std::move(parts);
@@ -213,7 +213,7 @@ void addEffect(ResultWriter& rows, const std::string& name, const AnovaEffect& e
   rows.add(name + "_generalised_eta_squared", effect.generalizedEtaSquared, n);
 }
 
-/// The course of the groups over the occasions, of the trainees with a score at each.
+/// Adds the groups' course over the occasions, for trainees with a score at each.
 void addCourse(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   if (!study.course) {
     return;
@@ -234,7 +234,7 @@ void addCourse(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledge
   rows.add("greenhouse_geisser_epsilon", study.course->sphericity.greenhouseGeisser, n);
 }
 
-/// What the groups gained: each by itself, and one against the other by ranks.
+/// Adds the groups' gains: each group separately, and compared by ranks.
 void addGainResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   if (!study.gains) {
     return;
@@ -327,7 +327,7 @@ void addEquivalence(const CohortInputs& in, const StudyAnalysis& study, std::int
   placeAtAll(rows);
 }
 
-/// What the residual plots show, a trainee a row.
+/// Adds the data of the residual plots, one row per trainee.
 void addResiduals(const CohortInputs& in, const StudyAnalysis& study, ResultWriter& rows) {
   for (std::size_t g = 0; g < study.ancova->residuals.size(); ++g) {
     rows.place.group = g;
@@ -388,7 +388,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   addResiduals(in, study, rows);
 }
 
-/// The comparison where marks are missing: the mixed model, and how far the missing ones could move it.
+/// Adds the comparison with missing marks: the mixed model, and how far missing marks could change it.
 void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   ResultWriter rows = comparison(in, {"marks missing"}, endMarks(in), ledger);
   const std::int64_t n = comparedTrainees(study);

@@ -32,14 +32,14 @@ Provenance provenance(const CohortInputs& in, const Text& formula, std::int64_t 
 }
 
 void fixScale(const CohortInputs& in, ReportFigure& figure) {
-  // One axis for the three occasions, so that they can be compared by eye; bars start at zero.
+  // The same axis for the three occasions, so that they can be compared visually; bars start at zero.
   figure.yMin = 0.0;
   figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
 }
 
 ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
   ReportFigure out;
-  // The paper has three occasions, and its Fig. 23 is another one.
+  // The paper has three occasions; its Fig. 23 is different.
   const bool ofPaper = in.occasions.size() == kOccasionsOfPaper;
   out.id = occasion < kOccasionsOfPaper ? "figure-" + std::to_string(kFirstScoresFigure + occasion)
                                         : "figure-scores-" + std::to_string(occasion + 1);
@@ -127,7 +127,7 @@ ReportFigure meansFigure(const CohortInputs& in) {
   return out;
 }
 
-/// The course of every trainee of one group, with the group's mean and its 95 % interval.
+/// Shows the courses of all trainees of one group, with the group's mean and its 95 % interval.
 ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   ReportFigure out;
   out.id = "figure-courses-" + std::to_string(group + 1);
@@ -272,7 +272,7 @@ ReportTable scoresTable(const CohortInputs& in) {
   return table;
 }
 
-/// By how much the training of a demonstration was shortened, from what was noted and what was recorded.
+/// States by how much a demonstration's training was shortened, from logged and recorded times.
 Text shorteningSentence(const CohortInputs& in) {
   double noted_min = 0.0;
   double recorded_min = 0.0;

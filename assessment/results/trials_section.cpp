@@ -36,7 +36,7 @@ ReportTable trialsByPhase(const CohortInputs& in) {
   std::map<std::pair<std::size_t, std::string>, Sums> cells;
   for (const TrialSummaryRow& trial : in.trials) {
     if (!trial.detorsion.empty()) {
-      continue;  // a table of their own: there are no twists
+      continue;  // in a separate table, without twists
     }
     Sums& sums = cells[{trial.group, trial.phase.str()}];
     sums.phase = trial.phase;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An evaluation that cannot be computed yet: what is missing, and what each class of raters says by itself.
+// An evaluation that cannot be computed yet: what is missing, and each rater class's own result.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -17,7 +17,7 @@ constexpr int kClassScoreDecimals = 4;
 constexpr int kWeightDecimals = 2;
 constexpr std::int64_t kWholeWeight = 1000;  // thousandths
 
-/// What keeps an unfinished evaluation from being computed, line by line.
+/// Lists what is missing from an unfinished evaluation.
 ReportTable unscoredTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-evaluation-unscored";
@@ -37,7 +37,7 @@ ReportTable unscoredTable(const CohortInputs& in) {
   return table;
 }
 
-/// Eq. 27 of each class by itself: what can be said of the others while a class has not scored.
+/// Returns Eq. 27 of each class alone: results of the others while a class has not scored.
 ReportTable classesTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-evaluation-classes";
