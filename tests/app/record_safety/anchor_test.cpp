@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Heads of the audit trail that are kept elsewhere find what no look at the file alone can find.
+// Heads of the audit trail stored elsewhere detect what no check of the file alone can detect.
 #include "app/services/maintenance/anchor.h"
 
 #include <gtest/gtest.h>
@@ -54,14 +54,14 @@ class Anchor : public ::testing::Test {
                  .objectId = "p",
                  .reason = reason});
   }
-  /// As somebody with the file in hand.
+  /// Opens the record as an attacker with access to the file.
   [[nodiscard]] Connection pryOpen() const {
     Connection connection = openDatabase(file("record.sqlite"), OpenMode::kReadWrite);
     connection.executeVerbatim("DROP TRIGGER audit_entry_no_UPDATE");
     connection.executeVerbatim("DROP TRIGGER audit_entry_no_DELETE");
     return connection;
   }
-  /// Puts the triggers back, so that nothing but the rows tells.
+  /// Restores the triggers, so that only the rows differ.
   static void close(Connection& connection) {
     for (const char* act : {"UPDATE", "DELETE"}) {
       connection.executeVerbatim(
@@ -74,7 +74,7 @@ class Anchor : public ::testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Anchor, ARecordThatOnlyGrewFitsItsWitness) {
+TEST_F(Anchor, ARecordThatOnlyGrewMatchesItsWitness) {
   {
     Connection connection = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
     append(connection, "later");
@@ -85,7 +85,7 @@ TEST_F(Anchor, ARecordThatOnlyGrewFitsItsWitness) {
   EXPECT_EQ(run.code, 0) << run.out << run.err;
 }
 
-TEST_F(Anchor, ANewestEntryThatWasDeletedIsFound) {
+TEST_F(Anchor, ADeletedLatestEntryIsDetected) {
   {
     Connection connection = pryOpen();
     connection.executeVerbatim(
@@ -99,7 +99,7 @@ TEST_F(Anchor, ANewestEntryThatWasDeletedIsFound) {
   EXPECT_NE(found.out.find("it was cut off, or an older file lies here"), std::string::npos) << found.out;
 }
 
-TEST_F(Anchor, AChainThatWasRewrittenIsFound) {
+TEST_F(Anchor, ARewrittenChainIsDetected) {
   {
     Connection connection = pryOpen();
     std::string previous;
@@ -125,7 +125,7 @@ TEST_F(Anchor, AChainThatWasRewrittenIsFound) {
   EXPECT_NE(found.out.find("the audit trail was rewritten"), std::string::npos) << found.out;
 }
 
-TEST_F(Anchor, AnOlderFileInTheRecordsPlaceIsFound) {
+TEST_F(Anchor, AnOlderFileInTheRecordsPlaceIsDetected) {
   const ProgramRun backup = run("db backup --as-system " + file("older.sqlite") + database());
   ASSERT_EQ(backup.code, 0);
   EXPECT_NE(backup.out.find("torsio-head 1 "), std::string::npos) << "to be noted beside the backup";
@@ -146,7 +146,7 @@ TEST_F(Anchor, AnOlderFileInTheRecordsPlaceIsFound) {
   EXPECT_EQ(found.code, kVerifyFailed) << found.out << found.err;
 }
 
-TEST_F(Anchor, AWitnessThatSomebodyElseSignedOrChangedIsFound) {
+TEST_F(Anchor, AWitnessSignedOrChangedBySomebodyElseIsDetected) {
   ASSERT_EQ(run("audit key " + file("other")).code, 0);
   ASSERT_EQ(run("audit head" + database() + " --key " + file("other") + " --witness " + file("forged")).code,
             0);
@@ -161,7 +161,7 @@ TEST_F(Anchor, AWitnessThatSomebodyElseSignedOrChangedIsFound) {
   }
 }
 
-TEST_F(Anchor, AKeyThatIsReplacedStaysGoodForItsTimeAndNoLonger) {
+TEST_F(Anchor, AReplacedKeyIsValidOnlyForItsPeriod) {
   const ProgramRun replaced = run("audit key " + file("new") + " --replaces " + file("key") + database() +
                                   " --witness " + file("witness"));
   ASSERT_EQ(replaced.code, 0) << replaced.err;
@@ -191,7 +191,7 @@ TEST_F(Anchor, AKeyThatIsReplacedStaysGoodForItsTimeAndNoLonger) {
   EXPECT_EQ(code("forged", "new"), kVerifyFailed);
 }
 
-TEST_F(Anchor, HeadsFromBeforeTheFirstKeyCountWithALaterOneThatIsSigned) {
+TEST_F(Anchor, HeadsFromBeforeTheFirstKeyCountWithALaterSignedOne) {
   ASSERT_EQ(run("audit head" + database() + " --witness " + file("mixed")).code, 0);
   const std::string verify =
       "audit verify" + database() + " --witness " + file("mixed") + " --key " + file("key");
@@ -202,7 +202,7 @@ TEST_F(Anchor, HeadsFromBeforeTheFirstKeyCountWithALaterOneThatIsSigned) {
   EXPECT_EQ(run(verify).code, 0);
 }
 
-TEST_F(Anchor, ALineThatWasCutOffIsNoHeadAndTakesNoOtherAlong) {
+TEST_F(Anchor, ATruncatedLineIsNoHeadAndDoesNotAffectOthers) {
   const std::string whole = readFile(file("witness"));
   const std::string head = whole.substr(0, whole.size() - 1);
   for (const std::size_t kept : {std::size_t{1}, std::size_t{12}, head.size() / 2, head.size() - 1}) {
@@ -219,7 +219,7 @@ TEST_F(Anchor, ALineThatWasCutOffIsNoHeadAndTakesNoOtherAlong) {
   EXPECT_EQ(readFile(file("notes")), "a text of somebody\n" + whole);
 }
 
-TEST_F(Anchor, TheKeyIsForItsOwnerAloneAndNeverReplaced) {
+TEST_F(Anchor, TheKeyIsReadableOnlyByItsOwnerAndNeverOverwritten) {
   const std::string key = readFile(file("key"));
   EXPECT_EQ(fs::status(file("key")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 

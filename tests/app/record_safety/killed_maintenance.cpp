@@ -25,9 +25,9 @@ using test::ProgramRun;
 
 namespace {
 
-constexpr long kInstants = 3;   // unless TORSIO_KILL_INSTANTS says how many
-constexpr long kEachAgain = 3;  // of so many instants one is followed by the same command ...
-constexpr long kAgain = 20;     // ... or of more, so that it is not done oftener than this
+constexpr long kInstants = 3;   // default for TORSIO_KILL_INSTANTS
+constexpr long kEachAgain = 3;  // the same command runs again after one in this many instants ...
+constexpr long kAgain = 20;     // ... or after fewer, so that it runs at most this many times
 
 std::string lineOf(const std::vector<std::string>& arguments) {
   std::string line;
@@ -37,8 +37,8 @@ std::string lineOf(const std::vector<std::string>& arguments) {
   return line;
 }
 
-/// TORSIO_KILL_PART=K/N: only each N-th of the instants, from the K-th on (0 to N - 1), so that several
-/// programs share the work.
+/// TORSIO_KILL_PART=K/N: only every N-th of the instants, starting with the K-th (0 to N - 1), so that
+/// several programs can share the work.
 struct Part {
   long first = 0;
   long of = 1;
@@ -157,7 +157,7 @@ void CutOffMaintenance::fillDiskEverywhere(const CutOff& cut) const {
       last = line;
     }
     if (ended.code == 0) {
-      return;  // what failed was not needed
+      return;  // a failed skippable operation
     }
     const auto is = [&ended](ErrorCode code) { return ended.code == static_cast<int>(code); };
     EXPECT_TRUE(is(ErrorCode::kFileUnwritable) || is(ErrorCode::kDatabase)) << ended.code << ": " << said;

@@ -12,21 +12,21 @@
 
 namespace torsio {
 
-/// A server that many tests ask at once may let a connection wait for longer than the program would.
+/// A server used by many tests in parallel may need longer to connect than the program would wait.
 inline const ServerParameter kPatient{"connect_timeout", "60"};
 
-/// A maintenance command, and what holds whenever it is cut off.
+/// A maintenance command, and what must hold whenever it is interrupted.
 struct CutOff {
   std::vector<std::string> arguments;
-  std::function<void()> before = [] {};  ///< puts everything as it was
-  std::function<void()> after = [] {};   ///< looks at what was left
-  /// Whether the work is done, so that doing it again may be refused.
+  std::function<void()> before = [] {};  ///< restores the initial state
+  std::function<void()> after = [] {};   ///< checks the result
+  /// Returns whether the work is complete, so that repeating it may be refused.
   std::function<bool()> done = [] { return false; };
   const char* program = TORSIO_PROGRAM;
-  long atMost = 1'000'000;  ///< instants at which it is killed
+  long atMost = 1'000'000;  ///< maximum instants of killing
 };
 
-/// A record in a file, and on the other engine a schema of its own.
+/// A record in a file, and on PostgreSQL a separate schema.
 class CutOffMaintenance : public DatabaseTest {
  protected:
   void SetUp() override;
@@ -35,28 +35,29 @@ class CutOffMaintenance : public DatabaseTest {
   void makeRecord(const std::string& name, const std::string& prefix) const;
   [[nodiscard]] test::ProgramRun run(const std::vector<std::string>& arguments,
                                      const char* program = TORSIO_PROGRAM) const;
-  /// Kills the command at instants spread over all that it has, and looks each time; now and then the same
-  /// command has to do its work right after.
+  /// Kills the command at instants spread over its whole run and checks each time; now and then the command
+  /// must then succeed when repeated.
   void killEverywhere(const CutOff& cut) const;
-  /// The same for a command that takes long: it is stopped there, `look` sees what a kill would have left,
-  /// and it goes on. As many instants as TORSIO_KILL_INSTANTS says; each is counted.
+  /// Like killEverywhere() for slow commands: stops the command, lets `look` check what a kill would leave,
+  /// and continues. TORSIO_KILL_INSTANTS sets the number of instants; each is counted.
   void lookEverywhere(const CutOff& cut, const std::function<void()>& look) const;
-  /// The disk is full from such an instant on: the command says so in one line, and leaves what it found.
+  /// Simulates a full disk from an instant on: the command must report it in one line and leave everything as
+  /// before.
   void fillDiskEverywhere(const CutOff& cut) const;
 
-  /// Removes what is in the schema of the server, if anything is.
+  /// Removes everything from the server's schema.
   void emptySchema(const std::string& address) const;
-  /// The address of the server as it may stand on a command line; the password goes to a file of its own.
+  /// Returns the server's address for a command line; the password is in a separate file.
   [[nodiscard]] std::string addressWithoutPassword() const;
-  /// `record.sqlite` is sound, and whose it was.
+  /// Checks that `record.sqlite` is sound and still belongs to the same centre.
   void expectWholeRecord() const;
-  /// What a killed program leaves is swept by the next one.
+  /// Checks that the next program removes what a killed one left.
   void expectNothingHalf() const;
 
   std::filesystem::path folder_;
 
  private:
-  /// `variable`: of the environment, says at how many instants.
+  /// `variable`: environment variable with the number of instants.
   void cutOffEverywhere(const CutOff& cut, const char* fault, const char* variable,
                         const std::function<void(const test::FaultyRun&)>& judge) const;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every maintenance command may be killed at any instant, and the disk may be full from any on: the record
-// stays whole, what is written is whole or not there, and the same command does its work afterwards.
-// TORSIO_KILL_INSTANTS and TORSIO_FULL_DISK_INSTANTS say at how many instants; a command has some hundreds.
+// Every maintenance command may be killed at any instant, and the disk may become full at any instant: the
+// record stays sound, output is complete or missing, and the command works when repeated.
+// TORSIO_KILL_INSTANTS and TORSIO_FULL_DISK_INSTANTS set the number of instants; a command has some hundreds.
 #include "tests/app/record_safety/killed_maintenance.h"
 
 #include <fstream>
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 class KilledMaintenance : public CutOffMaintenance {
  protected:
-  /// What does not depend on the engine is done once.
+  /// Tests independent of the engine run once.
   void SetUp() override {
     if (onPostgresql() && !aboutServers()) {
       GTEST_SKIP() << "what it writes does not depend on the engine";
@@ -78,7 +78,7 @@ class KilledMaintenance : public CutOffMaintenance {
                   expectWholeRecord();
                 }};
   }
-  /// Copies before a restore that hold the record as it was.
+  /// Counts copies before a restore that contain the original record.
   [[nodiscard]] int originalsBeside() const {
     int originals = 0;
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -135,7 +135,7 @@ class KilledMaintenance : public CutOffMaintenance {
                 },
             .done = [this, target] { return !personAt(target).empty(); }};
   }
-  /// Empty: nothing was moved there. On an SQLite target there is no file then.
+  /// Returns empty if nothing was moved there. An SQLite target has no file then.
   [[nodiscard]] std::string personAt(const std::string& target) const {
     if (!onPostgresql() && !fs::exists(target)) {
       return {};
@@ -189,7 +189,7 @@ class KilledMaintenance : public CutOffMaintenance {
               }
             }};
   }
-  /// The next key in place of the first; the witness has one head of that.
+  /// Replaces the first key; the witness has one head signed by it.
   [[nodiscard]] CutOff replacedKey() const {
     return {.arguments = {"audit", "key", file("next"), "--replaces", file("key"), "--witness", file("heads"),
                           "--database", file("record.sqlite")},
@@ -208,13 +208,13 @@ class KilledMaintenance : public CutOffMaintenance {
   }
 };
 
-TEST_F(KilledMaintenance, ABackupIsWholeOrNotThere) {
+TEST_F(KilledMaintenance, ABackupIsCompleteOrMissing) {
   killEverywhere(backup());
   fillDiskEverywhere(backup());
   expectNothingHalf();
 }
 
-TEST_F(KilledMaintenance, ALockThatNamesNobodyIsNoObstacle) {
+TEST_F(KilledMaintenance, ALockWithoutAnOwnerIsNoObstacle) {
   std::ofstream(file("b.backup.part.lock")).close();
   std::ofstream(file("b.backup.part-journal")) << "half";
   EXPECT_EQ(run({"db", "backup", "--as-system", file("b.backup"), "--database", file("record.sqlite")}).code,
@@ -223,7 +223,7 @@ TEST_F(KilledMaintenance, ALockThatNamesNobodyIsNoObstacle) {
   expectNothingHalf();
 }
 
-TEST_F(KilledMaintenance, ABackupThatIsReplacedIsTheOldOneOrTheNewOne) {
+TEST_F(KilledMaintenance, AReplacedBackupIsTheOldOneOrTheNewOne) {
   backUpOther();
   killEverywhere(replacingBackup());
   fillDiskEverywhere(replacingBackup());
@@ -237,7 +237,7 @@ TEST_F(KilledMaintenance, ARestoreLeavesTheOldRecordOrTheNewOneAndKeepsTheOld) {
   expectNothingHalf();
 }
 
-TEST_F(KilledMaintenance, AMoveToAnotherDatabaseIsWholeOrEmpty) {
+TEST_F(KilledMaintenance, ACopyToAnotherDatabaseIsCompleteOrEmpty) {
   const std::string target = moveTarget();
   killEverywhere(move(target));
   if (!onPostgresql()) {
@@ -246,7 +246,7 @@ TEST_F(KilledMaintenance, AMoveToAnotherDatabaseIsWholeOrEmpty) {
   expectNothingHalf();
 }
 
-TEST_F(KilledMaintenance, ANewRecordIsThereWithItsTablesOrNotAtAll) {
+TEST_F(KilledMaintenance, ANewRecordHasItsTablesOrDoesNotExist) {
   killEverywhere(firstRecord());
   if (!onPostgresql()) {
     fillDiskEverywhere(firstRecord());
@@ -254,7 +254,7 @@ TEST_F(KilledMaintenance, ANewRecordIsThereWithItsTablesOrNotAtAll) {
   expectNothingHalf();
 }
 
-TEST_F(KilledMaintenance, AKeyIsWholeOrNotThereAndAWitnessKeepsWholeLines) {
+TEST_F(KilledMaintenance, AKeyIsCompleteOrMissingAndAWitnessHasOnlyCompleteLines) {
   killEverywhere(firstKey());
   fillDiskEverywhere(firstKey());
   killEverywhere(head());
@@ -262,7 +262,7 @@ TEST_F(KilledMaintenance, AKeyIsWholeOrNotThereAndAWitnessKeepsWholeLines) {
   expectNothingHalf();
 }
 
-TEST_F(KilledMaintenance, AKeyThatWasCutOffWhileItTookThePlaceOfAnotherIsTakenUpAgain) {
+TEST_F(KilledMaintenance, AnInterruptedKeyReplacementIsResumed) {
   ASSERT_EQ(run({"audit", "key", file("key")}).code, 0);
   ASSERT_EQ(run({"audit", "head", "--key", file("key"), "--witness", file("first-heads"), "--database",
                  file("record.sqlite")})
@@ -285,7 +285,7 @@ TEST_F(KilledMaintenance, AKeyThatWasCutOffWhileItTookThePlaceOfAnotherIsTakenUp
       << "a key that took nobody's place is not another's successor";
 }
 
-TEST_F(KilledMaintenance, ADemonstrationTakesThePlaceOfAnOlderOneWholeOrNot) {
+TEST_F(KilledMaintenance, ADemonstrationReplacesAnOlderOneCompletelyOrNotAtAll) {
   if (std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
     GTEST_SKIP() << "takes minutes; TORSIO_KILL_INSTANTS says how many";
   }
@@ -318,7 +318,7 @@ TEST_F(KilledMaintenance, ADemonstrationTakesThePlaceOfAnOlderOneWholeOrNot) {
   }
 }
 
-TEST_F(KilledMaintenance, AWorkbookIsWholeOrNotThere) {
+TEST_F(KilledMaintenance, AWorkbookIsCompleteOrMissing) {
   const auto whole = [this] {
     const std::string book = file("book.xlsx");
     if (fs::exists(book)) {
@@ -336,7 +336,7 @@ TEST_F(KilledMaintenance, AWorkbookIsWholeOrNotThere) {
   expectNothingHalf();
 }
 
-TEST_F(KilledMaintenance, ADataSetIsWholeOrNotThere) {
+TEST_F(KilledMaintenance, ADataSetIsCompleteOrMissing) {
   const fs::path set = file("set");
   const auto whole = [&] {
     if (!fs::exists(set)) {
@@ -358,7 +358,7 @@ TEST_F(KilledMaintenance, ADataSetIsWholeOrNotThere) {
   expectNothingHalf();
 }
 
-TEST_F(KilledMaintenance, TheRolesOfAServerAreWrittenWholeOrNot) {
+TEST_F(KilledMaintenance, TheRolesOfAServerAreWrittenCompletelyOrNotAtAll) {
   if (!onPostgresql()) {
     GTEST_SKIP() << "an SQLite file has no roles";
   }

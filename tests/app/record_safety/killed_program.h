@@ -16,15 +16,15 @@ extern char** environ;
 
 namespace torsio::test {
 
-/// At how many instants a program is cut off; the variable changes it: TORSIO_KILL_INSTANTS,
-/// TORSIO_FULL_DISK_INSTANTS.
+/// Returns the number of instants for interruptions, from an environment variable if set:
+/// TORSIO_KILL_INSTANTS, TORSIO_FULL_DISK_INSTANTS.
 inline long instantsOf(const char* variable, long usually) {
   const char* wanted = std::getenv(variable);
   return wanted == nullptr ? usually : std::atol(wanted);
 }
 
-/// Starts the built program, or another one, with its standard output thrown away, and with further variables
-/// of the environment. `errors`: where its standard error goes. Below 0: it could not be started.
+/// Starts the built program, or another one, discarding its standard output, with additional environment
+/// variables. `errors`: file for its standard error. Negative: it could not be started.
 inline pid_t startSilent(const std::vector<std::string>& arguments, const char* program = TORSIO_PROGRAM,
                          const std::vector<std::string>& variables = {},
                          const std::string& errors = "/dev/null") {
@@ -53,13 +53,13 @@ inline pid_t startSilent(const std::vector<std::string>& arguments, const char* 
   return child;
 }
 
-/// How a program ended that tests/support/faults was laid before.
+/// How a program ended that ran with tests/support/faults.
 struct FaultyRun {
-  int code = -1;  ///< exit code; below 0: it was killed, or could not be started
+  int code = -1;  ///< exit code; negative: killed, or could not be started
   bool killed = false;
 };
 
-/// Runs a program with one variable of tests/support/faults/fault_points.cpp set.
+/// Runs a program with one variable of tests/support/faults/fault_points.cpp.
 inline FaultyRun runWithFault(const std::vector<std::string>& arguments, const std::string& fault,
                               const char* program = TORSIO_PROGRAM, const std::string& errors = "/dev/null") {
   const pid_t child = startSilent(arguments, program, {"LD_PRELOAD=" TORSIO_FAULT_POINTS, fault}, errors);
@@ -72,7 +72,7 @@ inline FaultyRun runWithFault(const std::vector<std::string>& arguments, const s
           .killed = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL};
 }
 
-/// Runs a program that stops at every `every`-th instant, where `look` sees what a kill would have left.
+/// Runs a program that stops at every `every`-th instant, so that `look` can check what a kill would leave.
 inline FaultyRun runWithStops(const std::vector<std::string>& arguments, long every,
                               const std::function<void()>& look, const char* program = TORSIO_PROGRAM) {
   const pid_t child =
@@ -95,8 +95,8 @@ inline FaultyRun runWithStops(const std::vector<std::string>& arguments, long ev
   return {};
 }
 
-/// Lets a program do its work, and counts its instants: calls that change a disk or talk to a server. `code`:
-/// how it ended.
+/// Runs a program to its end and counts its instants: calls that change a disk or talk to a server. `code`:
+/// its exit code.
 inline long countInstants(const std::vector<std::string>& arguments, const std::filesystem::path& scratch,
                           int& code, const char* program = TORSIO_PROGRAM) {
   const std::string file = (scratch / ".instants").string();

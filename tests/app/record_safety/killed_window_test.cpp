@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same for what only the window does, on a record of either engine.
+// Interruption of operations that only the window has, on both engines.
 #include <set>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A record of which everything is asked, with an administrator.
+/// A record that covers all cases, with an administrator.
 class KilledWindow : public CutOffMaintenance {
  protected:
   static constexpr const char* kPassword = "four walls and a lamp";
@@ -60,7 +60,7 @@ class KilledWindow : public CutOffMaintenance {
     }
     CutOffMaintenance::TearDown();
   }
-  /// The schema of the test in another database of its server.
+  /// Returns the address of the test's schema in another database of its server.
   [[nodiscard]] std::string inDatabase(const std::string& name) const {
     Locator place = parseLocator(locator());
     place.database = name;
@@ -84,7 +84,7 @@ class KilledWindow : public CutOffMaintenance {
     Connection record = openDatabase(target(), OpenMode::kReadWrite);
     return numberFrom(record, sql);
   }
-  /// One question about all rows of a server: each question there takes its time.
+  /// Hashes all rows in one query: on a server each query takes time.
   static std::string hashOfEveryRow(Connection& connection) {
     std::string rows;
     for (const std::string& table : selectAll(
@@ -99,14 +99,14 @@ class KilledWindow : public CutOffMaintenance {
   static std::string textFrom(Connection& connection, const std::string& sql) {
     return selectFirst(connection, sql, {}, readText).value_or("");
   }
-  /// An empty schema in an empty database of the server.
+  /// Creates an empty schema in an empty database of the server.
   void emptyServer() const {
     open().executeVerbatim("DROP DATABASE IF EXISTS " + kept_ + " WITH (FORCE)");
     open().executeVerbatim("CREATE DATABASE " + kept_);
     openDatabase(target(), OpenMode::kReadWrite)
         .executeVerbatim("CREATE SCHEMA " + parseLocator(target()).schema);
   }
-  /// The record as it was, unless it is so still, as `done` tells of a server.
+  /// Restores the initial record, unless `done` shows that the server's is unchanged.
   void makeAnew(const std::function<bool()>& done) const {
     if (!onPostgresql()) {
       removeDatabase(file("kept.sqlite"));
@@ -120,7 +120,7 @@ class KilledWindow : public CutOffMaintenance {
     open().executeVerbatim("CREATE DATABASE " + kept_ + " TEMPLATE " + template_ + " STRATEGY FILE_COPY");
     made_ = true;
   }
-  /// An act of window_act, which `done` tells of, and what holds in the record after it.
+  /// Describes an operation of window_act, how to tell that it is `done`, and what must hold afterwards.
   [[nodiscard]] CutOff act(
       const std::vector<std::string>& words, const std::function<bool()>& done,
       const std::function<void(Connection&)>& after, const std::function<void()>& before = [] {}) const {
@@ -137,7 +137,7 @@ class KilledWindow : public CutOffMaintenance {
                   Connection record = onPostgresql() ? openDatabase(target(), OpenMode::kReadWrite)
                                                      : openRecord(target(), OpenMode::kReadWrite);
                   bool asMade = false;
-                  if (onPostgresql()) {  // what the killed program had sent comes to its end first
+                  if (onPostgresql()) {  // wait until what the killed program sent has been processed
                     const Transaction waits(record);
                     record.executeVerbatim("LOCK TABLE person IN ACCESS EXCLUSIVE MODE");
                     asMade = textFrom(record, everyRow_) == asMade_;
@@ -156,14 +156,14 @@ class KilledWindow : public CutOffMaintenance {
   }
 
  private:
-  std::string template_;  // databases of the server
+  std::string template_;  // database names on the server
   std::string kept_;
   std::string everyRow_;
   std::string asMade_;
   mutable bool made_ = false;
 };
 
-TEST_F(KilledWindow, APersonIsErasedWholeOrNot) {
+TEST_F(KilledWindow, APersonIsErasedCompletelyOrNotAtAll) {
   const auto number = [](Connection& record, const std::string& sql) {
     return numberFrom(record, sql + "'" + kPerson + "'");
   };
@@ -184,7 +184,7 @@ TEST_F(KilledWindow, APersonIsErasedWholeOrNot) {
       }));
 }
 
-TEST_F(KilledWindow, TheDemonstrationIsRemovedWholeOrNot) {
+TEST_F(KilledWindow, TheDemonstrationIsRemovedCompletelyOrNotAtAll) {
   const auto people = [](Connection& record, const char* which) {
     return numberFrom(record, std::string("SELECT count(*) FROM person WHERE demonstration = ") + which);
   };
@@ -201,7 +201,7 @@ TEST_F(KilledWindow, TheDemonstrationIsRemovedWholeOrNot) {
       }));
 }
 
-TEST_F(KilledWindow, AFirstRunWithSimulatedPeopleIsWholeOrNot) {
+TEST_F(KilledWindow, AFirstRunWithSimulatedPeopleIsCompleteOrUndone) {
   if (std::getenv("TORSIO_KILL_INSTANTS") == nullptr) {
     GTEST_SKIP() << "takes a minute; TORSIO_KILL_INSTANTS says how many";
   }
@@ -252,7 +252,7 @@ TEST_F(KilledWindow, AFirstRunWithSimulatedPeopleIsWholeOrNot) {
   EXPECT_EQ(whole.size(), 1U) << "every whole demonstration has as many people and recordings";
 }
 
-TEST_F(KilledWindow, APackageIsWholeOrNotThere) {
+TEST_F(KilledWindow, APackageIsCompleteOrMissing) {
   if (onPostgresql()) {
     GTEST_SKIP() << "what it writes does not depend on the engine";
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// After a move there are two records: each one's register of copies, and so an erase, names the other.
+// A copied record leaves two: each one's register of copies, and thus an erase, names the other.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -47,7 +47,7 @@ class MovedRecord : public CutOffMaintenance {
     }
     return places;
   }
-  /// Places that an erase at `locator` names.
+  /// Returns the places that an erase at `locator` names.
   [[nodiscard]] static std::vector<std::string> namedByErase(const std::string& locator) {
     Connection connection = openRecord(locator, OpenMode::kReadWrite);
     SystemIdSource ids;
@@ -85,7 +85,7 @@ TEST_F(MovedRecord, EachEndNamesTheOtherAndNotItself) {
   EXPECT_TRUE(isSound(moved));
 }
 
-TEST_F(MovedRecord, AMoveThatIsGivenUpIsNotListed) {
+TEST_F(MovedRecord, ACancelledMoveIsNotListed) {
   if (onPostgresql()) {
     GTEST_SKIP() << "what is given up does not depend on the engine";
   }

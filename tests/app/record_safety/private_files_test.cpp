@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is about people is for the owner of the record alone, and what was erased is not left on the disk.
+// Personal data are readable only by the record's owner, and erased data do not remain on the disk.
 #include "sim/core/private_files.h"
 
 #include <chrono>
@@ -41,7 +41,7 @@ bool isPrivate(const fs::path& file) {
   return (fs::status(file).permissions() & kOthers) == fs::perms::none;
 }
 
-TEST(PrivateFiles, WhatTheProgramWritesIsForItsOwnerAlone) {
+TEST(PrivateFiles, WrittenFilesAreReadableOnlyByTheirOwner) {
   const fs::path folder = emptyFolder("private");
   const std::string out = (folder / "out").string();
 
@@ -64,7 +64,7 @@ TEST(PrivateFiles, WhatTheProgramWritesIsForItsOwnerAlone) {
   EXPECT_GE(files, 5U) << "record, backup, record before the restore, report and table";
 }
 
-TEST(PrivateFiles, WhatIsTakenOutIsForItsOwnerAloneWhateverTheUmask) {
+TEST(PrivateFiles, ExportsAreReadableOnlyByTheirOwnerWhateverTheUmask) {
   const fs::path folder = emptyFolder("taken-out");
   const std::string record = (folder / "record.sqlite").string();
   {
@@ -115,7 +115,7 @@ TEST(PrivateFiles, ACrashLeavesNoDump) {
     return std::string();
   };
   std::istringstream words;
-  for (int tries = 0; tries < 6'000 && !fs::exists(folder / "out"); ++tries) {  // it has begun its work
+  for (int tries = 0; tries < 6'000 && !fs::exists(folder / "out"); ++tries) {  // it has started working
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   words.str(limits().substr(18));
@@ -132,7 +132,7 @@ TEST(PrivateFiles, ACrashLeavesNoDump) {
   EXPECT_FALSE(WCOREDUMP(status));
 }
 
-TEST(PrivateFiles, RecordsThatOthersCouldReadAreClosedAndNamed) {
+TEST(PrivateFiles, RecordsReadableByOthersAreClosedAndReported) {
   const fs::path folder = emptyFolder("mended");
   for (const char* name : {"torsio.sqlite", "torsio.sqlite.schema-1.sqlite", "torsio-before-restore-1.sqlite",
                            "somebody-else.txt"}) {
@@ -151,7 +151,7 @@ TEST(PrivateFiles, RecordsThatOthersCouldReadAreClosedAndNamed) {
   EXPECT_TRUE(closeRecordFiles((folder / "torsio.sqlite").string(), folder / "unstored").empty());
 }
 
-TEST(PrivateFiles, AMaintenanceCommandClosesARecordAndItsCopiesThatOthersCouldRead) {
+TEST(PrivateFiles, AMaintenanceCommandClosesARecordAndCopiesReadableByOthers) {
   const fs::path folder = emptyFolder("closed");
   const std::string record = (folder / "record.sqlite").string();
   const std::string database = " --database " + record;
@@ -182,7 +182,7 @@ TEST(PrivateFiles, AMaintenanceCommandClosesARecordAndItsCopiesThatOthersCouldRe
   EXPECT_NE(again.err.find("now only yours can"), std::string::npos) << again.err;
 }
 
-TEST(PrivateFiles, TorsiosOwnFolderIsClosedAndOneThatSomebodyChoseIsLeft) {
+TEST(PrivateFiles, TorsiosOwnFolderIsClosedAndAChosenOneIsNot) {
   const fs::path home = emptyFolder("own-folder");
   const fs::path own = home / "torsio";
   fs::create_directories(own);
@@ -198,7 +198,7 @@ TEST(PrivateFiles, TorsiosOwnFolderIsClosedAndOneThatSomebodyChoseIsLeft) {
   EXPECT_TRUE(isPrivate(own));
 }
 
-/// An administrator at a record with real and simulated rows in every table.
+/// An administrator of a record with real and simulated rows in every table.
 class ErasedBytes : public ::testing::Test {
  protected:
   ErasedBytes()
@@ -211,14 +211,15 @@ class ErasedBytes : public ::testing::Test {
         " locked_until_utc_us, created_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
         {"u", "admin", "", false, "active", 0, 0, kSampleTime_us, false});
     connection_.execute("INSERT INTO user_role (user_id, role_code) VALUES (?, ?)", {"u", "administrator"});
-    SettingRepository(connection_).set("two_people", "no", kSampleTime_us);  // one administrator does it all
+    SettingRepository(connection_).set("two_people", "no", kSampleTime_us);  // one administrator may do
+                                                                             // everything
   }
   SessionContext office() {
     Actor actor{.userId = "u", .login = "admin"};
     actor.roles = {"administrator"};
     return {connection_, ids_, {file_.string(), "room", actor}, [] { return kSampleTime_us; }};
   }
-  /// Whether the bytes stand anywhere in the file or its log.
+  /// Returns whether the bytes occur anywhere in the file or its log.
   [[nodiscard]] bool found(const std::string& text) const {
     const fs::path log = file_.string() + "-wal";
     return readFile(file_).find(text) != std::string::npos ||
@@ -232,7 +233,7 @@ class ErasedBytes : public ::testing::Test {
   FullRecord simulated_;
 };
 
-TEST_F(ErasedBytes, TheNameOfAnErasedPersonIsNotLeftInTheFileOrItsLog) {
+TEST_F(ErasedBytes, TheNameOfAnErasedPersonIsNotInTheFileOrItsLog) {
   const std::string name = "Nobody Likely Uvwxyz";
   connection_.execute(
       "INSERT INTO person_identity (person_id, full_name) VALUES (?, ?)"
@@ -246,7 +247,7 @@ TEST_F(ErasedBytes, TheNameOfAnErasedPersonIsNotLeftInTheFileOrItsLog) {
   EXPECT_FALSE(found(name));
 }
 
-TEST_F(ErasedBytes, RemovingTheDemonstrationGivesItsRoomBack) {
+TEST_F(ErasedBytes, RemovingTheDemonstrationFreesItsSpace) {
   SessionContext session = office();
 
   removeDemonstrationData(session, "the centre begins");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Torsio never destroys a record: what the command line is told to write, and where a program may be killed.
+// Torsio never destroys a record, whatever the command line is told to write and whenever a program is
+// killed.
 #include <algorithm>
 #include <fstream>
 #include <functional>
@@ -34,7 +35,7 @@ int codeOf(ErrorCode code) {
   return static_cast<int>(code);
 }
 
-/// A folder with a real centre's record of the default name, and a backup of it.
+/// A folder with a real centre's record under the default name, and a backup of it.
 class RecordSafety : public ::testing::Test {
  protected:
   RecordSafety()
@@ -53,7 +54,7 @@ class RecordSafety : public ::testing::Test {
     row.execute();
     return row.step() ? row.text(0) : "";
   }
-  /// What lies in the folder and begins with `name`.
+  /// Returns files in the folder whose names begin with `name`.
   [[nodiscard]] std::vector<std::string> besides(const std::string& name) const {
     std::vector<std::string> found;
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -65,14 +66,14 @@ class RecordSafety : public ::testing::Test {
     return found;
   }
 
-  /// A copy of "sound.sqlite" with other bytes at one place.
+  /// Copies "sound.sqlite" with other bytes at one position.
   void overwritten(const std::string& path, const std::string& bytes, std::streamoff at = 0) const {
     fs::copy_file(file("sound.sqlite"), path);
     std::fstream copy(path, std::ios::in | std::ios::out | std::ios::binary);
     copy.seekp(at);
     copy << bytes;
   }
-  /// Bytes as those of a packed picture.
+  /// Returns bytes like those of a compressed picture.
   static std::string noise(std::size_t length) {
     std::mt19937 random(1);
     std::string bytes(length, '\0');
@@ -94,7 +95,7 @@ TEST_F(RecordSafety, ADemonstrationDoesNotReplaceARecordWithARealPerson) {
   EXPECT_FALSE(fs::exists(file("cohort.pdf")));
 }
 
-TEST_F(RecordSafety, ADemonstrationDoesNotReplaceWhatItCannotRead) {
+TEST_F(RecordSafety, ADemonstrationDoesNotReplaceAnUnreadableFile) {
   for (const std::string content : {"", "no database", "SQLite format 3 and then nothing of the kind"}) {
     std::ofstream(file("torsio.sqlite"), std::ios::trunc) << content;
 
@@ -120,7 +121,7 @@ TEST_F(RecordSafety, ADemonstrationReplacesAnOlderOneThatNobodyHasOpen) {
   EXPECT_TRUE(besides("torsio.sqlite").empty());
 }
 
-TEST_F(RecordSafety, EveryRestoreKeepsWhatWasThere) {
+TEST_F(RecordSafety, EveryRestoreKeepsThePreviousRecord) {
   makeRecord("record.sqlite", "original");
   makeRecord("a.sqlite", "a");
   makeRecord("b.sqlite", "b");
@@ -143,7 +144,7 @@ TEST_F(RecordSafety, EveryRestoreKeepsWhatWasThere) {
   EXPECT_NE(second.out.find("before-restore-2"), std::string::npos) << second.out;
 }
 
-TEST_F(RecordSafety, ABackupReplacesAnOlderBackupWhenToldToAndARecordNever) {
+TEST_F(RecordSafety, ABackupReplacesAnOlderBackupOnRequestButNeverARecord) {
   makeRecord("record.sqlite");
   makeRecord("other.sqlite", "other");
   const std::string other = readFile(file("other.sqlite"));
@@ -176,7 +177,7 @@ TEST_F(RecordSafety, ABackupReplacesNoFileOfAnotherKind) {
   EXPECT_EQ(replace("empty.tmp"), 0) << "a name that mktemp made";
 }
 
-TEST_F(RecordSafety, ARestoredRecordIsNoBackupAnyMore) {
+TEST_F(RecordSafety, ARestoredRecordIsNoLongerABackup) {
   makeRecord("record.sqlite");
   const std::string database = " --database " + file("record.sqlite");
   ASSERT_EQ(run("db backup --as-system " + file("backup.sqlite") + database).code, 0);
@@ -188,7 +189,7 @@ TEST_F(RecordSafety, ARestoredRecordIsNoBackupAnyMore) {
   EXPECT_EQ(backup.code, codeOf(ErrorCode::kFileUnwritable));
 }
 
-TEST_F(RecordSafety, AnEmptyFileIsNeitherARecordNorBackedUp) {
+TEST_F(RecordSafety, AnEmptyFileIsNoRecordAndIsNotBackedUp) {
   makeRecord("record.sqlite");
   fs::resize_file(file("record.sqlite"), 0);
   const std::string database = " --database " + file("record.sqlite");
@@ -202,7 +203,7 @@ TEST_F(RecordSafety, AnEmptyFileIsNeitherARecordNorBackedUp) {
   EXPECT_EQ(refusalFrom([&] { (void)lookAtRecord(file("record.sqlite")); }).code, ErrorCode::kFileUnreadable);
 }
 
-TEST_F(RecordSafety, AKnownRecordThatIsGoneOrEmptiedIsAnError) {
+TEST_F(RecordSafety, AKnownRecordThatIsMissingOrEmptyIsAnError) {
   makeRecord("empty.sqlite");
   {
     Connection connection = openDatabase(file("schema.sqlite"), OpenMode::kCreate);
@@ -215,7 +216,7 @@ TEST_F(RecordSafety, AKnownRecordThatIsGoneOrEmptiedIsAnError) {
   EXPECT_EQ(refusalFrom([&] { requireKnownRecord(file("empty.sqlite")); }).code, ErrorCode::kFileUnreadable);
 }
 
-TEST_F(RecordSafety, LookingWhereARecordCouldBeWritesNothing) {
+TEST_F(RecordSafety, CheckingWhereARecordCouldBeWritesNothing) {
   EXPECT_EQ(lookAtRecord(file("new.sqlite")), RecordPlace::kNothing);
   EXPECT_EQ(refusalFrom([&] { (void)lookAtRecord(file("none/new.sqlite")); }).code,
             ErrorCode::kFileUnwritable);
@@ -223,18 +224,18 @@ TEST_F(RecordSafety, LookingWhereARecordCouldBeWritesNothing) {
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-/// What lies at a path where somebody expects a record, and the code that says so.
+/// Content of a path where a record is expected, and its error code.
 struct NoRecord {
   const char* what;
   std::function<void(const std::string& path)> make;
   ErrorCode code;
 };
 
-/// As if a program had been killed in the middle of a change that had not yet come to any page.
+/// Leaves what a program killed in the middle of a change leaves before any page is written.
 void leaveHalfDone(const std::string& record) {
   constexpr std::uintmax_t kPage_bytes = 4096;
   const std::uintmax_t pages = fs::file_size(record) / kPage_bytes;
-  std::string journal("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7\0\0\0\0\0\0\0\0", 16);  // no page to take back
+  std::string journal("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7\0\0\0\0\0\0\0\0", 16);  // no page to roll back
   for (const int shift : {24, 16, 8, 0}) {
     journal += static_cast<char>(pages >> shift);
   }
@@ -243,7 +244,7 @@ void leaveHalfDone(const std::string& record) {
   std::ofstream(record + "-journal", std::ios::binary) << journal;
 }
 
-TEST_F(RecordSafety, AChangeThatAKilledProgramLeftHalfDoneIsTakenBackAtTheNextStart) {
+TEST_F(RecordSafety, AChangeInterruptedByAKillIsRolledBackAtTheNextStart) {
   makeRecord("known.sqlite");
   {
     Connection connection = openDatabase(file("known.sqlite"), OpenMode::kReadWrite);
@@ -257,7 +258,7 @@ TEST_F(RecordSafety, AChangeThatAKilledProgramLeftHalfDoneIsTakenBackAtTheNextSt
   EXPECT_EQ(runTorsio("db check --database " + file("known.sqlite"), folder_).code, 0);
 }
 
-TEST_F(RecordSafety, ChecksOfWhatIsNoSoundRecordSaySoAndChangeNothing) {
+TEST_F(RecordSafety, ChecksOfInvalidRecordsReportItAndChangeNothing) {
   makeRecord("sound.sqlite");
   {
     Connection connection = openDatabase(file("sound.sqlite"), OpenMode::kReadWrite);
@@ -387,7 +388,7 @@ TEST_F(RecordSafety, DamagedPagesAreAFailedCheck) {
   }
 }
 
-TEST_F(RecordSafety, NoReportTakesThePlaceOfADatabase) {
+TEST_F(RecordSafety, AReportNeverReplacesADatabase) {
   makeRecord("sound.sqlite");
   overwritten(file("damaged.sqlite"), noise(100));
   for (const char* name : {"sound.sqlite", "damaged.sqlite"}) {
@@ -403,18 +404,17 @@ TEST_F(RecordSafety, NoReportTakesThePlaceOfADatabase) {
   EXPECT_EQ(readFile(file("picture.jpg")), "another");
 }
 
-TEST_F(RecordSafety, WhatKilledProgramsLeftIsSweptAndWhatOthersMakeStays) {
+TEST_F(RecordSafety, LeftoversOfKilledProgramsAreRemovedAndFilesInUseStay) {
   makeRecord("record.sqlite");
   for (const char* left : {"old.sqlite.part", "old.sqlite.part-wal", "unrelated.part"}) {
     std::ofstream(file(left)) << "left";
   }
-  std::ofstream(file("old.sqlite.part.lock"))
-      << "4194399\ntorsio\nelsewhere\n";  // no process has this number
+  std::ofstream(file("old.sqlite.part.lock")) << "4194399\ntorsio\nelsewhere\n";  // no process has this id
   const fs::path check = fs::temp_directory_path() / ("torsio-check-" + folder_.filename().string());
   fs::create_directories(check);
   std::ofstream(check / "copy.sqlite") << "names";
   std::ofstream(check / "in-use") << "4194399\ntorsio\n\n";
-  const fs::path nobodys = check.string() + "-nobody";  // killed before it wrote down whose the lock is
+  const fs::path nobodys = check.string() + "-nobody";  // killed before it wrote the owner of the lock
   fs::create_directories(nobodys);
   std::ofstream(nobodys / "in-use").close();
   const FileInTheMaking mine(file("mine.sqlite"));
@@ -431,7 +431,7 @@ TEST_F(RecordSafety, WhatKilledProgramsLeftIsSweptAndWhatOthersMakeStays) {
   fs::remove_all(check);
 }
 
-TEST_F(RecordSafety, EveryWayOfExchangingKeepsBothFiles) {
+TEST_F(RecordSafety, EveryWayOfSwappingKeepsBothFiles) {
   for (const ExchangeBy way : {ExchangeBy::kOneStep, ExchangeBy::kHardLink, ExchangeBy::kNote}) {
     std::ofstream(file("record"), std::ios::trunc) << "old";
     std::ofstream(file("ready"), std::ios::trunc) << "new";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What fits itself and is found by a head that was kept elsewhere, on both engines.
+// Consistent forgeries, detected by a head stored elsewhere, on both engines.
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@
 namespace torsio {
 namespace {
 
-/// A record with some marks, and the head of its trail when it had them.
+/// A record with some marks, and the head of its trail at that time.
 class RewrittenTrail : public DatabaseTest {
  protected:
   void SetUp() override {
@@ -40,7 +40,7 @@ class RewrittenTrail : public DatabaseTest {
     DatabaseTest::TearDown();
   }
 
-  /// Versions `from` .. `from + more` of one mark.
+  /// Submits versions `from` .. `from + more` of one mark.
   void submit(int from, int more) {
     for (int version = from; version <= from + more; ++version) {
       SubmittedMark mark;
@@ -60,7 +60,7 @@ class RewrittenTrail : public DatabaseTest {
   [[nodiscard]] std::int64_t length() {
     return numberFrom(*connection_, "SELECT max(sequence) FROM audit_entry");
   }
-  /// As somebody with another tool and every guard switched off.
+  /// Opens the record as an attacker with another tool and all protections off.
   [[nodiscard]] Connection pryOpen() const {
     Connection behind = open();
     disarm(behind);
@@ -77,13 +77,13 @@ class RewrittenTrail : public DatabaseTest {
   std::optional<SampleRecord> sample_;
 };
 
-TEST_F(RewrittenTrail, ARecordThatOnlyGrewFitsItsHead) {
+TEST_F(RewrittenTrail, ARecordThatOnlyGrewMatchesItsHead) {
   const std::string kept = head();
   submit(2, 3);
   EXPECT_EQ(foundWith(kept), 0U);
 }
 
-TEST_F(RewrittenTrail, TheNewestEntryDeletedIsFound) {
+TEST_F(RewrittenTrail, ADeletedLatestEntryIsDetected) {
   const std::string kept = head();
   Connection behind = pryOpen();
 
@@ -92,7 +92,7 @@ TEST_F(RewrittenTrail, TheNewestEntryDeletedIsFound) {
   EXPECT_EQ(foundWith(kept), 1U);
 }
 
-TEST_F(RewrittenTrail, TheLast40EntriesWithTheirMarksAndTrialsDeletedAreFound) {
+TEST_F(RewrittenTrail, DeletingTheLast40EntriesWithTheirMarksAndTrialsIsDetected) {
   const std::string before = std::to_string(length());
   submit(2, 19);
   recordTrial();
@@ -112,7 +112,7 @@ TEST_F(RewrittenTrail, TheLast40EntriesWithTheirMarksAndTrialsDeletedAreFound) {
   EXPECT_EQ(foundWith(kept), 1U);
 }
 
-TEST_F(RewrittenTrail, AChangedMarkWithTheWholeChainRewrittenIsFound) {
+TEST_F(RewrittenTrail, AChangedMarkWithTheWholeChainRewrittenIsDetected) {
   const std::string kept = head();
   Connection behind = pryOpen();
   behind.executeVerbatim("UPDATE training_mark SET score_steps = 95");
@@ -124,7 +124,7 @@ TEST_F(RewrittenTrail, AChangedMarkWithTheWholeChainRewrittenIsFound) {
   EXPECT_EQ(foundWith(kept), 1U);
 }
 
-TEST_F(RewrittenTrail, AnOlderRecordPutBackIsFound) {
+TEST_F(RewrittenTrail, AnOlderRecordPutBackIsDetected) {
   const std::string older = std::to_string(length());
   submit(2, 1);
   const std::string kept = head();

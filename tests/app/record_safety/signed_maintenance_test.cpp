@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whoever takes care of a record from the command line is named, and leaves an entry in its trail.
+// Maintenance from the command line requires a named person and is audited.
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -64,7 +64,7 @@ class SignedMaintenance : public ::testing::Test {
   [[nodiscard]] ProgramRun run(const std::string& arguments) const {
     return runTorsio(arguments + " --database " + file("record.sqlite"), folder_);
   }
-  /// On a machine whose clock is ahead.
+  /// Runs the program on a machine whose clock is ahead.
   [[nodiscard]] ProgramRun runAhead(long seconds, const std::string& arguments) const {
     return runTorsio(arguments + " --database " + file("record.sqlite"), folder_,
                      "LD_PRELOAD=" TORSIO_FAULT_POINTS " TORSIO_FAULT_CLOCK_S=" + std::to_string(seconds));
@@ -84,7 +84,7 @@ class SignedMaintenance : public ::testing::Test {
   PersonId person_;
 };
 
-TEST_F(SignedMaintenance, NobodyBacksUpUnnamed) {
+TEST_F(SignedMaintenance, ABackupRequiresAName) {
   const std::string backup = "db backup " + file("b.sqlite");
 
   const ProgramRun unnamed = run(backup);
@@ -103,7 +103,7 @@ TEST_F(SignedMaintenance, NobodyBacksUpUnnamed) {
   EXPECT_EQ(newestActorOf("database.backup"), "system:" + std::to_string(geteuid()));
 }
 
-TEST_F(SignedMaintenance, APasswordThatCannotBeReadOrIsAnotherOneOpensNothing) {
+TEST_F(SignedMaintenance, AnUnreadableOrWrongPasswordOpensNothing) {
   std::ofstream(file("empty")).close();
   std::ofstream(file("blank")) << "\n" << kPassword << "\n";
   std::ofstream(file("longer")) << kPassword << " \n";
@@ -128,7 +128,7 @@ TEST_F(SignedMaintenance, APasswordThatCannotBeReadOrIsAnotherOneOpensNothing) {
       << "the end of a line is no part of a password";
 }
 
-TEST_F(SignedMaintenance, AClockThatRan400DaysAheadLocksNobodyAndLosesNothing) {
+TEST_F(SignedMaintenance, AClockThatRan400DaysAheadLocksNobodyOutAndLosesNothing) {
   constexpr long kAhead_s = 400L * 86'400;
   const std::string head = "audit head --key " + file("key") + " --witness " + file("heads");
   ASSERT_EQ(runTorsio("audit key " + file("key"), folder_).code, 0);
@@ -147,13 +147,13 @@ TEST_F(SignedMaintenance, AClockThatRan400DaysAheadLocksNobodyAndLosesNothing) {
   EXPECT_NE(run("db copies").out.find(file("later.sqlite")), std::string::npos);
 }
 
-TEST_F(SignedMaintenance, LookingNeedsNobody) {
+TEST_F(SignedMaintenance, ReadingRequiresNobody) {
   EXPECT_EQ(run("db check").code, 0);
   EXPECT_EQ(run("audit verify").code, 0);
   EXPECT_EQ(run("audit head").code, 0);
 }
 
-TEST_F(SignedMaintenance, ARestoreErasesAgainWhoWasErasedSinceAndTellsOfItself) {
+TEST_F(SignedMaintenance, ARestoreRepeatsLaterErasuresAndIsAudited) {
   {
     Connection connection = open();
     SettingRepository(connection).set("two_people", "no", 1);
@@ -176,7 +176,7 @@ TEST_F(SignedMaintenance, ARestoreErasesAgainWhoWasErasedSinceAndTellsOfItself) 
   EXPECT_EQ(run("audit verify").code, 0);
 }
 
-TEST_F(SignedMaintenance, ARestoredRecordKnowsTheCopiesThatWereMadeAfterIt) {
+TEST_F(SignedMaintenance, ARestoredRecordKnowsLaterCopies) {
   ASSERT_EQ(run("db backup --as-system " + file("first.backup")).code, 0);
   ASSERT_EQ(run("db backup --as-system " + file("second.backup")).code, 0);
 
@@ -189,7 +189,7 @@ TEST_F(SignedMaintenance, ARestoredRecordKnowsTheCopiesThatWereMadeAfterIt) {
   EXPECT_EQ(run("audit verify").code, 0);
 }
 
-TEST_F(SignedMaintenance, ARestoreTakesTwoWhereTheCentreAsksForThem) {
+TEST_F(SignedMaintenance, ARestoreNeedsTwoPeopleIfTheCentreRequiresThem) {
   ASSERT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
 
   const ProgramRun alone = run("db restore " + file("b.sqlite") + as("office"));
@@ -209,7 +209,7 @@ TEST_F(SignedMaintenance, ARestoreTakesTwoWhereTheCentreAsksForThem) {
   EXPECT_NE(told.find(R"("asked_by":"u-office","confirmed_by":"u-second")"), std::string::npos) << told;
 }
 
-TEST_F(SignedMaintenance, ADamagedRecordIsRestoredByWhoeverSignsInToTheBackup) {
+TEST_F(SignedMaintenance, ADamagedRecordIsRestoredBySigningInToTheBackup) {
   ASSERT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
   for (const char* part : {"-wal", "-shm"}) {
     fs::remove(file("record.sqlite") + part);
@@ -225,7 +225,7 @@ TEST_F(SignedMaintenance, ADamagedRecordIsRestoredByWhoeverSignsInToTheBackup) {
   EXPECT_EQ(newestActorOf("database.restore"), "system:" + std::to_string(geteuid()));
 }
 
-TEST_F(SignedMaintenance, TheSystemCaresOnlyForWhatItOwns) {
+TEST_F(SignedMaintenance, TheSystemMaintainsOnlyWhatItOwns) {
   if (geteuid() != 0) {
     GTEST_SKIP() << "only root can give a file away";
   }
@@ -238,8 +238,8 @@ TEST_F(SignedMaintenance, TheSystemCaresOnlyForWhatItOwns) {
   EXPECT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
 }
 
-TEST_F(SignedMaintenance, ThePasswordOfWhoeverSignsInIsInNoListOfProcesses) {
-  // The program waits at the descriptor for the rest of the password, so that it can be looked at.
+TEST_F(SignedMaintenance, ThePasswordIsInNoListOfProcesses) {
+  // The program waits for the rest of the password, so that it can be inspected.
   std::array<int, 2> pipe{};
   ASSERT_EQ(::pipe(pipe.data()), 0);
   const std::string half = "half-of-a-secret";
@@ -267,7 +267,7 @@ TEST_F(SignedMaintenance, ThePasswordOfWhoeverSignsInIsInNoListOfProcesses) {
   close(pipe[1]);
 }
 
-TEST_F(SignedMaintenance, APasswordInAnAddressIsRefusedAndNotRepeated) {
+TEST_F(SignedMaintenance, APasswordInAnAddressIsRejectedAndNotRepeated) {
   for (const char* command :
        {"db check --database", "audit verify --database", "db backup --as-system b.sqlite --database",
         "db copy --as-system record.sqlite", "db prepare-server --as-system", "metrics t --database",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An act of maintenance that only the window does, in a program of its own that can be killed:
+// A maintenance operation that only the window has, in a separate program that can be killed:
 //   window_act erase|remove-demonstration|package|first-run LOCATOR LOGIN PASSWORD [PERSON [FOLDER]]
 #include <iostream>
 #include <string>
@@ -18,7 +18,7 @@
 namespace torsio {
 namespace {
 
-/// The last step of the first-run wizard, with simulated people who train shortly.
+/// Runs the last step of the first-run wizard, with simulated people who train briefly.
 void setUp(const std::vector<std::string>& words) {
   SessionContext session(SessionKey{.locator = words.at(1), .station = "station"});
   session.setPasswordCost(PasswordCost::kTest);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ten raters, one office and three stages on the real arm, each with a connection of their own, and what goes
-// wrong on such a day: a rater whose machine dies, a call that is made twice, an office that has to sign in
-// anew.
+// Ten raters, one office and three stages on the real arm, each with a separate connection, and typical
+// problems of such a day: a rater's machine dies, a call is made twice, an office has to sign in again.
 #include <map>
 #include <memory>
 #include <optional>
@@ -70,9 +69,9 @@ class LiveSession : public DatabaseTest {
     DatabaseTest::TearDown();
   }
 
-  /// A program of its own: another connection to the same record.
+  /// Simulates a separate program: another connection to the same record.
   std::unique_ptr<SessionContext> openAs(Actor actor) {
-    actor.passwordShownUtc_us = utcNow_us();  // its clock is that of the day
+    actor.passwordShownUtc_us = utcNow_us();  // on the day's clock
     return std::make_unique<SessionContext>(SessionKey{locator(), "desk of " + actor.login, actor});
   }
   std::unique_ptr<SessionContext> openAdministrator() { return openAs(centre_->as("administrator").actor()); }
@@ -88,7 +87,7 @@ class LiveSession : public DatabaseTest {
     return *raters_[rater];
   }
 
-  /// The one sheet that the rater's page opens by itself.
+  /// Returns the single sheet that the rater's page opens automatically.
   std::optional<QueueLine> calledSheet(std::size_t rater) {
     std::optional<QueueLine> found;
     for (const QueueLine& line : liveLines(desk(rater))) {
@@ -158,7 +157,7 @@ class LiveSession : public DatabaseTest {
   std::vector<std::unique_ptr<SessionContext>> raters_;
 };
 
-TEST_F(LiveSession, TenRatersScoreSixTraineesAtThreeStagesByTheCallAlone) {
+TEST_F(LiveSession, TenRatersScoreSixTraineesAtThreeStagesGuidedByCalls) {
   for (int stage = 0; stage < 3; ++stage) {
     for (std::size_t trainee = 0; trainee < kTrainees; ++trainee) {
       scoreByAll(trainee, 40 + 10 * stage);
@@ -168,7 +167,7 @@ TEST_F(LiveSession, TenRatersScoreSixTraineesAtThreeStagesByTheCallAlone) {
     }
   }
 
-  // Each mark lies on the sheet of the stage at which the trainee stood at the arm.
+  // Each mark is on the sheet of the stage at which the trainee was called.
   const std::map<std::string, std::int64_t> stepsOf{{"pre", 40}, {"mid", 50}, {"post", 60}};
   std::size_t marks = 0;
   for (const AssignmentStatus& status : SheetRepository(centre_->connection()).assignments(cohort_)) {
@@ -184,7 +183,7 @@ TEST_F(LiveSession, TenRatersScoreSixTraineesAtThreeStagesByTheCallAlone) {
   EXPECT_TRUE(verifyAuditTrail(centre_->connection()).empty());
 }
 
-TEST_F(LiveSession, ARaterWhoseMachineDiesHandsTheSheetInAfterTheCall) {
+TEST_F(LiveSession, ARaterWhoseMachineDiesSubmitsTheSheetAfterTheCall) {
   const LiveCallId id = call(2);
   const std::string label = now().caseLabel;
   for (std::size_t rater = 0; rater < kRaters; ++rater) {
@@ -215,7 +214,7 @@ TEST_F(LiveSession, ARaterWhoseMachineDiesHandsTheSheetInAfterTheCall) {
   EXPECT_EQ(calledCases(office(), cohort_).size(), 1U);
 }
 
-TEST_F(LiveSession, AnAdministratorWhoSignsInAnewFindsTheCallAndDoesNotMakeItTwice) {
+TEST_F(LiveSession, AnAdministratorWhoSignsInAgainFindsTheCallAndDoesNotRepeatIt) {
   const LiveCallId id = call(1);
   std::unique_ptr<SessionContext> second = openAdministrator();
   EXPECT_EQ(callTrainee(*second, {cohort_, enrolled_[1], {}, kRoom, {}}), id);
@@ -230,7 +229,7 @@ TEST_F(LiveSession, AnAdministratorWhoSignsInAnewFindsTheCallAndDoesNotMakeItTwi
   scoreByAll(0, 50);
 }
 
-TEST_F(LiveSession, AWrongScanIsTakenBackAndNobodysSheetIsLeftOpen) {
+TEST_F(LiveSession, AWrongScanCanBeCancelledAndLeavesNoSheetOpen) {
   const LiveCallId wrong = call(5);
   saveSheet(desk(7), calledSheet(7)->shown.assignmentId, {.overall_steps = 20}, WatchLog());
   cancelCall(office(), cohort_, wrong, "T-01 stood there");

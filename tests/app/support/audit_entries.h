@@ -12,7 +12,7 @@
 
 namespace torsio::testing {
 
-/// Runs a change and expects that the newest entry of the trail tells of it: `action`, by `userId`.
+/// Runs a change and expects that the latest audit entry is `action` by `userId`.
 template <typename Change>
 void expectAudited(Connection& connection, const UserId& userId, const std::string& action,
                    const Change& change) {

@@ -35,7 +35,7 @@ class CohortNumbers {
     return 0.0;
   }
 
-  /// The marks of the raters as `torsio evaluate` reads them.
+  /// Returns the raters' marks in the format of `torsio evaluate`.
   [[nodiscard]] std::string ratings() const {
     std::string text = "index,rater,class,model,score\n";
     for (std::size_t row = 0; row < table_.rows(); ++row) {

@@ -20,47 +20,47 @@ namespace torsio::testing {
 inline constexpr std::int64_t kReviewTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
 inline constexpr std::int64_t kReviewDay_us = 86'400'000'000;
 
-/// A centre whose physicians score, in an SQLite file of its own: named trainees in named groups, each with a
-/// recording of the training at the point "mid" and a live case at "post"; the rubric has rows "time" and
-/// "accuracy" (1 to 10 in tenths) and an overall mark.
+/// A centre with physicians who score, in a temporary SQLite file: named trainees in named groups, each with
+/// a recording at the occasion "mid" and a live case at "post"; the rubric has the rows "time" and "accuracy"
+/// (1 to 10 in tenths) and an overall mark.
 class ReviewCentre {
  public:
   struct Setup {
     int raters = 2;
     int trainees = 2;
     double trial_s = 2.0;
-    bool live = false;          ///< also the live cases
-    bool dueByTrainee = false;  ///< each trainee's cases have a deadline of their own, days 1, 2 ...
+    bool live = false;          ///< include the live cases
+    bool dueByTrainee = false;  ///< each trainee's cases have a separate deadline, days 1, 2 ...
     bool called = true;         ///< all live cases were called to the real arm
-    /// Of the recordings; empty: the bar of the servo tests (which no file describes).
+    /// Of the recordings; null: the bar of the servo tests (which no file describes).
     const Scene* scene = nullptr;
   };
   explicit ReviewCentre(const Setup& setup);
-  /// Another program's view of a centre that exists already, in `folder`.
+  /// Opens an existing centre in `folder`, like another program.
   explicit ReviewCentre(const std::filesystem::path& folder);
   ~ReviewCentre();
   ReviewCentre(const ReviewCentre&) = delete;
   ReviewCentre& operator=(const ReviewCentre&) = delete;
 
-  /// Calls every live case to the real arm and ends the call, a minute apart.
+  /// Calls every live case to the real arm and ends the call, one per minute.
   void callAll();
-  /// Physician `index` (0 ..) signed in; a session of its own on the shared connection.
+  /// Signs in physician `index` (0 ..) in a separate session on the shared connection.
   [[nodiscard]] std::unique_ptr<SessionContext> physician(std::size_t index);
   [[nodiscard]] std::unique_ptr<SessionContext> administrator();
   [[nodiscard]] Connection& connection() { return *connection_; }
   [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  /// Assignments of physician `index` in their own order: recorded or live ones.
+  /// Returns the assignments of physician `index` in the rater's order: recorded or live ones.
   [[nodiscard]] std::vector<AssignmentId> cases(std::size_t index, bool live = false);
-  /// The assignment of physician `index` about trainee `trainee`.
+  /// Returns the assignment of physician `index` for trainee `trainee`.
   [[nodiscard]] AssignmentId caseAbout(std::size_t index, std::size_t trainee);
   [[nodiscard]] const std::vector<TrialId>& trialIds() const { return trialIds_; }
   [[nodiscard]] const RubricRevisionId& rubricRevisionId() const { return rubricRevisionId_; }
   [[nodiscard]] RaterId raterId(std::size_t index);
-  /// Adds the evaluation "campaign" of two models, PM under the letter K and FEM under M, each with one of
-  /// the recordings where it is `recorded`. Physician i is asked for the models in the order `orders[i]`.
+  /// Adds the evaluation "campaign" of two models, PM under the letter K and FEM under M, with one of the
+  /// recordings each if `recorded`. Physician i has the models in the order `orders[i]`.
   void addTwoModels(bool recorded, const std::vector<std::string>& orders = {"FEM,PM"});
-  /// Everything that a rater must not meet: names, pseudonyms, groups, stages, phases, trial ids.
+  /// Returns everything that raters must not see: names, pseudonyms, groups, stages, phases, trial ids.
   [[nodiscard]] std::vector<std::string> secrets();
   void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
   [[nodiscard]] std::int64_t now_us() const { return now_us_; }
@@ -83,7 +83,7 @@ class ReviewCentre {
   RubricRevisionId rubricRevisionId_;
 };
 
-/// A sheet of the centre's rubric: both rows and the overall mark, points.
+/// Fills in a sheet of the centre's rubric: both rows and the overall mark, points.
 [[nodiscard]] Sheet reviewSheet(double time, double accuracy, double overall);
 
 }  // namespace torsio::testing

@@ -20,7 +20,7 @@
 
 namespace torsio::testing {
 
-/// Six trainees in three groups who follow the paper's curriculum, three chiefs, the shipped rubric.
+/// Six trainees in three groups with the paper's curriculum, three chiefs, the shipped rubric.
 struct SixTrainees {
   StudyCentre centre;
   std::vector<RaterId> chiefs;
@@ -69,7 +69,7 @@ struct SixTrainees {
     }
     return {};
   }
-  /// Fills in and submits every open sheet as the raters would.
+  /// Submits every open sheet like the raters would.
   void submitAll(const std::string& occasionCode) {
     SheetRepository sheets(centre.connection());
     const RubricRevision revision = RubricRepository(centre.connection()).revision(rubric).value();

@@ -11,7 +11,7 @@
 
 namespace torsio::testing {
 
-/// Six trainees in three groups, nobody marked yet, and what a request for them asks.
+/// Six trainees in three groups without marks, and a request for them.
 template <typename Request>
 struct SmallStudyFor {
   StudyCentre centre;

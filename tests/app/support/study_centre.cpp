@@ -31,7 +31,7 @@ StudyCentre::StudyCentre(const std::string& locator) {
     access.setPassword(id, access.sealPassword(role, kStudyPassword), false);
     actors_[role] = {id, role, "", {role}, false};
   }
-  SettingRepository(*connection_).set("two_people", "no", now_us_);  // one administrator does all of it
+  SettingRepository(*connection_).set("two_people", "no", now_us_);  // one administrator may do everything
 }
 
 StudyCentre::~StudyCentre() {

@@ -15,11 +15,11 @@
 namespace torsio::testing {
 
 inline constexpr std::int64_t kStudyTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
-/// Of every user here; long enough, of no known pattern.
+/// Of every user here; long enough and without a known pattern.
 inline constexpr const char* kStudyPassword = "four walls and a lamp";
 
-/// An empty centre in an SQLite file of its own, or where `locator` says, with one user of each role
-/// ("administrator", "allocator", "statistician", "rater", "trainee"), signed in as nobody.
+/// An empty centre in a temporary SQLite file, or at `locator`, with one user of each role ("administrator",
+/// "allocator", "statistician", "rater", "trainee"), signed in as nobody.
 class StudyCentre {
  public:
   explicit StudyCentre(const std::string& locator = {});
@@ -36,7 +36,7 @@ class StudyCentre {
   [[nodiscard]] std::filesystem::path assets() const {
     return std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   }
-  /// Signs in as the user of this role, or as nobody for "".
+  /// Signs in the user of this role, or nobody for "".
   SessionContext& as(const std::string& role);
   /// Signs in the user "rater" as this rater of the record.
   SessionContext& asRater(const RaterId& raterId);
@@ -46,13 +46,13 @@ class StudyCentre {
   /// administrator.
   std::vector<TraineeId> addTrainees(std::size_t count);
   std::vector<RaterId> addChiefs(std::size_t count);
-  /// The paper's curriculum, running. Returns the version.
+  /// Stores and runs the paper's curriculum. Returns the version.
   std::string runPaperCurriculum();
   /// Stores the shipped rubric. Returns the revision.
   std::string addPaperRubric();
 
-  /// Number of rows of every table, and the hash of the last audit entry: what a refused call must not
-  /// change.
+  /// Returns the number of rows of every table, and the hash of the last audit entry: what a refused call
+  /// must not change.
   [[nodiscard]] std::map<std::string, std::int64_t> rowCounts();
   [[nodiscard]] std::int64_t audited(const std::string& action);
 

@@ -36,7 +36,7 @@ TrainingModule moduleOf(const std::string& id, const std::string& code, const st
   module.mode = fromStoredText<AttemptMode>(mode).value();
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
   module.tolerance_rad = radians(5.0);
-  module.maxForce_N = 6.0;  // a quarter turn of the bar takes 4 N; the device saturates at 3.3 N
+  module.maxForce_N = 6.0;  // a quarter turn of the bar needs 4 N; the device saturates at 3.3 N
   module.leastTwists = setup.leastTwists;
   module.hold_us = setup.hold_us;
   module.mastery = setup.mastery;
@@ -57,7 +57,7 @@ const Scene& trainingBar() {
 DeviceReadiness deviceWith(Light light) {
   DeviceReadiness readiness;
   readiness.device = Text::verbatim("Scripted hand");
-  readiness.haptic = true;  // in place of a device with motors
+  readiness.haptic = true;  // as if it had motors
   readiness.findings.push_back({"connected", light, Text::verbatim("scripted"), ""});
   return readiness;
 }

@@ -26,7 +26,7 @@ using torsio::kMinute_us;
 using torsio::kSecond_us;
 inline constexpr std::int64_t kCentreTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
 
-/// A small centre in an SQLite file of its own: trainees T-01 and T-02 with users, one chief, one cohort that
+/// A small centre in a temporary SQLite file: trainees T-01 and T-02 with users, one chief, one cohort that
 /// follows a running curriculum of three modules on the bar of the servo tests.
 ///
 /// | module | mode     | needs | mastered by                       | attempts |
@@ -37,22 +37,22 @@ inline constexpr std::int64_t kCentreTime_us = 1'763'712'000'000'000;  // 2025-1
 class TrainingCentre {
  public:
   struct Setup {
-    /// Phases of the one arm of the study; empty: the cohort has no arm, modules at any time.
+    /// Phases of the study's single arm; empty: no arm, modules at any time.
     std::vector<TrainingPhase> phases{};
     std::int64_t restAllowance_us = 0;
     bool restSplittable = false;
     bool consent = true;
-    bool simulated = false;  ///< the trainees are
+    bool simulated = false;  ///< simulated trainees
     SceneId sceneId = "bar";
     PatternId patternId = "quarter";
-    /// Rules of every module in place of those of the table.
+    /// Rules of every module, replacing those of the table.
     std::vector<MasteryCriterion> mastery{};
     std::int64_t leastTwists = 1;  ///< of every module
     std::int64_t hold_us = 0;      ///< of every module
   };
   TrainingCentre() : TrainingCentre(Setup{}) {}
   explicit TrainingCentre(const Setup& setup);
-  /// Another program's view of a centre that exists already, in `folder`.
+  /// Opens an existing centre in `folder`, like another program.
   explicit TrainingCentre(const std::filesystem::path& folder);
   ~TrainingCentre();
   TrainingCentre(const TrainingCentre&) = delete;
@@ -66,20 +66,20 @@ class TrainingCentre {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
   [[nodiscard]] std::string person() { return session_->actor().personId; }
-  /// Id of "first", "second", "third".
+  /// Returns the id of "first", "second" or "third".
   [[nodiscard]] std::string module(const std::string& code);
-  /// Signs "T-01", "T-02" or "chief" in.
+  /// Signs in "T-01", "T-02" or "chief".
   void become(const std::string& who);
   void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
   [[nodiscard]] Cohort cohort();
   [[nodiscard]] std::string enrolment(const std::string& traineeCode = "T-01");
 
-  /// A finished attempt of the signed-in trainee by a scripted hand: 0 a beginner .. 1 an expert. A hand that
-  /// plans for a longer time (planned_s) may be cut off in the middle of a twist.
+  /// Records a finished attempt of the signed-in trainee by a scripted hand: 0 a beginner .. 1 an expert. A
+  /// hand that plans for a longer time (planned_s) may be cut off during a twist.
   std::string attempt(const std::string& moduleCode, const std::string& mode, double skill,
                       double duration_s = 12.0, const PhaseId& phaseId = {}, double planned_s = 0.0);
-  /// A finished attempt of the signed-in trainee at undoing the shipped testis, which comes twisted by two to
-  /// four turns of a hand; the hand is practised and leaves out the last turns.
+  /// Records a finished attempt of the signed-in trainee at untwisting the shipped testis, which starts
+  /// twisted by two to four turns of a hand; the hand is experienced and omits the last turns.
   std::string untwist(const std::string& moduleCode, const std::string& mode, std::size_t turnsLeftOut = 0);
 
  private:
@@ -95,10 +95,10 @@ class TrainingCentre {
   std::unique_ptr<SessionContext> session_;
 };
 
-/// The bar of the servo tests, made once: target 90 degrees.
+/// Returns the bar of the servo tests, created once: target 90 degrees.
 [[nodiscard]] const Scene& trainingBar();
 
-/// A device with one finding of this light.
+/// Returns a device with one finding of this light.
 [[nodiscard]] DeviceReadiness deviceWith(Light light);
 
 }  // namespace torsio::testing

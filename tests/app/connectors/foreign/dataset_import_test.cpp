@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A data set comes back: exported, imported into an empty record, exported again, the files are the same.
+// Round trip of a data set: exported, imported into an empty record and exported again, the files are the
+// same.
 #include "app/connectors/foreign/dataset_import.h"
 
 #include <set>
@@ -35,7 +36,7 @@ namespace fs = std::filesystem;
 using testing::OwnFolder;
 using testing::StudyCentre;
 
-/// Two seconds: grip, turn to 30 degrees, let go.
+/// Two seconds: grip, turn to 30 degrees, release.
 Trial twistedTrial(std::size_t number, const std::string& trainee, const TrainingModule& module) {
   std::vector<Sample> samples(2'000);
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -74,7 +75,7 @@ Trial twistedTrial(std::size_t number, const std::string& trainee, const Trainin
   return trial;
 }
 
-/// A study with everything that a data set brings back.
+/// A study with everything that a data set can restore.
 CohortId studyIn(StudyCentre& centre) {
   const std::vector<TraineeId> trainees = centre.addTrainees(6);
   const std::vector<RaterId> raters = centre.addChiefs(2);
@@ -125,7 +126,7 @@ CohortId studyIn(StudyCentre& centre) {
   return cohort;
 }
 
-/// Who owns the record's file sees single marks under codes.
+/// The owner of the record's file sees single marks under codes.
 SessionContext& asOwner(StudyCentre& centre) {
   SessionContext& session = centre.as("administrator");
   session.setActor({.systemAccount = "owner"});
@@ -145,7 +146,7 @@ ExchangeFiles exportWhole(StudyCentre& centre, const CohortId& cohort, const fs:
   return exportDataset(owner, data, request, folder);
 }
 
-/// Paths of the files of two folders that differ, or are in one of them only.
+/// Paths of files that differ between two folders or exist in only one.
 std::set<std::string> differing(const fs::path& one, const fs::path& other) {
   std::set<std::string> found;
   for (const auto& [from, to] : {std::pair(one, other), std::pair(other, one)}) {
@@ -160,7 +161,7 @@ std::set<std::string> differing(const fs::path& one, const fs::path& other) {
   return found;
 }
 
-TEST(DatasetImport, GivesTheSameFilesAgain) {
+TEST(DatasetImport, RestoresTheSameFiles) {
   const OwnFolder own;
   StudyCentre first;
   const CohortId cohort = studyIn(first);
@@ -177,7 +178,7 @@ TEST(DatasetImport, GivesTheSameFilesAgain) {
   EXPECT_EQ(entry.action, "trial.import");
   EXPECT_EQ(entry.reason, "moved house");
   const ExchangeFiles again = exportWhole(second, done.landed.cohortId, own.path() / "second");
-  // These tell of the record itself: head of its trail, when people were enrolled and marks submitted.
+  // These describe the record itself: head of its trail, times of enrolment and of marks.
   EXPECT_THAT(differing(own.path() / "first", own.path() / "second"),
               ::testing::AllOf(
                   ::testing::Contains("data/numbers.csv"),
@@ -186,7 +187,7 @@ TEST(DatasetImport, GivesTheSameFilesAgain) {
   EXPECT_TRUE(verifyAuditTrail(second.connection()).empty());
 }
 
-TEST(DatasetImport, RefusesWhatIsThereWasChangedOrIsNoDataSet) {
+TEST(DatasetImport, RejectsExistingChangedAndForeignData) {
   const OwnFolder own;
   StudyCentre centre;
   const CohortId cohort = studyIn(centre);
@@ -201,7 +202,7 @@ TEST(DatasetImport, RefusesWhatIsThereWasChangedOrIsNoDataSet) {
     }
     return "imported";
   };
-  EXPECT_NE(refusal(centre), "imported");  // its own people are there
+  EXPECT_NE(refusal(centre), "imported");  // its own people exist already
   EXPECT_EQ(centre.rowCounts(), before);
 
   StudyCentre empty;
@@ -220,7 +221,7 @@ TEST(DatasetImport, RefusesWhatIsThereWasChangedOrIsNoDataSet) {
   EXPECT_EQ(empty.rowCounts(), before);
 }
 
-TEST(DatasetImport, NeedsCodesAndAPackage) {
+TEST(DatasetImport, RequiresCodesAndAPackage) {
   const OwnFolder own;
   StudyCentre centre;
   const CohortId cohort = studyIn(centre);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recordings of other equipment: the same motion out of each layout, refusals by line, nothing half imported.
+// Recordings of other equipment: the same motion from each layout, errors with lines, no partial imports.
 #include "app/connectors/foreign/foreign_import.h"
 
 #include <cstdlib>
@@ -52,7 +52,7 @@ std::vector<ForeignPose> posesOf(const fs::path& map, ForeignLayout layout) {
   return poses;
 }
 
-/// The refusal of a study whose map or first recording was changed.
+/// Returns the error for a study with a changed map or first recording.
 std::string refusalOf(StudyCentre& centre, const std::string& layout,
                       const std::function<void(ordered_json& map, std::string& text)>& spoil) {
   const OwnFolder own;
@@ -61,7 +61,7 @@ std::string refusalOf(StudyCentre& centre, const std::string& layout,
   std::string text = readFile(own.path() / "S_B1.txt");
   spoil(content, text);
   writeFileAtomically(map, content.dump());
-  writeFileAtomically(own.path() / "S_C2.txt", text);  // the last one: everything before it is sound
+  writeFileAtomically(own.path() / "S_C2.txt", text);  // the last one: everything before it is valid
   try {
     importForeign(centre.as("administrator"), foreignLayout(layout), map, "");
   } catch (const Error& error) {
@@ -75,7 +75,7 @@ std::string replacedOnce(std::string text, const std::string& from, const std::s
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// Line `number` (from 1) with another text.
+/// Replaces line `number` (from 1).
 void spoilLine(std::string& text, std::size_t number, const std::string& line) {
   std::size_t begin = 0;
   for (std::size_t i = 1; i < number; ++i) {
@@ -84,7 +84,7 @@ void spoilLine(std::string& text, std::size_t number, const std::string& line) {
   text.replace(begin, text.find('\n', begin) - begin, line);
 }
 
-TEST(ForeignMotion, IsTheSameOutOfEachLayout) {
+TEST(ForeignMotion, IsTheSameFromEachLayout) {
   for (const char* layout : {"jigsaws", "rosma", "perktutor", "csv"}) {
     const OwnFolder own;
     const fs::path map = writeForeignStudy(own.path(), layout);
@@ -97,14 +97,14 @@ TEST(ForeignMotion, IsTheSameOutOfEachLayout) {
       const Quat& q = poses[i].pose.orientation;
       const Quat& e = expected.orientation;
       ASSERT_NEAR(std::abs(q.w * e.w + q.x * e.x + q.y * e.y + q.z * e.z), 1.0, 1e-12) << layout << i;
-      ASSERT_GE(q.z * e.z, 0.0) << layout << i;  // the same turn, not its opposite
+      ASSERT_GE(q.z * e.z, 0.0) << layout << i;  // the same rotation, not its inverse
       const bool jaw = std::string(layout) != "perktutor";
       ASSERT_NEAR(poses[i].grip, jaw ? testing::foreignJaw(i) : 0.0, 1e-12) << layout << i;
     }
   }
 }
 
-TEST(ForeignMotion, TurnsTheOtherWayWhenTheOtherFormIsNamed) {
+TEST(ForeignMotion, RotatesTheOtherWayIfTheOtherFormIsNamed) {
   const OwnFolder own;
   const fs::path map = writeForeignStudy(own.path(), "jigsaws");
   const std::vector<ForeignPose> rows = posesOf(map, ForeignLayout::kJigsaws);
@@ -114,8 +114,8 @@ TEST(ForeignMotion, TurnsTheOtherWayWhenTheOtherFormIsNamed) {
   EXPECT_NEAR(columns.back().pose.orientation.z * columns.back().pose.orientation.w, -0.5, 1e-12);
 }
 
-/// The numbers of each arm of ROSMA are "nan" or nothing until its topic speaks.
-TEST(ForeignMotion, LeavesOutLinesWithoutAPoseWhereTheMapSaysSo) {
+/// Each arm's numbers in ROSMA are "nan" or empty until its topic publishes.
+TEST(ForeignMotion, SkipsLinesWithoutAPoseIfTheMapAllowsIt) {
   const OwnFolder own;
   const fs::path map = writeForeignStudy(own.path(), "rosma");
   for (const auto& entry : fs::directory_iterator(own.path())) {
@@ -144,7 +144,7 @@ TEST(ForeignMotion, LeavesOutLinesWithoutAPoseWhereTheMapSaysSo) {
   EXPECT_NEAR(norm(poses[97].pose.position_m - testing::foreignPose(99).position_m), 0.0, 1e-12);
 }
 
-TEST(ForeignImport, LandsAsACohortWithRecordingsAndMarks) {
+TEST(ForeignImport, IsStoredAsACohortWithRecordingsAndMarks) {
   StudyCentre centre;
   const OwnFolder own;
   const fs::path map = writeForeignStudy(own.path(), "jigsaws", true);
@@ -184,11 +184,11 @@ TEST(ForeignImport, LandsAsACohortWithRecordingsAndMarks) {
   }
 }
 
-TEST(ForeignImport, IsUnderstoodByMetricsReportAndTables) {
+TEST(ForeignImport, IsSupportedByMetricsReportAndTables) {
   StudyCentre centre;
   const OwnFolder own;
   const fs::path map = writeForeignStudy(own.path(), "csv", true);
-  // One more in each group, marked alike.
+  // One more person per group, with equal marks.
   ordered_json content = ordered_json::parse(readFile(map));
   std::string marks = readFile(own.path() / "marks.csv");
   for (const auto& [person, other] : {std::pair("B", "D"), std::pair("C", "E")}) {
@@ -220,7 +220,7 @@ TEST(ForeignImport, IsUnderstoodByMetricsReportAndTables) {
     EXPECT_EQ(trial.detorsion.size(), 3U);
     EXPECT_FALSE(trial.peakForce_N);
   }
-  // B has 12 and 13 at trial 1, 13 and 14 at trial 2; C nine more.
+  // B has 12 and 13 at trial 1, 13 and 14 at trial 2; C has nine more.
   ASSERT_EQ(data.inputs.occasions.size(), 2U);
   std::vector<double> scores;
   for (const TraineeScore& score : data.inputs.scores) {
@@ -269,7 +269,7 @@ TEST(ForeignImport, IsUnderstoodByMetricsReportAndTables) {
   EXPECT_THAT(text.substr(text.find('\n') + 1, text.find('\n', 900)), HasSubstr(",,,,,,,,,,,"));
 }
 
-TEST(ForeignImport, TakesTheGlobalRatingOfJigsaws) {
+TEST(ForeignImport, ReadsTheGlobalRatingOfJigsaws) {
   StudyCentre centre;
   const OwnFolder own;
   const fs::path map = writeForeignStudy(own.path(), "jigsaws");
@@ -293,9 +293,9 @@ TEST(ForeignImport, TakesTheGlobalRatingOfJigsaws) {
   }
 }
 
-/// Published sets may not be shipped: TORSIO_PUBLISHED_SETS names a folder with a folder for each layout, in
-/// it files as they were published and a map (*.json) for each recording.
-TEST(ForeignImport, TakesPublishedSetsWhereTheyAre) {
+/// Published sets may not be distributed: TORSIO_PUBLISHED_SETS names a folder with one folder per layout,
+/// containing files as published and a map (*.json) for each recording.
+TEST(ForeignImport, ReadsPublishedSetsIfAvailable) {
   const char* sets = std::getenv("TORSIO_PUBLISHED_SETS");
   if (sets == nullptr) {
     GTEST_SKIP() << "TORSIO_PUBLISHED_SETS names no folder";
@@ -319,7 +319,7 @@ TEST(ForeignImport, TakesPublishedSetsWhereTheyAre) {
   EXPECT_GT(maps, 0);
 }
 
-TEST(ForeignImport, RefusesByLineAndKeepsNothing) {
+TEST(ForeignImport, ReportsErrorsByLineAndStoresNothing) {
   StudyCentre centre;
   (void)centre.as("administrator");
   const auto before = centre.rowCounts();
@@ -375,7 +375,7 @@ TEST(ForeignImport, RefusesByLineAndKeepsNothing) {
   EXPECT_EQ(centre.rowCounts(), before);
 }
 
-TEST(ForeignImport, KeepsNothingWhenItIsGivenUpOrRefusedAtTheEnd) {
+TEST(ForeignImport, StoresNothingIfCancelledOrRejectedAtTheEnd) {
   StudyCentre centre;
   const OwnFolder own;
   const fs::path map = writeForeignStudy(own.path(), "csv", true);
@@ -394,7 +394,7 @@ TEST(ForeignImport, KeepsNothingWhenItIsGivenUpOrRefusedAtTheEnd) {
   EXPECT_THROW(importForeign(centre.as("statistician"), ForeignLayout::kCsv, map, ""), Error);
 }
 
-TEST(ForeignMeasures, AreUndefinedWhereTheyCannotBeHonest) {
+TEST(ForeignMeasures, AreUndefinedIfTheyWouldBeMisleading) {
   TrialHeader header;
   header.sceneId = std::string(kForeignScene);
   header.tickPeriod_us = 20'000;

@@ -32,7 +32,7 @@ ErrorCode refusalOf(const auto& call) {
   return ErrorCode::kInternal;
 }
 
-TEST(Mail, GoesToEachWhoIsThereAndSaysWhoWasRefused) {
+TEST(Mail, DeliversToKnownRecipientsAndReportsRejectedOnes) {
   testing::FakeMailServer server;
   MailServer way = here(server.port());
   way.user = "office";
@@ -58,7 +58,7 @@ TEST(Mail, GoesToEachWhoIsThereAndSaysWhoWasRefused) {
   EXPECT_EQ(bodyOf(server.taken()[1].text), std::string(500, 'x'));
 }
 
-TEST(Mail, AWrongPasswordIsSaidAndNothingIsSent) {
+TEST(Mail, AWrongPasswordIsReportedAndNothingIsSent) {
   testing::FakeMailServer server;
   MailServer way = here(server.port());
   way.user = "office";
@@ -70,7 +70,7 @@ TEST(Mail, AWrongPasswordIsSaidAndNothingIsSent) {
   EXPECT_TRUE(server.taken().empty());
 }
 
-TEST(Mail, NoAddressBringsASecondHeaderOrARecipientIn) {
+TEST(Mail, AddressesCannotInjectHeadersOrRecipients) {
   for (const char* address :
        {"", "li", "@example.org", "li@", "li@example.org\r\nBcc: all@example.org", "li@example.org>",
         "li wang@example.org", "li@a@b", "l\u00ef@example.org", (std::string(250, 'x') + "@a.b").c_str()}) {
@@ -83,7 +83,7 @@ TEST(Mail, NoAddressBringsASecondHeaderOrARecipientIn) {
       << "no line end hides in the packed words either: " << text;
 }
 
-TEST(Mail, NothingGoesInTheClearToAnotherComputerAndASilentOneIsSaid) {
+TEST(Mail, NothingIsSentUnencryptedToAnotherComputerAndASilentServerIsReported) {
   const MailMessage message{"office@example.org", "li@example.org", "Sheets", "case 7L"};
   EXPECT_EQ(refusalOf([&] {
               (void)sendMail({.host = "mail.example.org", .encryption = MailEncryption::kNone}, {&message, 1},
@@ -109,7 +109,7 @@ TEST(Mail, NothingGoesInTheClearToAnotherComputerAndASilentOneIsSaid) {
             ErrorCode::kFileUnreadable);
 }
 
-TEST(MailSettings, AreKeptWithoutAPasswordAndTakenAway) {
+TEST(MailSettings, AreStoredWithoutAPasswordAndCanBeRemoved) {
   testing::StudyCentre centre;
   EXPECT_FALSE(mailSettings(centre.as("administrator")));
   MailSettings settings{{"mail.example.org", 465, MailEncryption::kTls, "office", "secret"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Messages over TLS to a server on this computer, and servers that are not to be trusted or misbehave.
+// Messages over TLS to a server on this computer, and untrusted or misbehaving servers.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -23,7 +23,7 @@ constexpr std::int64_t kEvening_us = 1'763'748'000'000'000;  // 2025-11-21 18:00
 const std::vector<MailMessage> kTwo{{"office@example.org", "li@example.org", "Sheets", "case 7L"},
                                     {"office@example.org", "wang@example.org", "Sheets", "case 9F"}};
 
-/// The sender trusts the authority of the tests.
+/// The sender trusts the tests' certificate authority.
 class MailByTls : public ::testing::Test {
  protected:
   static MailServer to(const FakeMailServer& server, Way way) {
@@ -37,7 +37,7 @@ class MailByTls : public ::testing::Test {
             .patience_s = 10,
             .authorities = TORSIO_TEST_DATA "/mail/authority.pem"};
   }
-  /// What the sender says against the server; empty: it sent.
+  /// Returns the error about the server; empty if the message was sent.
   static std::string refusal(const MailServer& way) {
     try {
       (void)sendMail(way, kTwo, kEvening_us);
@@ -57,7 +57,7 @@ class MailByTls : public ::testing::Test {
   }
 };
 
-TEST_F(MailByTls, BothWaysDeliverAndSayNothingInTheClear) {
+TEST_F(MailByTls, BothEncryptionsDeliverWithoutUnencryptedContent) {
   for (const Way way : {Way::kTls, Way::kStartTls}) {
     FakeMailServer server({.way = way});
 
@@ -72,7 +72,7 @@ TEST_F(MailByTls, BothWaysDeliverAndSayNothingInTheClear) {
   }
 }
 
-TEST_F(MailByTls, SignsInByLoginWhereThatIsOffered) {
+TEST_F(MailByTls, SignsInByLoginIfOffered) {
   FakeMailServer server({.way = Way::kStartTls, .signIn = "AUTH LOGIN XOAUTH2"});
 
   EXPECT_EQ(refusal(to(server, Way::kStartTls)), "");
@@ -81,7 +81,7 @@ TEST_F(MailByTls, SignsInByLoginWhereThatIsOffered) {
   EXPECT_TRUE(tellsASecret(server.encrypted()));
 }
 
-TEST_F(MailByTls, ACertificateThatProvesNothingEndsItBeforeAWordIsSaid) {
+TEST_F(MailByTls, AnInvalidCertificateEndsTheConnectionBeforeAnythingIsSent) {
   for (const Way way : {Way::kTls, Way::kStartTls}) {
     for (const char* certificate : {"foreign.pem", "other_name.pem", "expired.pem"}) {
       FakeMailServer server({.way = way, .certificate = certificate});
@@ -96,7 +96,7 @@ TEST_F(MailByTls, ACertificateThatProvesNothingEndsItBeforeAWordIsSaid) {
   }
 }
 
-TEST_F(MailByTls, EncryptionThatSomebodyTakesAwayIsMissedAndNothingIsSaid) {
+TEST_F(MailByTls, StrippedEncryptionIsDetectedAndNothingIsSent) {
   struct Case {
     MailManner manner{};
     std::string said{};
@@ -121,7 +121,7 @@ TEST_F(MailByTls, EncryptionThatSomebodyTakesAwayIsMissedAndNothingIsSaid) {
   }
 }
 
-TEST_F(MailByTls, APasswordGoesOnlyWhereOneIsAskedForAndIsTakenOnlyByItsNumber) {
+TEST_F(MailByTls, APasswordIsSentOnlyIfRequestedAndAcceptedOnlyByItsReplyCode) {
   const std::vector<std::pair<MailManner, std::string>> cases{
       {{.way = Way::kTls, .signIn = ""}, "the mail server refuses the sign-in: "},
       {{.way = Way::kTls, .signIn = "AUTH CRAM-MD5"}, "the mail server refuses the sign-in: "},
@@ -139,7 +139,7 @@ TEST_F(MailByTls, APasswordGoesOnlyWhereOneIsAskedForAndIsTakenOnlyByItsNumber) 
   }
 }
 
-TEST_F(MailByTls, WhatIsRefusedForNowOrForGoodIsSaidAndTheNextOneGoes) {
+TEST_F(MailByTls, TemporaryAndPermanentRejectionsAreReportedAndTheNextMessageIsSent) {
   FakeMailServer server({.way = Way::kTls,
                          .instead = {{"RCPT TO:<li@", "450 mailbox busy"},
                                      {"RCPT TO:<zhao@", "552-too large\r\n552 for everybody"},
@@ -160,7 +160,7 @@ TEST_F(MailByTls, WhatIsRefusedForNowOrForGoodIsSaidAndTheNextOneGoes) {
   EXPECT_EQ(server.taken()[0].to, "wang@example.org");
 }
 
-TEST_F(MailByTls, AConnectionThatIsLostLeavesNoDoubtAboutTheOthers) {
+TEST_F(MailByTls, ALostConnectionIsReportedForTheRemainingMessages) {
   const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> cases{
       {{".", ""}, "it is not known whether it was taken: "},
       {{".", "drop"}, "it is not known whether it was taken: "},

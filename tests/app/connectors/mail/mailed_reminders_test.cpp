@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reminders by mail, and what the audit trail keeps of them.
+// Reminders by mail and their audit entries.
 #include "app/connectors/mail/mailed_reminders.h"
 
 #include <map>
@@ -20,7 +20,7 @@ namespace {
 using testing::FakeMailServer;
 using testing::StudyCentre;
 
-/// Three raters who owe a sheet each; the second one's address is refused.
+/// Three raters with a missing sheet each; the second one's address is rejected.
 std::vector<MailedReminder> owedByThree(StudyCentre& centre) {
   const std::vector<RaterId> chiefs = centre.addChiefs(3);
   std::vector<MailedReminder> mailed;
@@ -40,7 +40,7 @@ void setServer(StudyCentre& centre, quint16 port) {
   setMailSettings(centre.as("administrator"), settings);
 }
 
-/// Entries of this action by the code of whom they are about; what they keep.
+/// Details of this action's audit entries by the code of their subjects.
 std::map<std::string, std::string> remindedBy(StudyCentre& centre, const std::string& action) {
   SessionContext& office = centre.as("administrator");
   const std::map<std::string, std::string> codes = auditSubjectCodes(office, 0);
@@ -53,7 +53,7 @@ std::map<std::string, std::string> remindedBy(StudyCentre& centre, const std::st
   return reminded;
 }
 
-TEST(MailedReminders, AnEntryForEachThatTheServerTookAndNoneForTheOthers) {
+TEST(MailedReminders, OnlyAcceptedMessagesAreAudited) {
   StudyCentre centre;
   const std::vector<MailedReminder> mailed = owedByThree(centre);
   FakeMailServer server;
@@ -67,7 +67,7 @@ TEST(MailedReminders, AnEntryForEachThatTheServerTookAndNoneForTheOthers) {
       (std::map<std::string, std::string>{{"R-01", R"({"cases":["7A"]})"}, {"R-03", R"({"cases":["7C"]})"}}));
 }
 
-TEST(MailedReminders, WhoGivesUpOnTheWayLeavesTheEntriesOfThoseThatWent) {
+TEST(MailedReminders, CancellingKeepsTheEntriesOfSentMessages) {
   StudyCentre centre;
   const std::vector<MailedReminder> mailed = owedByThree(centre);
   FakeMailServer server;
@@ -83,7 +83,7 @@ TEST(MailedReminders, WhoGivesUpOnTheWayLeavesTheEntriesOfThoseThatWent) {
             (std::map<std::string, std::string>{{"R-01", R"({"cases":["7A"]})"}}));
 }
 
-TEST(MailedReminders, WithoutAServerNothingIsSentAndCopiedOnesAreNotedAsCopied) {
+TEST(MailedReminders, WithoutAServerNothingIsSentAndCopiedOnesAreRecordedAsCopied) {
   StudyCentre centre;
   const std::vector<MailedReminder> mailed = owedByThree(centre);
 

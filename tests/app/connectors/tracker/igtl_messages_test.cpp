@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the library packs is read, and what is packed here the library reads (instrument_outlet_test.cpp).
+// Decoding of messages encoded by the library; instrument_outlet_test.cpp tests the other direction.
 #include "app/connectors/tracker/igtl_messages.h"
 
 #include <cmath>
@@ -28,7 +28,7 @@ Bytes bytesOf(igtl::MessageBase& message) {
   return {first, first + message.GetPackSize()};
 }
 
-/// Turned by a quarter about z, and moved.
+/// Rotated by 90 degrees about z, and shifted.
 Bytes transform(float x_mm = 10.0F, float first = 0.0F) {
   const auto message = igtl::TransformMessage::New();
   igtl::Matrix4x4 matrix{{first, -1, 0, x_mm}, {1, 0, 0, 20}, {0, 0, 1, -30}, {0, 0, 0, 1}};
@@ -45,7 +45,7 @@ IgtlNews read(const Bytes& bytes) {
   return news;
 }
 
-TEST(IgtlMessages, ReadWhatTheLibraryPacks) {
+TEST(IgtlMessages, DecodeWhatTheLibraryEncodes) {
   const IgtlNews news = read(transform());
 
   ASSERT_EQ(news.poses.size(), 1U);
@@ -59,7 +59,7 @@ TEST(IgtlMessages, ReadWhatTheLibraryPacks) {
   EXPECT_EQ(news.refused + news.others, 0);
 }
 
-TEST(IgtlMessages, ReadTrackingDataOfSeveralInstruments) {
+TEST(IgtlMessages, DecodeTrackingDataOfSeveralInstruments) {
   const auto message = igtl::TrackingDataMessage::New();
   message->SetDeviceName("Tracker");
   for (int i = 0; i < 3; ++i) {
@@ -77,10 +77,10 @@ TEST(IgtlMessages, ReadTrackingDataOfSeveralInstruments) {
   ASSERT_EQ(news.poses.size(), 3U);
   EXPECT_EQ(news.poses[2].instrument, "Channel 2");
   EXPECT_NEAR(news.poses[2].pose.position_m.y, 0.002, 1e-9);
-  EXPECT_FALSE(news.poses[2].sent_us);  // it gave no time
+  EXPECT_FALSE(news.poses[2].sent_us);  // sent without a time
 }
 
-TEST(IgtlMessages, ReadAStatusAndPassOverTheRest) {
+TEST(IgtlMessages, DecodeAStatusAndSkipOtherMessages) {
   const auto status = igtl::StatusMessage::New();
   status->SetCode(igtl::StatusMessage::STATUS_NOT_READY);
   status->SetStatusString("the coil is\nwarm");
@@ -100,7 +100,7 @@ TEST(IgtlMessages, ReadAStatusAndPassOverTheRest) {
   EXPECT_EQ(news.poses.size(), 1U);
 }
 
-TEST(IgtlMessages, AreTheSameHoweverTheyAreCut) {
+TEST(IgtlMessages, DoNotDependOnHowTheBytesAreSplit) {
   Bytes bytes = transform(1.0F);
   const Bytes second = transform(2.0F);
   bytes.insert(bytes.end(), second.begin(), second.end());
@@ -114,7 +114,7 @@ TEST(IgtlMessages, AreTheSameHoweverTheyAreCut) {
   }
 }
 
-/// Header version 2: an extended header before, and metadata behind what the message says.
+/// Header version 2: an extended header before the content, metadata after it.
 Bytes extended(const Bytes& plain) {
   const std::string metadata = "\0\1TransformStatus OK";
   Bytes body(12);
@@ -139,14 +139,14 @@ Bytes extended(const Bytes& plain) {
   return message;
 }
 
-TEST(IgtlMessages, ReadTheHeaderOfVersionTwoThatSlicerAndPlusSend) {
+TEST(IgtlMessages, DecodeTheHeaderOfVersionTwoThatSlicerAndPlusSend) {
   const IgtlNews news = read(extended(transform()));
 
   ASSERT_EQ(news.poses.size(), 1U);
   EXPECT_NEAR(news.poses[0].pose.position_m.x, 0.010, 1e-9);
 }
 
-TEST(IgtlMessages, RefuseWhatIsDamagedAndGoOnBehindIt) {
+TEST(IgtlMessages, RejectDamagedMessagesAndContinueAfterThem) {
   Bytes damaged = transform();
   damaged.back() ^= std::byte{1};
   const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -161,9 +161,9 @@ TEST(IgtlMessages, RefuseWhatIsDamagedAndGoOnBehindIt) {
   EXPECT_EQ(news.poses.size(), 1U);
 }
 
-TEST(IgtlMessages, SizesThatCannotBeAreRefusedOrEndTheConnection) {
+TEST(IgtlMessages, ImpossibleSizesAreRejectedOrEndTheConnection) {
   Bytes extendedTooFar = extended(transform());
-  extendedTooFar[IGTL_HEADER_SIZE + 4] = std::byte{0xff};  // metadata of 4 GiB; the check sum says so first
+  extendedTooFar[IGTL_HEADER_SIZE + 4] = std::byte{0xff};  // metadata of 4 GiB; the checksum fails first
   EXPECT_EQ(read(extendedTooFar).refused, 1);
   Bytes huge = transform();
   huge[42] = std::byte{0x7f};  // first byte of the size
@@ -177,7 +177,7 @@ TEST(IgtlMessages, SizesThatCannotBeAreRefusedOrEndTheConnection) {
   EXPECT_THROW(read(Bytes(58)), Error);
 }
 
-TEST(IgtlMessages, WhatIsPackedIsReadAgain) {
+TEST(IgtlMessages, EncodedMessagesAreDecodedAgain) {
   const Pose pose{{0.01, -0.02, 0.03}, axisAngle({0.0, 0.6, 0.8}, 1.1)};
 
   const IgtlNews news = read(igtlTransform("TorsioInstrument", pose, 1'700'000'000'250'000));

@@ -32,7 +32,7 @@ bool comes(const InstrumentOutlet& outlet, std::int64_t watchers) {
   return outlet.view().watchers == watchers;
 }
 
-/// Connects and never reads; its system keeps little for it.
+/// Connects with a small receive buffer and never reads.
 int sleeper(std::uint16_t port) {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   const int little = 4'096;
@@ -50,7 +50,7 @@ int sleeper(std::uint16_t port) {
   return socket;
 }
 
-TEST(InstrumentOutlet, ShowsTheInstrumentAndWhatHappensToWhoeverConnects) {
+TEST(InstrumentOutlet, SendsTheInstrumentAndItsEventsToViewers) {
   const std::uint16_t port = freePort();
   InstrumentOutlet outlet("127.0.0.1", port);
   FakeTracker slicer;
@@ -81,7 +81,7 @@ TEST(InstrumentOutlet, ShowsTheInstrumentAndWhatHappensToWhoeverConnects) {
   EXPECT_TRUE(comes(outlet, 0));
 }
 
-TEST(InstrumentOutlet, LeavesOutPosesForWhoDoesNotRead) {
+TEST(InstrumentOutlet, SkipsPosesForViewersThatDoNotRead) {
   const std::uint16_t port = freePort();
   InstrumentOutlet outlet("127.0.0.1", port);
   const int asleep = sleeper(port);
@@ -102,7 +102,7 @@ TEST(InstrumentOutlet, LeavesOutPosesForWhoDoesNotRead) {
   ::close(asleep);
 }
 
-TEST(InstrumentOutlet, SaysWhyNobodyCanConnect) {
+TEST(InstrumentOutlet, ReportsWhyNobodyCanConnect) {
   const std::uint16_t port = freePort();
   const InstrumentOutlet first("127.0.0.1", port);
   FakeTracker slicer;

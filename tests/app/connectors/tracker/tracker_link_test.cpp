@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Trackers of the library's own classes on the other side, good and bad ones.
+// Simulated trackers based on the library's own classes, valid and misbehaving ones.
 #include "app/connectors/tracker/tracker_link.h"
 
 #include <chrono>
@@ -38,12 +38,12 @@ TrackerPlace placeOf(const FakeTracker& tracker) {
   return {.port = tracker.port()};
 }
 
-/// A tracker of 100 Hz that keeps its time: the instrument goes round on 20 mm, twice a second.
+/// A tracker of 100 Hz with regular timing: the instrument moves on a circle of 20 mm, twice per second.
 class Circle {
  public:
   explicit Circle(FakeTracker& tracker) : tracker_(tracker) {}
 
-  /// Number of the next pose that lies ahead of now.
+  /// Returns the number of the next pose due after now.
   [[nodiscard]] int next() const { return static_cast<int>((clock_.now_us() - began_us_) / kEvery_us) + 2; }
   void send(int from, int count) {
     for (int i = from; i < from + count; ++i) {
@@ -63,7 +63,7 @@ class Circle {
   std::int64_t sent_us_ = utcNow_us() + 3'600'000'000;  // its clock is an hour ahead
 };
 
-TEST(TrackerLink, CallsATrackerAndShowsWhereTheInstrumentIs) {
+TEST(TrackerLink, ConnectsToATrackerAndReportsThePoseOfTheInstrument) {
   FakeTracker tracker;
   const TrackerLink link(placeOf(tracker));
   ASSERT_TRUE(tracker.wait());
@@ -77,13 +77,13 @@ TEST(TrackerLink, CallsATrackerAndShowsWhereTheInstrumentIs) {
   ASSERT_TRUE(becomes([&] { return link.view().instruments.size() == 2; }));
   const TrackerView view = link.view();
   EXPECT_EQ(view.stage, TrackerStage::kTracking);
-  EXPECT_EQ(view.instrument, kStylus);  // the first that came
+  EXPECT_EQ(view.instrument, kStylus);  // the first one received
   EXPECT_NEAR(view.pose.position_m.y, 0.002, 1e-9);
   EXPECT_EQ(view.counts.received, 1);
   EXPECT_TRUE(view.trouble.empty());
 }
 
-TEST(TrackerLink, AsksForTrackingDataWhereNothingComes) {
+TEST(TrackerLink, RequestsTrackingDataIfNothingArrives) {
   FakeTracker tracker;
   const TrackerLink link({.port = tracker.port(), .instrument = "Channel 0"});
   ASSERT_TRUE(tracker.wait());
@@ -93,7 +93,7 @@ TEST(TrackerLink, AsksForTrackingDataWhereNothingComes) {
   EXPECT_TRUE(becomes([&] { return link.view().stage == TrackerStage::kTracking; }));
 }
 
-TEST(TrackerLink, CallsAgainWhenTheTrackerGoesAwayOrSendsRubbish) {
+TEST(TrackerLink, ReconnectsWhenTheTrackerDisconnectsOrSendsGarbage) {
   FakeTracker tracker;
   const TrackerLink link(placeOf(tracker));
   ASSERT_TRUE(tracker.wait());
@@ -110,7 +110,7 @@ TEST(TrackerLink, CallsAgainWhenTheTrackerGoesAwayOrSendsRubbish) {
   EXPECT_TRUE(becomes([&] { return link.view().stage == TrackerStage::kTracking; }));
 }
 
-TEST(TrackerLink, CountsWhatCannotBeUsed) {
+TEST(TrackerLink, CountsUnusablePoses) {
   FakeTracker tracker;
   const TrackerLink link(placeOf(tracker));
   ASSERT_TRUE(tracker.wait());
@@ -118,13 +118,13 @@ TEST(TrackerLink, CountsWhatCannotBeUsed) {
   ASSERT_TRUE(tracker.sendTransformWith(kStylus, std::nanf(""), 0));
   ASSERT_TRUE(tracker.sendTransformWith(kStylus, 0.3F, 0));
   ASSERT_TRUE(tracker.sendTransform(kStylus, {}, 5'000'000));
-  ASSERT_TRUE(tracker.sendTransform(kStylus, {}, 5'000'000));  // its time has been there
+  ASSERT_TRUE(tracker.sendTransform(kStylus, {}, 5'000'000));  // a repeated time
 
   ASSERT_TRUE(becomes([&] { return link.view().counts.refused == 3; }));
   EXPECT_EQ(link.view().counts.received, 1);
 }
 
-TEST(TrackerLink, WaitsForATrackerThatCalls) {
+TEST(TrackerLink, WaitsForATrackerThatConnects) {
   QTcpServer free;
   ASSERT_TRUE(free.listen(QHostAddress::LocalHost, 0));
   const std::uint16_t port = free.serverPort();
@@ -142,17 +142,17 @@ TEST(TrackerLink, WaitsForATrackerThatCalls) {
   EXPECT_TRUE(becomes([&] { return !elsewhere.view().trouble.empty(); }));
 }
 
-TEST(TrackerLink, WaitsForNobodyInTheCallersThread) {
-  FakeTracker hangs;  // its system takes the call, nobody answers
+TEST(TrackerLink, NeverBlocksTheCaller) {
+  FakeTracker hangs;  // its system accepts the connection, but nobody answers
   const MonotonicClock clock;
   const std::int64_t before_us = clock.now_us();
   for (int i = 0; i < 5; ++i) {
     const TrackerLink toWhoHangs(placeOf(hangs));
-    const TrackerLink toNobody({.address = "192.0.2.1"});  // TEST-NET-1: answered by nobody
+    const TrackerLink toNobody({.address = "192.0.2.1"});  // TEST-NET-1: nobody answers
     static_cast<void>(toNobody.view());
     static_cast<void>(toWhoHangs.view());
   }
-  EXPECT_LT(clock.now_us() - before_us, 30'000'000);  // ten farewells of half a second, and a busy machine
+  EXPECT_LT(clock.now_us() - before_us, 30'000'000);  // ten destructors of half a second, and a busy machine
 }
 
 TEST(TrackedRecording, IsMeasuredLikeAnyPathOnTheClockOfTheStation) {
@@ -161,7 +161,7 @@ TEST(TrackedRecording, IsMeasuredLikeAnyPathOnTheClockOfTheStation) {
   ASSERT_TRUE(tracker.wait());
   Circle circle(tracker);
   circle.send(0, 25);
-  ASSERT_TRUE(becomes([&] { return link.view().counts.received == 25; }));  // none is on its way
+  ASSERT_TRUE(becomes([&] { return link.view().counts.received == 25; }));  // none is in transit
   ASSERT_TRUE(link.view().period_us.has_value());
 
   auto sink = std::make_unique<MemoryTrialSink>();
@@ -170,7 +170,7 @@ TEST(TrackedRecording, IsMeasuredLikeAnyPathOnTheClockOfTheStation) {
       link, link.view(), {.trialId = "tracked", .phaseLabel = "real", .startedUtc_us = 7}, std::move(sink));
   const int first = circle.next();
   circle.send(first, 40);
-  circle.send(first + 41, 60);  // one never came
+  circle.send(first + 41, 60);  // one is missing
   ASSERT_TRUE(becomes([&] { return link.view().counts.received == 125; }));
   const RecordingResult result = recording.finish(TrialOutcome::kCompleted);
 

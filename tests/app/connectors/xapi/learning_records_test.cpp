@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What gets into the outbox, and what does not; what the statements say, and what they never say.
+// Which events enter the outbox, and what the statements contain and never contain.
 #include "app/connectors/xapi/learning_records.h"
 
 #include <filesystem>
@@ -38,7 +38,7 @@ Exposure restOf(const std::string& enrolment, const std::string& id) {
           .recordedBy = "office"};
 }
 
-/// A physician's remark on a trial, read by T-01 in its first words and in newer ones.
+/// A physician's remark on a trial, of which T-01 reads the first and the latest version.
 void remarkAndRead(XapiCentre& centre, const std::string& trial) {
   RemarkRepository remarks(centre.connection());
   const std::string chief = PeopleRepository(centre.connection()).raters().front().person.id;
@@ -69,7 +69,7 @@ nlohmann::json statementWith(const std::vector<TestLrs::Stored>& stored, const s
   return {};
 }
 
-TEST(LearningRecords, WhatHappensIsToldOnceInItsOrderAndNamesNobody) {
+TEST(LearningRecords, EachEventIsSentOnceInOrderAndAnonymously) {
   XapiCentre centre;
   centre.turnOn();
   const std::string enrolment = centre.enrol("T-01");
@@ -112,7 +112,7 @@ TEST(LearningRecords, WhatHappensIsToldOnceInItsOrderAndNamesNobody) {
   EXPECT_EQ(centre.counts().delivered, 6);
 }
 
-TEST(LearningRecords, APassStandsBesideTheErrorRatesOfSayingAble) {
+TEST(LearningRecords, APassIncludesTheErrorRatesOfCompetence) {
   XapiCentre centre;
   centre.turnOn();
   centre.run(1.0);
@@ -145,7 +145,7 @@ TEST(LearningRecords, APassStandsBesideTheErrorRatesOfSayingAble) {
       << "what was known after that run, not after later ones";
 }
 
-TEST(LearningRecords, NothingIsKeptUnlessTheCentreSendsAndThePersonAgrees) {
+TEST(LearningRecords, NothingIsStoredUnlessTheCentreSendsAndThePersonConsents) {
   XapiCentre centre;
   centre.enrol("T-01");
   EXPECT_TRUE(centre.outbox().empty()) << "off unless somebody turned it on";
@@ -191,7 +191,7 @@ TEST(LearningRecords, AreWrittenWithTheEventOrNotAtAll) {
   EXPECT_TRUE(ids.contains(judged));
 }
 
-TEST(LearningRecords, DemonstrationAndFreePracticeOfNobodyAreNotTold) {
+TEST(LearningRecords, DemonstrationAndAnonymousFreePracticeAreNotSent) {
   XapiCentre centre;
   centre.turnOn();
   Exposure simulated = restOf(centre.centre().enrolment(), "33333333-3333-4333-8333-333333333333");
@@ -213,7 +213,7 @@ TEST(LearningRecords, AnErasedPersonLeavesNothingInTheOutbox) {
   EXPECT_TRUE(centre.outbox().empty());
 }
 
-TEST(LrsSettings, AreRefusedInTheClearAndKeepTheAccountsWhenTheyChange) {
+TEST(LrsSettings, RejectUnencryptedEndpointsAndKeepAccountsWhenTheyChange) {
   XapiCentre centre;
   SessionContext& office = centre.asAdministrator();
   EXPECT_EQ(lrsSettings(office), LrsSettings{});
@@ -240,7 +240,7 @@ TEST(LrsSettings, AreRefusedInTheClearAndKeepTheAccountsWhenTheyChange) {
   EXPECT_THROW((void)lrsSettings(centre.centre().session()), Error);
 }
 
-TEST(LrsSettings, TheKeyLiesInAFileOfTheAccountAndNotInTheRecord) {
+TEST(LrsSettings, TheKeyIsInAFileOfTheAccountAndNotInTheRecord) {
   XapiCentre centre;
   EXPECT_FALSE(stationLrsKey());
   EXPECT_THROW((void)sendLearningRecords(centre.asAdministrator()), Error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The talk with a learning record store that misbehaves in every way that the specification or a network
-// knows: nothing is lost, nothing comes twice, nothing is held up.
+// A learning record store that misbehaves in every way known from the specification or networks: nothing is
+// lost, duplicated or blocked.
 #include <chrono>
 #include <optional>
 #include <set>
@@ -24,7 +24,7 @@ using Fault = TestLrs::Fault;
 
 constexpr std::chrono::milliseconds kShort{400};
 
-/// A store that takes nothing for a while.
+/// A store that accepts nothing for a while.
 struct Away {
   const char* name;
   Fault fault;
@@ -32,7 +32,7 @@ struct Away {
 
 class LrsFault : public ::testing::TestWithParam<Away> {};
 
-TEST_P(LrsFault, LosesNothingAndDoublesNothing) {
+TEST_P(LrsFault, LosesAndDuplicatesNothing) {
   XapiCentre centre;
   centre.turnOn();
   centre.enrol("T-01");
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Every, LrsFault,
                                            Away{"Nowhere", Fault::kNowhere}),
                          [](const auto& one) { return std::string(one.param.name); });
 
-TEST(LrsDelivery, AKeyThatIsRefusedStopsTheQueueAndIsSaid) {
+TEST(LrsDelivery, ARejectedKeyStopsTheQueueAndIsReported) {
   XapiCentre centre;
   centre.turnOn();
   centre.enrol("T-01");
@@ -99,7 +99,7 @@ TEST(LrsDelivery, AKeyThatIsRefusedStopsTheQueueAndIsSaid) {
   EXPECT_EQ(centre.deliver().delivered, 1) << "at once, after the key was mended";
 }
 
-TEST(LrsDelivery, AKnownStatementCountsAsDeliveredWhateverTheStoreCallsIt) {
+TEST(LrsDelivery, AKnownStatementCountsAsDeliveredHoweverTheStoreFormatsIt) {
   XapiCentre centre;
   centre.turnOn();
   centre.enrol("T-01");
@@ -120,7 +120,7 @@ TEST(LrsDelivery, AKnownStatementCountsAsDeliveredWhateverTheStoreCallsIt) {
   EXPECT_EQ(centre.store().stored().size(), 1U);
 }
 
-TEST(LrsDelivery, AnotherStatementUnderTheIdIsADeadLetter) {
+TEST(LrsDelivery, ADifferentStatementUnderTheIdIsADeadLetter) {
   XapiCentre centre;
   centre.turnOn();
   centre.enrol("T-01");
@@ -138,7 +138,7 @@ TEST(LrsDelivery, AnotherStatementUnderTheIdIsADeadLetter) {
   EXPECT_EQ(centre.deliver().dead, 0) << "not tried again by itself";
 }
 
-TEST(LrsDelivery, OneRefusedStatementHoldsUpNoOther) {
+TEST(LrsDelivery, OneRejectedStatementBlocksNoOther) {
   XapiCentre centre;
   centre.turnOn();
   centre.enrol("T-01");
@@ -164,7 +164,7 @@ TEST(LrsDelivery, OneRefusedStatementHoldsUpNoOther) {
   EXPECT_EQ(centre.store().stored().size(), 3U);
 }
 
-TEST(LrsDelivery, TwoStationsDoNotTakeTheSameStatement) {
+TEST(LrsDelivery, TwoStationsDoNotSendTheSameStatement) {
   XapiCentre centre;
   centre.turnOn();
   centre.enrol("T-01");
@@ -180,7 +180,7 @@ TEST(LrsDelivery, TwoStationsDoNotTakeTheSameStatement) {
   EXPECT_EQ(outbox.due(now_us + kMinute_us, 10).size(), 1U) << "that station may have died";
 }
 
-TEST(LrsDelivery, WaitsGrowToSixHoursAndAreSpread) {
+TEST(LrsDelivery, RetryIntervalsGrowToSixHoursAndAreSpread) {
   const std::int64_t half_us = kMinute_us / 2;
   for (const std::int64_t tries : {1, 2, 3, 8, 12, 40, 1'000'000}) {
     const std::int64_t plain_us =
@@ -198,7 +198,7 @@ TEST(LrsDelivery, WaitsGrowToSixHoursAndAreSpread) {
   }
 }
 
-TEST(LrsDelivery, ABusyStoreIsLeftAloneAsLongAsItAsks) {
+TEST(LrsDelivery, ABusyStoreIsRetriedOnlyAfterTheTimeItRequests) {
   XapiCentre centre;
   centre.turnOn();
   centre.enrol("T-01");
@@ -211,7 +211,7 @@ TEST(LrsDelivery, ABusyStoreIsLeftAloneAsLongAsItAsks) {
   EXPECT_EQ(centre.deliver().delivered, 1);
 }
 
-TEST(LrsWorker, SendsByItselfAndLetsGoOfASilentStore) {
+TEST(LrsWorker, SendsInTheBackgroundAndAbandonsASilentStore) {
   XapiCentre centre;
   centre.turnOn();
   centre.enrol("T-01");
@@ -223,7 +223,7 @@ TEST(LrsWorker, SendsByItselfAndLetsGoOfASilentStore) {
   EXPECT_EQ(centre.counts().delivered, 1);
   centre.store().become(Fault::kHangs);
   centre.enrol("T-01");
-  worker.reset();  // in the middle of a question, or before it; either way it ends
+  worker.reset();  // during a request or before it; either way it ends
   EXPECT_EQ(centre.counts().waiting, 1);
 }
 

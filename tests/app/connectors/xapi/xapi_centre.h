@@ -15,8 +15,8 @@
 
 namespace torsio::testing {
 
-/// A small centre with a learning record store beside it. T-01 agrees to learning records, T-02 does not; the
-/// settings of the account lie in a folder of their own.
+/// A small centre with a learning record store. T-01 consents to learning records, T-02 does not; the
+/// account's settings are in a temporary folder.
 class XapiCentre {
  public:
   XapiCentre();
@@ -24,23 +24,23 @@ class XapiCentre {
   TrainingCentre& centre() { return centre_; }
   TestLrs& store() { return store_; }
   Connection& connection() { return centre_.connection(); }
-  /// Signs in somebody who may change settings.
+  /// Signs in as a user who may change settings.
   SessionContext& asAdministrator();
-  /// The centre sends from now on, and this station has the key.
+  /// Turns sending on and gives this station the key.
   void turnOn();
-  /// One more decision of a trainee about learning records.
+  /// Stores another decision of a trainee about learning records.
   void decide(const std::string& traineeCode, bool granted);
   [[nodiscard]] PersonId person(const std::string& traineeCode);
-  /// Enrols a trainee in a cohort of its own. Returns the enrolment.
+  /// Enrols a trainee in a new cohort. Returns the enrolment.
   std::string enrol(const std::string& traineeCode);
-  /// A run of T-01 at "first", measured. Returns the trial.
+  /// Records and measures a run of T-01 at "first". Returns the trial.
   std::string run(double skill = 1.0);
 
   [[nodiscard]] std::vector<LearningEvent> outbox();
   [[nodiscard]] LearningEventCounts counts();
-  /// A round of sending.
+  /// Runs one round of sending.
   LrsDelivery deliver(std::chrono::milliseconds patience = std::chrono::seconds(30));
-  /// Lets all waits be over.
+  /// Lets all retry intervals expire.
   void waitLong() { centre_.passTime_us(24 * 60 * kMinute_us + kMinute_us); }
 
  private:

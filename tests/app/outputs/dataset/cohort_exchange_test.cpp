@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who may take data out, and what is kept about it.
+// Who may export data, and its audit entries.
 #include "app/outputs/dataset/cohort_exchange.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::StudyCentre;
 
-/// With something that somebody wrote.
+/// A study with free text.
 struct SmallStudy : testing::SmallStudyFor<ExchangeRequest> {
   SmallStudy() {
     reportDeviation(centre.as("administrator"),
@@ -33,7 +33,7 @@ struct SmallStudy : testing::SmallStudyFor<ExchangeRequest> {
   AuditEntry newest() { return AuditRepository(centre.connection()).entries({.limit = 1}).at(0); }
 };
 
-TEST(CohortExchange, KeepsWhoTookOutWhatWhyAndTheHash) {
+TEST(CohortExchange, AuditsWhoExportedWhatWhyAndTheHash) {
   SmallStudy study;
   study.request.reason = "for the board";
   const std::filesystem::path file = study.centre.folder() / "cohort.xlsx";
@@ -55,7 +55,7 @@ TEST(CohortExchange, KeepsWhoTookOutWhatWhyAndTheHash) {
   EXPECT_THAT(entry.newJson, HasSubstr("workbook"));
 }
 
-TEST(CohortExchange, LeavesAndNotesNothingWhenItIsGivenUp) {
+TEST(CohortExchange, LeavesAndAuditsNothingIfCancelled) {
   SmallStudy study;
   const ExchangeData data = exchangeData(study.centre.as("administrator"), study.request, study.digests);
   const auto before = study.centre.rowCounts();
@@ -71,7 +71,7 @@ TEST(CohortExchange, LeavesAndNotesNothingWhenItIsGivenUp) {
   EXPECT_THROW(exportWorkbook(session, data, same, folder / "a.xlsx", givenUpAtTrials), Error);
   EXPECT_FALSE(std::filesystem::exists(folder / "new"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.xlsx"));
-  // What was there before stays.
+  // Existing files are kept.
   std::filesystem::create_directories(folder / "old");
   writeFileAtomically(folder / "old" / "mine.txt", "mine");
   EXPECT_THROW(exportTables(session, data, TableFormat::kSpss, folder / "old", givenUpAtTrials), Error);
@@ -79,7 +79,7 @@ TEST(CohortExchange, LeavesAndNotesNothingWhenItIsGivenUp) {
   EXPECT_EQ(study.centre.rowCounts(), before);
 }
 
-TEST(CohortExchange, IsPseudonymisedForWhoeverMayNotSeeNames) {
+TEST(CohortExchange, IsPseudonymisedForThoseWhoMayNotSeeNames) {
   SmallStudy study;
   const ExchangeData data = exchangeData(study.centre.as("statistician"), study.request, study.digests);
   ASSERT_TRUE(data.pseudonyms);
@@ -95,7 +95,7 @@ TEST(CohortExchange, IsPseudonymisedForWhoeverMayNotSeeNames) {
   EXPECT_EQ(pseudonymSentences(data).size(), 3U);
 }
 
-TEST(CohortExchange, APseudonymisedWorkbookNamesNeitherPeopleNorCentreNorWhatTheyWrote) {
+TEST(CohortExchange, APseudonymisedWorkbookContainsNoPeopleCentreOrFreeText) {
   if (!testing::outputOf("/usr/bin/python3 -c 'import zipfile'", testing::OwnFolder().path()).empty()) {
     GTEST_SKIP() << "python3 is not installed";
   }
@@ -126,7 +126,7 @@ TEST(CohortExchange, APseudonymisedWorkbookNamesNeitherPeopleNorCentreNorWhatThe
   EXPECT_THAT(told, Not(HasSubstr("T-01")));
 }
 
-TEST(CohortExchange, APseudonymisedDatasetNamesNobody) {
+TEST(CohortExchange, APseudonymisedDatasetContainsNoNames) {
   SmallStudy study;
   study.request.pseudonymised = true;
   const DatasetRequest asked{.about = {.title = "Twists", .licence = "CC-BY-4.0"},
@@ -151,7 +151,7 @@ TEST(CohortExchange, APseudonymisedDatasetNamesNobody) {
   EXPECT_THAT(study.newest().newJson, HasSubstr(done.contentHash));
 }
 
-TEST(CohortExchange, IsRefusedToWhoeverMayNotExport) {
+TEST(CohortExchange, IsRefusedWithoutTheRightToExport) {
   SmallStudy study;
   for (const char* role : {"trainee", "rater", "allocator", ""}) {
     EXPECT_THROW((void)exchangeData(study.centre.as(role), study.request, study.digests), Error) << role;
@@ -163,7 +163,7 @@ TEST(CohortExchange, IsRefusedToWhoeverMayNotExport) {
   EXPECT_FALSE(std::filesystem::exists(study.centre.folder() / "grades.csv"));
 }
 
-TEST(Gradebook, IsNotWrittenWhileNobodyHasAScore) {
+TEST(Gradebook, IsNotWrittenWithoutScores) {
   SmallStudy study;
   const std::filesystem::path file = study.centre.folder() / "grades.csv";
   EXPECT_THROW(exportGradebook(study.centre.as("administrator"), study.request, study.digests, file), Error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A data set for others: each number of a recording, a descriptor that fits its files, nothing half written.
+// Data sets: all numbers of a recording, a descriptor that matches its files, no partial files.
 #include "app/outputs/dataset/dataset.h"
 
 #include <algorithm>
@@ -81,7 +81,7 @@ DatasetContents wholeContents(const ExportSet& set) {
   return contents;
 }
 
-TEST(Trajectory, HoldsEveryNumberOfEveryTenthSample) {
+TEST(Trajectory, ContainsEveryNumberOfEveryTenthSample) {
   const OwnFolder folder;
   const fs::path file = folder.path() / "a.csv";
   std::ostringstream out;
@@ -145,7 +145,7 @@ TEST(Dataset, DescribesEachOfItsFiles) {
   EXPECT_EQ(package["title"], "Twists of \"thirty\"");
   EXPECT_EQ(package["licenses"][0]["name"], "CC-BY-4.0");
   EXPECT_EQ(package["created"], "2026-01-05T08:00:00.000000Z");
-  ASSERT_EQ(package["resources"].size(), tablesOf(set).size() + 3);  // two trajectories, and their heads
+  ASSERT_EQ(package["resources"].size(), tablesOf(set).size() + 3);  // two trajectories and their headers
   for (const json& resource : package["resources"]) {
     const std::string text = readFile(folder / resource["path"].get<std::string>());
     std::string heading;
@@ -163,7 +163,7 @@ TEST(Dataset, DescribesEachOfItsFiles) {
       EXPECT_EQ(entity["contentSize"], std::to_string(fs::file_size(folder / listed.back())));
     }
   }
-  EXPECT_EQ(listed.size(), files.size() - 1);  // all but the descriptor itself
+  EXPECT_EQ(listed.size(), files.size() - 1);  // all except the descriptor itself
   const CsvTable heads =
       CsvTable::read(folder / "data" / "recordings.csv",
                      {"trial", "participant", "organ", "pattern", "target_deg", "organ_hash", "parameters",
@@ -212,7 +212,7 @@ TEST(Dataset, OfBidsHasAColumnForEachChannelAndALabelForEachPerson) {
   EXPECT_TRUE(fs::exists(folder / "derivatives" / "torsio" / "datapackage.json"));
 }
 
-TEST(Dataset, LeavesNothingHalfWrittenAndMixesNothing) {
+TEST(Dataset, LeavesNoPartialFilesAndMixesNothing) {
   const OwnFolder own;
   const fs::path folder = own.path() / "set";
   const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
@@ -248,7 +248,7 @@ TEST(Dataset, LeavesNothingHalfWrittenAndMixesNothing) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
 }
 
-/// Whether node finds a package of npm (NODE_PATH; judges_test.py sets it).
+/// Returns whether node finds an npm package (NODE_PATH; set by judges_test.py).
 bool hasModule(const std::string& name, const fs::path& folder) {
   const std::string asks = "node -e \"require.resolve('" + name + "/package.json')\"";
   return testing::hasProgram("node") && testing::outputOf(asks, folder).empty();
@@ -269,7 +269,7 @@ TEST(Dataset, IsAcceptedByTheValidatorOfBids) {
 
   EXPECT_EQ(found["issues"]["errors"], json::array());
   for (const json& warning : found["issues"]["warnings"]) {
-    // It takes the first line of a motion file for a heading, which BIDS forbids there; and asks for more
+    // It treats the first line of a motion file as a header, which BIDS forbids there, and wants more
     // authors.
     EXPECT_THAT(warning["key"], ::testing::AnyOf("CUSTOM_COLUMN_WITHOUT_DESCRIPTION", "TOO_FEW_AUTHORS"));
   }

@@ -10,7 +10,7 @@
 
 namespace torsio::testing {
 
-/// A folder that goes with its owner.
+/// A folder removed with its owner.
 class OwnFolder {
  public:
   [[nodiscard]] std::filesystem::path path() const { return folder_.path().toStdString(); }
@@ -19,12 +19,12 @@ class OwnFolder {
   QTemporaryDir folder_;
 };
 
-/// Whether a program can be called on this machine.
+/// Returns whether a program is available on this machine.
 [[nodiscard]] bool hasProgram(const std::string& name);
-/// Runs a shell command; its output, or what it said when it failed.
+/// Runs a shell command; returns its output, or its error output if it failed.
 [[nodiscard]] std::string outputOf(const std::string& command, const std::filesystem::path& folder);
 
-/// The paper's study with some things that go wrong in other programs: text that looks like a formula,
+/// The paper's study with content that causes problems in other programs: text that looks like a formula,
 /// Chinese, line feeds, numbers with many digits.
 [[nodiscard]] CohortInputs awkwardCohort();
 

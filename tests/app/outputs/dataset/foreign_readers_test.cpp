@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What leaves the house is opened by the programs that people have.
+// Exports can be opened by common programs.
 #include "tests/app/outputs/dataset/foreign_readers.h"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ double numberIn(const std::string& text) {
   return value;
 }
 
-TEST(ExportSet, HasEveryLineOfTheTableOfNumbersAndSortsThemByWhatARowIs) {
+TEST(ExportSet, HasEveryRowOfTheTableOfNumbersSortedByWhatARowIs) {
   const CohortInputs in = awkwardCohort();
   const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
   const ExportSet set = exportSet(analysedCohort(in), {});
@@ -100,7 +100,7 @@ TEST(ExportSet, HasEveryLineOfTheTableOfNumbersAndSortsThemByWhatARowIs) {
   }
 }
 
-TEST(ExportSet, SaysWhatEachGroupIsAndWhichMarksAreMissing) {
+TEST(ExportSet, DescribesEachGroupAndListsMissingMarks) {
   CohortInputs in = testing::demonstrationCohort();
   std::erase_if(in.trainingMarks, [](const TrainingMark& mark) {
     return mark.trainee == "x101" && mark.rater == "R103" && mark.occasion == 1;
@@ -136,7 +136,7 @@ TEST(ExportSet, SaysWhatEachGroupIsAndWhichMarksAreMissing) {
   EXPECT_TRUE(exportSet(analysedCohort(in), {}).marks.rows.empty()) << "not even which are missing";
 }
 
-TEST(CsvCell, KeepsNumbersAndMakesFormulasHarmless) {
+TEST(CsvCell, KeepsNumbersAndNeutralisesFormulas) {
   EXPECT_EQ(csvCell("-0.5"), "-0.5");
   EXPECT_EQ(csvCell("-2.5e-07"), "-2.5e-07");
   EXPECT_EQ(csvCell("-2+3"), "'-2+3");
@@ -147,7 +147,7 @@ TEST(CsvCell, KeepsNumbersAndMakesFormulasHarmless) {
   EXPECT_EQ(csvCell("-\"x\""), "\"'-\"\"x\"\"\"");
 }
 
-TEST(CohortCsv, HoldsNoFormula) {
+TEST(CohortCsv, ContainsNoFormula) {
   const std::string text = cohortCsvText(cohortCsvRows(awkwardCohort()));
   EXPECT_THAT(text, HasSubstr(",'=1+1,"));
   EXPECT_THAT(text, HasSubstr("'+cmd|"));
@@ -160,7 +160,7 @@ TEST(SheetNumber, HasFifteenDigits) {
   EXPECT_EQ(sheetNumber(-1.7976931348623157e308), -1.79769313486231e308);
 }
 
-TEST(Workbook, GivesBackEveryNumberAndNoTextBecomesAFormula) {
+TEST(Workbook, PreservesEveryNumberAndTextIsNeverAFormula) {
   if (outputOf("/usr/bin/python3 -c 'import openpyxl'", OwnFolder().path()) != "") {
     GTEST_SKIP() << "python3-openpyxl is not installed";
   }
@@ -229,7 +229,7 @@ TEST(Workbook, OpensInLibreOffice) {
   }
 }
 
-TEST(Workbook, ThatCannotBeWrittenLeavesWhatWasThere) {
+TEST(Workbook, LeavesExistingFilesIfItCannotBeWritten) {
   Written written;
   written.file = written.folder.path() / "no such folder" / "cohort.xlsx";
   EXPECT_THROW(written.workbook(), Error);
@@ -243,7 +243,7 @@ TEST(Workbook, ThatCannotBeWrittenLeavesWhatWasThere) {
   EXPECT_EQ(entries, 1U);
 }
 
-/// A disk that is full after so many bytes of a file.
+/// A disk that is full after a number of bytes of a file.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) {
@@ -260,7 +260,7 @@ class FullDisk {
   rlimit before_{};
 };
 
-TEST(Exports, OnAFullDiskSayThatAndLeaveNothing) {
+TEST(Exports, OnAFullDiskReportItAndLeaveNothing) {
   Written written;
   const auto codeOf = [&](const std::function<void()>& write) {
     const FullDisk full(2'000);
@@ -317,7 +317,7 @@ TEST(Tables, AreReadByPsppWithTheirLabels) {
   EXPECT_THAT(dictionary, HasSubstr("|training_level |       4|Level of|Nominal"));
 }
 
-TEST(Tables, AreReadByRToTheLastDigit) {
+TEST(Tables, AreReadByRInFullPrecision) {
   if (!hasProgram("Rscript")) {
     GTEST_SKIP() << "r-base-core is not installed";
   }

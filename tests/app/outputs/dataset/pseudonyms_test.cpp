@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nobody is found in what is pseudonymised.
+// Nobody can be identified in pseudonymised data.
 #include "app/outputs/tables/pseudonyms.h"
 
 #include <cmath>
@@ -46,7 +46,7 @@ struct Hidden {
   }
 };
 
-TEST(Pseudonyms, AreTheSameUnderOneKeyAndOthersUnderAnother) {
+TEST(Pseudonyms, AreTheSameForOneKeyAndDifferForAnother) {
   const Pseudonyms one(kKey);
   EXPECT_EQ(one.of("P", "T-01"), Pseudonyms(kKey).of("P", "T-01"));
   EXPECT_NE(one.of("P", "T-01"), one.of("P", "T-02"));
@@ -56,7 +56,7 @@ TEST(Pseudonyms, AreTheSameUnderOneKeyAndOthersUnderAnother) {
   EXPECT_THROW(Pseudonyms("short"), Error);
 }
 
-TEST(Pseudonyms, MoveTimesByWholeDaysOfEachPersonAndNeverByNone) {
+TEST(Pseudonyms, ShiftTimesByWholeDaysForEachPersonAndNeverByZero) {
   const Pseudonyms names(kKey);
   std::set<std::int64_t> shifts;
   for (int i = 0; i < 1000; ++i) {
@@ -75,11 +75,11 @@ TEST(Pseudonyms, MoveTimesByWholeDaysOfEachPersonAndNeverByNone) {
     moves[trial.trainee].insert(hidden.starts.at(opaque) - hidden.startsBefore.at(trial.trialId));
   }
   for (const auto& [person, ofPerson] : moves) {
-    EXPECT_EQ(ofPerson, std::set<std::int64_t>{names.shift_us(person)}) << person;  // intervals stay
+    EXPECT_EQ(ofPerson, std::set<std::int64_t>{names.shift_us(person)}) << person;  // intervals are preserved
   }
 }
 
-/// What somebody who knows the centre well knows of one of its people, and what stands there of one.
+/// What somebody who knows the centre knows of a person, and what the data contain of one.
 struct Trace {
   std::set<std::int64_t> days{};  ///< of recordings and deviations
   std::set<std::string> texts{};
@@ -112,7 +112,7 @@ std::map<std::string, Trace> tracesIn(const CohortInputs& in, const std::map<Tri
   return traces;
 }
 
-TEST(Pseudonyms, AnAttackByDatesCountsAndTextsFindsNobody) {
+TEST(Pseudonyms, AnAttackByDatesCountsAndTextsIdentifiesNobody) {
   const Hidden hidden;
   const Pseudonyms names(kKey);
   const std::map<std::string, Trace> known = tracesIn(hidden.before, hidden.startsBefore);
@@ -137,7 +137,7 @@ TEST(Pseudonyms, AnAttackByDatesCountsAndTextsFindsNobody) {
   EXPECT_EQ(hidden.report.deviationsUnlinked, 3);
 }
 
-TEST(Pseudonyms, LeaveNothingOfTheCentreInAnyFile) {
+TEST(Pseudonyms, LeaveNoTraceOfTheCentreInAnyFile) {
   const Hidden hidden;
   const ExportSet set = exportSet(analysedCohort(hidden.after), hidden.starts);
   const OwnFolder folder;
@@ -176,7 +176,7 @@ TEST(Pseudonyms, LeaveNothingOfTheCentreInAnyFile) {
   }
 }
 
-TEST(Pseudonyms, KeepEveryNumberAndEveryCount) {
+TEST(Pseudonyms, PreserveEveryNumberAndEveryCount) {
   const Hidden hidden;
   const ExportSet before = exportSet(analysedCohort(hidden.before), {});
   const ExportSet after = exportSet(analysedCohort(hidden.after), hidden.starts);
@@ -190,7 +190,7 @@ TEST(Pseudonyms, KeepEveryNumberAndEveryCount) {
   EXPECT_EQ(marksBefore, marksAfter);
   EXPECT_EQ(after.trials.rows.size(), before.trials.rows.size());
   ASSERT_EQ(after.comparison.rows.size(), before.comparison.rows.size());
-  std::multiset<std::int64_t> leftBefore;  // of single trainees, who stand in the order of their codes
+  std::multiset<std::int64_t> leftBefore;  // of single trainees, ordered by code
   std::multiset<std::int64_t> leftAfter;
   const auto rounded = [](double value) { return std::llround(value * 1e6); };
   for (std::size_t i = 0; i < before.comparison.rows.size(); ++i) {
@@ -209,7 +209,7 @@ TEST(Pseudonyms, KeepEveryNumberAndEveryCount) {
   EXPECT_EQ(leftBefore, leftAfter);
 }
 
-TEST(Pseudonyms, LeaveOutPropertiesThatFewShareAndSayHowFew) {
+TEST(Pseudonyms, HidePropertiesSharedByFewAndReportHowFew) {
   Hidden hidden;
   EXPECT_LT(hidden.report.smallestBefore, kSmallestCell);
   EXPECT_GE(hidden.report.smallestAfter, kSmallestCell);

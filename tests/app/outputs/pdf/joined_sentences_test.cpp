@@ -6,7 +6,7 @@
 namespace torsio {
 namespace {
 
-TEST(JoinedSentences, StandABlankApartInEnglishAndBesideEachOtherInChinese) {
+TEST(JoinedSentences, AreSeparatedBySpacesInEnglishAndNotInChinese) {
   EXPECT_EQ(joinedSentences({"Done.", "", "Go on."}), QStringLiteral("Done. Go on."));
   const QString done = QStringLiteral("\u5df2\u5b8c\u6210\u3002");
   const QString asked = QStringLiteral("\u662f\u5426\u7ee7\u7eed\uff1f");

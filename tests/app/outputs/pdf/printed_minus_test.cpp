@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The minus: U+2212 for people, a hyphen in files.
+// The minus: U+2212 for readers, a hyphen in files.
 #include "app/outputs/wording/printed_minus.h"
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace torsio {
 namespace {
 
-TEST(PrintedMinus, StandsBeforeNumbersAndNotInWordsDatesAndCodes) {
+TEST(PrintedMinus, ReplacesTheHyphenOfNumbersButNotOfWordsDatesAndCodes) {
   using Pair = std::pair<const char16_t*, const char16_t*>;
   constexpr std::array kPairs{Pair{u"-1.4 points [-1.7; -1.2]", u"\u22121.4 points [\u22121.7; \u22121.2]"},
                               Pair{u"(-.5)", u"(\u2212.5)"},
@@ -33,12 +33,12 @@ TEST(PrintedMinus, StandsBeforeNumbersAndNotInWordsDatesAndCodes) {
   }
 }
 
-TEST(PrintedMinus, GoesBackToTheHyphenOfFiles) {
+TEST(PrintedMinus, IsConvertedBackToTheHyphenOfFiles) {
   EXPECT_EQ(plainMinus(printedMinus(QStringLiteral("-1.4 [-1.7; -1.2]"))),
             QStringLiteral("-1.4 [-1.7; -1.2]"));
 }
 
-TEST(PrintedMinus, StandsBetweenTheArgumentsOfAPatternAndLeavesWhatPeopleWrote) {
+TEST(PrintedMinus, ReplacesTheHyphenBetweenArgumentsOfAPatternButNotInFreeText) {
   const Text pair = Text::verbatim("%1 - %2", std::string("Group 1"), std::string("North - South"));
 
   EXPECT_EQ(englishWording(pair).toStdString(), "Group 1 \u2212 North - South");
@@ -53,7 +53,7 @@ TEST(PrintedMinus, IsNotWrittenIntoFiles) {
   }
 }
 
-/// No cell and no note of the report keeps a hyphen for a minus, and the table of numbers has no other.
+/// No cell or note of the report has a hyphen as minus, and the table of numbers has nothing else.
 TEST(PrintedMinus, IsEverywhereInTheReportAndNowhereInItsTableOfNumbers) {
   const CohortInputs in = testing::demonstrationCohort();
   static const QRegularExpression kHyphen(QStringLiteral("(^|[\\s(\\[;,:])-[0-9]| - [0-9]|^Group [0-9] - "));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands on the pages of a printed report, read back from the file.
+// Contents of printed report pages, read back from the file.
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -26,7 +26,7 @@
 namespace torsio {
 namespace {
 
-/// The pages line by line.
+/// Returns the text of the pages line by line.
 std::string printedLines(const std::filesystem::path& file) {
   QProcess reader;
   reader.start(QStringLiteral("pdftotext"),
@@ -35,7 +35,7 @@ std::string printedLines(const std::filesystem::path& file) {
   return reader.readAllStandardOutput().toStdString();
 }
 
-TEST(PrintedReport, NamesTheLineOfEachModelThatAClassOfRatersHasNotScored) {
+TEST(PrintedReport, ListsForEachModelWhatAClassOfRatersHasNotScored) {
   const CohortInputs in = testing::aClassOfRatersIsMissing();
   ReportModel report = cohortReport(in);
   std::erase_if(report.sections, [](const ReportSection& section) {
@@ -60,7 +60,7 @@ TEST(PrintedReport, NamesTheLineOfEachModelThatAClassOfRatersHasNotScored) {
   }
 }
 
-TEST(PrintedReport, DrawsTheLineThatNormalResidualsWouldFollow) {
+TEST(PrintedReport, DrawsTheLineOfNormalResiduals) {
   const ReportModel report = cohortReport(testing::demonstrationCohort());
   const ReportFigure* figure = testing::figureNamed(report, "figure-qq");
   ASSERT_NE(figure, nullptr);
@@ -84,7 +84,7 @@ TEST(PrintedReport, DrawsTheLineThatNormalResidualsWouldFollow) {
   EXPECT_LT(lines[0]->at(0).x(), 0.0);
   EXPECT_GT(lines[0]->at(1).x(), 0.0);
   EXPECT_EQ(dots, 30U);
-  EXPECT_EQ(figureTable(*figure, 4).rows.size(), 30U);  // the line is no value
+  EXPECT_EQ(figureTable(*figure, 4).rows.size(), 30U);  // the line is not a value
 }
 
 }  // namespace

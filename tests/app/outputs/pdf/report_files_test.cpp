@@ -103,7 +103,7 @@ ReportFigure intervals() {
   return figure;
 }
 
-/// What qpdf reads from a file: it refuses broken cross references.
+/// A file as read by qpdf, which rejects broken cross-references.
 class ReadPdf {
  public:
   explicit ReadPdf(const fs::path& file) {
@@ -114,7 +114,7 @@ class ReadPdf {
   QPDFObjectHandle info() { return pdf_.getTrailer().getKey("/Info"); }
   QPDF& file() { return pdf_; }
 
-  /// Objects whose `key` is `name`; empty: any.
+  /// Counts objects whose `key` is `name`; empty: any.
   std::size_t count(const std::string& key, const std::string& name = {}) {
     std::size_t count = 0;
     for (QPDFObjectHandle object : objectsWith(key)) {
@@ -196,7 +196,7 @@ TEST(PdfReport, HasBookmarksOfSectionsFiguresAndTablesAndItsReferenceOnEveryPage
   EXPECT_EQ(said, 1U) << "composed once and drawn in the foot of all " << pages << " pages";
 }
 
-TEST(PdfReport, SaysThatItIsAnArchiveFileAndHoldsWhatOneNeeds) {
+TEST(PdfReport, DeclaresThatItIsAnArchiveFileAndContainsWhatOneNeeds) {
   const fs::path file = freshFolder("archive") / "report.pdf";
 
   writePdfReport(smallReport(), file);
@@ -228,7 +228,7 @@ std::size_t countOf(const std::string& text, const std::string& what) {
   return count;
 }
 
-TEST(PdfReport, IsTaggedSoThatItCanBeReadAloud) {
+TEST(PdfReport, IsTaggedForScreenReaders) {
   const fs::path file = freshFolder("tagged") / "report.pdf";
   ReportModel model = smallReport();
   model.centre = "Skills & sutures";
@@ -239,7 +239,7 @@ TEST(PdfReport, IsTaggedSoThatItCanBeReadAloud) {
   EXPECT_TRUE(pdf.catalog().getKey("/MarkInfo").getKey("/Marked").getBoolValue());
   EXPECT_TRUE(pdf.catalog().hasKey("/StructTreeRoot"));
   EXPECT_EQ(pdf.info().getKey("/Author").getUTF8Value(), "Skills & sutures");
-  const std::string xml = readFile(file);  // uncompressed: found by whoever cannot read PDF
+  const std::string xml = readFile(file);  // uncompressed, so that text search finds it
   EXPECT_NE(xml.find("<rdf:li>Skills &amp; sutures</rdf:li>"), std::string::npos);
   EXPECT_NE(xml.find("<dc:language><rdf:Bag><rdf:li>en</rdf:li>"), std::string::npos);
   std::size_t figures = 0;
@@ -268,11 +268,11 @@ TEST(PdfReport, IsTaggedSoThatItCanBeReadAloud) {
             pieces + 1 + pdf.count("/S", "/Table") + pdf.count("/S", "/TR"));
 }
 
-TEST(PdfReport, EachSignCanBeFoundAndCopiedAsItWasWritten) {
+TEST(PdfReport, TextCanBeFoundAndCopiedExactly) {
   const fs::path file = freshFolder("letters") / "report.pdf";
   ReportModel model = smallReport();
   model.number = "R-12-3ffa29b1";
-  model.numbersHash = "ff0ffi1ffl2fi3fl";  // a typeface joins these
+  model.numbersHash = "ff0ffi1ffl2fi3fl";  // common ligatures
 
   writePdfReport(model, file);
 
@@ -288,12 +288,12 @@ TEST(PdfReport, EachSignCanBeFoundAndCopiedAsItWasWritten) {
   EXPECT_GT(fonts, 0U);
 }
 
-TEST(PdfStructure, RefusesWhatIsNoPdf) {
+TEST(PdfStructure, RejectsOtherFiles) {
   EXPECT_THROW((void)withStructure("", {}), Error);
   EXPECT_THROW((void)withStructure("startxref\n5\n/Root 1 0 R /Size 3", {}), Error);
 }
 
-TEST(PdfReport, SaysWhereTheValuesOfAFigureStandThatAreTooManyToPrint) {
+TEST(PdfReport, StatesWhereToFindValuesTooManyToPrint) {
   ReportModel model = smallReport();
   ReportFigure figure;
   figure.title = Text::verbatim("A course of a hundred moments");
@@ -320,7 +320,7 @@ TEST(PdfReport, SaysWhereTheValuesOfAFigureStandThatAreTooManyToPrint) {
   }
 }
 
-TEST(PdfReport, RefusesAFolderThatDoesNotExistAndLeavesNothing) {
+TEST(PdfReport, FailsForAMissingFolderAndLeavesNothing) {
   const fs::path folder = freshFolder("missing");
   const fs::path file = folder / "no-such-folder" / "cohort.pdf";
 
@@ -328,7 +328,7 @@ TEST(PdfReport, RefusesAFolderThatDoesNotExistAndLeavesNothing) {
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
-TEST(ChartBuilder, DrawsOneBarSetASeries) {
+TEST(ChartBuilder, DrawsOneBarSetPerSeries) {
   const auto chart = buildChart(figureOf(FigureKind::kGroupedBars));
   ASSERT_EQ(chart->series().size(), 1);
   const auto* bars = qobject_cast<QBarSeries*>(chart->series().first());
@@ -337,7 +337,7 @@ TEST(ChartBuilder, DrawsOneBarSetASeries) {
   EXPECT_DOUBLE_EQ(bars->barSets().first()->at(0), 8.0);
 }
 
-TEST(ChartBuilder, NamesEachCategoryAlsoWhereTwoAreCalledAlike) {
+TEST(ChartBuilder, NamesEachCategoryEvenIfTwoNamesAreEqual) {
   for (const FigureKind kind : {FigureKind::kGroupedBars, FigureKind::kPoints, FigureKind::kForest}) {
     ReportFigure figure = figureOf(kind);
     figure.categories[8] = figure.categories[2];
@@ -352,7 +352,7 @@ TEST(ChartBuilder, NamesEachCategoryAlsoWhereTwoAreCalledAlike) {
   }
 }
 
-TEST(ChartBuilder, CutsNoNameOfTheNineIndicesOnPaper) {
+TEST(ChartBuilder, TruncatesNoNameOfTheNineIndicesOnPaper) {
   ReportFigure figure = figureOf(FigureKind::kGroupedBars);
   figure.xLabel = {};
   figure.categories = {Text::verbatim("Effectiveness"),
@@ -365,9 +365,9 @@ TEST(ChartBuilder, CutsNoNameOfTheNineIndicesOnPaper) {
                        Text::verbatim("Telepresence"),
                        Text::verbatim("Texture")};
   QGraphicsScene scene;
-  QChart* chart = buildChart(figure).release();  // the scene owns it from here
+  QChart* chart = buildChart(figure).release();  // the scene takes ownership
   scene.addItem(chart);
-  constexpr double kAcrossPage_px = 170.0 * 3.78;  // as a page of the report has it
+  constexpr double kAcrossPage_px = 170.0 * 3.78;  // width on a report page
   chart->resize(kAcrossPage_px, 280.0);
   QImage paper(static_cast<int>(kAcrossPage_px), 280, QImage::Format_RGB32);
   QPainter painter(&paper);
@@ -384,7 +384,7 @@ TEST(ChartBuilder, CutsNoNameOfTheNineIndicesOnPaper) {
   }
 }
 
-TEST(PdfReport, TellsEveryPageAndLeavesNothingWhenGivenUp) {
+TEST(PdfReport, ReportsEveryPageAndLeavesNothingIfCancelled) {
   const fs::path folder = freshFolder("cancel");
   const fs::path file = folder / "cohort.pdf";
   writeFileAtomically(file, "older");
@@ -418,7 +418,7 @@ TEST(PdfReport, DrawsForestsHeatMapsAndCloudsAsVectors) {
   EXPECT_EQ(readFile(file).find("/Subtype /Image"), std::string::npos);
 }
 
-TEST(ChartBuilder, TellsSeriesApartWithoutColour) {
+TEST(ChartBuilder, DistinguishesSeriesWithoutColour) {
   const auto chart = buildChart(figureOf(FigureKind::kGroupedBars));
   const auto* bars = qobject_cast<QBarSeries*>(chart->series().first());
   std::set<Qt::BrushStyle> patterns;
@@ -426,13 +426,13 @@ TEST(ChartBuilder, TellsSeriesApartWithoutColour) {
     patterns.insert(set->brush().style());
   }
   EXPECT_EQ(patterns.size(), 3U);
-  // A heat map is darker for more, on white; lightness never turns back.
+  // Higher values are darker in a heat map, on white; lightness is monotonic.
   for (int i = 1; i <= 10; ++i) {
     EXPECT_LT(qGray(shade(0.1 * i).rgb()), qGray(shade(0.1 * (i - 1)).rgb()));
   }
 }
 
-TEST(ChartBuilder, DrawsOneBoxASeriesWithItsMedian) {
+TEST(ChartBuilder, DrawsOneBoxPerSeriesWithItsMedian) {
   const auto chart = buildChart(figureOf(FigureKind::kBoxes));
   const auto* boxes = qobject_cast<QBoxPlotSeries*>(chart->series().first());
   ASSERT_NE(boxes, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report in Chinese: nothing is left in English, and the numbers are those of the English one.
+// The report in Chinese: no English is left, and the numbers are those of the English report.
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -22,7 +22,7 @@
 namespace torsio {
 namespace {
 
-/// Everything a report may say: frozen data, deviations, doses, attempts of a recording.
+/// Everything that a report can contain: frozen data, deviations, doses, twists of a recording.
 CohortInputs everything() {
   CohortInputs in = testing::demonstrationCohort();
   in.title = Text::verbatim("Twist training: cohort report");
@@ -77,7 +77,7 @@ void sayFigure(const ReportFigure& figure, const Say& say) {
   sayTable(figureTable(figure, 4), say);
 }
 
-/// Every text of the report, in its order.
+/// Visits every text of the report, in order.
 void sayAll(const ReportModel& model, const Say& say) {
   say("cover", model.title);
   say("cover", model.subtitle);
@@ -99,10 +99,11 @@ void sayAll(const ReportModel& model, const Say& say) {
   }
 }
 
-/// What stays as it is in Chinese: names of methods and models, codes, units, symbols, hashes, versions.
+/// Removes what is not translated: names of methods and models, codes, units, symbols, hashes, versions.
 QString withoutKeptWords(QString text) {
   static const QRegularExpression kKept(QStringLiteral(
-      "Arm sheet|Pace|Aim|far too slow|quick and steady|criterion|"  // a sheet speaks the words of its centre
+      "Arm sheet|Pace|Aim|far too slow|quick and steady|criterion|"  // a scoring sheet is in the centre's
+                                                                     // language
       "Bland-Altman|Shapiro-Wilk|Bonferroni|Student|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|"
       "Cohen|"
       "Hedges|Kruskal-Wallis|Dunn|Holm|"
@@ -113,7 +114,7 @@ QString withoutKeptWords(QString text) {
   return text.remove(kKept);
 }
 
-/// Days and counts as files have them: people read "5 Jan 2026" and "30,000".
+/// Converts dates and counts to the format of files: readers see "5 Jan 2026" and "30,000".
 QString asInFiles(QString text) {
   static const QRegularExpression kGroup(QStringLiteral("(?<=[0-9]),(?=[0-9]{3}(?![0-9]))"));
   static const QRegularExpression kDay(
@@ -131,7 +132,7 @@ QString asInFiles(QString text) {
 QStringList numbersOf(const QString& text) {
   static const QRegularExpression kNumber(QStringLiteral("[0-9]+([.][0-9]+)?"));
   QStringList numbers;
-  // The square is a digit in English ("s2") and a sign in Chinese.
+  // The exponent is a digit in English ("s2") and a symbol in Chinese.
   QString plain = text;
   plain.replace(QStringLiteral("s2"), QStringLiteral("s"));
   for (auto match = kNumber.globalMatch(plain); match.hasNext();) {
@@ -171,7 +172,7 @@ TEST(ReportLanguage, GivesEveryFigureAndTableAChineseTitle) {
   }
 }
 
-TEST(ReportLanguage, SaysTheSameNumbersInBothLanguages) {
+TEST(ReportLanguage, HasTheSameNumbersInBothLanguages) {
   const Wording english = wordingIn("en");
   const Wording chinese = wordingIn("zh_CN");
 
@@ -182,7 +183,7 @@ TEST(ReportLanguage, SaysTheSameNumbersInBothLanguages) {
   });
 }
 
-TEST(ReportLanguage, WritesAChinesePdfWithItsLettersInIt) {
+TEST(ReportLanguage, WritesAChinesePdfWithEmbeddedFonts) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / "torsio-report-language" / "report.pdf";
   std::filesystem::remove_all(file.parent_path());
@@ -196,7 +197,7 @@ TEST(ReportLanguage, WritesAChinesePdfWithItsLettersInIt) {
   EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);
 }
 
-/// Which pages the bookmarks lead to: how many lead to the first one.
+/// Returns how many bookmarks lead to the first page.
 std::size_t bookmarksOfFirstPage(const std::string& pdf) {
   const std::string pages = pdf.substr(pdf.find("/Kids"));
   const std::string first = std::to_string(std::stoull(pages.substr(pages.find('[') + 1)));
@@ -207,7 +208,7 @@ std::size_t bookmarksOfFirstPage(const std::string& pdf) {
   return count;
 }
 
-TEST(ReportLanguage, ThePageOfTheBoardIsOnePageWithItsSignaturesInBothLanguages) {
+TEST(ReportLanguage, ThePageForTheBoardIsOnePageWithItsSignaturesInBothLanguages) {
   ReportModel model = cohortReport(everything());
   const auto board = std::find_if(model.sections.begin(), model.sections.end(),
                                   [](const ReportSection& one) { return one.onFirstPage; });
@@ -225,7 +226,7 @@ TEST(ReportLanguage, ThePageOfTheBoardIsOnePageWithItsSignaturesInBothLanguages)
   std::filesystem::remove(file);
 }
 
-TEST(ReportLanguage, RefusesALanguageItDoesNotSpeak) {
+TEST(ReportLanguage, RejectsAnUnsupportedLanguage) {
   EXPECT_THROW((void)wordingIn("tlh"), Error);
   for (const std::string& language : reportLanguages()) {
     EXPECT_NO_THROW((void)wordingIn(language));

@@ -29,7 +29,7 @@
 namespace torsio {
 namespace {
 
-constexpr double kUnit = 600.0 / 25.4;  // device units in a millimetre at 600 dots an inch
+constexpr double kUnit = 600.0 / 25.4;  // device units per millimetre at 600 dots per inch
 
 QFont fontOf(double points, bool bold) {
   QFont font = typeface();
@@ -57,7 +57,7 @@ double widthOf(const QString& text, const QFont& font) {
 TEST(TextFit, BreaksBetweenWordsAfterHyphensAndBetweenChineseCharacters) {
   EXPECT_EQ(breakableParts(QStringLiteral("Real-time performance")),
             (QStringList{QStringLiteral("Real-"), QStringLiteral("time "), QStringLiteral("performance")}));
-  // A closing mark stays with the character before it.
+  // A closing mark stays with the preceding character.
   EXPECT_EQ(breakableParts(QStringLiteral("\u65B9\u5DEE\uFF08n\uFF09")).size(), 3);
   EXPECT_EQ(breakableParts(QStringLiteral("virtual 20-40 min")),
             (QStringList{QStringLiteral("virtual "), QStringLiteral("20-40 "), QStringLiteral("min")}));
@@ -78,7 +78,7 @@ TEST(TextFit, FillsLinesUpToTheirWidth) {
   EXPECT_EQ(lines.join(QLatin1Char(' ')), title);
 }
 
-TEST(UprightTitle, SaysItsWholeTitleBesideAPlotOfAnyHeight) {
+TEST(UprightTitle, ShowsItsWholeTitleNextToAPlotOfAnyHeight) {
   const QString words = QStringLiteral("own mark minus the other raters' mean (points)");
   for (const double height : {110.0, 133.0, 400.0}) {
     UprightTitle title(words, {}, nullptr);
@@ -102,7 +102,7 @@ QCategoryAxis* valuesOf(const QChart& chart) {
   return nullptr;
 }
 
-/// What the marks of an axis say, without the air beside them.
+/// Returns the tick labels of an axis without their padding.
 QStringList marksOf(QCategoryAxis& axis) {
   QStringList marks;
   for (const QString& label : axis.categoriesLabels()) {
@@ -111,7 +111,7 @@ QStringList marksOf(QCategoryAxis& axis) {
   return marks;
 }
 
-TEST(ChartAxes, WhatIsCountedIsMarkedAtWholeNumbersOnly) {
+TEST(ChartAxes, CountsHaveTicksAtWholeNumbersOnly) {
   ReportFigure figure;
   figure.kind = FigureKind::kGroupedBars;
   figure.categories = {std::string("first"), std::string("second"), std::string("third")};
@@ -133,7 +133,7 @@ TEST(ChartAxes, WhatIsCountedIsMarkedAtWholeNumbersOnly) {
   EXPECT_TRUE(marksOf(*valuesOf(*means)).contains(QStringLiteral("1.0")));
 }
 
-TEST(ChartAxes, MarksAreWrittenAsTheStyleWritesNumbers) {
+TEST(ChartAxes, TicksUseTheNumberFormatOfTheStyle) {
   ReportFigure figure;
   figure.kind = FigureKind::kGroupedBars;
   figure.categories = {std::string("first"), std::string("second")};
@@ -158,8 +158,8 @@ TEST(ChartAxes, MarksAreWrittenAsTheStyleWritesNumbers) {
   EXPECT_EQ(valuesOf(*shown)->endValue(valuesOf(*shown)->categoriesLabels().back()), valuesOf(*shown)->max());
 }
 
-/// A pattern as coarse as that of bars across a 4K screen leaves the fields of the legend empty.
-TEST(Chart, FieldsOfTheLegendKeepFinePatternsAndMarksAndLinesGrow) {
+/// With a pattern as coarse as that of bars across a 4K screen, the fields of the legend would look empty.
+TEST(Chart, LegendKeepsFinePatternsWhileMarkersAndLinesScale) {
   ReportFigure figure;
   figure.categories = {std::string("first")};
   for (const char* name : {"1", "2"}) {
@@ -190,7 +190,7 @@ TEST(Chart, FieldsOfTheLegendKeepFinePatternsAndMarksAndLinesGrow) {
   EXPECT_NEAR(sizeIn(*points), 1.6 * sizeIn(*usual), 1e-9);
 }
 
-TEST(ChartAxes, TheLastNumberBelowIsWholeWithinTheChart) {
+TEST(ChartAxes, TheLastNumberBelowFitsIntoTheChart) {
   ReportFigure figure;
   figure.kind = FigureKind::kForest;
   figure.categories = {std::string("first"), std::string("second")};
@@ -214,7 +214,7 @@ TEST(ChartAxes, TheLastNumberBelowIsWholeWithinTheChart) {
   EXPECT_GT(chart->plotArea().right(), 700.0);
 }
 
-/// The picture of a chart as it is seen and printed, and where its plot is in it.
+/// Renders a chart as on screen and in print; returns the image and the plot's area.
 std::pair<QImage, QRectF> drawn(const ReportFigure& figure) {
   QGraphicsScene scene;
   QChart* chart = buildChart(figure).release();
@@ -228,7 +228,7 @@ std::pair<QImage, QRectF> drawn(const ReportFigure& figure) {
   return {picture, chart->plotArea()};
 }
 
-TEST(ChartAxes, NoMarkTouchesWhatIsWrittenBesideIt) {
+TEST(ChartAxes, NoTickTouchesItsLabel) {
   ReportFigure figure;
   FigureSeries differences;
   differences.name = std::string("differences");
@@ -266,7 +266,7 @@ TEST(ChartAxes, NoMarkTouchesWhatIsWrittenBesideIt) {
   }
 }
 
-TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {
+TEST(TableLayout, KeepsShortCellsOnOneLineNextToLongHashes) {
   PlainTable table;
   table.columns = {QStringLiteral("Trial"),       QStringLiteral("Trainee"), QStringLiteral("Phase"),
                    QStringLiteral("Model"),       QStringLiteral("Minutes"), QStringLiteral("Outcome"),
@@ -283,7 +283,7 @@ TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {
   }
 }
 
-TEST(TableLayout, CutsNoWordOfAWideHeader) {
+TEST(TableLayout, SplitsNoWordOfAWideHeader) {
   PlainTable table;
   table.columns = {QStringLiteral("index")};
   std::vector<QString> row{QStringLiteral("MSM, deputy chief physician")};
@@ -305,7 +305,7 @@ TEST(TableLayout, CutsNoWordOfAWideHeader) {
   }
 }
 
-TEST(TableLayout, SetsNumbersAndWhatStandsInTheirPlaceToTheRight) {
+TEST(TableLayout, AlignsNumbersAndTheirSubstitutesRight) {
   PlainTable table;
   table.columns = {QStringLiteral("p"), QStringLiteral("Group")};
   table.rows = {{QStringLiteral("< 0.001"), QStringLiteral("Group 1")},
@@ -318,7 +318,7 @@ TEST(TableLayout, SetsNumbersAndWhatStandsInTheirPlaceToTheRight) {
   EXPECT_FALSE(layout.numeric[1]);
 }
 
-TEST(TableLayout, HasNoHeaderWhereNoColumnHasAName) {
+TEST(TableLayout, HasNoHeaderIfNoColumnHasAName) {
   PlainTable table{{QString(), QString()}, {{QStringLiteral("Centre"), QStringLiteral("A")}}};
   EXPECT_EQ(laidOut(table, 170.0).header_mm, 0.0);
   EXPECT_GT(laidOut(table, 170.0).height_mm(), 0.0);

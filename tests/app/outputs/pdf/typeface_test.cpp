@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One typeface, named, whatever the machine's default is.
+// One explicit typeface, independent of the system's default.
 #include "app/outputs/charts/typeface.h"
 
 #include <QApplication>
@@ -10,7 +10,7 @@
 namespace torsio {
 namespace {
 
-TEST(Typeface, IsInstalledWithThePackagesOfTheSetup) {
+TEST(Typeface, IsInstalledWithTheSetupPackages) {
   const QStringList installed = QFontDatabase::families();
 
   const QStringList missing = missingTypefaces(installed);
@@ -18,7 +18,7 @@ TEST(Typeface, IsInstalledWithThePackagesOfTheSetup) {
   EXPECT_TRUE(missing.isEmpty()) << missing.join(QStringLiteral(", ")).toStdString() << " (app/setup.sh)";
 }
 
-TEST(Typeface, IsThatOfTheApplicationAndOfTheReport) {
+TEST(Typeface, IsUsedByTheApplicationAndTheReport) {
   const QFont application = QApplication::font();
 
   const QFont report = typeface();
@@ -27,7 +27,7 @@ TEST(Typeface, IsThatOfTheApplicationAndOfTheReport) {
   EXPECT_EQ(QFontInfo(report).family(), QLatin1String(kTypeface));
 }
 
-TEST(Typeface, NamesEachFamilyThatAMachineLacks) {
+TEST(Typeface, ListsEachMissingFamily) {
   const QString latin = QLatin1String(kTypeface);
   const QString fallback = QLatin1String(kFallbackTypeface);
   const QString chinese = QLatin1String(kChineseTypeface);

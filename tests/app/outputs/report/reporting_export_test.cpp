@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a report is made from, who may take it out, and what is kept about it.
+// Inputs of a report, who may export it, and its audit entries.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -20,13 +20,13 @@
 #include "app/services/study/frozen_data.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/attempt/trial_digest.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/study/cohort.h"
-#include "assessment/catalogue/quantity.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/number_format.h"
@@ -54,7 +54,7 @@ using testing::record;
 using testing::SmallStudy;
 using testing::StudyCentre;
 
-TEST(ReportInputs, HoldTheMarginOfEquivalenceThatWasPlannedWithTheCohort) {
+TEST(ReportInputs, ContainTheEquivalenceMarginPlannedWithTheCohort) {
   StudyCentre centre;
   const std::string version = centre.runPaperCurriculum();
   for (const double wrong : {0.0, -1.0, 2.0 * kLargestMargin, std::nan("")}) {
@@ -71,7 +71,7 @@ TEST(ReportInputs, HoldTheMarginOfEquivalenceThatWasPlannedWithTheCohort) {
   EXPECT_EQ(cohorts(centre.session()).front().cohort.equivalenceMargin, 0.75);
 }
 
-TEST(ReportInputs, AreForThoseWhoMayComputeResults) {
+TEST(ReportInputs, RequireTheRightToComputeResults) {
   SmallStudy study;
   for (const char* role : {"trainee", "rater", "allocator", ""}) {
     EXPECT_THROW((void)reportInputs(study.centre.as(role), study.request, study.digests), Error) << role;
@@ -81,12 +81,12 @@ TEST(ReportInputs, AreForThoseWhoMayComputeResults) {
 
   EXPECT_EQ(inputs.trainees.size(), 6U);
   EXPECT_TRUE(inputs.allocation.sealed);
-  EXPECT_FALSE(inputs.singleMarks);  // the role matrix keeps marks from the administrator
+  EXPECT_FALSE(inputs.singleMarks);  // the role matrix hides marks from the administrator
   EXPECT_EQ(inputs.occasions.at(1), "after 20 min");
   EXPECT_TRUE(reportInputs(study.centre.as("statistician"), study.request, study.digests).singleMarks);
 }
 
-TEST(ReportInputs, NameTraineesOnlyForWhoMaySeeNames) {
+TEST(ReportInputs, NameTraineesOnlyForThoseWhoMaySeeNames) {
   SmallStudy study;
   study.request.identity = ReportIdentity::kNamed;
 
@@ -98,7 +98,7 @@ TEST(ReportInputs, NameTraineesOnlyForWhoMaySeeNames) {
   }
 }
 
-TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
+TEST(ReportInputs, TellWhetherTheRecordStillMatchesTheFrozenData) {
   SmallStudy study;
   SessionContext& session = study.centre.as("administrator");
   study.request.frozenId = freezeData(session, study.request.cohortId, "first").id;
@@ -115,12 +115,12 @@ TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
   EXPECT_EQ(inputs.deviations.at(0).description, "by ten minutes");
 }
 
-/// The lines of a table without its byte order mark.
+/// Reads the rows of a table without its byte order mark.
 std::vector<CsvRecord> recordsOf(const std::filesystem::path& file, char separator = ',') {
   return csvRecords(readFile(file), file.filename().string(), separator);
 }
 
-TEST(CodedTables, TellTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
+TEST(CodedTables, ContainTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
   SmallStudy study;
   const std::vector<RaterId> chiefs = study.centre.addChiefs(2);
   const std::string rubric = study.centre.addPaperRubric();
@@ -168,7 +168,7 @@ TEST(CodedTables, TellTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
       << "each row half a point above its lowest mark of 1";
 }
 
-/// How many steps of this kind stand below.
+/// Counts the steps of this kind below a step.
 std::size_t stepsOf(const TraceStep& step, const std::string& kind) {
   std::size_t count = step.what.str().starts_with(kind) ? 1 : 0;
   for (const TraceStep& part : step.madeOf) {
@@ -177,7 +177,7 @@ std::size_t stepsOf(const TraceStep& step, const std::string& kind) {
   return count;
 }
 
-TEST(ReportInputs, HoldTheSheetsBehindTheMarksAndANumberLeadsBackToThem) {
+TEST(ReportInputs, ContainTheSheetsBehindTheMarksAndANumberCanBeTracedToThem) {
   SmallStudy study;
   const std::vector<RaterId> chiefs = study.centre.addChiefs(3);
   const std::string rubric = study.centre.addPaperRubric();
@@ -230,7 +230,7 @@ TEST(ReportInputs, HoldTheSheetsBehindTheMarksAndANumberLeadsBackToThem) {
   EXPECT_EQ(stepsOf(closed, "not shown to you"), 1U);
 }
 
-TEST(CsvStyle, ChangesNumbersAndNothingElse) {
+TEST(CsvStyle, ChangesOnlyNumbers) {
   const std::string table =
       "a,b,c\r\n-1.5,\"x; y, \"\"z\"\"\",2026-01-05 08:00 UTC\r\n2.5e-07,v1.2.3,T-1.\r\n";
   EXPECT_EQ(csvInStyle(table, {}), table);
@@ -243,7 +243,7 @@ TEST(CsvStyle, ChangesNumbersAndNothingElse) {
             "a\tb\r\n1.5\tc\r\n");
 }
 
-TEST(ReportInputs, EachSignedMarkNamesItsSignerTheMeaningAndTheTime) {
+TEST(ReportInputs, EachSignedMarkHasItsSignerMeaningAndTime) {
   SmallStudy study;
   const RaterId chief = study.centre.addChiefs(1).at(0);
   Connection& connection = study.centre.connection();
@@ -290,7 +290,7 @@ TEST(ReportInputs, EachSignedMarkNamesItsSignerTheMeaningAndTheTime) {
       << "with the printed name: " << named.signatures[0].signer;
 }
 
-/// Two models and three classes: one of these rater classes has not scored, one has scored the first model.
+/// Two models and three classes: one class has not scored, another has scored only the first model.
 void expectClassesByThemselves(const CohortInputs& frozen) {
   const ReportModel report = cohortReport(frozen);
   const ReportTable* classes = nullptr;
@@ -301,7 +301,7 @@ void expectClassesByThemselves(const CohortInputs& frozen) {
   }
   ASSERT_NE(classes, nullptr);
   ASSERT_EQ(classes->rows.size(), 6U);
-  EXPECT_EQ(classes->rows[0].back().str(), "7.0000");  // the intern of PM
+  EXPECT_EQ(classes->rows[0].back().str(), "7.0000");  // the intern's mark of PM
   EXPECT_EQ(classes->rows[1].back().str(), "not defined: an index has no mark");
   const std::vector<CohortCsvRow> rows = cohortCsvRows(frozen);
   EXPECT_EQ(std::count_if(rows.begin(), rows.end(),
@@ -309,7 +309,7 @@ void expectClassesByThemselves(const CohortInputs& frozen) {
             6);
 }
 
-TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
+TEST(ReportInputs, AnUnfinishedEvaluationIsReportedWithoutBlockingAnythingElse) {
   SmallStudy study;
   SessionContext& session = study.centre.as("administrator");
   CampaignPlan plan;
@@ -351,15 +351,15 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
       });
   ASSERT_NE(section, report.sections.end());
   EXPECT_NE(section->paragraphs.at(0).str().find("27 marks are in so far"), std::string::npos);
-  // The lines that keep it from being computed, by class, model and index.
+  // Lists what is missing by class, model and index.
   ASSERT_EQ(section->tables.size(), 1U) << "no score before everybody who was asked has given all marks";
   const std::vector<std::vector<ReportCell>>& lines = section->tables[0].rows;
   ASSERT_EQ(lines.size(), 3U);
   EXPECT_EQ(lines[0], (std::vector<ReportCell>{Text::verbatim("deputy chief physician"), Text::verbatim("PM"),
-                                         Text::verbatim("all 9")}));
+                                               Text::verbatim("all 9")}));
   EXPECT_EQ(lines[2][0].str() + " " + lines[2][1].str(), "chief physician FEM");
 
-  // Frozen without the class: nothing else is lost.
+  // Freezing without the class loses nothing else.
   study.request.frozenId = freezeData(session, study.request.cohortId, "as it is").id;
   expectClassesByThemselves(reportInputs(session, study.request, study.digests));
   study.request.frozenId = FreezeId();
@@ -377,7 +377,7 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   EXPECT_DOUBLE_EQ(finished.evaluations.front().n27, 7.0);
 }
 
-TEST(ReportInputs, TellOnceWithWhichWarningAnOrganOfTheCentresOwnWasAccepted) {
+TEST(ReportInputs, MentionOnceTheWarningWithWhichACustomOrganWasAccepted) {
   SmallStudy study;
   const std::string parameters =
       R"({"formulation":"saint-venant","ridges":36,"sections":25,"organ":"file","organ_unit_m":0.001,)"
@@ -399,7 +399,7 @@ TEST(ReportInputs, TellOnceWithWhichWarningAnOrganOfTheCentresOwnWasAccepted) {
   EXPECT_THAT(told, ::testing::ElementsAre("M20 the organ is 1.9 times as long as wide"));
 }
 
-TEST(ReportExport, KeepsWhoTookOutWhatWithTheHashOfTheFileAndNoName) {
+TEST(ReportExport, AuditsWhoExportedWhatWithTheHashOfTheFileAndNoName) {
   SmallStudy study;
   SessionContext& session = study.centre.as("administrator");
   study.request.identity = ReportIdentity::kNamed;

@@ -17,10 +17,10 @@
 
 namespace torsio::testing {
 
-/// What a report is asked for.
+/// A small study with a report request.
 using SmallStudy = SmallStudyFor<ReportRequest>;
 
-/// A recording of one twist that was let go after `ticks` hundredths of a radian.
+/// Records one twist that was released after `ticks` hundredths of a radian.
 inline void record(SmallStudy& study, const TrialId& trialId, std::size_t ticks,
                    const std::string& parameters = "{}", bool readable = true) {
   std::vector<Sample> samples(300);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What recordings come down to: measured once, on every core, and kept.
+// Digests of recordings: measured once, on every core, and stored.
 #include "app/services/recording/trial_digests.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::vector<std::pair<double, bool>> pairs(const std::vector<TwistAttempt>& atte
   return out;
 }
 
-TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
+TEST(TrialDigests, AreMeasuredOnceAndReadBackBitForBit) {
   SmallStudy study;
   record(study, "first", 100);
   record(study, "second", 70);
@@ -65,7 +65,7 @@ TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
   }
 }
 
-TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
+TEST(TrialDigests, OfOtherFormulaVersionsAreKeptAndMeasuredAgain) {
   SmallStudy study;
   record(study, "first", 100);
   TrialDigest older{
@@ -82,7 +82,7 @@ TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
             1U);
 }
 
-TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
+TEST(TrialDigests, AreRestoredBitForBitWithTheirRules) {
   SmallStudy study;
   record(study, "first", 100);
   DigestRepository repository(study.centre.connection());
@@ -94,7 +94,7 @@ TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
   free.attempts = {{1.0 / 3.0, true}, {20.0, false}};
   free.measures = {{"force.peak", 0.1 + 0.2}, {"twist.sparc", -1.4}};
   TrialDigest limited = free;
-  limited.forceLimit_N = 0.0;  // a limit of nothing is not the same as none
+  limited.forceLimit_N = 0.0;  // a limit of zero differs from no limit
   limited.torqueLimit_Nm = 0.5;
   const std::vector<TrialDigest> both{free, limited};
 
@@ -104,7 +104,7 @@ TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
   EXPECT_THAT(repository.ofTrial("first", kMetricsVersion), ::testing::UnorderedElementsAreArray(both));
 }
 
-TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
+TEST(TrialDigests, OfARecordingWithOtherContentAreIgnored) {
   SmallStudy study;
   record(study, "first", 100);
   TrialDigest other{.trialId = "first", .formulaVersion = kMetricsVersion, .contentHash = "of another"};
@@ -116,8 +116,8 @@ TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
   EXPECT_EQ(study.digests.measured(), 1U);
 }
 
-TEST(TrialDigests, OfManyRecordingsAreThoseThatOneCoreMakesInTheirOrder) {
-  constexpr std::size_t kRecordings = 300;  // more than are kept, read and measured at a time
+TEST(TrialDigests, OfManyRecordingsMatchThoseOfOneCoreInOrder) {
+  constexpr std::size_t kRecordings = 300;  // more than are stored, read and measured at a time
   SmallStudy study;
   Transaction together(study.centre.connection());
   for (std::size_t i = 0; i < kRecordings; ++i) {
@@ -147,7 +147,7 @@ TEST(TrialDigests, OfManyRecordingsAreThoseThatOneCoreMakesInTheirOrder) {
   }
 }
 
-TEST(TrialDigests, OfARecordingThatCannotBeReadStopTheReportButNotWhatWasMeasured) {
+TEST(TrialDigests, AnUnreadableRecordingStopsTheReportButKeepsWhatWasMeasured) {
   SmallStudy study;
   Transaction together(study.centre.connection());
   for (std::size_t i = 0; i < 300; ++i) {

@@ -31,7 +31,7 @@ std::string trailText(Connection& connection) {
   return text;
 }
 
-TEST(AccessService, FailedSignInIsAuditedWithoutWhatWasTyped) {
+TEST(AccessService, AFailedSignInIsAuditedWithoutTheTypedText) {
   StudyCentre centre;
 
   EXPECT_EQ(signIn(centre.as(""), "rater", "my secret by mistake").outcome, SignIn::kWrong);
@@ -43,7 +43,7 @@ TEST(AccessService, FailedSignInIsAuditedWithoutWhatWasTyped) {
   EXPECT_EQ(trail.find("typed as login"), std::string::npos);
 }
 
-TEST(AccessService, StartPasswordOpensNothingBeforeItWasChanged) {
+TEST(AccessService, AStartPasswordOpensNothingBeforeItIsChanged) {
   StudyCentre centre;
   addUser(centre.as("administrator"), {.login = "new", .roles = {"statistician"}, .startPassword = kStart});
 
@@ -58,7 +58,7 @@ TEST(AccessService, StartPasswordOpensNothingBeforeItWasChanged) {
   EXPECT_TRUE(session.may(Operation::kPersonViewCoded));
 }
 
-TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
+TEST(AccessService, APinOpensOnlyPracticeAndCannotChangeItself) {
   StudyCentre centre;
   setOwnPin(centre.as("trainee"), "4711");
 
@@ -71,10 +71,10 @@ TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
   EXPECT_THROW(setOwnPin(session, "4712"), Error);
 }
 
-TEST(AccessService, AnAdministratorEntersAsASimulatedPersonOnlyAndTheTrailSaysSo) {
+TEST(AccessService, AnAdministratorCanOnlyActAsASimulatedPersonAndThisIsAudited) {
   StudyCentre centre;
   EXPECT_THROW((void)simulatedPerson(centre.as("administrator"), SimulatedRole::kTrainee),
-               Error);  // real people are no choice
+               Error);  // real people cannot be chosen
   addUser(centre.as("administrator"),
           {.login = "demo.trainee", .roles = {"trainee"}, .startPassword = kStart, .demonstration = true});
 
@@ -82,7 +82,7 @@ TEST(AccessService, AnAdministratorEntersAsASimulatedPersonOnlyAndTheTrailSaysSo
 
   EXPECT_EQ(trainee.login, "demo.trainee");
   EXPECT_EQ(trainee.roles, std::vector<std::string>{"trainee"});
-  EXPECT_EQ(trainee.passwordShownUtc_us, kNoPasswordToShow);  // signs only what is simulated
+  EXPECT_EQ(trainee.passwordShownUtc_us, kNoPasswordToShow);  // signs only simulated objects
   const AuditEntry newest = AuditRepository(centre.connection()).entries({.limit = 1}).front();
   EXPECT_EQ(newest.action, "user.sign_in");
   EXPECT_EQ(newest.objectId, trainee.userId);
@@ -98,7 +98,7 @@ TEST(AccessService, AnAdministratorEntersAsASimulatedPersonOnlyAndTheTrailSaysSo
             std::string::npos);
 }
 
-TEST(AccessService, ASignInNameThatLooksLikeAnotherOrCannotBeReadIsRefused) {
+TEST(AccessService, ASignInNameThatIsUnreadableOrLooksLikeAnotherIsRejected) {
   StudyCentre centre;
   const auto add = [&centre](const std::string& login) {
     return addUser(centre.as("administrator"),
@@ -110,18 +110,18 @@ TEST(AccessService, ASignInNameThatLooksLikeAnotherOrCannotBeReadIsRefused) {
   for (const char* alike : {"\xD0\xB0nna.oz0n",         // Cyrillic a
                             "ann\xCE\xB1.oz0n",         // Greek alpha
                             "anna.\xD6\x85z0n",         // Armenian o
-                            "Anna.Oz0n", "anna.ozon",   // other capitals, o for 0
+                            "Anna.Oz0n", "anna.ozon",   // upper case, o for 0
                             "anna.oz\xD9\xA0n",         // Arabic 0
-                            "anna.oz0n ",               // a blank behind it
+                            "anna.oz0n ",               // a trailing space
                             "\xEF\xBD\x81nna.oz0n"}) {  // wide a
     const Refusal refused = refusalFrom([&] { add(alike); });
     EXPECT_EQ(refused.code, ErrorCode::kBadParameter) << alike;
     EXPECT_NE(refused.text.find("looks like anna.oz0n"), std::string::npos) << refused.text;
   }
-  for (const char* unseen : {"", "bob\xE2\x80\x8B",  // a blank without width
+  for (const char* unseen : {"", "bob\xE2\x80\x8B",  // a zero-width space
                              "bob\xE3\x85\xA4",      // a filler
                              "\xE2\x80\xAE"
-                             "bob"}) {  // turns the direction
+                             "bob"}) {  // changes the text direction
     EXPECT_EQ(refusalFrom([&] { add(unseen); }).code, ErrorCode::kBadParameter) << unseen;
   }
   EXPECT_EQ(refusalFrom([&] { add(std::string(65, 'b')); }).code, ErrorCode::kBadParameter);
@@ -132,7 +132,7 @@ TEST(AccessService, ASignInNameThatLooksLikeAnotherOrCannotBeReadIsRefused) {
   EXPECT_EQ(users(centre.as("administrator")).size(), before + 2);
 }
 
-TEST(AccessService, LastAdministratorStays) {
+TEST(AccessService, TheLastAdministratorStays) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   const std::string self = session.actor().userId;
@@ -141,7 +141,7 @@ TEST(AccessService, LastAdministratorStays) {
   EXPECT_THROW(setUserRoles(session, self, {"rater"}, "changes"), Error);
 }
 
-TEST(SettingsService, TheCentreCanBeRenamedAndTheTrailKeepsBothNames) {
+TEST(SettingsService, TheCentreCanBeRenamedAndBothNamesAreAudited) {
   StudyCentre centre;
   setCentreName(centre.as("administrator"), "Skills laboratory");
   setCentreName(centre.session(), "Skills centre North");
@@ -153,7 +153,7 @@ TEST(SettingsService, TheCentreCanBeRenamedAndTheTrailKeepsBothNames) {
   EXPECT_THROW(setCentreName(centre.session(), ""), Error);
 }
 
-TEST(AccessService, ARightThatWasTakenAwayIsGoneAtOnce) {
+TEST(AccessService, ARevokedRightIsGoneAtOnce) {
   StudyCentre centre;
   const std::string rater = centre.as("rater").actor().userId;
   setUserActive(centre.as("administrator"), rater, false, "left the centre");

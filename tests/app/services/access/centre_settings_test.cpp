@@ -52,7 +52,7 @@ TEST(CentreSettings, AnAdministratorSetsWhatRatersMustWatchAndEachChangeIsAudite
             "Distance from the other raters' mean that calls for a discrepancy review: 1.5 points\n");
 }
 
-TEST(CentreSettings, WhatIsNotValidIsRefusedAndAStoredOneFallsBackToTheInitialValue) {
+TEST(CentreSettings, InvalidValuesAreRejectedAndStoredOnesFallBackToTheDefault) {
   StudyCentre centre;
   const auto refuses = [&](const char* name, const char* value) {
     try {

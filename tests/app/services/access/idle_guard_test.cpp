@@ -10,7 +10,7 @@ namespace {
 
 constexpr IdleLimits kLimits{.warn_us = 40, .lock_us = 60};
 
-TEST(IdleGuard, WarnsThenLocksAndActivityDoesNotOpenIt) {
+TEST(IdleGuard, WarnsThenLocksAndActivityDoesNotUnlock) {
   ManualClock clock(1000);
   IdleGuard guard(clock, kLimits);
 
@@ -28,7 +28,7 @@ TEST(IdleGuard, WarnsThenLocksAndActivityDoesNotOpenIt) {
   EXPECT_EQ(guard.state(), IdleState::kActive);
 }
 
-TEST(IdleGuard, ActivityStartsTheCountAnew) {
+TEST(IdleGuard, ActivityRestartsTheCountdown) {
   ManualClock clock;
   IdleGuard guard(clock, kLimits);
 
@@ -39,7 +39,7 @@ TEST(IdleGuard, ActivityStartsTheCountAnew) {
   EXPECT_EQ(guard.state(), IdleState::kActive);
 }
 
-TEST(IdleGuard, AKeyAfterTheLimitFindsItLockedEvenIfNobodyLooked) {
+TEST(IdleGuard, AKeyAfterTheLimitFindsItLockedEvenIfTheStateWasNotChecked) {
   ManualClock clock;
   IdleGuard guard(clock, kLimits);
 
@@ -49,7 +49,7 @@ TEST(IdleGuard, AKeyAfterTheLimitFindsItLockedEvenIfNobodyLooked) {
   EXPECT_EQ(guard.state(), IdleState::kLocked);
 }
 
-TEST(IdleGuard, NeverLocksWhileARunIsBusy) {
+TEST(IdleGuard, NeverLocksDuringARun) {
   ManualClock clock;
   IdleGuard guard(clock, kLimits);
 
@@ -63,7 +63,7 @@ TEST(IdleGuard, NeverLocksWhileARunIsBusy) {
   EXPECT_EQ(guard.state(), IdleState::kLocked);
 }
 
-TEST(IdleGuard, RefusesAWarningThatComesAfterTheLock) {
+TEST(IdleGuard, RejectsAWarningAfterTheLock) {
   ManualClock clock;
   EXPECT_THROW(IdleGuard(clock, IdleLimits{.warn_us = 60, .lock_us = 60}), Error);
 }

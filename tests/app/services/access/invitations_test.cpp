@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A link with which somebody sets the first password: good once, for a week, and for nobody else.
+// Links for setting the first password: valid once, for a week, for one person.
 #include "app/services/access/invitations.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST_F(Invitations, SetAPasswordOnceAndSignIn) {
   EXPECT_EQ(centre.audited("invitation.use"), 1);
 }
 
-TEST_F(Invitations, AWeakPasswordDoesNotUseTheLinkUp) {
+TEST_F(Invitations, AWeakPasswordDoesNotUseUpTheLink) {
   const std::string secret = linkFor("rater");
 
   EXPECT_THROW((void)acceptInvitation(centre.as(""), secret, "", "short"), Error);
@@ -81,7 +81,7 @@ TEST_F(Invitations, AWeakPasswordDoesNotUseTheLinkUp) {
   EXPECT_EQ(tried(secret), SignIn::kOk);
 }
 
-TEST_F(Invitations, WhateverIsWrongWithALinkIsAnsweredAlike) {
+TEST_F(Invitations, AllInvalidLinksGetTheSameAnswer) {
   const std::string replaced = linkFor("rater");
   const std::string revoked = linkFor("rater");
   const std::vector<UserId> ids{userOf("rater").id};
@@ -100,7 +100,7 @@ TEST_F(Invitations, WhateverIsWrongWithALinkIsAnsweredAlike) {
   EXPECT_EQ(signedIn("rater", kStudyPassword), SignIn::kOk);
 }
 
-TEST_F(Invitations, EndWithAnotherPasswordOtherRolesAndADisabledAccount) {
+TEST_F(Invitations, EndWithAnotherPasswordOtherRolesOrADisabledAccount) {
   AccessRepository access(centre.connection(), PasswordCost::kTest);
   const UserId rater = userOf("rater").id;
 
@@ -119,7 +119,7 @@ TEST_F(Invitations, EndWithAnotherPasswordOtherRolesAndADisabledAccount) {
   EXPECT_THROW((void)invite(centre.as("administrator"), own), Error) << "the own account";
 }
 
-TEST(InvitationWords, NameACentreOnlyWhereItHasAName) {
+TEST(InvitationWords, NameTheCentreOnlyIfItHasAName) {
   for (const std::string& centre : {std::string("Hospital A"), std::string()}) {
     for (const Text& text :
          {invitationSubject(centre), invitationWords(centre, "rater", "https://desk/join#2.abc", "noon"),
@@ -133,14 +133,14 @@ TEST(InvitationWords, NameACentreOnlyWhereItHasAName) {
   }
 }
 
-TEST_F(Invitations, OfTwoAtOnceOneSucceeds) {
+TEST_F(Invitations, OnlyOneOfTwoSimultaneousUsesSucceeds) {
   const std::string secret = linkFor("rater");
   AccessRepository access(centre.connection(), PasswordCost::kTest);
   const std::string hash =
       selectAll(centre.connection(), "SELECT token_hash FROM invitation", {}, [](RowReader& row) {
         return row.text();
       }).at(0);
-  // Another browser is between its look and its use.
+  // Another browser is between check and use.
   ASSERT_TRUE(access.invited(hash, centre.session().now_us()));
   EXPECT_EQ(tried(secret), SignIn::kOk);
 
@@ -148,7 +148,7 @@ TEST_F(Invitations, OfTwoAtOnceOneSucceeds) {
   EXPECT_EQ(signedIn("rater", kChosen), SignIn::kOk);
 }
 
-TEST_F(Invitations, NobodyInvitesAPhysicianAloneWhereTwoAreAskedFor) {
+TEST_F(Invitations, NobodyInvitesAPhysicianAloneIfTwoPeopleAreRequired) {
   askForTwo();
   const UserId rater = userOf("rater").id;
   const std::vector<UserId> ids{rater};
@@ -168,7 +168,7 @@ TEST_F(Invitations, NobodyInvitesAPhysicianAloneWhereTwoAreAskedFor) {
   EXPECT_EQ(centre.session().actor().login, "rater");
 }
 
-TEST_F(Invitations, StandNowhereInTheRecord) {
+TEST_F(Invitations, AreNotStoredInTheRecord) {
   const std::string secret = linkFor("rater");
   EXPECT_EQ(tried("guess-guess-guess-guess"), SignIn::kWrong);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A kiosk lets trainees in by the code on their card, where the centre wants it.
+// Trainees sign in at a kiosk with the code on their card, if the centre allows it.
 #include "app/services/access/kiosk_codes.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ class KioskCodes : public ::testing::Test {
   StudyCentre centre;
 };
 
-TEST_F(KioskCodes, LetATraineeInUnderTheirOwnAccount) {
+TEST_F(KioskCodes, SignInATraineeWithTheirOwnAccount) {
   allow(true);
   const std::string code = cardOf("trainee");
 
@@ -54,7 +54,7 @@ TEST_F(KioskCodes, LetATraineeInUnderTheirOwnAccount) {
   EXPECT_EQ(centre.audited("kiosk_code.make"), 1);
 }
 
-TEST_F(KioskCodes, AreOffUnlessTheCentreSwitchesThemOn) {
+TEST_F(KioskCodes, AreOffByDefault) {
   const std::vector<UserId> ids{userOf("trainee")};
   EXPECT_FALSE(centreSetting<kKioskCodes>(centre.connection()));
   EXPECT_THROW((void)makeKioskCodes(centre.as("administrator"), ids), Error);
@@ -65,7 +65,7 @@ TEST_F(KioskCodes, AreOffUnlessTheCentreSwitchesThemOn) {
   EXPECT_EQ(centre.audited("setting.change"), 2);
 }
 
-TEST_F(KioskCodes, StandNowhereInTheRecord) {
+TEST_F(KioskCodes, AreNotStoredInTheRecord) {
   allow(true);
   const std::string code = cardOf("trainee");
   EXPECT_EQ(tried("12345678901234567890"), SignIn::kWrong);
@@ -99,7 +99,7 @@ TEST_F(KioskCodes, ALostCardIsReplacedOrRevoked) {
   EXPECT_EQ(centre.audited("kiosk_code.revoke"), 1);
 }
 
-TEST_F(KioskCodes, OpenNothingForAnybodyWithAnotherRole) {
+TEST_F(KioskCodes, OpenNothingForAnotherRole) {
   allow(true);
   const std::vector<UserId> rater{userOf("rater")};
   EXPECT_THROW((void)makeKioskCodes(centre.as("administrator"), rater), Error);

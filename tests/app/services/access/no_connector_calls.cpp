@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A build that lacks a connector: its rights are tested with all of them.
+// For a build without a connector: the connectors' rights are tested in a build with all of them.
 #include "tests/app/services/access/permission_calls.h"
 
 namespace torsio::testing {

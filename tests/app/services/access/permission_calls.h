@@ -10,11 +10,11 @@
 
 namespace torsio::testing {
 
-/// One service function and the operation that it must ask for. Each service stands here: .ci/rights looks
-/// for functions that ask for a right and are not called. Its arguments name nothing that exists: whoever may
-/// do it gets an empty answer or is told that there is no such thing, and nothing that matters changes.
-/// `name`: the function, behind a comma what is special about this call. `also`: a second operation that
-/// opens it as well (SessionContext::requireEither()).
+/// One service function and the operation that it must require. Every service is listed here: .ci/rights
+/// finds functions that require a right and are not called. Its arguments refer to nothing that exists: with
+/// the right, the call returns nothing or reports an unknown object, and no relevant data change. `name`: the
+/// function and, after a comma, what is special about this call. `also`: a second operation that also permits
+/// it (SessionContext::requireEither()).
 struct ServiceCall {
   Operation operation;
   const char* name;
@@ -22,7 +22,7 @@ struct ServiceCall {
   std::optional<Operation> also{};
 };
 
-/// Id of nothing.
+/// Id of no object.
 inline constexpr const char* kNoSuch = "none";
 
 [[nodiscard]] std::vector<ServiceCall> administratorCalls();  ///< access, people, maintenance

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every role x every operation, asked by really calling the services: who has no row in role_operation is
+// Every role x every operation, tested by calling the services: roles without a row in role_operation are
 // refused.
 #include <filesystem>
 #include <set>
@@ -49,7 +49,7 @@ const std::vector<ServiceCall>& calls() {
 
 using Permissions = std::set<std::pair<std::string, std::string>>;
 
-/// Whether the matrix in the database opens the call to the role.
+/// Returns whether the database permits the call to the role.
 bool isOpen(const ServiceCall& call, const std::string& role, const Permissions& allowed) {
   const auto has = [&](Operation operation) {
     return allowed.contains({role, std::string(operationCode(operation))});
@@ -57,7 +57,7 @@ bool isOpen(const ServiceCall& call, const std::string& role, const Permissions&
   return has(call.operation) || (call.also && has(*call.also));
 }
 
-/// Whether the matrix refused: not that there is no such thing, nor that it belongs to somebody else.
+/// Returns whether permission was refused, rather than an unknown or foreign object reported.
 bool refused(const ServiceCall& call, SessionContext& session, const std::filesystem::path& folder) {
   try {
     call.run(session, folder);
@@ -68,7 +68,7 @@ bool refused(const ServiceCall& call, SessionContext& session, const std::filesy
   return false;
 }
 
-TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
+TEST(PermissionMatrix, EveryOperationIsRequiredByAServiceThatIsCalledHere) {
   StudyCentre centre;
   std::set<std::string> covered;
   for (const ServiceCall& call : calls()) {
@@ -81,21 +81,21 @@ TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
   EXPECT_EQ(covered.size(), kOperationCodes.size());
 }
 
-TEST(PermissionMatrix, AServiceThatAsksForNoRightDoesNotReachTheRecord) {
+TEST(PermissionMatrix, AServiceThatRequiresNoRightCannotReachTheRecord) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
 
   EXPECT_THROW((void)session.connection(), ContractError);
   EXPECT_THROW(session.require(Operation::kMarkSubmit), Error);
-  EXPECT_THROW((void)session.connection(), ContractError);  // asked for, refused
+  EXPECT_THROW((void)session.connection(), ContractError);  // required but refused
 
   session.require(Operation::kUserManage);
   EXPECT_EQ(&session.connection(), &centre.connection());
   session.beginCall();
-  EXPECT_THROW((void)session.connection(), ContractError);  // the right of the call before
+  EXPECT_THROW((void)session.connection(), ContractError);  // the previous call's right
 }
 
-TEST(PermissionMatrix, ARightThatSomebodyElseHadOpensNothing) {
+TEST(PermissionMatrix, AnotherUsersRightOpensNothing) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   session.require(Operation::kUserManage);
@@ -105,7 +105,7 @@ TEST(PermissionMatrix, ARightThatSomebodyElseHadOpensNothing) {
   EXPECT_THROW((void)session.connection(), ContractError);
 }
 
-TEST(PermissionMatrix, EveryRoleMayExactlyWhatTheDatabaseSays) {
+TEST(PermissionMatrix, EveryRoleMayDoExactlyWhatTheDatabaseSays) {
   StudyCentre centre;
   const auto allowed = storedPermissions(centre.connection());
 
@@ -117,7 +117,7 @@ TEST(PermissionMatrix, EveryRoleMayExactlyWhatTheDatabaseSays) {
   }
 }
 
-/// One trainee who was scored by one chief; the other chief, if asked, still has the sheet to submit.
+/// A trainee scored by one chief; if assigned, the other chief has not submitted yet.
 struct ScoredCase {
   StudyCentre centre;
   ReportRequest request;
@@ -158,7 +158,7 @@ struct ScoredCase {
   void freeze() { request.frozenId = freezeData(centre.as("administrator"), request.cohortId, "frozen").id; }
 };
 
-TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyWhenNothingCanBeInfluencedAnyMore) {
+TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyOnceTheyCannotBeInfluenced) {
   ScoredCase scored(1);
   EXPECT_TRUE(scored.sees("statistician"));
   EXPECT_FALSE(scored.sees("administrator"));  // not frozen
@@ -173,10 +173,10 @@ TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyWhenNothingCanBeI
   scored.request.identity = ReportIdentity::kCoded;
   reportDeviation(scored.centre.as("administrator"),
                   {.cohortId = scored.request.cohortId, .kind = "late", .description = "by ten minutes"});
-  EXPECT_FALSE(scored.sees("administrator"));  // no longer what was frozen
+  EXPECT_FALSE(scored.sees("administrator"));  // changed since the freeze
 }
 
-TEST(PermissionMatrix, AnAdministratorsReportHasNoSingleMarksWhileARaterStillHasToSubmit) {
+TEST(PermissionMatrix, AnAdministratorsReportHasNoSingleMarksWhileASheetIsMissing) {
   ScoredCase scored(2);
 
   scored.freeze();
@@ -185,7 +185,7 @@ TEST(PermissionMatrix, AnAdministratorsReportHasNoSingleMarksWhileARaterStillHas
   EXPECT_TRUE(scored.sees("statistician"));
 }
 
-TEST(PermissionMatrix, ARefusedCallLeavesTheRecordAsItIs) {
+TEST(PermissionMatrix, ARefusedCallDoesNotChangeTheRecord) {
   StudyCentre centre;
   const auto allowed = storedPermissions(centre.connection());
   const auto before = centre.rowCounts();
@@ -204,7 +204,7 @@ TEST(PermissionMatrix, ARefusedCallLeavesTheRecordAsItIs) {
   }
 }
 
-TEST(PermissionMatrix, NobodyUnknownDisabledAndPracticeOnlyUsersAreRefusedEverything) {
+TEST(PermissionMatrix, UnknownDisabledAndPracticeOnlyUsersAreRefusedEverything) {
   StudyCentre centre;
   const std::string administrator = centre.as("administrator").actor().userId;
   const std::string allocator = centre.as("allocator").actor().userId;
@@ -218,7 +218,7 @@ TEST(PermissionMatrix, NobodyUnknownDisabledAndPracticeOnlyUsersAreRefusedEveryt
   for (const Actor& actor : {nobody, unknown, disabled, practiceOnly}) {
     for (const ServiceCall& call : calls()) {
       if (actor.practiceOnly && call.operation == Operation::kPractice) {
-        continue;  // all that a PIN opens
+        continue;  // everything that a PIN permits
       }
       SessionContext& session = centre.session();
       session.setActor(actor);
@@ -228,7 +228,7 @@ TEST(PermissionMatrix, NobodyUnknownDisabledAndPracticeOnlyUsersAreRefusedEveryt
   EXPECT_EQ(centre.rowCounts(), before);
 }
 
-TEST(PermissionMatrix, ClaimedRolesDoNotCount) {
+TEST(PermissionMatrix, ClaimedRolesAreIgnored) {
   StudyCentre centre;
   Actor actor = centre.as("trainee").actor();
   actor.roles = {"administrator", "allocator"};
@@ -238,7 +238,7 @@ TEST(PermissionMatrix, ClaimedRolesDoNotCount) {
   EXPECT_THROW((void)previewBalance(centre.session(), {}), Error);
 }
 
-TEST(PermissionMatrix, TimeOfOthersIsLoggedByTheAdministratorOnly) {
+TEST(PermissionMatrix, OnlyTheAdministratorLogsTimeOfOthers) {
   StudyCentre centre;
   const std::string person = centre.addTrainees(2).front();
   const CohortId cohort = addCohort(centre.session(), {.name = "C", .groups = {{"G1", "one"}}});
@@ -246,7 +246,7 @@ TEST(PermissionMatrix, TimeOfOthersIsLoggedByTheAdministratorOnly) {
   const NewExposure minute{cohort, enrolment, "", ExposureKind::kVirtual, 0, 60'000'000};
 
   recordExposure(centre.as("administrator"), minute);
-  EXPECT_THROW(recordExposure(centre.as("trainee"), minute), Error);  // a trainee, but another one
+  EXPECT_THROW(recordExposure(centre.as("trainee"), minute), Error);  // another trainee
   Actor self = centre.as("trainee").actor();
   self.personId = person;
   centre.session().setActor(self);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// QR codes of links: the parts by which a camera finds one, and what is written in it.
+// QR codes of links: their finder patterns and content.
 #include "app/services/access/qr_code.h"
 
 #include <array>
@@ -17,10 +17,10 @@ namespace {
 
 using Modules = std::vector<std::vector<bool>>;
 
-/// 33 x 33, version 4: its one alignment pattern is centred at (26, 26).
+/// 33 x 33, version 4: its single alignment pattern is centred at (26, 26).
 constexpr std::size_t kSide = 33;
 
-/// Modules that hold no data: the three large squares with their format bits, timing, alignment.
+/// Returns whether a module holds no data: the three finder patterns with format bits, timing, alignment.
 bool isFixed(std::size_t row, std::size_t column) {
   const bool corner =
       (row < 9 && column < 9) || (row < 9 && column >= kSide - 8) || (row >= kSide - 8 && column < 9);
@@ -49,13 +49,13 @@ bool masked(int mask, std::size_t i, std::size_t j) {
   }
 }
 
-/// The codewords in the order in which they are laid out: in pairs of columns from the right, up and down.
+/// Returns the codewords in placement order: in pairs of columns from the right, up and down.
 std::vector<unsigned> codewords(const Modules& dark) {
   int mask = 0;
   for (std::size_t column = 2; column < 5; ++column) {
     mask = 2 * mask + static_cast<int>(dark[8][column]);
   }
-  mask ^= 0b101;  // of the format's own mask
+  mask ^= 0b101;  // XOR mask of the format bits
   std::vector<unsigned> words;
   unsigned bits = 1;
   bool up = true;
@@ -81,7 +81,8 @@ std::vector<unsigned> codewords(const Modules& dark) {
   return words;
 }
 
-/// Byte mode of version 4-M: two blocks of 32 data codewords in turn; four bits of mode, eight of length.
+/// Decodes byte mode of version 4-M: two interleaved blocks of 32 data codewords; four bits of mode, eight of
+/// length.
 std::string read(const Modules& dark) {
   const std::vector<unsigned> laid = codewords(dark);
   std::vector<unsigned> words;
@@ -99,7 +100,7 @@ std::string read(const Modules& dark) {
   return text;
 }
 
-TEST(QrCode, HoldsTheLinkOfAnInvitation) {
+TEST(QrCode, ContainsTheLinkOfAnInvitation) {
   const std::string link = "https://desk.example.org/join#7KQ2M-9XWPT-4HVRD-E3NYB";
 
   const Modules dark = qrCode(link).dark;
@@ -121,7 +122,7 @@ TEST(QrCode, HoldsTheLinkOfAnInvitation) {
   EXPECT_EQ(read(dark), link);
 }
 
-TEST(QrCode, RefusesMoreThanACodeHolds) {
+TEST(QrCode, RejectsMoreThanACodeHolds) {
   EXPECT_EQ(qrCode(std::string(2331, '\xff')).dark.size(), 177U);
   EXPECT_THROW((void)qrCode(std::string(2332, '\xff')), Error);
 }

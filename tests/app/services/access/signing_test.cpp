@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whoever seals something shows the password, and says what the signature means.
+// Sealing requires the password and states the meaning of the signature.
 #include "app/services/access/signing.h"
 
 #include <string>
@@ -38,7 +38,7 @@ class Signing : public ::testing::Test {
   StudyCentre centre_;
 };
 
-TEST_F(Signing, WhoEnteredAsASimulatedPhysicianSignsWhatIsSimulatedWithoutAPasswordAndNothingElse) {
+TEST_F(Signing, AnAdministratorActingAsASimulatedPhysicianSignsOnlySimulatedObjectsWithoutAPassword) {
   addUser(centre_.as("administrator"),
           {.login = "demo", .roles = {"rater"}, .startPassword = kStudyPassword, .demonstration = true});
   const Actor physician = simulatedPerson(centre_.as("administrator"), SimulatedRole::kPhysician);
@@ -60,7 +60,7 @@ TEST_F(Signing, WhoEnteredAsASimulatedPhysicianSignsWhatIsSimulatedWithoutAPassw
   EXPECT_TRUE(passwordIsDue(session));
 }
 
-TEST_F(Signing, APasswordSignsForAQuarterOfAnHourAndThenIsAskedAgain) {
+TEST_F(Signing, APasswordAllowsSigningForAQuarterOfAnHour) {
   signedIn();
   signOne("a");
   centre_.passTime_us(14 * kMinute_us);
@@ -84,7 +84,7 @@ TEST_F(Signing, APasswordSignsForAQuarterOfAnHourAndThenIsAskedAgain) {
   EXPECT_EQ(centre_.audited("user.sign_in_failed"), 1);
 }
 
-TEST_F(Signing, ACentreCanAskForEachSignature) {
+TEST_F(Signing, ACentreCanRequireThePasswordForEachSignature) {
   setCentreSetting<kSignMinutes>(centre_.as("administrator"), 0);
   signedIn();
 
@@ -98,13 +98,13 @@ TEST_F(Signing, ACentreCanAskForEachSignature) {
   EXPECT_THROW(setCentreSetting<kSignMinutes>(centre_.as("administrator"), 61), Error);
 }
 
-TEST_F(Signing, AClockThatWasSetBackSignsNothing) {
+TEST_F(Signing, AClockThatWasSetBackAllowsNoSigning) {
   signedIn();
   centre_.passTime_us(-kMinute_us);
   EXPECT_TRUE(passwordIsDue(centre_.session()));
 }
 
-TEST_F(Signing, AnAccountOfTheDemonstrationSignsOnlyWhatIsSimulated) {
+TEST_F(Signing, AnAccountOfTheDemonstrationSignsOnlySimulatedObjects) {
   AccessRepository access(centre_.connection(), PasswordCost::kTest);
   access.addUser({.id = "demo", .login = "demo", .demonstration = true, .roles = {"rater"}},
                  access.sealPassword("demo", kStudyPassword));
@@ -119,7 +119,7 @@ TEST_F(Signing, AnAccountOfTheDemonstrationSignsOnlyWhatIsSimulated) {
   EXPECT_EQ(SignatureRepository(centre_.connection()).all(SignedKind::kTrainingMark).size(), 1U);
 }
 
-TEST_F(Signing, GuessingWhileSigningWaitsAsAtTheSignIn) {
+TEST_F(Signing, GuessingWhileSigningHasTheSameDelaysAsSigningIn) {
   signedIn();
   for (int i = 0; i < 4; ++i) {
     EXPECT_THROW(showPassword(centre_.session(), "guess"), Error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What two people do together, and what nobody can do alone.
+// What two people do together, and nobody can do alone.
 #include "app/services/access/two_people.h"
 
 #include <string>
@@ -22,7 +22,7 @@ namespace {
 using testing::kStudyPassword;
 using testing::StudyCentre;
 
-/// A centre that asks for two people, with a second administrator "second".
+/// A centre that requires two people, with a second administrator "second".
 class TwoPeople : public ::testing::Test {
  protected:
   TwoPeople() {
@@ -91,15 +91,15 @@ TEST_F(TwoPeople, NobodyResetsThePasswordOfARaterAlone) {
   EXPECT_EQ(codeOf([&] { (void)confirmRequest(asSecond(), open[0].request.id); }), ErrorCode::kBadData);
 }
 
-TEST_F(TwoPeople, ATraineesPasswordNeedsOneAdministratorOnly) {
+TEST_F(TwoPeople, ATraineesPasswordNeedsOnlyOneAdministrator) {
   resetPassword(asFirst(), user("trainee").id, "a start password to know", "lost");
   EXPECT_TRUE(user("trainee").mustChangePassword);
 }
 
-TEST_F(TwoPeople, RolesAreGivenByTwoWithANewPasswordThatNeitherKnows) {
+TEST_F(TwoPeople, RolesAreGrantedByTwoWithANewPasswordThatNeitherKnows) {
   const UserAccount trainee = user("trainee");
   EXPECT_THROW(setUserRoles(asFirst(), trainee.id, {"trainee", "rater"}, "scores too"), SecondPersonNeeded);
-  setUserRoles(asFirst(), user("statistician").id, {}, "leaves");  // taking away needs one only
+  setUserRoles(asFirst(), user("statistician").id, {}, "leaves");  // removing roles needs only one
 
   const std::string half = askSecondPerson(asFirst(), {.act = DutyAct::kGrantRoles,
                                                        .subject = trainee.id,
@@ -113,7 +113,7 @@ TEST_F(TwoPeople, RolesAreGivenByTwoWithANewPasswordThatNeitherKnows) {
   EXPECT_EQ(signIn(session, "trainee", half + "-" + rest).outcome, SignIn::kMustChange);
 }
 
-TEST_F(TwoPeople, ANewRaterWaitsForTheSecondPersonAndNobodyCanSignInMeanwhile) {
+TEST_F(TwoPeople, ANewRaterNeedsTheSecondPersonAndCannotSignInBefore) {
   const MadeUser made = makeUser(
       asFirst(), {.login = "new.rater", .roles = {"rater"}, .startPassword = "a start password to know"});
 
@@ -132,7 +132,7 @@ TEST_F(TwoPeople, ANewRaterWaitsForTheSecondPersonAndNobodyCanSignInMeanwhile) {
       SecondPersonNeeded);
 }
 
-TEST_F(TwoPeople, TheOwnAccountAndTheOwnOtherAccountConfirmNothing) {
+TEST_F(TwoPeople, NobodyConfirmsForThemselvesNotEvenWithASecondAccount) {
   EXPECT_EQ(codeOf([&] {
               (void)askSecondPerson(asSecond(), {.act = DutyAct::kGrantRoles,
                                                  .subject = second_,
@@ -154,7 +154,7 @@ TEST_F(TwoPeople, TheOwnAccountAndTheOwnOtherAccountConfirmNothing) {
   EXPECT_EQ(openRequests(centre_.session()).size(), 1U);
 }
 
-TEST_F(TwoPeople, TakingARatersRolesAwayFirstIsNoWayToTheAccount) {
+TEST_F(TwoPeople, RemovingARatersRolesFirstGivesNoAccessToTheAccount) {
   const PersonId person = centre_.addChiefs(1).front();
   const MadeUser made = makeUser(
       asFirst(), {.login = "chief", .personId = person, .roles = {"rater"}, .startPassword = kStudyPassword});
@@ -165,7 +165,7 @@ TEST_F(TwoPeople, TakingARatersRolesAwayFirstIsNoWayToTheAccount) {
   }
 }
 
-TEST_F(TwoPeople, NobodyMakesASecondAccountOfAnotherPerson) {
+TEST_F(TwoPeople, NobodyCreatesASecondAccountOfAnotherPerson) {
   const PersonId trainee = centre_.addTrainees(1).front();
   const auto add = [&](const char* login) {
     addUser(asFirst(),
@@ -182,7 +182,7 @@ TEST_F(TwoPeople, NobodyMakesASecondAccountOfAnotherPerson) {
   EXPECT_TRUE(user("shadow").id.empty());
 }
 
-TEST_F(TwoPeople, AnAccountOfTheDemonstrationIsNoWayAroundTheSecondPerson) {
+TEST_F(TwoPeople, AnAccountOfTheDemonstrationDoesNotCircumventTheSecondPerson) {
   for (const char* role : {"administrator", "allocator", "statistician"}) {
     EXPECT_THROW(
         addUser(
@@ -203,7 +203,7 @@ TEST_F(TwoPeople, AnAccountOfTheDemonstrationIsNoWayAroundTheSecondPerson) {
   }
 }
 
-TEST_F(TwoPeople, ErasingTakesTwoAndTheRequestOnce) {
+TEST_F(TwoPeople, ErasingNeedsTwoAndUsesUpTheRequest) {
   const std::vector<TraineeId> people = centre_.addTrainees(2);
   EXPECT_THROW(erasePersonRecord(asFirst(), people[0], "asked"), SecondPersonNeeded);
   (void)askSecondPerson(asFirst(), {.act = DutyAct::kErase, .subject = people[0], .reason = "asked"});
@@ -216,7 +216,7 @@ TEST_F(TwoPeople, ErasingTakesTwoAndTheRequestOnce) {
   EXPECT_EQ(PeopleRepository(centre_.connection()).find(people[1])->state, PersonState::kActive);
 }
 
-TEST_F(TwoPeople, ARequestEndsAfterTwoWeeksAndCanBeDeclined) {
+TEST_F(TwoPeople, ARequestExpiresAfterTwoWeeksAndCanBeDeclined) {
   const PersonId person = centre_.addTrainees(1).front();
   (void)askSecondPerson(asFirst(), {.act = DutyAct::kErase, .subject = person, .reason = "asked"});
   EXPECT_EQ(codeOf([&] {
@@ -233,7 +233,7 @@ TEST_F(TwoPeople, ARequestEndsAfterTwoWeeksAndCanBeDeclined) {
   EXPECT_TRUE(openRequests(asSecond()).empty());
 }
 
-TEST_F(TwoPeople, SwitchingTheRuleOffTakesTwoWhereThereAreTwo) {
+TEST_F(TwoPeople, TurningTheRuleOffNeedsTwoIfThereAreTwo) {
   EXPECT_THROW(setCentreSetting<kTwoPeople>(asFirst(), false), SecondPersonNeeded);
   (void)askSecondPerson(
       asFirst(),
@@ -245,7 +245,7 @@ TEST_F(TwoPeople, SwitchingTheRuleOffTakesTwoWhereThereAreTwo) {
   resetPassword(asFirst(), user("rater").id, "a start password to know", "lost");
 }
 
-TEST_F(TwoPeople, ASingleAdministratorMakesASecondOneOrSwitchesTheRuleOff) {
+TEST_F(TwoPeople, ASingleAdministratorCanAddASecondOneOrTurnTheRuleOff) {
   setUserActive(asFirst(), second_, false, "left");
   EXPECT_THROW(addUser(asFirst(), {.login = "r", .roles = {"rater"}, .startPassword = kStudyPassword}),
                SecondPersonNeeded);

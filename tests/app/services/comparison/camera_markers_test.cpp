@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 const fs::path kTracks = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.trc";
 
-/// The organ's markers by number and name; their places do not count here.
+/// The organ's markers by number and name; positions do not matter here.
 std::vector<OrganMarker> namedMarkers() {
   std::vector<OrganMarker> markers(10);
   for (int k = 0; k < 10; ++k) {
@@ -26,7 +26,7 @@ std::vector<OrganMarker> namedMarkers() {
   return markers;
 }
 
-/// Where the synthetic file is refused once `from` has become `to`; "" when it is not.
+/// Returns where the synthetic file is rejected after replacing `from` by `to`; "" if it is not.
 std::string refusedWith(const std::string& from, const std::string& to) {
   std::string text = readFile(kTracks);
   const std::size_t at = text.find(from);
@@ -54,12 +54,12 @@ TEST(CameraMarkers, AreReadInMetresByNumberAndByName) {
   EXPECT_EQ(subjects[0].markers.at(3).size(), 4U) << "lost in one frame";
   EXPECT_NEAR(norm(subjects[0].markers.at(8)[0].place_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-9);
   EXPECT_DOUBLE_EQ(subjects[0].markers.at(8)[4].time_s, 0.04);
-  // 39.21 mm off the axis, turned by 60 degrees: the chord is as long as the radius.
+  // 39.21 mm off the axis, rotated by 60 degrees: the chord equals the radius.
   EXPECT_NEAR(finalDisplacement(subjects, 8).mean_m, 39.21e-3, 2e-5);
   EXPECT_EQ(finalDisplacement(subjects, 1).mean_m, 0.0);
 }
 
-TEST(CameraMarkers, RefuseWhatBreaksTheirRulesNamingLineAndField) {
+TEST(CameraMarkers, ReportInvalidFilesWithLineAndField) {
   const std::string file = "torsio_camera_markers_test.trc, line ";
   const auto at = [&](int line, const std::string& field) {
     return file + std::to_string(line) + ", field \"" + field + "\"";

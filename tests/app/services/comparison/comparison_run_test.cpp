@@ -57,7 +57,7 @@ class ComparisonOfTheForearm : public ::testing::Test {
 };
 std::optional<ComparisonResult> ComparisonOfTheForearm::result_;
 
-TEST_F(ComparisonOfTheForearm, TwistsEveryModelByTheSameTorque) {
+TEST_F(ComparisonOfTheForearm, TwistsEveryModelWithTheSameTorque) {
   ASSERT_EQ(result_->models.size(), 6U);
   for (const ModelResult& model : result_->models) {
     EXPECT_LT(model.settled.angle_rad, -0.05) << model.id;
@@ -68,11 +68,11 @@ TEST_F(ComparisonOfTheForearm, TwistsEveryModelByTheSameTorque) {
   }
 }
 
-TEST_F(ComparisonOfTheForearm, KeepsThePosesThatAViewShowsAndWhenItWouldHaveHadThem) {
+TEST_F(ComparisonOfTheForearm, KeepsThePosesForDisplayWithTheirProcessingTimes) {
   for (const char* id : {"pm", "fem", "msm"}) {
     const ModelResult& model = result_->model(id);
 
-    ASSERT_GE(model.poses.size(), 5U) << id;  // 0, 0.05, 0.1, 0.15 and 0.2 s at least
+    ASSERT_GE(model.poses.size(), 5U) << id;  // at least 0, 0.05, 0.1, 0.15 and 0.2 s
     EXPECT_EQ(model.poses.front().angle_rad, 0.0) << id;
     EXPECT_EQ(model.poses.front().processing_s, 0.0) << id;
     EXPECT_EQ(model.poses.back().angle_rad, model.moving.angle_rad) << id;
@@ -81,16 +81,17 @@ TEST_F(ComparisonOfTheForearm, KeepsThePosesThatAViewShowsAndWhenItWouldHaveHadT
   }
 }
 
-TEST_F(ComparisonOfTheForearm, ReadsErrorsAgainstTheReference) {
+TEST_F(ComparisonOfTheForearm, MeasuresErrorsAgainstTheReference) {
   const ModelResult& reference = result_->model("reference");
   const ModelResult& twist = result_->model("pm");
 
   EXPECT_EQ(reference.settled.rmse_m, 0.0);
-  // Saint-Venant against three dimensions: 2 % of the angle and 4 % of the stiffness for slender organs.
+  // Saint-Venant compared with three dimensions: 2 % of the angle and 4 % of the stiffness for slender
+  // organs.
   EXPECT_NEAR(twist.settled.angle_rad / reference.settled.angle_rad, 1.0, 0.06);
-  // The cone of the paper turns about 1.5 times as far, its rule for tapers further still.
+  // The paper's cone turns about 1.5 times as far, its rule for tapers even further.
   EXPECT_GT(result_->model("paper").settled.angle_rad / twist.settled.angle_rad, 1.4);
-  // So coarse a division of linear tetrahedra locks.
+  // Such a coarse mesh of linear tetrahedra locks.
   EXPECT_LT(result_->model("fem").settled.angle_rad / reference.settled.angle_rad, 0.9);
   EXPECT_LT(twist.settled.rmse_m, result_->model("fem").settled.rmse_m);
 }
@@ -119,7 +120,7 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   ASSERT_EQ(report.sections.size(), 3U);
   EXPECT_EQ(report.sections[0].figures[0].id, "figure-10");
   ASSERT_EQ(report.sections[1].figures.size(), 2U);
-  EXPECT_EQ(report.sections[1].figures[0].series.size(), 7U);  // six models and what was measured
+  EXPECT_EQ(report.sections[1].figures[0].series.size(), 7U);  // six models and the measurements
   EXPECT_EQ(report.sections[1].figures[1].series.size(), 8U);  // both subjects
   for (const std::vector<ReportCell>& row : report.sections[1].tables[0].rows) {
     EXPECT_EQ(row.size(), report.sections[1].tables[0].columns.size());
@@ -130,7 +131,8 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
     }
   }
   for (const std::vector<ReportCell>& row : report.sections[0].tables[0].rows) {
-    for (const std::size_t c : {3U, 4U}) {  // milliseconds from those of the twist model to those of elements
+    for (const std::size_t c : {3U, 4U}) {  // milliseconds, from the twist model's to those of finite
+                                            // elements
       const std::string cell = row[c].str();
       EXPECT_LE(std::count_if(cell.begin(), cell.end(), [](char sign) { return sign >= '1' && sign <= '9'; }),
                 5)
@@ -145,13 +147,13 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   EXPECT_TRUE(names.contains("rod"));
 }
 
-TEST(ComparisonRun, EndsWithinASecondOfTheListenersRefusal) {
+TEST(ComparisonRun, EndsWithinASecondAfterTheListenerCancels) {
   const Scene scene = coarseForearm();
-  // A second of its own work; how long a busy machine lets it wait for a processor is not its doing.
+  // A second of its own work, not counting how long a busy machine lets it wait.
   using SteadyClock = std::chrono::steady_clock;
   constexpr std::chrono::seconds kNeverSoLong{30};
   struct GivenUp {};
-  // Given up at each stage: the reference, elements, springs, equilibrium.
+  // Cancelled at each stage: the reference, elements, springs, equilibrium.
   for (const double at : {0.05, 0.2, 0.5, 0.6}) {
     SteadyClock::time_point told;
     std::clock_t worked = 0;
@@ -170,7 +172,7 @@ TEST(ComparisonRun, EndsWithinASecondOfTheListenersRefusal) {
   }
 }
 
-TEST(ComparisonRun, RefusesOptionsOutOfRange) {
+TEST(ComparisonRun, RejectsOptionsOutOfRange) {
   const Scene scene = coarseForearm();
   const auto refused = [&](ComparisonOptions options) {
     EXPECT_THROW(static_cast<void>(runComparison(scene, {}, {}, options, {})), Error);

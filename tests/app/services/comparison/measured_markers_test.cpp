@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kSynthetic = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.csv";
 
-/// Ten markers: only their numbers and names count here.
+/// Ten markers: only numbers and names matter here.
 std::vector<OrganMarker> tenMarkers() {
   std::vector<OrganMarker> markers(10);
   for (int k = 0; k < 10; ++k) {
@@ -28,7 +28,7 @@ std::vector<OrganMarker> tenMarkers() {
   return markers;
 }
 
-/// Where a table of these rows is refused; "" when it is not.
+/// Returns where a table of these rows is rejected; "" if it is not.
 std::string refusedAt(const std::string& rows) {
   const fs::path file = fs::temp_directory_path() / "torsio_measured_markers_test.csv";
   std::ofstream(file) << "marker,time,x,y,z,unit,subject\n" << rows;
@@ -57,7 +57,7 @@ TEST(MeasuredMarkers, DisplacementIsTheMeanOverTheSubjects) {
 
   const MeasuredDisplacement found = finalDisplacement(subjects, 8);
 
-  // Marker 8 lies beyond the wrist, 39.21 mm off the axis, turned by 60 and 54 degrees: chords 2 r sin(a / 2)
+  // Marker 8 is beyond the wrist, 39.21 mm off the axis, rotated by 60 and 54 degrees: chords 2 r sin(a / 2)
   // of 39.21 and 35.60 mm.
   EXPECT_EQ(found.subjects, 2);
   EXPECT_NEAR(found.mean_m, 0.5 * (39.21e-3 + 35.60e-3), 2e-5);
@@ -68,7 +68,7 @@ TEST(MeasuredMarkers, AcceptMetresAndCentimetres) {
   EXPECT_EQ(refusedAt("1,0,1,2,3,m,A\n1,1,1,2,3,cm,A\n"), "");
 }
 
-TEST(MeasuredMarkers, RefuseWhatBreaksTheirRulesAndSayWhere) {
+TEST(MeasuredMarkers, ReportInvalidTablesWithTheirPlace) {
   EXPECT_EQ(refusedAt("11,0,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 2");
   EXPECT_EQ(refusedAt("1,0,1,2,3,mm,A\n1,0,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 3");
   EXPECT_EQ(refusedAt("1,-1,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 2");

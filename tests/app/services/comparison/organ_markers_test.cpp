@@ -33,7 +33,7 @@ fs::path markerFile() {
   return fs::temp_directory_path() / "torsio_organ_markers_test.json";
 }
 
-/// Where a file of these bytes is refused, without its folder; "" when it is not.
+/// Returns where a file of these bytes is rejected, without its folder; "" if it is not.
 std::string markersRefusedAt(const std::string& bytes) {
   std::ofstream(markerFile()) << bytes;
   try {
@@ -56,11 +56,11 @@ TEST(OrganMarkers, OfTheForearmAreTenPointsOfItsSurface) {
   ASSERT_EQ(markers.size(), 10U);
   EXPECT_EQ(markers[7].number, 8);
   EXPECT_EQ(markers[7].name, "second knuckle (index metacarpal head)");
-  // assets/organs/forearm_markers.json gives hundredths of a millimetre.
+  // assets/organs/forearm_markers.json has hundredths of a millimetre.
   EXPECT_NEAR(norm(markers[7].position_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-4);
 }
 
-TEST(OrganMarkers, AreSharedByTheScenesOfOneOrganAndByNoOther) {
+TEST(OrganMarkers, AreSharedOnlyByTheScenesOfOneOrgan) {
   SceneRequest request;
   request.assets = kAssetFolder;
   request.id = "small-bowel-loop";
@@ -69,7 +69,7 @@ TEST(OrganMarkers, AreSharedByTheScenesOfOneOrganAndByNoOther) {
   request.former = true;
   EXPECT_TRUE(readOrganMarkers(kAssetFolder, loadScene(request)).empty());
 
-  // A user's organ with the patterns of the forearm is not the forearm.
+  // A user's organ with the forearm's patterns is not the forearm.
   OrganFile organ;
   organ.source = "arm.ply";
   organ.mesh = forearm().mesh;
@@ -107,13 +107,13 @@ TEST(OrganMarkers, OfAnOrganWithoutAnyAreTenDifferentPoints) {
     names.insert(marker.name);
   }
   EXPECT_EQ(names.size(), 10U);
-  // At 0.1, 0.3 ... of about 262 mm between elbow and wrist; the two ridges lie on opposite sides.
+  // At 0.1, 0.3 ... of about 262 mm between elbow and wrist; the two ridges are on opposite sides.
   EXPECT_NEAR(markers[0].position_m.z, 0.1 * 0.262, 1e-3);
   EXPECT_GT(markers[0].position_m.x, 0.02);
   EXPECT_LT(markers[1].position_m.x, -0.02);
 }
 
-TEST(OrganMarkers, RefuseWhatBreaksTheirRulesAndSayWhere) {
+TEST(OrganMarkers, ReportInvalidFilesWithTheirPlace) {
   const std::string file = "torsio_organ_markers_test.json";
   const std::string place = R"("face": 0, "barycentric": [0.2, 0.3, 0.5])";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A trainee's station with the fake vendor library in place of a Touch.
+// A trainee's station with the fake vendor library instead of a Touch.
 #include "app/services/devices/haptic_station.h"
 
 #include <SDL.h>
@@ -38,12 +38,12 @@ const ReadinessFinding* find(const DeviceReadiness& readiness, const std::string
   return nullptr;
 }
 
-/// The library is loaded by the device process of this build.
+/// The device process of this build loads the library.
 class HapticStation : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1);
-    // What this test remembers is not what the user of this machine remembers.
+    // Keep the test's settings apart from those of the machine's user.
     settings() = ::testing::TempDir() + "torsio_station_" + std::to_string(getpid());
     setenv("XDG_CONFIG_HOME", settings().c_str(), 1);
   }
@@ -54,12 +54,12 @@ class HapticStation : public ::testing::Test {
   }
 };
 
-TEST_F(HapticStation, KnowsWhetherTheVendorLibraryIsThere) {
+TEST_F(HapticStation, KnowsWhetherTheVendorLibraryIsInstalled) {
   EXPECT_TRUE(deviceInstalled(kFake));
   EXPECT_FALSE(deviceInstalled(kNone));
 }
 
-TEST_F(HapticStation, RemembersWhichDeviceWasChosen) {
+TEST_F(HapticStation, RemembersTheChosenDevice) {
   rememberDevice({.driver = "hdapi", .name = "left"});
 
   const DeviceChoice kept = rememberedDevice();
@@ -72,12 +72,12 @@ TEST_F(HapticStation, RemembersWhichDeviceWasChosen) {
   EXPECT_EQ(rememberedDevice().driver, "");
 }
 
-TEST_F(HapticStation, RefusesToRememberWhatNobodyPlugsIn) {
+TEST_F(HapticStation, RejectsADeviceOfNoDriver) {
   EXPECT_THROW(rememberDevice({.driver = "scripted"}), Error);
   EXPECT_THROW(rememberDevice({.driver = "glove"}), Error);
 }
 
-TEST_F(HapticStation, ADeviceWithoutForceIsGoodForPracticeOnlyUnlessTheCentreGradesSo) {
+TEST_F(HapticStation, ADeviceWithoutForceIsForPracticeOnlyUnlessTheCentreGradesIt) {
   DeviceReadiness checked;
   checked.findings.push_back({"connected", Light::kGreen, Text::verbatim("found"), ""});
 
@@ -92,7 +92,7 @@ TEST_F(HapticStation, ADeviceWithoutForceIsGoodForPracticeOnlyUnlessTheCentreGra
   EXPECT_EQ(find(felt, "force"), nullptr);
 }
 
-TEST_F(HapticStation, IsRedWithoutALibraryAndSaysWhatToDo) {
+TEST_F(HapticStation, IsRedWithoutALibraryAndExplainsTheRemedy) {
   const DeviceReadiness readiness = hapticProbe(kNone)();
 
   EXPECT_EQ(readiness.light(), Light::kRed);
@@ -100,7 +100,7 @@ TEST_F(HapticStation, IsRedWithoutALibraryAndSaysWhatToDo) {
   EXPECT_FALSE(find(readiness, "connected")->remedy.empty());
 }
 
-TEST_F(HapticStation, TheWorstFindingOfASubjectIsItsLight) {
+TEST_F(HapticStation, TheWorstFindingOfASubjectSetsItsLight) {
   DeviceCheckResult check;
   check.findings = {
       {"Library", FindingGrade::kGood, Text::verbatim("found"), ""},
@@ -116,7 +116,7 @@ TEST_F(HapticStation, TheWorstFindingOfASubjectIsItsLight) {
   EXPECT_EQ(find(readiness, "rate")->remedy, "close other programs");
 }
 
-TEST_F(HapticStation, OpensTheDeviceWithItsWorkspaceAboutTheGrasp) {
+TEST_F(HapticStation, OpensTheDeviceWithItsWorkspaceCentredOnTheGrasp) {
   const Scene scene = arm();
 
   const std::unique_ptr<HapticDevice> device = openHapticDevice(scene, kFake);
@@ -129,7 +129,7 @@ TEST_F(HapticStation, OpensTheDeviceWithItsWorkspaceAboutTheGrasp) {
   EXPECT_LT(norm(middle_m - grasp_m), kSameBox_m);
 }
 
-/// A game controller of SDL's own, plugged into this process.
+/// A virtual game controller of SDL, connected in this process.
 class ControllerStation : public HapticStation {
  protected:
   static constexpr const char* kName = "Torsio station controller";
@@ -153,7 +153,7 @@ class ControllerStation : public HapticStation {
   }
 };
 
-TEST_F(ControllerStation, ItsCheckFindsADeviceThatWorksAndGivesNoForce) {
+TEST_F(ControllerStation, ItsCheckFindsAWorkingDeviceWithoutForce) {
   DeviceCheckRequest request;
   request.choice = choice_;
   request.seconds = 0.7;  // the rate is known after half a second
@@ -175,7 +175,7 @@ TEST_F(ControllerStation, ItsCheckFindsADeviceThatWorksAndGivesNoForce) {
       << "nothing but the rate of this machine may be short";
 }
 
-TEST_F(ControllerStation, ItIsWatchedAndOpenedForAScene) {
+TEST_F(ControllerStation, ItCanBeMonitoredAndOpenedForAScene) {
   const Scene scene = arm();
   std::vector<DeviceReadout> seen;
   DeviceMonitorRequest request;
@@ -194,7 +194,7 @@ TEST_F(ControllerStation, ItIsWatchedAndOpenedForAScene) {
   EXPECT_NEAR(norm(middle_m - handTask(scene).graspPoint_m), 0.0, 1e-12);
 }
 
-TEST_F(HapticStation, SaysWhatIsMissingWhenNoDeviceCanBeOpened) {
+TEST_F(HapticStation, ReportsWhatIsMissingIfNoDeviceCanBeOpened) {
   const Scene scene = arm();
 
   EXPECT_THROW(static_cast<void>(openHapticDevice(scene, kNone)), Error);

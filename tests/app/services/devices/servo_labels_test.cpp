@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people read about the machine's time.
+// Texts about the servo's timing.
 #include <gtest/gtest.h>
 
 #include "app/services/devices/device_readiness.h"
@@ -7,13 +7,13 @@
 namespace torsio {
 namespace {
 
-TEST(ServoWords, NothingIsSaidOfARunThatKeptItsTimeWhateverTheSystemRefused) {
+TEST(ServoWords, NothingIsReportedForARunWithGoodTimingWhateverTheSystemDenied) {
   EXPECT_TRUE(servoTrouble({true, true, 0, 0}, 60'000).empty());
   EXPECT_TRUE(servoTrouble({false, false, 0, 0}, 60'000).empty());
   EXPECT_TRUE(servoTrouble({true, true, 60, 0}, 60'000).empty()) << "one in a thousand";
 }
 
-TEST(ServoWords, ACutOrManySkippedTicksAreToldWithWhatTheSystemRefused) {
+TEST(ServoWords, ForceCutsOrManySkippedTicksAreReportedWithWhatTheSystemDenied) {
   const Text cut = servoTrouble({true, true, 0, 1}, 60'000);
   const Text skipped = servoTrouble({false, true, 61, 0}, 60'000);
 
@@ -23,13 +23,13 @@ TEST(ServoWords, ACutOrManySkippedTicksAreToldWithWhatTheSystemRefused) {
   EXPECT_NE(skipped.str().find("; the system refuses real-time priority"), std::string::npos);
 }
 
-TEST(ServoWords, WhatToDoIsTheLimitsFileUntilTheSystemGrantsEverything) {
+TEST(ServoWords, TheRemedyIsTheLimitsFileUntilTheSystemGrantsEverything) {
   EXPECT_NE(servoRemedy({false, true, 0, 9}).str().find("torsio-limits.conf"), std::string::npos);
   EXPECT_NE(servoRemedy({true, false, 0, 9}).str().find("torsio-limits.conf"), std::string::npos);
   EXPECT_NE(servoRemedy({true, true, 0, 9}).str().find("Close other programs"), std::string::npos);
 }
 
-TEST(ServoWords, EachRefusalHasItsOwnSentence) {
+TEST(ServoWords, EachDeniedPrivilegeHasItsOwnSentence) {
   EXPECT_TRUE(refusedToServo(true, true).empty());
   EXPECT_EQ(refusedToServo(true, false).str(), "the system refuses to keep the servo in memory");
   EXPECT_EQ(refusedToServo(false, true).str(), "the system refuses real-time priority");

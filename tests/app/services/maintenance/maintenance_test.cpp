@@ -46,7 +46,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A record with real and simulated rows in every table, and an administrator at work.
+/// A record with real and simulated rows in every table, with an administrator signed in.
 class MaintenanceTest : public ::testing::Test {
  protected:
   MaintenanceTest()
@@ -61,7 +61,8 @@ class MaintenanceTest : public ::testing::Test {
           {"u-" + role, role, "", false, "active", 0, 0, kSampleTime_us, false});
       connection_.execute("INSERT INTO user_role (user_id, role_code) VALUES (?, ?)", {"u-" + role, role});
     }
-    SettingRepository(connection_).set("two_people", "no", kSampleTime_us);  // one administrator does it all
+    SettingRepository(connection_).set("two_people", "no", kSampleTime_us);  // one administrator may do
+                                                                             // everything
   }
 
   SessionContext sessionOf(const std::string& role) {
@@ -80,7 +81,7 @@ class MaintenanceTest : public ::testing::Test {
   std::int64_t now_us_ = kSampleTime_us;
 };
 
-TEST_F(MaintenanceTest, NobodyButTheAdministratorMayDoAnyOfIt) {
+TEST_F(MaintenanceTest, OnlyTheAdministratorMayDoAnyOfIt) {
   for (const char* role : {"trainee", "rater", "allocator", "statistician"}) {
     SessionContext session = sessionOf(role);
     const auto refused = [&](auto&& act) {
@@ -124,7 +125,7 @@ TEST_F(MaintenanceTest, AnEraseCanNameEveryCopyThatStillHoldsThePerson) {
   EXPECT_TRUE(verifyAuditTrail(connection_).empty());
 }
 
-TEST_F(MaintenanceTest, ABackupTellsOfItselfAndPassesItsTestRestore) {
+TEST_F(MaintenanceTest, ABackupContainsItsAuditEntryAndPassesItsTestRestore) {
   SessionContext office = sessionOf("administrator");
 
   const BackupContent content = backUpDatabase(office, in("backup.sqlite"));
@@ -140,7 +141,7 @@ TEST_F(MaintenanceTest, ABackupTellsOfItselfAndPassesItsTestRestore) {
   EXPECT_TRUE(checkDatabase(office).sound());
 }
 
-TEST_F(MaintenanceTest, ARestoreSaysInNumbersWhatIsLostBeforeAnythingIsDone) {
+TEST_F(MaintenanceTest, ARestoreStatesWhatWillBeLostBeforeAnythingIsDone) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   const FullRecord later(connection_, "later", false);
@@ -149,12 +150,12 @@ TEST_F(MaintenanceTest, ARestoreSaysInNumbersWhatIsLostBeforeAnythingIsDone) {
 
   EXPECT_EQ(plan.present.trials, plan.restored.trials + 1);
   EXPECT_EQ(plan.lostTrials, 1);
-  EXPECT_EQ(plan.lostMarks, 2);  // one of a training, one of an evaluation
+  EXPECT_EQ(plan.lostMarks, 2);  // one of a training study, one of an evaluation
   EXPECT_EQ(plan.restored.marks, 4);
   EXPECT_EQ(plan.erasedSince, 0);
 }
 
-TEST_F(MaintenanceTest, WhoeverWasErasedAfterTheBackupStaysErased) {
+TEST_F(MaintenanceTest, PeopleErasedAfterTheBackupStayErased) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   erasePersonRecord(office, real_.traineeId, "asked for it");
@@ -173,7 +174,7 @@ TEST_F(MaintenanceTest, WhoeverWasErasedAfterTheBackupStaysErased) {
   EXPECT_EQ(AuditRepository(ready).entries().at(0).action, "database.restore");
 }
 
-TEST_F(MaintenanceTest, APreparedRestoreThatIsGivenUpLeavesTheRecordAndNoFile) {
+TEST_F(MaintenanceTest, ACancelledRestoreLeavesTheRecordAndNoFiles) {
   SessionContext office = sessionOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   const RestorePlan plan = planRestore(office, in("backup.sqlite"));
@@ -194,7 +195,7 @@ TEST_F(MaintenanceTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
   EXPECT_TRUE(checkDatabase(office).sound());
 }
 
-TEST_F(MaintenanceTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
+TEST_F(MaintenanceTest, NothingIsReplacedDuringARunOrWhileAnotherStationIsConnected) {
   SessionContext office = sessionOf("administrator");
   StationRepository stations(connection_);
   stations.heartbeat({.station = "room 2", .heartbeatUtc_us = now_us_});
@@ -231,7 +232,7 @@ TEST_F(MaintenanceTest, ABackupWithAChangedMarkIsNotRestored) {
   EXPECT_FALSE(fs::exists(in("target.sqlite")));
 }
 
-TEST_F(MaintenanceTest, ACopyThatFailsLeavesNoNewFile) {
+TEST_F(MaintenanceTest, AFailedCopyLeavesNoNewFile) {
   connection_.executeVerbatim("DROP TRIGGER training_mark_no_UPDATE");
   connection_.executeVerbatim("UPDATE training_mark SET score_steps = 100");
   SessionContext office = sessionOf("administrator");
@@ -241,7 +242,7 @@ TEST_F(MaintenanceTest, ACopyThatFailsLeavesNoNewFile) {
   EXPECT_EQ(refusalFrom([&] { (void)copyDatabase(office, database_); }).code, ErrorCode::kUsage);
 }
 
-TEST_F(MaintenanceTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit) {
+TEST_F(MaintenanceTest, ThePackageOfAPersonContainsTablesRecordingsAndValidHashes) {
   SessionContext office = sessionOf("administrator");
 
   const PersonPackage package = exportPersonPackage(office, real_.traineeId, in("package"), "asked");
@@ -256,7 +257,7 @@ TEST_F(MaintenanceTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(in("package"))) {
     files += entry.is_regular_file() ? 1 : 0;
   }
-  EXPECT_EQ(manifest["files"].size() + 1, files);  // all but the manifest itself
+  EXPECT_EQ(manifest["files"].size() + 1, files);  // all except the manifest itself
   for (const auto& file : manifest["files"]) {
     Digest digest;
     digest.update(std::string_view(readFile(in("package") / file["file"].get<std::string>())));
@@ -274,7 +275,7 @@ TEST_F(MaintenanceTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit
             ErrorCode::kBadData);
 }
 
-TEST_F(MaintenanceTest, APackageHoldsNothingOfAnotherOneThatWasKilled) {
+TEST_F(MaintenanceTest, APackageContainsNothingOfAnotherOneThatWasKilled) {
   SessionContext office = sessionOf("administrator");
   fs::create_directories(in("package.part") / "recordings");
   std::ofstream(in("package.part") / "recordings" / "of somebody else.torsio-trial") << "samples";
@@ -286,7 +287,7 @@ TEST_F(MaintenanceTest, APackageHoldsNothingOfAnotherOneThatWasKilled) {
   EXPECT_FALSE(fs::exists(in("package.part")));
 }
 
-TEST_F(MaintenanceTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
+TEST_F(MaintenanceTest, ATextThatASpreadsheetWouldExecuteIsWrittenAsText) {
   connection_.execute("UPDATE person_identity SET full_name = ? WHERE person_id = ?",
                       {"=HYPERLINK(\"x\")", real_.traineeId});
   Statement who = connection_.prepare("SELECT person_id FROM person_identity WHERE full_name LIKE ?");
@@ -307,7 +308,7 @@ TEST_F(MaintenanceTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
   EXPECT_NE(csv.find("\"'=HYPERLINK(\"\"x\"\")\""), std::string::npos) << csv;
 }
 
-TEST_F(MaintenanceTest, RemovingTheDemonstrationLeavesTheRealPeople) {
+TEST_F(MaintenanceTest, RemovingTheDemonstrationKeepsTheRealPeople) {
   SessionContext office = sessionOf("administrator");
   const DemonstrationSize size = demonstrationSize(office);
   EXPECT_EQ(size.people, 2);
@@ -357,7 +358,7 @@ TEST_F(MaintenanceTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
             ErrorCode::kBadParameter);
 }
 
-TEST_F(MaintenanceTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
+TEST_F(MaintenanceTest, EveryChangeIsAuditedAndTheTrailVerifies) {
   SessionContext office = sessionOf("administrator");
   Trainee due;
   due.person = {.id = "due", .code = "R-2", .createdUtc_us = kSampleTime_us};

@@ -7,7 +7,7 @@
 
 namespace torsio::testing {
 
-/// Imports the text of a roster with the columns that the program suggests.
+/// Imports the text of a roster with the suggested columns.
 inline RosterOutcome commitRoster(SessionContext& session, const std::string& text,
                                   RosterKind kind = RosterKind::kTrainees,
                                   RosterMode mode = RosterMode::kCommit) {

@@ -18,7 +18,7 @@ namespace {
 
 using testing::StudyCentre;
 
-TEST(PeopleService, NumbersAreUniqueAndCodesNeverComeTwice) {
+TEST(PeopleService, NumbersAreUniqueAndCodesAreNeverReused) {
   StudyCentre centre;
   const std::string first = centre.addTrainees(1).front();
 
@@ -33,7 +33,7 @@ TEST(PeopleService, NumbersAreUniqueAndCodesNeverComeTwice) {
   EXPECT_EQ(rows[1].person.code, "T-02");
 }
 
-TEST(PeopleService, ChangingKeepsOldAndNewInTheTrailWithoutNames) {
+TEST(PeopleService, ChangesAreAuditedWithOldAndNewValuesButWithoutNames) {
   StudyCentre centre;
   const std::string id = centre.addTrainees(1).front();
   SessionContext& session = centre.session();
@@ -50,7 +50,7 @@ TEST(PeopleService, ChangingKeepsOldAndNewInTheTrailWithoutNames) {
   EXPECT_THROW(changePerson(session, id, entry, "no"), Error);
 }
 
-TEST(PeopleService, NamedExportIsAuditedAndHarmlessToSpreadsheets) {
+TEST(PeopleService, NamedExportIsAuditedAndSafeForSpreadsheets) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   addPerson(session, {.fullName = "=cmd(\"x\"), Dr", .externalId = "S-1"});
@@ -69,12 +69,12 @@ TEST(PeopleService, NamedExportIsAuditedAndHarmlessToSpreadsheets) {
   EXPECT_EQ(readFile(file).find("cmd"), std::string::npos);
 }
 
-TEST(RosterAccounts, EverybodyWithoutOneGetsAnAccountThatMustChangeItsPassword) {
+TEST(RosterAccounts, EverybodyWithoutAnAccountGetsOneWithAPasswordToChange) {
   StudyCentre centre;
   const std::vector<TraineeId> trainees = centre.addTrainees(3);
   const std::vector<RaterId> chiefs = centre.addChiefs(2);
   SessionContext& session = centre.as("administrator");
-  addUser(session, {.login = "t-01",  // taken by somebody else, who needs no second account
+  addUser(session, {.login = "t-01",  // used by somebody else, who needs no second account
                     .personId = trainees[1],
                     .roles = {"trainee"},
                     .startPassword = "window over the yard"});
@@ -97,7 +97,7 @@ TEST(RosterAccounts, EverybodyWithoutOneGetsAnAccountThatMustChangeItsPassword) 
   EXPECT_EQ(answer.actor.personId, chiefs[0]);
 }
 
-TEST(RosterAccounts, GivingUpKeepsTheAccountsThatWereMade) {
+TEST(RosterAccounts, CancellingKeepsTheAccountsAlreadyCreated) {
   StudyCentre centre;
   const std::vector<TraineeId> trainees = centre.addTrainees(4);
   SessionContext& session = centre.as("administrator");
@@ -116,7 +116,7 @@ TEST(RosterAccounts, GivingUpKeepsTheAccountsThatWereMade) {
   EXPECT_EQ(signIn(session, made[1].login, made[1].startPassword).outcome, SignIn::kMustChange);
 }
 
-TEST(ConsentService, NewestDecisionCountsAndWithdrawalIsListed) {
+TEST(ConsentService, LatestDecisionCountsAndWithdrawalIsListed) {
   StudyCentre centre;
   const std::string id = centre.addTrainees(1).front();
   SessionContext& session = centre.session();
@@ -149,7 +149,7 @@ TEST(ConsentService, TextsExistInBothLanguagesUnderOneVersion) {
   EXPECT_EQ(&wordsIn(shipped, "eo"), &english) << "a language that it lacks";
 }
 
-TEST(ConsentService, TheCentrePublishesItsOwnWordsAndKeepsEveryVersion) {
+TEST(ConsentService, TheCentrePublishesItsOwnTextsAndKeepsEveryVersion) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   const ConsentVersion before = askedConsent(session, centre.assets());
@@ -184,7 +184,7 @@ TEST(ConsentService, TheCentrePublishesItsOwnWordsAndKeepsEveryVersion) {
   EXPECT_EQ(consentHistory(session, person).back().purpose, "purpose-6");
 }
 
-TEST(ConsentService, RefusesWordsThatNobodyCanBeAsked) {
+TEST(ConsentService, RejectsInvalidTexts) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   const std::vector<ConsentWords> words = askedConsent(session, centre.assets()).languages;
@@ -197,7 +197,7 @@ TEST(ConsentService, RefusesWordsThatNobodyCanBeAsked) {
     EXPECT_EQ(centre.rowCounts(), rows);
   };
 
-  refused([](auto&) {});  // nothing has changed
+  refused([](auto&) {});  // no changes
   refused([](auto& all) { all[0].texts[0].text = "new"; }, "");
   refused([](auto& all) { all.clear(); });
   refused([](auto& all) {
@@ -222,7 +222,7 @@ TEST(ConsentService, RefusesWordsThatNobodyCanBeAsked) {
   });
 }
 
-TEST(ConsentService, WhatWasSignedOnPaperKeepsTheDayOfTheSignature) {
+TEST(ConsentService, APaperDecisionKeepsTheDateOfTheSignature) {
   StudyCentre centre;
   const std::string id = centre.addTrainees(1).front();
   SessionContext& session = centre.session();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the consent promises: a trainee asks for a copy of their record, or that it be erased.
+// What the consent promises: trainees can request a copy of their record, or its erasure.
 #include "app/services/people/person_requests.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using testing::StudyCentre;
 
-/// The user "trainee" as this person of the record.
+/// Signs in the user "trainee" as this person of the record.
 SessionContext& asTrainee(StudyCentre& centre, const TraineeId& person) {
   SessionContext& session = centre.as("trainee");
   Actor actor = session.actor();
@@ -21,7 +21,7 @@ SessionContext& asTrainee(StudyCentre& centre, const TraineeId& person) {
   return session;
 }
 
-TEST(PersonRequests, GoFromTheTraineesPageToTheListOfAdministratorsAndBack) {
+TEST(PersonRequests, GoFromTheTraineesPageToTheAdministratorsListAndBack) {
   StudyCentre centre;
   const std::vector<TraineeId> people = centre.addTrainees(2);
 
@@ -55,7 +55,7 @@ TEST(PersonRequests, GoFromTheTraineesPageToTheListOfAdministratorsAndBack) {
   }
   EXPECT_EQ(ownRequests(asTrainee(centre, people[1])).at(0).answer, PersonRequestAnswer::kTakenBack);
   EXPECT_EQ(centre.audited("person.request_answer"), 3);
-  requestAboutOwnRecord(asTrainee(centre, people[0]), PersonRequestKind::kErase);  // may ask again
+  requestAboutOwnRecord(asTrainee(centre, people[0]), PersonRequestKind::kErase);  // may request again
 }
 
 TEST(PersonRequests, AreForPeopleOfTheRecord) {

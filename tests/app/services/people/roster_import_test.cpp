@@ -37,7 +37,7 @@ TEST(RosterFile, ReadsCommaSemicolonAndTabWithAndWithoutByteOrderMark) {
   }
 }
 
-TEST(RosterFile, ReadsWhatOlderSpreadsheetsSave) {
+TEST(RosterFile, ReadsEncodingsOfOlderSpreadsheets) {
   struct Saved {
     const char* encoding;
     std::string bytes;
@@ -61,7 +61,7 @@ TEST(RosterFile, ReadsWhatOlderSpreadsheetsSave) {
   }
 }
 
-TEST(RosterFile, RefusesWhatIsNoTextWithAPlainSentence) {
+TEST(RosterFile, RejectsFilesThatAreNotTextWithAPlainSentence) {
   for (const std::string& bytes :
        {std::string("\xFF\xFEi\0d\0\0", 7), std::string("id,name\nS-1,\x81\x8D\n")}) {
     try {
@@ -74,7 +74,7 @@ TEST(RosterFile, RefusesWhatIsNoTextWithAPlainSentence) {
   }
 }
 
-TEST(RosterFile, SkipsLinesOfSeparatorsAlone) {
+TEST(RosterFile, SkipsLinesWithOnlySeparators) {
   const RosterFile file = parseRoster("id;name;level\nS-1;Ann;\n;;\n ; ;\nS-2;Bob;\n;;;;;\n", "roster.csv");
   ASSERT_EQ(file.rows.size(), 2U);
   EXPECT_EQ(file.rows[1].line, 5U);
@@ -94,7 +94,7 @@ TEST(RosterFile, SuggestsColumnsFromEnglishAndChineseHeaders) {
   EXPECT_FALSE(second[static_cast<std::size_t>(RosterField::kEmail)].has_value());
 }
 
-TEST(RosterFile, ItsOwnTemplateIsUnderstood) {
+TEST(RosterFile, AcceptsItsOwnTemplate) {
   for (const RosterKind kind : {RosterKind::kTrainees, RosterKind::kRaters}) {
     const RosterFile file = parseRoster(rosterTemplate(kind), "template.csv");
     const RosterColumns columns = suggestColumns(file, kind);
@@ -104,19 +104,19 @@ TEST(RosterFile, ItsOwnTemplateIsUnderstood) {
   }
 }
 
-TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
+TEST(RosterImport, GivesEveryLineItsStatusAndARemedy) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   commitRoster(session, "id,name,sex,level,email\nS-1,Ann,f,graduate,ann@x.org\nS-2,Bob,m,graduate,\n");
 
   const RosterPreview preview = look(session,
                                      "id,name,sex,level,email\n"
-                                     "S-1,Ann,F,graduate,ann@x.org\n"  // as it is
+                                     "S-1,Ann,F,graduate,ann@x.org\n"  // unchanged
                                      "S-2,Bob,m,doctoral student,\n"   // level differs
-                                     "S-3,Cid,,,ann@x.org\n"           // new, with a known address
-                                     "S-4,Dan,purple,,\n"              // sex not understood
+                                     "S-3,Cid,,,ann@x.org\n"           // new, with an address in use
+                                     "S-4,Dan,purple,,\n"              // invalid sex
                                      ",Eve,,,\n"                       // no number
-                                     "S-3,Cid again,,,\n"              // number twice
+                                     "S-3,Cid again,,,\n"              // duplicate number
                                      "S-5,Fay,f\n");                   // too few values
 
   ASSERT_EQ(preview.rows.size(), 7U);
@@ -138,7 +138,7 @@ TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
   EXPECT_FALSE(preview.importable());
 }
 
-TEST(RosterImport, TakesALineThatStandsTwiceOnce) {
+TEST(RosterImport, ImportsADuplicateLineOnce) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   const char* text = "id,name,sex\nS-1,Ann,f\nS-2,Bob,m\nS-1,Ann,F\n";
@@ -153,7 +153,7 @@ TEST(RosterImport, TakesALineThatStandsTwiceOnce) {
   EXPECT_EQ(people(session).size(), 2U);
 }
 
-TEST(RosterImport, NamesTheLineOfATextThatIsTooLongOrCannotBeSeen) {
+TEST(RosterImport, ReportsTheLineOfATextThatIsTooLongOrHasInvisibleCharacters) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
 
@@ -163,10 +163,10 @@ TEST(RosterImport, NamesTheLineOfATextThatIsTooLongOrCannotBeSeen) {
                                      "S-2," +
                                          std::string(201, 'x') +
                                          ",\n"                          // 201 characters
-                                         "S-3,Bob\xE2\x80\xAE nnA,\n"   // U+202E turns what follows round
-                                         "S-4\xE2\x80\x8B,Cid,\n"       // U+200B, a blank without width
+                                         "S-3,Bob\xE2\x80\xAE nnA,\n"   // U+202E reverses what follows
+                                         "S-4\xE2\x80\x8B,Cid,\n"       // U+200B, a zero-width space
                                          "S-5,Dan,\"second\nyear\"\n"   // a line end
-                                         "S-6,Zo\xC3\xAB O'Brien,\n");  // nothing wrong
+                                         "S-6,Zo\xC3\xAB O'Brien,\n");  // valid
 
   ASSERT_EQ(preview.rows.size(), 6U);
   EXPECT_EQ(preview.rows[1].problem, "Full name is longer than 200 characters");
@@ -178,7 +178,7 @@ TEST(RosterImport, NamesTheLineOfATextThatIsTooLongOrCannotBeSeen) {
   EXPECT_EQ(preview.errors, 4U);
 }
 
-TEST(RosterImport, NamesTheLinesOfNumbersThatLookAlike) {
+TEST(RosterImport, ReportsTheLinesOfNumbersThatLookAlike) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   commitRoster(session, "id,name\nS-1,Ann\n");
@@ -189,7 +189,7 @@ TEST(RosterImport, NamesTheLinesOfNumbersThatLookAlike) {
                                      "S-2,Bob\n"         //
                                      "S\xE2\x80\x93"
                                      "2,Bob\n"               // en dash
-                                     "\xEF\xBC\xB3-3,Cid\n"  // wide S, alone
+                                     "\xEF\xBC\xB3-3,Cid\n"  // wide S, unique
                                      "S-4,Dan\n"
                                      "S-\xD9\xA4,Dan\n"          // an Arabic 4
                                      "S-10,Eve\nS-1O,Eve\n"      // O for 0
@@ -216,7 +216,7 @@ TEST(RosterImport, ImportsAllOrNothing) {
   EXPECT_EQ(centre.rowCounts(), before);
 }
 
-TEST(RosterImport, DryRunDoesItAllAndTakesItBack) {
+TEST(RosterImport, DryRunDoesEverythingAndRollsBack) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   const auto before = centre.rowCounts();
@@ -246,7 +246,7 @@ TEST(RosterImport, GivesPseudonymsAndKeepsNamesOutOfTheTrail) {
   EXPECT_EQ(namedPeople(session).size(), 2U);
 }
 
-TEST(RosterImport, BlankCellsKeepWhatIsKnown) {
+TEST(RosterImport, EmptyCellsKeepExistingValues) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   commitRoster(session, "id,name,sex,level\nS-1,Ann,f,graduate\n");
@@ -259,7 +259,7 @@ TEST(RosterImport, BlankCellsKeepWhatIsKnown) {
   EXPECT_EQ(ann.row.person.level, "graduate");
 }
 
-TEST(RosterImport, RefusesWhenTheRecordChangedSinceThePreview) {
+TEST(RosterImport, FailsIfTheRecordChangedSinceThePreview) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   const RosterFile file = parseRoster("id,name\nS-1,Ann\n", "roster.csv");
@@ -290,7 +290,7 @@ TEST(RosterImport, ReadsRatersWithTheirClass) {
   EXPECT_EQ(look(session, "staff id,name,class\nC-9,Xu,professor\n", RosterKind::kRaters).errors, 1U);
 }
 
-TEST(RosterImport, ThousandLinesTakeNoTimeWorthMentioning) {
+TEST(RosterImport, ImportsAThousandLinesQuickly) {
   StudyCentre centre;
   std::string text = "id,name,level\n";
   for (int i = 0; i < 1000; ++i) {

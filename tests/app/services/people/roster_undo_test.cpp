@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Taking an import back, by the service and by the command: in a file, on a server as the owner of the
-// tables, and there as the role of the stations.
+// Undoing an import, with the service and the command: in a file, on a server as owner of the tables, and
+// there in the role of the stations.
 #include "app/services/people/roster_undo.h"
 
 #include <array>
@@ -40,7 +40,7 @@ constexpr const char* kChiefsAsTrainees =
 
 enum class Account { kOwner, kStation };
 
-/// An office that works with the account of the owner, or with that of the stations.
+/// An office that uses the account of the owner, or that of the stations.
 class RosterUndo : public DatabaseTest, public ::testing::WithParamInterface<Account> {
  protected:
   void SetUp() override {
@@ -90,7 +90,7 @@ class RosterUndo : public DatabaseTest, public ::testing::WithParamInterface<Acc
     own_->beginCall();
     return *own_;
   }
-  /// The one import that added so many; imports of one moment stand in no order.
+  /// Returns the import that added this many people; imports at the same time have no order.
   ImportedRoster importThatAdded(std::int64_t people) {
     for (const ImportedRoster& one : importedRosters(office())) {
       if (one.added == people) {
@@ -100,7 +100,7 @@ class RosterUndo : public DatabaseTest, public ::testing::WithParamInterface<Acc
     ADD_FAILURE() << "no import added " << people;
     return {};
   }
-  /// The program as the user `login`, with the account of this office; its password comes from elsewhere.
+  /// Runs the program as the user `login`, with this office's account; its password comes from elsewhere.
   [[nodiscard]] ProgramRun run(const std::string& arguments,
                                const std::string& login = "administrator") const {
     std::string address = record_;
@@ -122,7 +122,7 @@ class RosterUndo : public DatabaseTest, public ::testing::WithParamInterface<Acc
 
   std::unique_ptr<StudyCentre> centre_;
   std::string record_;
-  std::string role_;  // of the stations; empty: there is none
+  std::string role_;  // of the stations; empty: none
   std::unique_ptr<SessionContext> own_;
   std::filesystem::path folder_;
 };
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Accounts, RosterUndo, ::testing::Values(Account::kOwner
                            return one.param == Account::kOwner ? "AsOwner" : "AsStation";
                          });
 
-TEST_P(RosterUndo, TakesBackRatersWhoWereImportedAsTrainees) {
+TEST_P(RosterUndo, UndoesRatersImportedAsTrainees) {
   commitRoster(office(), kChiefsAsTrainees);
   const std::vector<ImportedRoster> imports = importedRosters(office());
   ASSERT_EQ(imports.size(), 1U);
@@ -162,7 +162,7 @@ TEST_P(RosterUndo, TakesBackRatersWhoWereImportedAsTrainees) {
   EXPECT_TRUE(verifyAuditTrail(centre_->connection()).empty());
 }
 
-TEST_P(RosterUndo, PutsPeopleWhomItChangedBackAsTheyWere) {
+TEST_P(RosterUndo, RestoresPeopleWhomTheImportChanged) {
   commitRoster(office(), "Staff ID,Name,Class\nC-1,Ann Chief,chief physician\n", RosterKind::kRaters);
   commitRoster(office(), "Staff ID,Name,E-mail\nC-1,Ann Chief,ann@example.org\n");
   ASSERT_TRUE(people(office())[0].trainee) << "the chief became a trainee as well";
@@ -176,7 +176,7 @@ TEST_P(RosterUndo, PutsPeopleWhomItChangedBackAsTheyWere) {
   EXPECT_TRUE(verifyAuditTrail(centre_->connection()).empty());
 }
 
-TEST_P(RosterUndo, SeveralAreTakenBackTheNewestFirstOrNoneOfThem) {
+TEST_P(RosterUndo, SeveralAreUndoneLatestFirstAllOrNothing) {
   commitRoster(office(), kChiefsAsTrainees);
   commitRoster(office(), "Staff ID,Name,E-mail\nC-1,Ann Chief,new@example.org\nC-2,Bo Chief,b@example.org\n");
   const std::string first = importThatAdded(2).id;
@@ -185,7 +185,7 @@ TEST_P(RosterUndo, SeveralAreTakenBackTheNewestFirstOrNoneOfThem) {
   EXPECT_TRUE(hindrance.ends_with(" was changed since")) << hindrance;
 
   EXPECT_THROW(takeBackRosters(office(), std::array{changed, std::string("no-such")}, "wrong"), Error);
-  std::set<std::string> mails;  // who gets which code is drawn
+  std::set<std::string> mails;  // codes are assigned at random
   for (const NamedPersonRow& one : namedPeople(office())) {
     mails.insert(one.identity.email);
   }
@@ -197,7 +197,7 @@ TEST_P(RosterUndo, SeveralAreTakenBackTheNewestFirstOrNoneOfThem) {
   EXPECT_TRUE(verifyAuditTrail(centre_->connection()).empty());
 }
 
-TEST_P(RosterUndo, NothingIsTakenBackOnceSomethingHangsOnOnePerson) {
+TEST_P(RosterUndo, NothingIsUndoneIfAPersonHasDependentData) {
   commitRoster(office(), kChiefsAsTrainees);
   const ImportedRoster imported = importedRosters(office())[0];
   const PersonId last = people(office())[1].person.id;
@@ -216,7 +216,7 @@ TEST_P(RosterUndo, NothingIsTakenBackOnceSomethingHangsOnOnePerson) {
   EXPECT_EQ(importThatAdded(1).hindrance.str(), "T-03 was changed since");
 }
 
-TEST_P(RosterUndo, TheCommandListsAndTakesBack) {
+TEST_P(RosterUndo, TheCommandListsAndUndoesImports) {
   commitRoster(office(), kChiefsAsTrainees);
   commitRoster(office(), "Staff ID,Name\nS-9,Di Intern\n");
   const CohortId cohort = addCohort(office(), {.name = "Study", .groups = {{"G1", "all"}}});
@@ -254,7 +254,7 @@ TEST_P(RosterUndo, TheCommandListsAndTakesBack) {
             1);
 }
 
-TEST_P(RosterUndo, TheCommandRefusesWhoMayNotAndWhatIsNotThere) {
+TEST_P(RosterUndo, TheCommandRejectsMissingRightsAndUnknownImports) {
   commitRoster(office(), kChiefsAsTrainees);
   const std::string chiefs = importThatAdded(2).id;
 

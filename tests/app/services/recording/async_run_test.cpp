@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs that every model answers: recorded with the model's name, and replayed bit for bit.
+// Runs with every model: recorded with the model's name and replayed bit for bit.
 #include <chrono>
 #include <cmath>
 #include <future>
@@ -64,7 +64,7 @@ TEST_P(RunOf, IsRecordedWithItsModelAndReplaysBitForBit) {
 INSTANTIATE_TEST_SUITE_P(Models, RunOf, ::testing::ValuesIn(kTissueModels),
                          [](const auto& one) { return std::string(tissueModelId(one.param)); });
 
-TEST(RunOfFiniteElements, DoesNotReplayWithoutWhatTheModelHadSaid) {
+TEST(RunOfFiniteElements, DoesNotReplayWithoutTheRecordedModelResults) {
   const auto scene = barOf(TissueModel::kFiniteElements);
   const Trial trial = recorded(scene);
   Trial without = trial;
@@ -81,7 +81,7 @@ TEST(RunOfFiniteElements, DoesNotReplayWithoutWhatTheModelHadSaid) {
   EXPECT_GT(replayTrial(*scene, without).differentSamples, 100);
 }
 
-TEST(RunOfFiniteElements, InRealTimeAnswersBesideTheServoAndReplays) {
+TEST(RunOfFiniteElements, InRealTimeRunsInParallelWithTheServoAndReplays) {
   const auto scene = barOf(TissueModel::kFiniteElements);
   const auto sink = std::make_shared<MemoryTrialSink>();
   const auto shape = std::make_shared<LatestShape>(*scene);
@@ -104,7 +104,7 @@ TEST(RunOfFiniteElements, InRealTimeAnswersBesideTheServoAndReplays) {
   EXPECT_TRUE(replayTrial(*scene, sink->trial()).identical());
 }
 
-/// A model that the test leads by the nose.
+/// A model controlled by the test.
 class FaultyOrgan final : public GraspedOrgan {
  public:
   explicit FaultyOrgan(double torque_Nm) : torque_Nm_(torque_Nm) {}
@@ -119,7 +119,7 @@ class FaultyOrgan final : public GraspedOrgan {
   double angle_rad_ = 0.0;
 };
 
-TEST(AsyncModelWorker, DeliversWhatIsNoNumberAndWhatThrowsAsBroken) {
+TEST(AsyncModelWorker, ReportsNanAndExceptionsAsBroken) {
   AsyncLink link;
   int made = 0;
   AsyncModelWorker worker(barOf(TissueModel::kMassSpring), link, nullptr,
@@ -143,7 +143,7 @@ TEST(AsyncModelWorker, DeliversWhatIsNoNumberAndWhatThrowsAsBroken) {
   EXPECT_EQ(link.deliveries.latest().answer, (AsyncAnswer{AsyncState::kSound, 0.1, 0.25, 0.1}));
 }
 
-TEST(AsyncModelWorker, MakesTheModelAnewOnlyForAnotherPlaceOfTheJaw) {
+TEST(AsyncModelWorker, RebuildsTheModelOnlyForAnotherJawPosition) {
   AsyncLink link;
   std::vector<double> arcs;
   AsyncModelWorker worker(barOf(TissueModel::kMassSpring), link, nullptr, [&arcs](double arc_m) {
@@ -151,7 +151,7 @@ TEST(AsyncModelWorker, MakesTheModelAnewOnlyForAnotherPlaceOfTheJaw) {
     return std::make_unique<FaultyOrgan>(0.0);
   });
 
-  for (const double arc_m : {0.200, 0.205, 0.100}) {  // a step of sections is 250 mm / 12 = 21 mm
+  for (const double arc_m : {0.200, 0.205, 0.100}) {  // section spacing is 250 mm / 12 = 21 mm
     link.questions.publish({1, arc_m, 0.0});
     static_cast<void>(worker.work());
   }
@@ -159,7 +159,7 @@ TEST(AsyncModelWorker, MakesTheModelAnewOnlyForAnotherPlaceOfTheJaw) {
   EXPECT_EQ(arcs, (std::vector{0.200, 0.100}));
 }
 
-TEST(AsyncModelPlayback, DrawsTheModelLedToTheRecordedAngle) {
+TEST(AsyncModelPlayback, DrawsTheModelMovedToTheRecordedAngle) {
   const auto scene = barOf(TissueModel::kFiniteElements);
   const auto shape = std::make_shared<LatestShape>(*scene);
   AsyncModelPlayback playback(scene, shape);
@@ -178,7 +178,7 @@ TEST(AsyncModelPlayback, DrawsTheModelLedToTheRecordedAngle) {
     }
     return farthest;
   };
-  // The free end swings past the angle of the jaw before it comes to rest.
+  // The free end overshoots the jaw's angle before it comes to rest.
   constexpr std::int64_t kFramesToRest = 120;  // 2 s of the model
   const auto end = std::chrono::steady_clock::now() + 60s;
   while (shape->number() < kFramesToRest && std::chrono::steady_clock::now() < end) {

@@ -33,7 +33,7 @@ Detorsion sigmoid() {
   return detorsion;
 }
 
-/// The parameters that a trial with this pattern stores.
+/// Returns the parameters stored by a trial with this pattern.
 std::string storedWith(const std::shared_ptr<const Detorsion>& detorsion) {
   TwistPattern pattern;
   pattern.id = "detorse";
@@ -41,7 +41,7 @@ std::string storedWith(const std::shared_ptr<const Detorsion>& detorsion) {
   return parametersText(SceneDescription{}, pattern, false, TissueModel::kTwist);
 }
 
-TEST(DetorsionRules, AreReadOutOfWhatTheRecordingStores) {
+TEST(DetorsionRules, AreReadFromTheStoredParameters) {
   const std::string stored = storedWith(std::make_shared<const Detorsion>(sigmoid()));
 
   const std::optional<DetorsionRules> rules = detorsionRulesOf(stored);
@@ -72,7 +72,7 @@ TEST(DetorsionRules, ASolidCordHasNothingToLetOut) {
   EXPECT_FALSE(rules->vent);
 }
 
-TEST(DetorsionRules, KnowTheStagesThatTheSceneAskedFor) {
+TEST(DetorsionRules, ContainTheStagesOfTheScene) {
   Detorsion staged = sigmoid();
   staged.stages = {radians(360.0), 300.0};
 
@@ -82,7 +82,7 @@ TEST(DetorsionRules, KnowTheStagesThatTheSceneAskedFor) {
   EXPECT_EQ(rules->stages, staged.stages);
 }
 
-TEST(DetorsionRules, AreNoneForATwistAndForParametersThatNobodyKnows) {
+TEST(DetorsionRules, AreEmptyForATwistAndForUnknownParameters) {
   EXPECT_FALSE(detorsionRulesOf(storedWith(nullptr)));
   EXPECT_FALSE(detorsionRulesOf("{\"detorsion\": {\"limits\": {}}}"));
   EXPECT_FALSE(detorsionRulesOf("not JSON"));

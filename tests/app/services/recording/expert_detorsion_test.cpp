@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The expert to whom trainees are compared undoes every shipped organ and hurts none.
+// The expert that trainees are compared with untwists every shipped organ without injury.
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -18,7 +18,7 @@ namespace {
 
 class ExpertDetorsion : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(ExpertDetorsion, IsDoneAndLeavesNoMark) {
+TEST_P(ExpertDetorsion, SucceedsWithoutInjury) {
   SceneRequest request;
   request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   request.id = GetParam();

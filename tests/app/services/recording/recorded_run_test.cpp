@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every kind of run goes through one wiring: the same header, the same recording.
+// Every kind of run uses the same wiring: the same header, the same recording.
 #include "app/services/recording/recorded_run.h"
 
 #include <chrono>
@@ -47,7 +47,7 @@ RecordingSpec spec() {
           .demonstration = true};
 }
 
-TEST(HeaderFor, TakesEachFactFromTheOneThatKnowsIt) {
+TEST(HeaderFor, TakesEachValueFromItsSource) {
   DeviceCapabilities device;
   device.model = "Some stylus";
   device.maxForce_N = 2.5;
@@ -73,14 +73,14 @@ TEST(HeaderFor, TakesEachFactFromTheOneThatKnowsIt) {
   EXPECT_EQ(header.tickPeriod_us, kTickPeriod_us);
 }
 
-TEST(HeaderFor, TakesTheTargetOfThePatternWhenNoneIsGiven) {
+TEST(HeaderFor, UsesTheTargetOfThePatternIfNoneIsGiven) {
   RecordingSpec free = spec();
   free.targetAngle_rad.reset();
 
   EXPECT_EQ(headerFor(*bar(), {}, free).targetAngle_rad, bar()->pattern.targetAngle_rad);
 }
 
-TEST(RecordedRun, GivesTheSameHeaderWhicheverKindOfRunItIs) {
+TEST(RecordedRun, HasTheSameHeaderForEveryKindOfRun) {
   const TrialHeader expected = headerFor(*bar(), hand()->capabilities(), spec());
 
   const auto stepped = std::make_shared<MemoryTrialSink>();
@@ -104,7 +104,7 @@ TEST(RecordedRun, GivesTheSameHeaderWhicheverKindOfRunItIs) {
           {.trialId = "expert", .phaseLabel = kExpertPhase, .targetAngle_rad = 0.7, .demonstration = true}));
 }
 
-TEST(RecordedRun, IsTheSameWhetherAScriptRunsItOrSomebodyStepsIt) {
+TEST(RecordedRun, IsTheSameForAScriptAndForStepping) {
   const ScriptedTrial script{.recording = spec(), .duration_s = 3.0};
   MemoryTrialSink scripted;
   const TrialSummary summary = recordScriptedTrial(*bar(), script, scripted);
@@ -126,7 +126,7 @@ TEST(RecordedRun, IsTheSameWhetherAScriptRunsItOrSomebodyStepsIt) {
   EXPECT_TRUE(replayTrial(*bar(), stepped->trial()).identical());
 }
 
-TEST(RecordedRun, HandsOnEachSecondAsSoonAsItIsComplete) {
+TEST(RecordedRun, PassesOnEachSecondAsSoonAsItIsComplete) {
   const auto kept = std::make_shared<MemoryTrialSink>();
   RecordedRun run(bar(), hand(), spec(), kept);
 
@@ -136,7 +136,7 @@ TEST(RecordedRun, HandsOnEachSecondAsSoonAsItIsComplete) {
   EXPECT_EQ(kept->trial().chunks.size(), 1U);
 }
 
-TEST(RecordedRun, StaysInterruptedUnlessItIsFinished) {
+TEST(RecordedRun, IsInterruptedUnlessFinished) {
   const auto kept = std::make_shared<MemoryTrialSink>();
   { RecordedRun(bar(), hand(), spec(), kept).step(2'500); }
 
@@ -159,7 +159,7 @@ TEST(RecordedRun, RecordsInRealTimeUntilItIsFinished) {
   EXPECT_TRUE(replayTrial(*bar(), kept->trial()).identical());
 }
 
-TEST(RecordedRun, WithoutASinkNothingIsKeptAndTheRestIsTheSame) {
+TEST(RecordedRun, WithoutASinkRunsTheSameButStoresNothing) {
   RecordedRun run(bar(), hand(), {.targetAngle_rad = 0.4}, nullptr);
 
   run.step(10);
@@ -170,7 +170,7 @@ TEST(RecordedRun, WithoutASinkNothingIsKeptAndTheRestIsTheSame) {
   EXPECT_EQ(run.header().deviceModel, hand()->capabilities().model);
 }
 
-TEST(RecordedRun, AMouseTurnsWhatItHoldsAndAHandLeadsItRound) {
+TEST(RecordedRun, AMouseTurnsOnTheSpotAndAHandMovesAround) {
   const RecordedRun mouse(bar(), std::make_unique<PointerDevice>(Pose{}), {}, nullptr);
   const RecordedRun led(bar(), hand(), {}, nullptr);
 
@@ -178,7 +178,7 @@ TEST(RecordedRun, AMouseTurnsWhatItHoldsAndAHandLeadsItRound) {
   EXPECT_EQ(led.header().drive, TwistDrive::kTangential);
 }
 
-TEST(RecordedRun, ObeysWishesAndSaysWhenTooManyWait) {
+TEST(RecordedRun, AppliesCommandsAndReportsAFullQueue) {
   RecordedRun run(bar(), hand(), {}, nullptr);
 
   ASSERT_TRUE(run.command({.kind = ServoCommand::Kind::kSetTarget, .value = 0.25}));
@@ -191,7 +191,7 @@ TEST(RecordedRun, ObeysWishesAndSaysWhenTooManyWait) {
   EXPECT_EQ(taken, 64);
 }
 
-/// Remembers what was written to it.
+/// Remembers the forces written to it.
 class Motor final : public HapticDevice {
  public:
   explicit Motor(std::vector<Vec3>& forces) : forces_(&forces) {}
@@ -204,7 +204,7 @@ class Motor final : public HapticDevice {
   DeviceCapabilities capabilities_;
 };
 
-TEST(RecordedRun, HandsOutItsDeviceWithTheForceAtZero) {
+TEST(RecordedRun, ReleasesItsDeviceWithTheForceAtZero) {
   std::vector<Vec3> forces;
   RecordedRun run(bar(), std::make_unique<Motor>(forces), {}, nullptr);
   run.step(3);
@@ -216,7 +216,7 @@ TEST(RecordedRun, HandsOutItsDeviceWithTheForceAtZero) {
   EXPECT_NE(device, nullptr);
 }
 
-TEST(RecordedRun, RefusesADeviceWhoseLimitsMakeNoSense) {
+TEST(RecordedRun, RejectsADeviceWithInvalidLimits) {
   struct Broken final : HapticDevice {
     Broken() { limits.maxForce_N = -1.0; }
     [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return limits; }

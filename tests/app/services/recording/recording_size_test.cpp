@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An hour of recording takes at most 60 MB of the database: a stretch of a scripted hand on the arm of the
-// demonstration, at 1 kHz, through recorder and sink into a real file, scaled.
+// An hour of recording takes at most 60 MB in the database: extrapolated from a scripted hand on the
+// demonstration's arm, recorded at 1 kHz through recorder and sink into a real file.
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@
 namespace torsio {
 namespace {
 
-constexpr double kStretch_s = 40.0;  // two twists of the scripted hand with their approach and rest
+constexpr double kStretch_s = 40.0;  // two twists of the scripted hand with approach and rest
 constexpr double kHour_s = 3600.0;
 constexpr double kLargestHour_bytes = 60e6;
 
-/// All pages of the database, those in the write-ahead log among them.
+/// Returns the size of all database pages, including those in the write-ahead log.
 double size_bytes(Connection& connection) {
   const auto number = [&connection](const char* sql) {
     Statement row = connection.prepare(sql);
@@ -51,7 +51,7 @@ TEST(RecordingSize, AnHourTakesAtMostSixtyMegabytes) {
   std::cout << "an hour of recording: " << hour_bytes / 1e6 << " MB\n";
   EXPECT_EQ(summary.samples, static_cast<std::int64_t>(kStretch_s * 1e3));
   EXPECT_LE(hour_bytes, kLargestHour_bytes);
-  EXPECT_GT(hour_bytes, kLargestHour_bytes / 100.0);  // the samples are really there
+  EXPECT_GT(hour_bytes, kLargestHour_bytes / 100.0);  // the samples were really stored
 }
 
 }  // namespace

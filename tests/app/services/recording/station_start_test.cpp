@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The database is away, the recorder writes files; at the next start of the station they come into the record
-// before anything is closed as interrupted.
+// While the database is unreachable, the recorder writes files; the station's next start stores them in the
+// record before it closes anything as interrupted.
 #include "app/services/recording/station_start.h"
 
 #include <fstream>
@@ -47,7 +47,7 @@ using testing::kMinute_us;
 using testing::kSecond_us;
 using testing::TrainingCentre;
 
-/// Another machine: a Linux with one graphics card.
+/// A simulated machine: Linux with one graphics card.
 class Machine {
  public:
   Machine() : root_(fs::temp_directory_path() / ("torsio-host-" + SystemIdSource().newUuid())) {}
@@ -77,7 +77,7 @@ class StationStartTest : public ::testing::Test {
     return setup;
   }
 
-  /// What a run at this station would record.
+  /// Returns the specification of a run at this station.
   RecordingSpec newRecording() {
     const ManualClock clock;
     RunSession runSession(centre_.session(), {centre_.module("first"), true, deviceWith(Light::kGreen)},
@@ -93,14 +93,13 @@ class StationStartTest : public ::testing::Test {
     return ScriptedHand(options);
   }
 
-  /// The header that the recorder gives such a recording.
+  /// Returns the recorder's header for such a recording.
   static TrialHeader headerOf(const RecordingSpec& spec) {
     return headerFor(testing::trainingBar(), hand().capabilities(), spec);
   }
 
-  /// Records `seconds` of a scripted hand into `sink`; a second is handed on as soon as it is complete.
-  /// Without `finish` the program dies there. A recorder that gives up at once, so that the file begins with
-  /// the first second.
+  /// Records `seconds` of a scripted hand into `sink`, passing on each complete second. Without `finish`, the
+  /// program dies at the end. The recorder has no patience, so that its file begins with the first second.
   std::optional<RecordingResult> record(const RecordingSpec& spec, TrialSink& sink, int seconds,
                                         bool finish) {
     ScriptedHand device = hand();
@@ -119,7 +118,7 @@ class StationStartTest : public ::testing::Test {
     return recorder.finish(TrialOutcome::kCompleted, 0);
   }
 
-  /// The same while the database is away, in the sense that nobody can open it.
+  /// Records while the database cannot be opened.
   std::optional<RecordingResult> recordWithoutDatabase(const RecordingSpec& spec, int seconds, bool finish) {
     const fs::path database = centre_.locator();
     const fs::path aside = database.string() + ".away";
@@ -132,7 +131,7 @@ class StationStartTest : public ::testing::Test {
 
   [[nodiscard]] fs::path folder() const { return centre_.folder() / "unstored"; }
   StationStart settle() { return settleStation(centre_.session(), folder()); }
-  /// Nobody has written to the files for long.
+  /// Makes the files look untouched for a long time.
   void letFilesRest() const {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
       fs::last_write_time(entry, fs::last_write_time(entry) - std::chrono::minutes(1));
@@ -159,7 +158,7 @@ class StationStartTest : public ::testing::Test {
   TrainingCentre centre_;
 };
 
-TEST_F(StationStartTest, ARecordingFromAFileCountsAsItWouldHaveWithoutTheFailure) {
+TEST_F(StationStartTest, ARecordingFromAFileCountsAsWithoutTheFailure) {
   const RecordingSpec spec = newRecording();
   const std::optional<RecordingResult> result = recordWithoutDatabase(spec, 4, true);
   ASSERT_TRUE(result->spillFile.has_value());
@@ -182,9 +181,10 @@ TEST_F(StationStartTest, ARecordingFromAFileCountsAsItWouldHaveWithoutTheFailure
   EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty());
 }
 
-TEST_F(StationStartTest, TheFileIsStoredBeforeTheTrialCouldBeClosedAsInterrupted) {
+TEST_F(StationStartTest, TheFileIsStoredBeforeTheTrialIsClosedAsInterrupted) {
   const RecordingSpec spec = newRecording();
-  TrialRepository(centre_.connection(), spec.context).begin(headerOf(spec));  // then the database went away
+  TrialRepository(centre_.connection(), spec.context).begin(headerOf(spec));  // then the database became
+                                                                              // unreachable
   ASSERT_TRUE(recordWithoutDatabase(spec, 3, true)->spillFile.has_value());
   centre_.passTime_us(kMinute_us);
 
@@ -196,7 +196,7 @@ TEST_F(StationStartTest, TheFileIsStoredBeforeTheTrialCouldBeClosedAsInterrupted
   EXPECT_FALSE(note("trial.close_interrupted").has_value());
 }
 
-TEST_F(StationStartTest, AFileThatWasCutOffComesInAsInterruptedOnceItRests) {
+TEST_F(StationStartTest, ATruncatedFileIsStoredAsInterruptedOnceItIsNoLongerWritten) {
   const RecordingSpec spec = newRecording();
   recordWithoutDatabase(spec, 3, false);
 
@@ -212,8 +212,8 @@ TEST_F(StationStartTest, AFileThatWasCutOffComesInAsInterruptedOnceItRests) {
   EXPECT_TRUE(fs::is_empty(folder()));
 }
 
-/// Its poses are no ticks of the simulator, and the time on the real arm has a clock of its own.
-TEST_F(StationStartTest, ARecordingOfATrackerThatWasCutOffAddsNoTimeOnTheSimulator) {
+/// Its poses are not ticks of the simulator, and time on the real arm has its own clock.
+TEST_F(StationStartTest, AnInterruptedTrackerRecordingAddsNoSimulatorTime) {
   RecordingSpec spec = newRecording();
   spec.context.moduleId = {};
   spec.context.attemptMode.reset();
@@ -239,7 +239,7 @@ TEST_F(StationStartTest, ARecordingOfATrackerThatWasCutOffAddsNoTimeOnTheSimulat
   EXPECT_EQ(start.trials[0].exposureAdded_us, 0);
 }
 
-TEST_F(StationStartTest, AFileThatDiffersFromTheRecordIsKeptAndSaidPlainly) {
+TEST_F(StationStartTest, AFileThatConflictsWithTheRecordIsKeptAndReported) {
   const RecordingSpec spec = newRecording();
   const fs::path file = *recordWithoutDatabase(spec, 3, true)->spillFile;
   TrialRepository trials(centre_.connection(), spec.context);
@@ -259,7 +259,7 @@ TEST_F(StationStartTest, AFileThatDiffersFromTheRecordIsKeptAndSaidPlainly) {
   EXPECT_FALSE(note("trial.import").has_value());
 }
 
-TEST_F(StationStartTest, ADamagedFileIsKeptAndTheOthersComeIn) {
+TEST_F(StationStartTest, ADamagedFileIsKeptAndTheOthersAreStored) {
   const RecordingSpec damaged = newRecording();
   const fs::path file = *recordWithoutDatabase(damaged, 2, true)->spillFile;
   std::string bytes = readFile(file);
@@ -275,7 +275,7 @@ TEST_F(StationStartTest, ADamagedFileIsKeptAndTheOthersComeIn) {
   EXPECT_TRUE(fs::exists(file));
 }
 
-TEST_F(StationStartTest, FilesOfAnotherDatabaseArePassedOver) {
+TEST_F(StationStartTest, FilesOfAnotherDatabaseAreSkipped) {
   TrainingCentre other;
   const RecordingSpec spec = newRecording();
   const std::unique_ptr<TrialSink> sink =
@@ -289,7 +289,7 @@ TEST_F(StationStartTest, FilesOfAnotherDatabaseArePassedOver) {
   EXPECT_TRUE(fs::exists(file));
 }
 
-TEST_F(StationStartTest, NobodyNeedsToBeSignedInAndTheRecordSaysSo) {
+TEST_F(StationStartTest, NobodyNeedsToBeSignedInAndThisIsAudited) {
   const RecordingSpec spec = newRecording();
   ASSERT_TRUE(recordWithoutDatabase(spec, 2, true)->spillFile.has_value());
   centre_.session().setActor({});
@@ -299,7 +299,7 @@ TEST_F(StationStartTest, NobodyNeedsToBeSignedInAndTheRecordSaysSo) {
   EXPECT_EQ(note("trial.import")->actor, "torsio");
 }
 
-TEST_F(StationStartTest, ARunShowsItselfOnTheBoardAndGoesFromItAtTheEnd) {
+TEST_F(StationStartTest, ARunAppearsOnTheBoardUntilItEnds) {
   ManualClock clock;
   RunSession runSession(centre_.session(), {centre_.module("first"), true, deviceWith(Light::kGreen)}, clock);
   const auto second = [&] {
@@ -315,7 +315,7 @@ TEST_F(StationStartTest, ARunShowsItselfOnTheBoardAndGoesFromItAtTheEnd) {
   const RecordingSpec spec = runSession.newTrial();
   second();
   EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->trialId,
-            "");  // the recorder has not begun it yet
+            "");  // the recorder has not started it yet
   TrialRepository(centre_.connection(), spec.context).begin(headerOf(spec));
   second();
   EXPECT_EQ(stationOnBoard(centre_.connection(), "station 1")->trialId, spec.trialId);
@@ -338,7 +338,7 @@ TEST_F(StationStartTest, AStationThatIsClosedDownLeavesTheBoard) {
   EXPECT_FALSE(stationOnBoard(centre_.connection(), "station 1").has_value());
 }
 
-TEST_F(StationStartTest, EveryRecordingSaysOnWhichMachineItWasMade) {
+TEST_F(StationStartTest, EveryRecordingNamesItsMachine) {
   const RecordingSpec spec = newRecording();
   EXPECT_EQ(spec.context.host, thisHost());
   EXPECT_FALSE(spec.context.host.name.empty());
@@ -356,7 +356,7 @@ TEST_F(StationStartTest, EveryRecordingSaysOnWhichMachineItWasMade) {
   EXPECT_TRUE(context->enrolmentId.empty());
 }
 
-TEST(RecordingHost, ReadsProcessorAndGraphicsCardFromTheFilesOfTheSystem) {
+TEST(RecordingHost, ReadsProcessorAndGraphicsCardFromSystemFiles) {
   const Machine machine;
   machine.file("proc/cpuinfo", "processor\t: 0\nmodel\t\t: 85\nmodel name\t: Some Processor 3 GHz\n");
   machine.file("sys/class/drm/card0/device/uevent", "DRIVER=i915\nPCI_ID=8086:3E92\n");
@@ -368,7 +368,7 @@ TEST(RecordingHost, ReadsProcessorAndGraphicsCardFromTheFilesOfTheSystem) {
   EXPECT_EQ(thisHost(machine.root()).gpu, "Some Card 4000");
 }
 
-TEST(RecordingHost, SaysNothingOfWhatTheSystemDoesNotTell) {
+TEST(RecordingHost, LeavesUnknownValuesEmpty) {
   const Machine machine;
 
   EXPECT_TRUE(thisHost(machine.root()).gpu.empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A database that hangs: nobody who looks at a window may wait for it, and nothing that was recorded is lost.
+// A database that hangs must neither block the window nor lose recordings.
 #include "app/services/recording/station_writer.h"
 
 #include <algorithm>
@@ -33,10 +33,10 @@ using testing::deviceWith;
 using testing::kSecond_us;
 using testing::TrainingCentre;
 
-constexpr auto kLong = 20s;  // far more than a busy machine needs
+constexpr auto kLong = 20s;  // much longer than a busy machine needs
 constexpr LinePatience kQuick{.again = 20ms, .heartbeat = 20ms, .silence = 30ms, .farewell = 50ms};
 
-/// A server that stops answering, and answers again.
+/// Simulates a server that stops answering, and answers again.
 class Gate {
  public:
   void close() { set(false); }
@@ -70,7 +70,7 @@ SessionKey keyOf(const TrainingCentre& centre, const Actor& actor) {
   return {centre.locator(), "line", actor};
 }
 
-/// The station "line" as the board of the record has it.
+/// Returns the station "line" from the record's board.
 std::optional<StationState> lineOnTheBoard(TrainingCentre& centre) {
   const std::vector<StationState> board = StationRepository(centre.connection()).board();
   const auto found = std::find_if(board.begin(), board.end(),
@@ -78,7 +78,7 @@ std::optional<StationState> lineOnTheBoard(TrainingCentre& centre) {
   return found == board.end() ? std::nullopt : std::optional(*found);
 }
 
-TEST(StationWriter, ShowsWhoIsHereAndWritesInOrder) {
+TEST(StationWriter, ShowsTheUserAndWritesInOrder) {
   TrainingCentre centre;
   const Actor trainee = centre.session().actor();
   std::vector<int> order;
@@ -96,14 +96,14 @@ TEST(StationWriter, ShowsWhoIsHereAndWritesInOrder) {
   EXPECT_FALSE(lineOnTheBoard(centre).has_value());
 }
 
-TEST(StationWriter, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
+TEST(StationWriter, ShowsTheDeviceAndKeepsItsCheckWhenTheNextUserSignsIn) {
   TrainingCentre centre;
   StationWriter line(keyOf(centre, centre.session().actor()), kQuick);
   const auto shown = [&] {
     EXPECT_TRUE(line.settled(kLong));
     return storedDevice(lineOnTheBoard(centre).value());
   };
-  EXPECT_TRUE(shown().device.empty());  // no training station yet
+  EXPECT_TRUE(shown().device.empty());  // not a training station yet
   line.showDevice(uncheckedDevice({}, false));
   EXPECT_EQ(shown(), uncheckedDevice({}, false));
   DeviceReadiness readiness = deviceWith(Light::kAmber);
@@ -115,14 +115,14 @@ TEST(StationWriter, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
   EXPECT_EQ(checked.problem.str(), "950 Hz; 1000 Hz are wanted");
 
   line.showDevice(checked);
-  line.showDevice(uncheckedDevice(Text::verbatim("Touch"), true));  // the next trainee opens the desk
+  line.showDevice(uncheckedDevice(Text::verbatim("Touch"), true));  // the next trainee opens the page
 
   EXPECT_EQ(shown(), checked);
   line.signIn({});
   EXPECT_EQ(shown(), checked);
 }
 
-TEST(StationDevice, WhatCannotBeReadSaysNothing) {
+TEST(StationDevice, AnInvalidProblemIsEmpty) {
   StationState state;
   for (const char* json : {"", "7", "[", "[7]", "{}"}) {
     state.deviceJson = json;
@@ -133,7 +133,7 @@ TEST(StationDevice, WhatCannotBeReadSaysNothing) {
   EXPECT_FALSE(storedDevice(state).light.has_value());
 }
 
-TEST(StationWriter, EachWriteIsDoneAsWhoeverWasSignedInWhenItWasGiven) {
+TEST(StationWriter, EachWriteUsesTheUserSignedInWhenItWasQueued) {
   TrainingCentre centre;
   const Actor trainee = centre.session().actor();
   std::string who;
@@ -146,7 +146,7 @@ TEST(StationWriter, EachWriteIsDoneAsWhoeverWasSignedInWhenItWasGiven) {
   EXPECT_EQ(who, trainee.userId);
 }
 
-TEST(StationWriter, AServerThatHangsHoldsUpNobodyAndWhatWaitsIsWrittenLater) {
+TEST(StationWriter, AHangingServerBlocksNobodyAndPendingWritesFollowLater) {
   TrainingCentre centre;
   const SessionKey key = keyOf(centre, centre.session().actor());
   Gate gate;
@@ -174,7 +174,7 @@ TEST(StationWriter, AServerThatHangsHoldsUpNobodyAndWhatWaitsIsWrittenLater) {
   }
 }
 
-TEST(StationWriter, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
+TEST(StationWriter, AnUnreachableServerIsRetriedAndARejectedWriteIsDropped) {
   TrainingCentre centre;
   const SessionKey key = keyOf(centre, centre.session().actor());
   std::atomic<bool> away{true};
@@ -201,7 +201,7 @@ TEST(StationWriter, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
   EXPECT_TRUE(second);
 }
 
-TEST(StationWriter, EndsInTimeThoughTheServerNeverAnswers) {
+TEST(StationWriter, EndsInTimeEvenIfTheServerNeverAnswers) {
   TrainingCentre centre;
   const SessionKey key = keyOf(centre, centre.session().actor());
   const auto gate = std::make_shared<Gate>();
@@ -224,7 +224,7 @@ TEST(StationWriter, EndsInTimeThoughTheServerNeverAnswers) {
   EXPECT_TRUE(soon([&] { return ended->load(); }));
 }
 
-TEST(StationWriter, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
+TEST(StationWriter, ARunContinuesWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 120 * kSecond_us}};
   TrainingCentre centre(setup);
@@ -263,7 +263,7 @@ TEST(StationWriter, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
   EXPECT_EQ(line.refused(), 0U);
 }
 
-/// Takes chunks until its gate closes.
+/// Accepts chunks until its gate closes.
 class GatedSink final : public TrialSink {
  public:
   GatedSink(std::shared_ptr<Gate> gate, std::shared_ptr<MemoryTrialSink> to)
@@ -286,7 +286,7 @@ TrialHeader headerOf(const TrialId& trialId) {
   return header;
 }
 
-TEST(TimedTrialSink, PassesOnWhatASinkTakesInTime) {
+TEST(TimedTrialSink, PassesOnCallsThatReturnInTime) {
   const auto kept = std::make_shared<MemoryTrialSink>();
   TimedTrialSink sink(std::make_unique<GatedSink>(std::make_shared<Gate>(), kept), {}, kLong);
 
@@ -296,7 +296,7 @@ TEST(TimedTrialSink, PassesOnWhatASinkTakesInTime) {
   EXPECT_EQ(kept->trial().header.trialId, "one");
 }
 
-TEST(TimedTrialSink, ARecordingWhoseDatabaseHangsGoesToAFileWithEverySample) {
+TEST(TimedTrialSink, ARecordingWithAHangingDatabaseGoesToAFileWithEverySample) {
   const auto gate = std::make_shared<Gate>();
   gate->close();
   const auto kept = std::make_shared<MemoryTrialSink>();
@@ -321,7 +321,7 @@ TEST(TimedTrialSink, ARecordingWhoseDatabaseHangsGoesToAFileWithEverySample) {
   EXPECT_EQ(openTrialFile(*result.spillFile).context, "whose");
   EXPECT_EQ(result.summary.samples, kSamples);
   EXPECT_EQ(result.summary.refusedSamples, 0);
-  gate->open();  // lets the thread that was left to itself end
+  gate->open();  // lets the abandoned thread end
 }
 
 }  // namespace

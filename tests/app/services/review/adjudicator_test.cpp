@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What administrators do when physicians cannot agree, and before they begin: an adjudicator, and the
-// reference runs of rater calibration.
+// Administrators' tasks when physicians disagree, and before they start: an adjudicator, and the reference
+// runs of rater calibration.
 #include "app/services/review/adjudicator.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ ErrorCode refusalOf(const Action& action) {
   return {};
 }
 
-/// Two physicians far apart about trainee 0, a third one who was not asked, and one of another class.
+/// Two physicians who disagree about trainee 0, a third one not assigned, and one of another class.
 class Disagreement : public ::testing::Test {
  protected:
   ReviewCentre centre_{ReviewCentre::Setup{}};
@@ -75,7 +75,7 @@ class Disagreement : public ::testing::Test {
   }
 };
 
-TEST_F(Disagreement, IsListedOnceForAllWhoAskAndOffersWhoWasNotAskedBefore) {
+TEST_F(Disagreement, IsListedOncePerCaseAndOffersRatersNotAssignedBefore) {
   EXPECT_TRUE(adjudicatorRequests(*centre_.administrator(), cohortId_).empty());
   askForAdjudicator(*centre_.physician(0), centre_.caseAbout(0, 0), "I cannot explain the distance");
   centre_.passTime_us(kLater_us);
@@ -91,11 +91,11 @@ TEST_F(Disagreement, IsListedOnceForAllWhoAskAndOffersWhoWasNotAskedBefore) {
   EXPECT_EQ(requests[0].askedBy, (std::vector<std::string>{"CH-100", "CH-101"}));
   EXPECT_EQ(requests[0].reasons, (std::vector<std::string>{"I cannot explain the distance", "nor can I"}));
   ASSERT_EQ(requests[0].free.size(), 2U);
-  EXPECT_EQ(requests[0].free[0].code, "CH-900");  // of the same class first
+  EXPECT_EQ(requests[0].free[0].code, "CH-900");  // same class first
   EXPECT_EQ(requests[0].free[1].code, "IN-900");
 }
 
-TEST_F(Disagreement, IsTakenToAnAdjudicatorUnderAnotherLabelAndIsThenDone) {
+TEST_F(Disagreement, IsAssignedToAnAdjudicatorUnderAnotherLabelAndIsThenDone) {
   const std::string asked = centre_.caseAbout(0, 0);
   askForAdjudicator(*centre_.physician(0), asked, "I cannot explain the distance");
   centre_.passTime_us(kLater_us);
@@ -116,18 +116,18 @@ TEST_F(Disagreement, IsTakenToAnAdjudicatorUnderAnotherLabelAndIsThenDone) {
   EXPECT_NE(third.caseLabel, before.caseLabel);
   EXPECT_TRUE(adjudicatorRequests(*office, cohortId_).empty());
   EXPECT_EQ(refusalOf([&] { assignAdjudicator(*office, cohortId_, asked, internId_); }), ErrorCode::kBadData);
-  // Until the third has committed nobody sees the others' marks again.
+  // Until the third one has submitted, the others' marks are hidden again.
   EXPECT_TRUE(discrepancyCases(*centre_.physician(0)).empty());
 }
 
-TEST_F(Disagreement, IsNoRequestAnyMoreOnceThePhysicianDecidesOtherwise) {
+TEST_F(Disagreement, IsNoLongerARequestOnceThePhysicianDecidesOtherwise) {
   askForAdjudicator(*centre_.physician(0), centre_.caseAbout(0, 0), "far apart");
   keepMark(*centre_.physician(0), centre_.caseAbout(0, 0), "");
 
   EXPECT_TRUE(adjudicatorRequests(*centre_.administrator(), cohortId_).empty());
 }
 
-TEST_F(Disagreement, IsTheAdministratorsBusinessOnly) {
+TEST_F(Disagreement, IsForTheAdministratorOnly) {
   const auto rater = centre_.physician(0);
   EXPECT_EQ(refusalOf([&] { static_cast<void>(adjudicatorRequests(*rater, cohortId_)); }),
             ErrorCode::kPermission);
@@ -144,7 +144,7 @@ TEST(ReferenceRuns, AreOfferedFromRecordingsThatNobodyScores) {
   EXPECT_TRUE(referenceCandidates(*office).empty());  // every recording is a case
   const std::string assignment = centre.caseAbout(0, 0);
   const TrialId trialId = centre.trialIds()[0];
-  // The same recording once more, as nobody's case.
+  // The same recording again, without a case.
   Trial copy = TrialRepository(centre.connection()).load(trialId);
   const std::string free = "11111111-2222-4333-8444-555555555555";
   copy.header.trialId = free;
@@ -169,7 +169,7 @@ TEST(ReferenceRuns, AreOfferedFromRecordingsThatNobodyScores) {
   EXPECT_EQ(rows[0].panelRaters, 8);
 }
 
-TEST(ReferenceRuns, AreRefusedWhenTheyCannotBeScoredAgainst) {
+TEST(ReferenceRuns, AreRejectedIfTheyCannotBeScored) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto office = centre.administrator();
   const auto add = [&](const std::string& trial, const std::string& rubric, double points,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a rater may see: the de-identification layer, and nothing of the others before all have committed.
+// What raters may see: the de-identification layer, and nothing of the others before all have submitted.
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -106,7 +106,7 @@ TEST(BlindedRecording, IsForAssignedRatersOnlyAndOnlyWhileAssigned) {
             ErrorCode::kPermission);
 }
 
-TEST(BlindedRecording, ItsTroublesNameTheCaseOnly) {
+TEST(BlindedRecording, ItsErrorsNameOnlyTheCase) {
   ReviewCentre centre(ReviewCentre::Setup{});
   try {
     rethrowBlinded(std::make_exception_ptr(Error(ErrorCode::kVerifyFailed, "trial " + centre.trialIds()[0],
@@ -119,7 +119,7 @@ TEST(BlindedRecording, ItsTroublesNameTheCaseOnly) {
   }
 }
 
-TEST(DiscrepancyReview, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
+TEST(DiscrepancyReview, MarksOfOthersAreHiddenUntilAllHaveSubmitted) {
   ReviewCentre::Setup setup;
   setup.raters = 3;
   setup.trainees = 1;
@@ -147,7 +147,7 @@ TEST(DiscrepancyReview, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
   EXPECT_DOUBLE_EQ(*severity.difference_points, -5.5);
 }
 
-TEST(DiscrepancyReview, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
+TEST(DiscrepancyReview, ShowsOnlyDisagreementsAndRemembersDecisions) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto first = centre.physician(0);
   for (std::size_t trainee = 0; trainee < 2; ++trainee) {
@@ -167,14 +167,14 @@ TEST(DiscrepancyReview, ShowsDisagreementsOnlyAndRemembersWhatWasDecided) {
   EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kKeep);
   moveMark(*first, id, reviewSheet(8, 8, 7.5), "missed the second grip");
 
-  EXPECT_TRUE(discrepancyCases(*first).empty());  // nothing lies apart any more
+  EXPECT_TRUE(discrepancyCases(*first).empty());  // no differences left
   setCentreSetting<kDiscrepancy_points>(*centre.administrator(), 0.1);
   EXPECT_FALSE(discrepancyCases(*first).empty());
   EXPECT_EQ(sheetVersions(*first, id).size(), 2U);
   EXPECT_EQ(refusedWith([&] { keepMark(*centre.physician(1), id, ""); }).first, ErrorCode::kPermission);
 }
 
-TEST(CaseRemarks, AreTheRatersOwn) {
+TEST(CaseRemarks, AreVisibleOnlyToTheirRater) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto first = centre.physician(0);
   addCaseRemark(*first, centre.caseAbout(0, 0), {900'000, "second grip slips"});
@@ -188,7 +188,7 @@ TEST(CaseRemarks, AreTheRatersOwn) {
   EXPECT_TRUE(caseRemarks(*centre.physician(1), centre.caseAbout(1, 0)).empty());
 }
 
-TEST(CaseRemarks, AreEditedByTheirAuthorBesideTheOldWords) {
+TEST(CaseRemarks, KeepEarlierVersionsWhenEdited) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto first = centre.physician(0);
   const AssignmentId own = centre.caseAbout(0, 0);
@@ -216,7 +216,7 @@ TEST(CaseRemarks, AreEditedByTheirAuthorBesideTheOldWords) {
             ErrorCode::kBadParameter);
 }
 
-TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
+TEST(RaterCalibration, ShowsThePanelOnlyAfterTheRatersMark) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
@@ -231,7 +231,7 @@ TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
 
   scoreReferenceRun(*desk, 1, 50);
   centre.passTime_us(1);
-  scoreReferenceRun(*desk, 1, 70);  // a second try
+  scoreReferenceRun(*desk, 1, 70);  // a second attempt
   scoreReferenceRun(*desk, 2, 25);
 
   const RaterCalibration after = raterCalibration(*desk);
@@ -245,7 +245,7 @@ TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
   EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 1, 101); }).first, ErrorCode::kBadData);
 }
 
-TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
+TEST(RaterCalibration, OmitsAWithdrawnRunAndKeepsItsScores) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
@@ -263,7 +263,7 @@ TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
   });
 
   const RaterCalibration left = raterCalibration(*desk);
-  ASSERT_EQ(left.runs.size(), 1U);  // the second is the first now
+  ASSERT_EQ(left.runs.size(), 1U);  // the second one is now the first
   EXPECT_FALSE(left.runs[0].own_steps.has_value());
   EXPECT_FALSE(left.complete());
   EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 2, 50); }).first, ErrorCode::kBadData);
@@ -277,7 +277,7 @@ TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
             "the panel met only in part");
 }
 
-TEST(RaterCalibration, TakesAWithdrawnRunNeitherBackNorOutTwice) {
+TEST(RaterCalibration, AWithdrawnRunCannotBeRestoredOrWithdrawnAgain) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto office = centre.administrator();
   const std::string trial = centre.trialIds()[0];
@@ -294,7 +294,7 @@ TEST(RaterCalibration, TakesAWithdrawnRunNeitherBackNorOutTwice) {
   EXPECT_EQ(referenceRows(*office)[0].number, 1U);
 }
 
-TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
+TEST(EvaluationForm, HidesTheModelsAndKeepsTheRatersOrder) {
   ReviewCentre centre(ReviewCentre::Setup{});
   centre.addTwoModels(false, {"FEM,PM", "PM,FEM"});
   const CampaignId campaignId = "campaign";
@@ -311,7 +311,7 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   }
   EXPECT_EQ(refusedWith([&] { submitEvaluation(*desk, campaignId, "M"); }).first, ErrorCode::kBadData);
   saveEvaluationScore(*desk, campaignId, "M", 8, 100);
-  EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on the disk
+  EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on disk
   EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 8, 101); }).first,
             ErrorCode::kBadData);
 
@@ -345,14 +345,14 @@ TEST(EvaluationForm, ShowsRealRecordingsUnderTheirLettersAndNeverTheirModel) {
             ErrorCode::kPermission);
 }
 
-TEST(Blinded, TakesTheModelOutOfTheHeader) {
+TEST(Blinded, RemovesTheModelFromTheHeader) {
   TrialHeader header;
   header.model = TissueModel::kFiniteElements;
 
   EXPECT_EQ(blinded(header, "M"), blinded(TrialHeader{}, "M"));
 }
 
-TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
+TEST(ReviewDesk, EveryChangeIsAuditedAndTheTrailVerifies) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A physician's program is killed in the middle of a sheet: what was typed must be there at the next start.
-// The program that is killed is this one, started again with --score.
+// A physician's program is killed while a sheet is being filled in: typed text must be there at the next
+// start. The killed program is this one, started with --score.
 #include <cstring>
 #include <iostream>
 
@@ -20,7 +20,7 @@ using testing::ReviewCentre;
 constexpr const char* kScore = "--score";
 constexpr int kPatience_ms = 60'000;
 
-/// Types into the comment without end; a line on standard output after each keystroke that was saved.
+/// Types into the comment endlessly; prints a line after each saved keystroke.
 [[noreturn]] void scoreForever(const std::filesystem::path& folder) {
   ReviewCentre centre(folder);
   const auto desk = centre.physician(0);
@@ -36,7 +36,7 @@ constexpr int kPatience_ms = 60'000;
   }
 }
 
-TEST(KilledSheet, LosesNoKeystrokeThatWasSaved) {
+TEST(KilledSheet, LosesNoSavedKeystroke) {
   ReviewCentre centre(ReviewCentre::Setup{});
   QProcess program;
   program.start(QCoreApplication::applicationFilePath(),
@@ -55,7 +55,7 @@ TEST(KilledSheet, LosesNoKeystrokeThatWasSaved) {
   ASSERT_GE(said.count('\n'), 20) << program.readAllStandardError().toStdString();
   EXPECT_EQ(opened.state, SheetState::kDraft);
   EXPECT_EQ(SheetEditor(opened.rubric, opened.sheet).answer("time").score_steps, 70);
-  // Each reported keystroke is there; the one that was being saved may be there too.
+  // Each reported keystroke is there, and possibly the one that was being saved.
   const auto reported = static_cast<std::size_t>(said.count('\n'));
   EXPECT_GE(opened.sheet.comment.size(), reported);
   EXPECT_LE(opened.sheet.comment.size(), reported + 1);

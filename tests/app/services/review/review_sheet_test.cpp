@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets while they are written and after: editor, drafts, guards, sealing, amending; values without a
-// database first.
+// Sheets while they are filled in and afterwards: editor, drafts, checks, sealing, amending; first as values
+// without a database.
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -57,7 +57,7 @@ WatchLog whole(std::int64_t length_us) {
   return log;
 }
 
-TEST(SheetEditor, UndoesToTheFirstMarkAndComesBack) {
+TEST(SheetEditor, UndoesToTheFirstMarkAndRedoesToTheLast) {
   SheetEditor editor(twoRows(), {});
   const Sheet empty = editor.sheet();
   editor.setScore("time", 70);
@@ -83,7 +83,7 @@ TEST(SheetEditor, UndoesToTheFirstMarkAndComesBack) {
   EXPECT_EQ(editor.answer(kOverallRow).score_steps, 65);
 }
 
-TEST(SheetEditor, TypingInOneTextIsOneStepAndNamesItself) {
+TEST(SheetEditor, TypingInOneTextIsOneNamedStep) {
   SheetEditor editor(twoRows(), {});
   editor.setScore("time", 70);
   for (const char* text : {"c", "ca", "cal", "calm"}) {
@@ -99,7 +99,7 @@ TEST(SheetEditor, TypingInOneTextIsOneStepAndNamesItself) {
   EXPECT_EQ(editor.redoable()->kind, SheetChange::Kind::kComment);
 }
 
-TEST(SheetEditor, ANewMarkEndsTheRedo) {
+TEST(SheetEditor, ANewMarkClearsTheRedo) {
   SheetEditor editor(twoRows(), {});
   editor.setScore("time", 70);
   editor.undo();
@@ -109,7 +109,7 @@ TEST(SheetEditor, ANewMarkEndsTheRedo) {
   EXPECT_EQ(editor.answer("time").score_steps, 80);
 }
 
-TEST(SheetEditor, RefusesWhatLiesOutsideTheScale) {
+TEST(SheetEditor, RejectsValuesOutsideTheScale) {
   SheetEditor editor(twoRows(), {});
 
   EXPECT_FALSE(editor.setScore("care", 6));
@@ -117,7 +117,7 @@ TEST(SheetEditor, RefusesWhatLiesOutsideTheScale) {
   EXPECT_FALSE(editor.canUndo());
 }
 
-TEST(Digits, MeanPointsOfTheScale) {
+TEST(Digits, ArePointsOfTheScale) {
   const ScoreScale oneToTen{10, 100, 10};
   const ScoreScale zeroToTen{0, 100, 10};
   const ScoreScale zeroToFive{0, 5, 1};
@@ -125,7 +125,7 @@ TEST(Digits, MeanPointsOfTheScale) {
   EXPECT_EQ(stepsForDigit(oneToTen, 7, {}), 70);
   EXPECT_EQ(stepsForDigit(oneToTen, 0, {}), 100);  // no zero on this scale: ten
   EXPECT_EQ(stepsForDigit(oneToTen, 0, 1), 100);   // "1", "0"
-  EXPECT_EQ(stepsForDigit(oneToTen, 5, 7), 50);    // 75 is none: a new score
+  EXPECT_EQ(stepsForDigit(oneToTen, 5, 7), 50);    // 75 is invalid: a new score
   EXPECT_EQ(stepsForDigit(zeroToTen, 0, {}), 0);
   EXPECT_EQ(stepsForDigit(zeroToTen, 0, 1), 100);
   EXPECT_EQ(stepsForDigit(zeroToFive, 5, {}), 5);
@@ -134,7 +134,7 @@ TEST(Digits, MeanPointsOfTheScale) {
   EXPECT_EQ(arrowSteps(zeroToFive), 1);
 }
 
-TEST(WatchLog, CountsWhatWentByOnceAndSurvivesStorage) {
+TEST(WatchLog, CountsPlayedStretchesOnceAndSurvivesStorage) {
   WatchLog log(10'000'000);
   log.played(0, 2'000'000, 1.0);
   log.played(1'000'000, 3'000'000, 1.0);
@@ -151,7 +151,7 @@ TEST(WatchLog, CountsWhatWentByOnceAndSurvivesStorage) {
   EXPECT_EQ(WatchLog(10'000'000, broken).share(), 0.0);
 }
 
-TEST(RangePyramid, AnswersAsALoopOverAllValues) {
+TEST(RangePyramid, MatchesALoopOverAllValues) {
   Random random(7);
   std::vector<float> values;
   for (int i = 0; i < 5'003; ++i) {
@@ -175,7 +175,7 @@ TEST(RangePyramid, AnswersAsALoopOverAllValues) {
   }
 }
 
-TEST(CaseSheet, ADraftIsThereAfterEachSaveWithNothingElseCalled) {
+TEST(CaseSheet, ADraftIsStoredByEachSaveAlone) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const std::string id = centre.cases(0).front();
@@ -195,7 +195,7 @@ TEST(CaseSheet, ADraftIsThereAfterEachSaveWithNothingElseCalled) {
   EXPECT_EQ(read.answer("accuracy").score_steps, 55);
 }
 
-TEST(CaseSheet, SubmittingSealsTheMarkWithWhatWasWatched) {
+TEST(CaseSheet, SubmittingSealsTheMarkWithTheViewingData) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const std::string id = centre.cases(0).front();
@@ -216,7 +216,7 @@ TEST(CaseSheet, SubmittingSealsTheMarkWithWhatWasWatched) {
   EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
 }
 
-TEST(CaseSheet, AsksForAnswersForWatchingAndForTheNaturalSpeed) {
+TEST(CaseSheet, RequiresAnswersWatchingAndNormalSpeed) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const std::string id = centre.cases(0).front();
@@ -255,7 +255,7 @@ TEST(CaseSheet, NotAssessableNeedsAReasonAndNoWatching) {
   EXPECT_EQ(sealed.sheet.notAssessableReason, "nothing to see");
 }
 
-TEST(CaseSheet, PointsAtAnswersThatLookLikeASlip) {
+TEST(CaseSheet, WarnsOfAnswersThatLookLikeMistakes) {
   RubricRevision rubric = twoRows();
   rubric.rows = {{"a", "A", {10, 100, 10}, {}}, {"b", "B", {10, 100, 10}, {}}, {"c", "C", {10, 100, 10}, {}}};
   Sheet flat;
@@ -266,7 +266,7 @@ TEST(CaseSheet, PointsAtAnswersThatLookLikeASlip) {
 
   EXPECT_TRUE(check.allTheSame);
   EXPECT_TRUE(check.overallOutside);
-  EXPECT_TRUE(check.mayBeSubmitted());  // a second look is advice, not a bar
+  EXPECT_TRUE(check.mayBeSubmitted());  // a warning does not block submission
 }
 
 TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
@@ -288,7 +288,7 @@ TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
   EXPECT_EQ(openSheet(*desk, id).sheet.overall_steps, 70);
 }
 
-TEST(CaseSheet, AfterThePanelsMarksItIsMovedWithAReasonOnlyAndFlagged) {
+TEST(CaseSheet, OnceThePanelsMarksAreVisibleAChangeNeedsAReasonAndIsFlagged) {
   ReviewCentre::Setup setup;
   setup.trainees = 1;
   ReviewCentre centre(setup);
@@ -313,7 +313,7 @@ TEST(CaseSheet, AfterThePanelsMarksItIsMovedWithAReasonOnlyAndFlagged) {
   EXPECT_TRUE(versions[2].afterPanel);
 }
 
-TEST(CaseSheet, BelongsToItsRaterAlone) {
+TEST(CaseSheet, IsOnlyForItsRater) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto own = centre.physician(0);
   const auto other = centre.physician(1);
@@ -330,7 +330,7 @@ TEST(CaseSheet, BelongsToItsRaterAlone) {
   EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
 }
 
-TEST(ReviewQueue, TellsOneDeadlineForAllRecordedCases) {
+TEST(ReviewQueue, ShowsOneDeadlineForAllRecordedCases) {
   ReviewCentre::Setup setup;
   setup.trainees = 4;
   setup.dueByTrainee = true;
@@ -347,11 +347,11 @@ TEST(ReviewQueue, TellsOneDeadlineForAllRecordedCases) {
   };
 
   EXPECT_EQ(deadlines(), (std::set<std::optional<std::int64_t>>{told_us}));
-  // What is left does not say so after a sheet is in.
+  // The remaining cases do not reveal it after a sheet was submitted.
   WatchLog watched = whole(2'000'000);
   submitSheet(*desk, centre.cases(0).front(), reviewSheet(5, 5, 5), watched);
   EXPECT_EQ(deadlines(), (std::set<std::optional<std::int64_t>>{told_us}));
-  // The last day of the first case has gone by: nothing tells which one it was.
+  // The first case's deadline has passed, but nothing shows which case it is.
   centre.passTime_us(2 * testing::kReviewDay_us);
   EXPECT_EQ(reviewQueue(*desk).overdue, 0U);
   const auto office = centre.administrator();
@@ -367,7 +367,7 @@ TEST(ReviewQueue, TellsOneDeadlineForAllRecordedCases) {
   }
 }
 
-TEST(ReviewQueue, CountsEstimatesAndKnowsWhatComesNext) {
+TEST(ReviewQueue, EstimatesTimesAndKnowsTheNextCase) {
   ReviewCentre::Setup setup;
   setup.trainees = 5;
   setup.live = true;
@@ -402,7 +402,7 @@ TEST(ReviewQueue, CountsEstimatesAndKnowsWhatComesNext) {
   EXPECT_EQ(later.waiting, 1U);
   EXPECT_EQ(later.next, ids[4]);  // the draft first
   EXPECT_TRUE(later.fromOwnPace);
-  EXPECT_DOUBLE_EQ(later.minutes, 12.0);  // two cases at the own pace of six minutes
+  EXPECT_DOUBLE_EQ(later.minutes, 12.0);  // two cases at the rater's pace of six minutes
   EXPECT_EQ(later.inTenMinutes, 1U);
   EXPECT_EQ(later.worked_us, 3 * 360'000'000);
   EXPECT_EQ(later.overdue, 7U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a player elsewhere says was watched, and what is believed of it; how long words may be.
+// Viewing reports of a remote player and how much of them is accepted; length limits of texts.
 #include "app/services/review/viewing_report.h"
 
 #include <cmath>
@@ -23,14 +23,14 @@ using testing::reviewSheet;
 
 constexpr std::int64_t kMinuteOfPlay_us = 60'000'000;
 
-TEST(CreditedLog, NoMoreGoesByThanTimeHasPassed) {
+TEST(CreditedLog, AcceptsNoMoreThanTheElapsedTime) {
   const WatchLog all = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 1.0}}, 10'000'000);
 
   EXPECT_NEAR(all.share(), 10.5 / 60.0, 1e-9);
   EXPECT_EQ(all.worked_us(), 10'000'000);
 }
 
-TEST(CreditedLog, ASlowerSpeedShowsLess) {
+TEST(CreditedLog, ASlowerSpeedCoversLess) {
   const WatchLog half = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 0.5}}, 19'500'000);
   const WatchLog twice = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 2.0}}, 19'500'000);
 
@@ -40,7 +40,7 @@ TEST(CreditedLog, ASlowerSpeedShowsLess) {
   EXPECT_EQ(twice.fastest(), 2.0);
 }
 
-TEST(CreditedLog, StretchesShareTheTimeThatPassed) {
+TEST(CreditedLog, StretchesShareTheElapsedTime) {
   const WatchLog log = creditedLog(WatchLog(kMinuteOfPlay_us),
                                    {{0, 6'000'000, 1.0}, {30'000'000, 40'000'000, 1.0}}, 9'500'000);
 
@@ -50,14 +50,14 @@ TEST(CreditedLog, StretchesShareTheTimeThatPassed) {
   EXPECT_EQ(spans[1].second - spans[1].first, 4'000'000);
 }
 
-TEST(CreditedLog, AClockThatGoesBackGivesNothing) {
+TEST(CreditedLog, AClockThatGoesBackAcceptsNothing) {
   const WatchLog log = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, 30'000'000, 1.0}}, -5'000'000);
 
   EXPECT_LE(log.share(), 0.5 / 60.0 + 1e-9);
   EXPECT_EQ(log.worked_us(), 0);
 }
 
-TEST(WatchLog, JoinsWhatTwoDesksKnow) {
+TEST(WatchLog, MergesTheLogsOfTwoDesks) {
   WatchLog here(100'000);
   WatchLog there(100'000);
   here.played(0, 40'000, 1.0);
@@ -72,7 +72,7 @@ TEST(WatchLog, JoinsWhatTwoDesksKnow) {
   EXPECT_EQ(here.worked_us(), 9);
 }
 
-TEST(ReportViewing, IsAddedToTheDraftAndFoundAgain) {
+TEST(ReportViewing, IsAddedToTheDraftAndReadBack) {
   ReviewCentre centre({.trial_s = 2.0});
   const auto physician = centre.physician(0);
   const AssignmentId id = centre.cases(0).front();
@@ -101,7 +101,7 @@ TEST(ReportViewing, TwoDesksLoseNothing) {
   submitSheet(*desk, id, reviewSheet(7, 7, 7), own);
 }
 
-TEST(ReportViewing, RefusesWhatIsNoStretchAndWhatIsNotAllowed) {
+TEST(ReportViewing, RejectsInvalidStretchesAndForbiddenSpeeds) {
   ReviewCentre centre({.trial_s = 2.0, .live = true});
   const auto physician = centre.physician(0);
   const AssignmentId id = centre.cases(0).front();
@@ -138,7 +138,7 @@ TEST(WrittenWords, AreCountedInCharacters) {
   EXPECT_THROW(requireWords("\xED\xA0\x80", 20, ""), Error);
 }
 
-TEST(WrittenWords, AreRefusedByTheServicesToo) {
+TEST(WrittenWords, AreLimitedByTheServicesToo) {
   ReviewCentre centre({.trial_s = 1.0});
   const auto physician = centre.physician(0);
   const AssignmentId id = centre.cases(0).front();

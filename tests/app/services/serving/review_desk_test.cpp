@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The review desk, opened as the window opens it, and asked over the network.
+// The review desk, opened like from the window and queried over the network.
 #include "app/services/serving/review_desk.h"
 
 #include <cstdint>
@@ -34,7 +34,7 @@ std::uint16_t freePort() {
   return probe.serverPort();
 }
 
-/// What came back for a page, and the fingerprint of who sent it; empty: nobody listens.
+/// Reply to a page request with the server's fingerprint; empty: nobody listens.
 struct Heard {
   QByteArray answer;
   std::string fingerprint;
@@ -74,7 +74,7 @@ class ReviewDeskOfAStation : public ::testing::Test {
   std::uint16_t port = freePort();
 };
 
-TEST_F(ReviewDeskOfAStation, OpensToBrowsersAndCloses) {
+TEST_F(ReviewDeskOfAStation, OpensForBrowsersAndCloses) {
   ASSERT_FALSE(openReviewDesk(centre.as("administrator"), place));
 
   startReviewDesk(centre.as("administrator"), place, {.port = port});
@@ -101,7 +101,7 @@ TEST_F(ReviewDeskOfAStation, OpensToBrowsersAndCloses) {
   EXPECT_EQ(centre.audited("setting.change"), 3);
 }
 
-TEST_F(ReviewDeskOfAStation, SaysThatAPortIsTakenAndWhatTheProgramSaid) {
+TEST_F(ReviewDeskOfAStation, ReportsAPortInUseAndTheMessageOfTheProgram) {
   QTcpServer other;
   ASSERT_TRUE(other.listen(QHostAddress::LocalHost, port));
 
@@ -123,7 +123,7 @@ TEST_F(ReviewDeskOfAStation, SaysThatAPortIsTakenAndWhatTheProgramSaid) {
   EXPECT_EQ(centre.audited("setting.change"), 0);
 }
 
-TEST_F(ReviewDeskOfAStation, IsOpenedFromTheWindowForARecordOfThisMachineOnly) {
+TEST_F(ReviewDeskOfAStation, CanBeOpenedOnlyForARecordOnThisMachine) {
   EXPECT_TRUE(mayOpenReviewDesk(centre.as("administrator")));
   SeededIdSource ids(3);
   SessionContext remote(
@@ -135,7 +135,7 @@ TEST_F(ReviewDeskOfAStation, IsOpenedFromTheWindowForARecordOfThisMachineOnly) {
   EXPECT_THROW(startReviewDesk(remote, place, {.port = port}), Error);
 }
 
-TEST(Serve, EndsWithTheProcessThatItBelongsTo) {
+TEST(Serve, EndsWithItsParentProcess) {
   StudyCentre centre;
   QProcess owner;
   owner.start(QStringLiteral("sleep"), {QStringLiteral("600")});

@@ -21,7 +21,7 @@ namespace {
 
 using testing::StudyCentre;
 
-/// Thirty trainees, enrolled in a cohort of three groups.
+/// Thirty trainees enrolled in a cohort of three groups.
 struct AllocationStudy {
   StudyCentre centre;
   CohortId cohortId;
@@ -57,7 +57,7 @@ struct AllocationStudy {
   }
 };
 
-TEST(AllocationService, EveryMethodDividesEvenlyAndCanBeRepeatedFromTheSeed) {
+TEST(AllocationService, EveryMethodAllocatesEvenlyAndCanBeReplayedFromTheSeed) {
   for (const AllocationMethod method :
        {AllocationMethod::kCompletePermutation, AllocationMethod::kPermutedBlocks,
         AllocationMethod::kStratifiedBlocks, AllocationMethod::kMinimisation}) {
@@ -77,10 +77,11 @@ TEST(AllocationService, EveryMethodDividesEvenlyAndCanBeRepeatedFromTheSeed) {
   }
 }
 
-TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
+TEST(AllocationService, OneByOneGivesTheSameAsAllAtOnce) {
   std::vector<std::string> groups[2];
   for (const bool together : {true, false}) {
-    AllocationStudy study(30, 6);  // a design is locked for those who wait, with their sexes and levels
+    AllocationStudy study(30, 6);  // a design is locked for the unallocated people, with their sexes and
+                                   // levels
     AllocationPlan plan = study.plan(AllocationMethod::kStratifiedBlocks);
     plan.seed = 20240601;
     lockAllocation(study.centre.as("allocator"), plan);
@@ -106,7 +107,7 @@ TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
   EXPECT_EQ(groups[0], groups[1]);
 }
 
-TEST(AllocationService, PaperSizedPermutationFollowsThePublishedVector) {
+TEST(AllocationService, PermutationOfThePapersSizeMatchesTheReference) {
   AllocationStudy study;
   AllocationPlan plan = study.plan(AllocationMethod::kCompletePermutation);
   plan.seed = 20240601;
@@ -135,7 +136,7 @@ TEST(AllocationService, SeedStaysSealedUntilItIsRevealed) {
   EXPECT_TRUE(design.stored.seed.empty());
   EXPECT_EQ(design.stored.seedCommitment.size(), 64U);
   EXPECT_TRUE(allocationDesigns(allocator, study.cohortId).at(0).stored.seed.empty());
-  EXPECT_THROW((void)revealSeed(allocator, design.stored.id), Error);  // people still wait
+  EXPECT_THROW((void)revealSeed(allocator, design.stored.id), Error);  // there are unallocated people
   allocateAll(allocator, study.cohortId);
   const std::string seed = revealSeed(allocator, design.stored.id);
 
@@ -143,7 +144,7 @@ TEST(AllocationService, SeedStaysSealedUntilItIsRevealed) {
   EXPECT_EQ(study.centre.audited("allocation.reveal"), 1);
 }
 
-TEST(AllocationService, AReportRepeatsTheDrawOfEveryMethod) {
+TEST(AllocationService, AReportReplaysTheAllocationOfEveryMethod) {
   for (const Term<AllocationMethod>& method : kAllocationMethods) {
     AllocationStudy study(12);
     SessionContext& allocator = study.centre.as("allocator");
@@ -158,7 +159,7 @@ TEST(AllocationService, AReportRepeatsTheDrawOfEveryMethod) {
   }
 }
 
-TEST(AllocationService, PreviewTellsTheBalanceWithoutTheRealSeed) {
+TEST(AllocationService, PreviewShowsTheBalanceWithoutTheRealSeed) {
   AllocationStudy study;
   SessionContext& allocator = study.centre.as("allocator");
   const auto before = study.centre.rowCounts();
@@ -175,7 +176,7 @@ TEST(AllocationService, PreviewTellsTheBalanceWithoutTheRealSeed) {
   }
 }
 
-TEST(AllocationService, NamesThoseWhoseFactorsAreMissing) {
+TEST(AllocationService, NamesPeopleWithMissingFactors) {
   AllocationStudy study(3);
   const PersonId extra =
       addPerson(study.centre.as("administrator"), {.fullName = "No Sex", .externalId = "X"});
@@ -190,7 +191,7 @@ TEST(AllocationService, NamesThoseWhoseFactorsAreMissing) {
   EXPECT_EQ(study.groupSizes(), (std::map<std::string, std::size_t>{{"", 4}}));
 }
 
-TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
+TEST(AllocationService, AnOverrideIsARecordNextToTheDrawnOne) {
   AllocationStudy study(6);
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
@@ -218,7 +219,7 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
   }
 }
 
-TEST(AllocationService, CheckFindsAGroupThatWasChangedBehindItsBack) {
+TEST(AllocationService, CheckDetectsAManipulatedGroup) {
   AllocationStudy study(6);
   SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
@@ -231,7 +232,7 @@ TEST(AllocationService, CheckFindsAGroupThatWasChangedBehindItsBack) {
   EXPECT_FALSE(checkAllocation(allocator, design.stored.id).sound);
 }
 
-TEST(AllocationService, RepeatsTheAllocationOfTheDemonstrationToo) {
+TEST(AllocationService, ReplaysTheAllocationOfTheDemonstrationToo) {
   StudyCentre centre;
   const DemonstrationStudy study =
       storeDemonstrationPeople(centre.connection(), centre.session().ids(), 1, testing::kStudyTime_us);
@@ -244,7 +245,7 @@ TEST(AllocationService, RepeatsTheAllocationOfTheDemonstrationToo) {
   EXPECT_EQ(check.records, 30U);
 }
 
-TEST(AllocationService, ASecondDesignNeedsAReasonAndLeavesGroupsAlone) {
+TEST(AllocationService, ASecondDesignNeedsAReasonAndKeepsExistingGroups) {
   AllocationStudy study(6);
   SessionContext& allocator = study.centre.as("allocator");
   lockAllocation(allocator, study.plan(AllocationMethod::kCompletePermutation));

@@ -22,7 +22,7 @@ std::vector<OrderedCase> paperCases() {
   return cases;
 }
 
-TEST(CaseOrder, IsAPermutationOfItsOwnForEachRater) {
+TEST(CaseOrder, IsADifferentPermutationForEachRater) {
   const std::vector<OrderedCase> cases = paperCases();
 
   std::vector<std::size_t> first = counterbalancedOrder(cases, 5, 0);
@@ -37,12 +37,12 @@ TEST(CaseOrder, IsAPermutationOfItsOwnForEachRater) {
   }
 }
 
-TEST(CaseOrder, SpreadsStagesAndGroupsEvenlyOverTheSitting) {
+TEST(CaseOrder, SpreadsStagesAndGroupsEvenlyOverTheSession) {
   const std::vector<OrderedCase> cases = paperCases();
 
   const std::vector<std::size_t> order = counterbalancedOrder(cases, 5, 3);
 
-  // Nine strata of ten: every nine cases in a row, counted from the start, hold each stratum once.
+  // Nine strata of ten: each successive nine cases contain each stratum once.
   for (std::size_t round = 0; round < 10; ++round) {
     std::map<std::string, int> seen;
     for (std::size_t i = 0; i < 9; ++i) {
@@ -67,7 +67,7 @@ TEST(CaseOrder, SpreadsSmallStrataToo) {
   EXPECT_EQ(inFirstHalf, 2U);
 }
 
-TEST(CaseLabels, AreUniqueFreeOfTakenOnesAndTellNothingByTheirOrder) {
+TEST(CaseLabels, AreUniqueAndNewAndTheirOrderRevealsNothing) {
   const std::vector<std::string> labels = caseLabels(90, {"7F"}, 11, 1);
 
   const std::set<std::string> unique(labels.begin(), labels.end());

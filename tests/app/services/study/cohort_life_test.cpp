@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A cohort from draft to archive, and what it takes at each stage.
+// A cohort from draft to archive, and what is allowed at each stage.
 #include <array>
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 using testing::StudyCentre;
 
-/// Three of four trainees in a cohort of three groups, one chief to score them.
+/// Three of four trainees in a cohort of three groups, with one chief to score them.
 struct Life {
   StudyCentre centre;
   std::vector<TraineeId> trainees = centre.addTrainees(4);
@@ -69,7 +69,7 @@ TEST(CohortLife, RunsOnceSomebodyHasTrainedWithoutAGroup) {
   EXPECT_EQ(life.cohort().state, CohortState::kRunning);
 }
 
-TEST(CohortLife, TakesNothingNewOnceClosed) {
+TEST(CohortLife, AllowsNothingNewOnceClosed) {
   Life life;
   life.allocate();
 
@@ -110,7 +110,7 @@ TEST(CohortLife, IsArchivedOnlyWithoutOpenSheets) {
   EXPECT_THROW(life.ask(), Error);
 }
 
-TEST(CohortShownFirst, IsTheOneOfTodayElseTheStudyThatRuns) {
+TEST(CohortShownFirst, IsTodaysElseTheRunningStudy) {
   Life life;
   const auto shown = [&life] {
     const std::vector<CohortRow> rows = cohorts(life.centre.as("administrator"));
@@ -154,7 +154,7 @@ TEST(CohortShownFirst, IsTheOneOfTodayElseTheStudyThatRuns) {
   EXPECT_EQ(shown(), "Volvulus");
 }
 
-TEST(CohortLife, ItsNameIsItsOwn) {
+TEST(CohortLife, ItsNameIsUnique) {
   Life life;
   SessionContext& session = life.centre.as("administrator");
   addCohort(session, {.name = "Spring", .groups = {{"G1", "one"}}});

@@ -52,7 +52,7 @@ TEST(CurriculumTemplates, AllCanBePublished) {
   }
 }
 
-TEST(CurriculumTemplates, PaperProtocolIsThatOfTheStudy) {
+TEST(CurriculumTemplates, PaperProtocolMatchesTheStudy) {
   StudyCentre centre;
 
   const CurriculumVersion paper = shipped(centre, "paper-three-arms");
@@ -76,7 +76,7 @@ TEST(CurriculumTemplates, PaperProtocolIsThatOfTheStudy) {
   EXPECT_EQ(paper.plannedOccasions[2].afterExposure_us, 40 * kMinute_us);
 }
 
-TEST(CurriculumContent, ComesBackFromItsTextTheSame) {
+TEST(CurriculumContent, SurvivesARoundTripThroughText) {
   StudyCentre centre;
   for (const CurriculumTemplate& one : curriculumTemplates(centre.assets())) {
     const std::string text = curriculumJson(one.content);
@@ -84,7 +84,7 @@ TEST(CurriculumContent, ComesBackFromItsTextTheSame) {
   }
 }
 
-TEST(CurriculumContent, RefusesMisspeltFieldsWithTheirPlace) {
+TEST(CurriculumContent, RejectsMisspeltFieldsWithTheirPlace) {
   try {
     (void)parseCurriculum(
         R"({"format": "torsio curriculum 1", "modules": [{"code": "A", "target_degree": 5}]})", "draft");
@@ -97,7 +97,7 @@ TEST(CurriculumContent, RefusesMisspeltFieldsWithTheirPlace) {
   EXPECT_THROW((void)parseCurriculum(R"({"format": "torsio curriculum 9"})", "draft"), Error);
 }
 
-TEST(CurriculumContent, NamesEveryProblemWithItsPlaceAndRemedy) {
+TEST(CurriculumContent, ListsEveryProblemWithItsPlaceAndRemedy) {
   StudyCentre centre;
   CurriculumVersion broken = shipped(centre, "first-steps");
   broken.modules[0].sceneId = "liver";
@@ -125,7 +125,7 @@ TEST(CurriculumContent, NamesEveryProblemWithItsPlaceAndRemedy) {
   EXPECT_TRUE(mentions(problems, "occasion \"later\"", "not known"));
 }
 
-TEST(CurriculumContent, RefusesATurnThatTheOrganCannotMake) {
+TEST(CurriculumContent, RejectsATurnThatTheOrganCannotMake) {
   StudyCentre centre;
   CurriculumVersion far = shipped(centre, "first-steps");
   TrainingModule partial = far.modules[0];
@@ -145,7 +145,7 @@ TEST(CurriculumContent, RefusesATurnThatTheOrganCannotMake) {
   EXPECT_TRUE(mentions(problems, "module P2", "300 degrees"));
 }
 
-TEST(CurriculumContent, FindsModulesThatWaitForEachOther) {
+TEST(CurriculumContent, FindsCyclesOfPrerequisites) {
   StudyCentre centre;
   CurriculumVersion circle = shipped(centre, "first-steps");
   circle.modules[0].requires_ = {"A3"};
@@ -155,7 +155,7 @@ TEST(CurriculumContent, FindsModulesThatWaitForEachOther) {
                "A1", "wait for each other"));
 }
 
-TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
+TEST(CurriculumService, ADraftBecomesAVersionThatRunsAndCloses) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   const CurriculumId id = addCurriculum(session, "Twists", "", shipped(centre, "first-steps"));
@@ -194,7 +194,7 @@ TEST(CurriculumService, NobodyOverwritesADraftOfSomebodyElse) {
   EXPECT_EQ(curriculumDraft(session, id).content.arms.size(), 3U);
 }
 
-TEST(CurriculumService, AnEmptyDraftIsKeptButNotPublished) {
+TEST(CurriculumService, AnEmptyDraftIsSavedButNotPublished) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   const CurriculumId id = addCurriculum(session, "Twists", "");
@@ -219,7 +219,7 @@ TEST(RubricService, ShippedRubricHasThePapersCriteriaFromOneToTen) {
   EXPECT_EQ(rubric.revision.rows[2].anchors.size(), 4U);
 }
 
-TEST(RubricService, RevisionsAreKeptAndWrongOnesRefused) {
+TEST(RubricService, RevisionsAreKeptAndInvalidOnesRejected) {
   StudyCentre centre;
   const std::string first = centre.addPaperRubric();
   SessionContext& session = centre.session();

@@ -78,7 +78,7 @@ TEST(DayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   EXPECT_TRUE(board.stations.empty());
 }
 
-TEST(DayBoard, KnowsACohortWithoutACurriculum) {
+TEST(DayBoard, SupportsACohortWithoutACurriculum) {
   SixTrainees study;
   SessionContext& session = study.centre.as("administrator");
   const CohortId bare = addCohort(session, {.name = "Bare", .groups = {{"G1", "one"}}});
@@ -87,7 +87,7 @@ TEST(DayBoard, KnowsACohortWithoutACurriculum) {
   EXPECT_FALSE(dayBoard(session, bare).hasCurriculum);
 }
 
-TEST(DayBoard, ShowsWhoRunsAtWhichStation) {
+TEST(DayBoard, ShowsWhoTrainsAtWhichStation) {
   SixTrainees study;
   study.allocate();
   SessionContext& session = study.centre.as("administrator");
@@ -126,7 +126,7 @@ TEST(DayBoard, ShowsWhoRunsAtWhichStation) {
   EXPECT_EQ(study.centre.audited("trial.export_coded"), 1);
 }
 
-TEST(DayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
+TEST(DayBoard, AlertsOfSilentStationsFirstThenOfWhatIsMissing) {
   SixTrainees study;
   SessionContext& session = study.centre.as("administrator");
   const TrialId trialId = session.ids().newUuid();
@@ -156,7 +156,7 @@ TEST(DayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   EXPECT_EQ(alerts.back().count, board.rows.size());
 }
 
-TEST(DayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
+TEST(DayBoard, ReportsAnUnfitDeviceWhileItsStationAnswers) {
   SixTrainees study;
   SessionContext& session = study.centre.as("administrator");
   const DeviceReadiness unfit{
@@ -177,13 +177,13 @@ TEST(DayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
   EXPECT_EQ(alerts.at(0).kind, DayAlert::Kind::kDeviceUnfit);
   EXPECT_EQ(alerts.at(0).subject, "room 1");
   EXPECT_EQ(alerts.at(0).reason.str(), "700 Hz; below 800 Hz");
-  EXPECT_EQ(alerts.at(0).reason.arguments().size(), 2U);  // to be read in any language
+  EXPECT_EQ(alerts.at(0).reason.arguments().size(), 2U);  // translatable
   EXPECT_EQ(alerts.at(0).sinceUtc_us, testing::kStudyTime_us - 1);
   board.asOfUtc_us += kStationSilence_us + 1;
   EXPECT_EQ(dayAlerts(board).at(0).kind, DayAlert::Kind::kStationSilent);
 }
 
-TEST(DayBoard, TellsOfAMachineThatCutTheForceInItsLastRunToday) {
+TEST(DayBoard, ReportsAMachineThatCutTheForceInItsLastRunToday) {
   DayBoard board;
   board.asOfUtc_us = testing::kStudyTime_us;
   board.stations.push_back({.station = "room 1",
@@ -208,7 +208,7 @@ TEST(DayBoard, TellsOfAMachineThatCutTheForceInItsLastRunToday) {
   EXPECT_TRUE(dayAlerts(board).empty()) << "of another day";
 }
 
-TEST(DayBoard, NotesASwapForBothOrForNobody) {
+TEST(DayBoard, RecordsASwapForBothOrForNobody) {
   SixTrainees study;
   SessionContext& session = study.centre.as("administrator");
   const std::string& first = study.enrolmentIds[0];

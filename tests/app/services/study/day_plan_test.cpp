@@ -51,7 +51,7 @@ class DayPlan : public ::testing::Test {
   std::vector<EnrolmentId> enrolled;
 };
 
-TEST_F(DayPlan, TraineesComeAsManyAtATimeAsThereArePlaces) {
+TEST_F(DayPlan, SchedulesAsManyTraineesAtATimeAsThereArePlaces) {
   const std::vector<DaySlot> slots = planDay(office(), request());
 
   ASSERT_EQ(slots.size(), 5U);
@@ -65,15 +65,15 @@ TEST_F(DayPlan, TraineesComeAsManyAtATimeAsThereArePlaces) {
   EXPECT_EQ(rowOf(1).slot->place, "Room B");
 }
 
-TEST_F(DayPlan, NoPlaceAndNobodyIsTakenTwiceAtATime) {
+TEST_F(DayPlan, NoPlaceOrTraineeIsBookedTwiceAtATime) {
   (void)planDay(office(), request());
   DayPlanRequest other = request();
   other.enrolmentIds = {enrolled[4]};
   other.places = {"Room B"};
-  other.firstUtc_us += 39 * kMinute_us;  // the last minute of the slot before
+  other.firstUtc_us += 39 * kMinute_us;  // the last minute of the previous slot
   EXPECT_THROW((void)planDay(office(), other), Error);
   other.places = {"Room C"};
-  other.firstUtc_us = request().firstUtc_us + 120 * kMinute_us;  // while the fifth has a slot elsewhere
+  other.firstUtc_us = request().firstUtc_us + 120 * kMinute_us;  // while the fifth one has a slot elsewhere
   EXPECT_THROW((void)planDay(office(), other), Error);
   EXPECT_EQ(centre.audited("slot.plan"), 5) << "all or nothing";
   other.firstUtc_us = request().firstUtc_us + 140 * kMinute_us;
@@ -106,7 +106,7 @@ TEST_F(DayPlan, SwappedTurnsSwapTheSlots) {
   EXPECT_EQ(rowOf(0).deviations, 1U);
 }
 
-TEST_F(DayPlan, WhoeverHasNotBegunFiveMinutesAfterTheStartIsOverdue) {
+TEST_F(DayPlan, ATraineeWhoHasNotBegunFiveMinutesAfterTheStartIsOverdue) {
   (void)planDay(office(), request());
   centre.passTime_us(34 * kMinute_us);
   EXPECT_EQ(overdue(), 0) << "four minutes late";
@@ -123,7 +123,7 @@ TEST_F(DayPlan, WhoeverHasNotBegunFiveMinutesAfterTheStartIsOverdue) {
   EXPECT_EQ(overdue(), 0) << "whoever withdrew is not awaited";
 }
 
-TEST_F(DayPlan, ASlotIsTakenOutOfThePlan) {
+TEST_F(DayPlan, ASlotCanBeRemovedFromThePlan) {
   const std::vector<DaySlot> slots = planDay(office(), request());
   const std::vector<DaySlotId> gone{slots[1].id, slots[2].id};
 

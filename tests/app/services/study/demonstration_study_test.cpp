@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The demonstration as an office sees it: a cohort that followed the paper's protocol from end to end.
+// The demonstration as seen by an office: a cohort that followed the paper's protocol from start to end.
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -45,7 +45,7 @@ using testing::StudyCentre;
 
 DemonstrationOptions shortest(const StudyCentre& centre) {
   DemonstrationOptions options;
-  options.shortening = 600;  // two seconds a phase
+  options.shortening = 600;  // two seconds per phase
   options.training.assets = centre.assets();
   options.example.assets = centre.assets();
   options.example.id = "stomach";
@@ -69,7 +69,7 @@ void everyTrialNamesItsExerciseAndItsPhase(StudyCentre& centre) {
   std::map<std::string, std::size_t> trials;
   for (const TrialListing& trial : TrialRepository(centre.connection()).list({})) {
     if (!enrolled.contains(trial.enrolmentId)) {
-      continue;  // the instructor's example, and what another cohort undoes
+      continue;  // the instructor's example and the untwistings of another cohort
     }
     EXPECT_EQ(trial.moduleId, version->modules.front().id);
     ++trials[trial.phaseId];
@@ -109,19 +109,20 @@ TEST(DemonstrationDesk, LeavesThePhysicianTenCasesToScore) {
   EXPECT_EQ(labels.size(), queue.lines.size());
 }
 
-TEST(DemonstrationStudy, FollowsTheProtocolThatItsBoardShowsInEveryTrial) {
+TEST(DemonstrationStudy, FollowsTheProtocolShownOnItsBoardInEveryTrial) {
   StudyCentre centre;
   setCentreName(centre.as("administrator"), "Skills laboratory");
   fillDemonstration(shortest(centre), centre.connection());
-  EXPECT_EQ(centreSign(centre.connection()).name, "Skills laboratory");  // a demonstration takes no name away
+  EXPECT_EQ(centreSign(centre.connection()).name, "Skills laboratory");  // a demonstration does not change
+                                                                         // the name
 
   SessionContext& session = centre.as("administrator");
   const std::vector<CohortRow> all = cohorts(session);
-  ASSERT_EQ(all.size(), 2U);  // the study, and a cohort that undoes organs
+  ASSERT_EQ(all.size(), 2U);  // the study, and a cohort with untwistings
   EXPECT_EQ(cohortShownFirst(all), 0U) << "pages open on the study";
   const DayBoard board = dayBoard(session, all.front().cohort.id);
 
-  // Paper section 6: ten a group; 40 min virtual, 20 + 20 min, 40 min on the real arm.
+  // Paper section 6: ten per group; 40 min virtual, 20 + 20 min, 40 min on the real arm.
   ASSERT_EQ(board.rows.size(), 30U);
   std::map<std::string, std::int64_t> virtual_us;
   std::size_t rests = 0;
@@ -140,7 +141,7 @@ TEST(DemonstrationStudy, FollowsTheProtocolThatItsBoardShowsInEveryTrial) {
   everyTrialNamesItsExerciseAndItsPhase(centre);
 }
 
-/// Lets a trainee of the record sign in, and signs in.
+/// Gives a trainee of the record an account and signs in.
 SessionContext& asTrainee(StudyCentre& centre, const std::string& code) {
   AccessRepository access(centre.connection(), PasswordCost::kTest);
   for (const Trainee& trainee : PeopleRepository(centre.connection()).trainees()) {
@@ -159,12 +160,12 @@ SessionContext& asTrainee(StudyCentre& centre, const std::string& code) {
   return centre.session();
 }
 
-TEST(DemonstrationStudy, ReportAndTraineesScreenSayTheSameOfEverybody) {
+TEST(DemonstrationStudy, ReportAndTraineesScreenAgreeForEverybody) {
   StudyCentre centre;
   DemonstrationOptions options = shortest(centre);
-  options.shortening = 60;  // twenty seconds a phase: two twists
+  options.shortening = 60;  // twenty seconds per phase: two twists
   fillDemonstration(options, centre.connection());
-  // Two good twists are enough here, so that levels of every kind appear.
+  // Here two good twists are enough, so that levels of every kind occur.
   const CohortRow study = cohorts(centre.as("administrator")).front();
   const auto version = CurriculumRepository(centre.connection()).version(study.cohort.curriculumVersionId);
   CompetenceRepository(centre.connection())
@@ -188,7 +189,7 @@ TEST(DemonstrationStudy, ReportAndTraineesScreenSayTheSameOfEverybody) {
         return Text(one.module.title) == shown.exercise;
       });
       if (step == steps.modules.end()) {
-        continue;  // the screen shows the cohort that the trainee came into last
+        continue;  // the screen shows the trainee's latest cohort
       }
       const CompetenceVerdict own = trend(centre.session(), person, step->module.id).competence;
       EXPECT_EQ(competenceLevelText(own), shown.level) << shown.trainee;
@@ -203,7 +204,7 @@ TEST(DemonstrationStudy, ReportAndTraineesScreenSayTheSameOfEverybody) {
   EXPECT_GE(compared, 16U);
   EXPECT_GE(levels.size(), 3U);
 
-  // The people of a cohort as experts: the bound over their own mean errors.
+  // The people of a cohort as experts: the bound from their mean errors.
   TrialDigests digests(centre.assets());
   std::map<std::string, std::vector<double>> errors;
   for (const TrialSummaryRow& trial : digests.ofCohort(centre.as("administrator"), study.cohort.id)) {

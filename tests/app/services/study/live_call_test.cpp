@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The office calls one trainee to the real arm; the sheets of all raters follow.
+// The office calls a trainee to the real arm, which opens the sheets of all raters.
 #include "app/services/study/live_call.h"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ using testing::StudyCentre;
 
 constexpr const char* kRoom = "Skills lab";
 
-/// Four trainees by the paper's curriculum, three chiefs asked for live sheets at all three occasions.
+/// Four trainees with the paper's curriculum, three chiefs assigned to live sheets at all three occasions.
 class LiveDay : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -86,7 +86,7 @@ class LiveDay : public ::testing::Test {
     }
     submitSheet(centre.session(), id, sheet, WatchLog());
   }
-  /// A second administrator.
+  /// Signs in a second administrator.
   SessionContext& colleague() {
     if (colleague_.empty()) {
       colleague_ = centre.session().ids().newUuid();
@@ -97,7 +97,7 @@ class LiveDay : public ::testing::Test {
     centre.session().setActor({.userId = colleague_, .login = "colleague", .roles = {"administrator"}});
     return centre.session();
   }
-  /// What stands on the paper of a rater: all rows alike but the overall mark.
+  /// Returns a rater's paper sheet: equal marks except the overall one.
   Sheet paper(const AssignmentId& id, std::int64_t overall) {
     Sheet sheet{.overall_steps = overall};
     for (const RubricLine& row : paperForm(office(), id).rubric.rows) {
@@ -122,7 +122,7 @@ class LiveDay : public ::testing::Test {
   std::vector<EnrolmentId> enrolled;
 };
 
-TEST_F(LiveDay, NoSheetIsOpenBeforeTheCallAndEverybodysIsAfterIt) {
+TEST_F(LiveDay, SheetsOpenForEverybodyWithTheCall) {
   EXPECT_TRUE(linesOf(0).empty());
   EXPECT_EQ(reviewQueue(centre.session()).liveWaiting, 12U);
   const AssignmentId id = sheetOf(0, 1, "pre");
@@ -149,7 +149,7 @@ TEST_F(LiveDay, NoSheetIsOpenBeforeTheCallAndEverybodysIsAfterIt) {
   EXPECT_EQ(centre.audited("call.begin"), 1);
 }
 
-TEST_F(LiveDay, ASheetThatIsNotDueIsNotCalledWithoutAReason) {
+TEST_F(LiveDay, ACallThatIsNotDueNeedsAReason) {
   EXPECT_NE(refusal([&] { callTrainee(office(), request(0, "post")); }).find("has trained 0 of 40 min"),
             std::string::npos);
   train(0, 20);
@@ -171,7 +171,7 @@ TEST_F(LiveDay, ASheetThatIsNotDueIsNotCalledWithoutAReason) {
             std::string::npos);
 }
 
-TEST_F(LiveDay, ARoomHoldsOneTraineeAndATraineeStandsInOneRoom) {
+TEST_F(LiveDay, ARoomHasOneTraineeAndATraineeOneRoom) {
   const LiveCallId first = callTrainee(office(), request(0));
   EXPECT_EQ(callTrainee(office(), request(0)), first) << "called again by another hand";
   EXPECT_NE(
@@ -195,7 +195,7 @@ TEST_F(LiveDay, ARoomHoldsOneTraineeAndATraineeStandsInOneRoom) {
   callTrainee(office(), request(2));
 }
 
-TEST_F(LiveDay, SaysWhoseSheetsAreLateAndForgetsTheCallWhenAllAreIn) {
+TEST_F(LiveDay, ListsLateSheetsAndDropsTheCallWhenAllAreIn) {
   const LiveCallId call = callTrainee(office(), request(3));
   score(0, 3, "pre");
   endCall(office(), cohort, call);
@@ -206,13 +206,13 @@ TEST_F(LiveDay, SaysWhoseSheetsAreLateAndForgetsTheCallWhenAllAreIn) {
   EXPECT_EQ(late[0].asked, 3U);
   EXPECT_EQ(late[0].submitted, 1U);
   EXPECT_EQ(late[0].missing, (std::vector<std::string>{"R-02", "R-03"}));
-  score(1, 3, "pre");  // after the call has ended
+  score(1, 3, "pre");  // after the end of the call
   score(2, 3, "pre");
   EXPECT_TRUE(calledCases(office(), cohort).empty());
   EXPECT_NE(refusal([&] { callTrainee(office(), request(3)); }).find("are in"), std::string::npos);
 }
 
-TEST_F(LiveDay, ACallOfTheWrongPersonIsTakenBackWhileNobodyHasSubmitted) {
+TEST_F(LiveDay, ACallOfTheWrongPersonCanBeCancelledUntilSomebodySubmits) {
   const LiveCallId wrong = callTrainee(office(), request(0));
   const AssignmentId id = sheetOf(1, 0, "pre");
   saveSheet(centre.asRater(chiefs[1]), id, {.overall_steps = 50}, WatchLog());
@@ -232,13 +232,13 @@ TEST_F(LiveDay, ACallOfTheWrongPersonIsTakenBackWhileNobodyHasSubmitted) {
             std::string::npos);
 }
 
-TEST_F(LiveDay, FindsAPersonByTheCodeThatAScannerTypes) {
+TEST_F(LiveDay, FindsAPersonByAScannedCode) {
   EXPECT_EQ(enrolmentWithCode(office(), cohort, " t-03\n"), enrolled[2]);
   EXPECT_THROW((void)enrolmentWithCode(office(), cohort, "T-99"), Error);
   EXPECT_THROW((void)enrolmentWithCode(office(), cohort, ""), Error);
 }
 
-TEST_F(LiveDay, WhatWasCalledStaysAndTheRecordVerifies) {
+TEST_F(LiveDay, CallsAreKeptAndTheTrailVerifies) {
   const LiveCallId call = callTrainee(office(), request(0));
   EXPECT_THROW(centre.connection().execute("UPDATE live_call SET occasion = 'post' WHERE id = ?", {call}),
                DbError);
@@ -247,7 +247,7 @@ TEST_F(LiveDay, WhatWasCalledStaysAndTheRecordVerifies) {
   EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
 }
 
-TEST_F(LiveDay, TrainingBeforeTheSheetsAreInIsStoppedOrNotedWithItsReason) {
+TEST_F(LiveDay, TrainingBeforeTheSheetsAreInIsRefusedOrRecordedWithItsReason) {
   recordConsent(office(), trainees[0], "training_record", true, "1");
   const auto trainee = [&]() -> SessionContext& {
     Actor actor = centre.as("trainee").actor();
@@ -319,7 +319,7 @@ TEST_F(LiveDay, APaperSheetCountsOnceTwoPeopleHaveTypedItAlike) {
   EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
 }
 
-TEST_F(LiveDay, PrintedSheetsAreThoseThatAreDueAndTellNoStage) {
+TEST_F(LiveDay, PrintedSheetsAreTheDueOnesAndDoNotRevealTheStage) {
   train(2, 20);
   const std::vector<PaperSheet> due = paperSheets(office(), cohort, {}, {});
   ASSERT_EQ(due.size(), 12U);  // four trainees, three raters
@@ -336,7 +336,7 @@ TEST_F(LiveDay, PrintedSheetsAreThoseThatAreDueAndTellNoStage) {
   EXPECT_EQ(paperSheets(office(), cohort, enrolled[2], "post").size(), 3U);
 }
 
-TEST_F(LiveDay, RemindersNameWhoOwesWhichCaseAndNobodyWhoWasNotAsked) {
+TEST_F(LiveDay, RemindersNameTheMissingCasesOfAssignedRatersOnly) {
   EXPECT_TRUE(reminders(office(), cohort).empty()) << "nobody was called";
   const LiveCallId call = callTrainee(office(), request(3));
   score(1, 3, "pre");
@@ -354,11 +354,11 @@ TEST_F(LiveDay, RemindersNameWhoOwesWhichCaseAndNobodyWhoWasNotAsked) {
   EXPECT_EQ(owed[0].sheets[0].caseLabel, calledCases(office(), cohort).at(0).caseLabel);
 }
 
-TEST_F(LiveDay, TheBoardCountsTheSheetsOfEveryOccasionThatSomebodyWasCalledTo) {
+TEST_F(LiveDay, TheBoardCountsTheSheetsOfEveryOccasionWithACall) {
   train(0, 20);
   callTrainee(office(), request(0, "mid"));
   score(0, 0, "mid");
-  callTrainee(office(), request(1, "post", "is away on the last day", "room 2"));  // nothing is trained yet
+  callTrainee(office(), request(1, "post", "is away on the last day", "room 2"));  // no training yet
   const LiveCallId wrong = callTrainee(office(), request(2, "post", "is away too", "room 3"));
   cancelCall(office(), cohort, wrong, "somebody else stood there");
 

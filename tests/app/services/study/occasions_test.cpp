@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study of four occasions, from the curriculum through the scoring plan to report and export.
+// A study with four occasions, from the curriculum through the scoring plan to report and export.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -35,7 +35,7 @@ namespace {
 
 using testing::StudyCentre;
 
-/// The paper's protocol with so much more training in every arm and a fourth occasion after it.
+/// Returns the paper's protocol with additional training in every arm and a fourth occasion after it.
 CurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth,
                                       std::int64_t longer_us = 20 * kMinute_us) {
   const auto templates = curriculumTemplates(centre.assets());
@@ -57,7 +57,7 @@ struct StudyOfFour {
   std::string rubric;
   CohortId cohortId;
 
-  /// `longer_us`: training between the third occasion and the fourth; 0: only time passes.
+  /// `longer_us`: training between the third and fourth occasion; 0: only time passes.
   explicit StudyOfFour(const std::string& label = "after another 20 minutes",
                        std::int64_t longer_us = 20 * kMinute_us) {
     const std::vector<TraineeId> trainees = centre.addTrainees(3);
@@ -76,7 +76,7 @@ struct StudyOfFour {
     lockAllocation(centre.as("allocator"), plan);
     allocateAll(centre.as("allocator"), cohortId);
   }
-  /// Asks the chiefs for a sheet of every trainee at every occasion.
+  /// Assigns the chiefs a sheet of every trainee at every occasion.
   ScoringPlanOutcome askAll() {
     return createAssignments(centre.as("administrator"),
                              {.cohortId = cohortId,
@@ -85,7 +85,7 @@ struct StudyOfFour {
                               .rubricRevisionId = rubric,
                               .seed = 3});
   }
-  /// Fills in and submits the sheets of an occasion, or of all: 5, 6, 7 and 8 points at the four occasions.
+  /// Submits the sheets of an occasion, or of all: 5, 6, 7 and 8 points at the four occasions.
   void submitAll(const std::string& occasionCode = {}) {
     SheetRepository sheets(centre.connection());
     const RubricRevision revision = RubricRepository(centre.connection()).revision(rubric).value();
@@ -106,7 +106,7 @@ struct StudyOfFour {
   }
 };
 
-TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
+TEST(Occasions, AFourthOneIsSupportedByPlanReleaseReportAndExport) {
   StudyOfFour study;
   SessionContext& office = study.centre.as("administrator");
 
@@ -140,7 +140,7 @@ TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
   EXPECT_TRUE(exported.contains("after 60 min"));
 }
 
-TEST(Occasions, AFollowUpAfterAsMuchTrainingHasItsOwnPlaceInReportAndExport) {
+TEST(Occasions, AFollowUpAfterTheSameTrainingIsSeparateInReportAndExport) {
   StudyOfFour study("six weeks later", 0);
   study.askAll();
   study.submitAll();
@@ -159,11 +159,11 @@ TEST(Occasions, AFollowUpAfterAsMuchTrainingHasItsOwnPlaceInReportAndExport) {
       return row.occasion == occasion && row.statistic == "score";
     });
   };
-  EXPECT_EQ(scoresAt("after 40 min"), 3);  // one of each trainee
+  EXPECT_EQ(scoresAt("after 40 min"), 3);  // one per trainee
   EXPECT_EQ(scoresAt("after 40 min (six weeks later)"), 3);
 }
 
-TEST(Occasions, AFollowUpIsDueWhenTheOccasionAfterAsMuchTrainingIsDone) {
+TEST(Occasions, AFollowUpIsDueWhenTheOccasionAfterTheSameTrainingIsComplete) {
   StudyOfFour study("six weeks later", 0);
   SessionContext& office = study.centre.as("administrator");
   study.askAll();
@@ -181,20 +181,20 @@ TEST(Occasions, AFollowUpIsDueWhenTheOccasionAfterAsMuchTrainingIsDone) {
   EXPECT_EQ(scored.sheetsMissing, 2U);
 }
 
-TEST(Occasions, OfACurriculumKeepTheirOrderAfterAsMuchTraining) {
+TEST(Occasions, OfACurriculumKeepTheirOrderAfterTheSameTraining) {
   StudyOfFour study("six weeks later", 0);
 
   const auto version =
       CurriculumRepository(study.centre.connection())
           .version(StudyRepository(study.centre.connection()).cohort(study.cohortId).curriculumVersionId);
 
-  // By their codes "occasion-4" would come before "post".
+  // Sorted by code, "occasion-4" would come before "post".
   ASSERT_EQ(version->plannedOccasions.size(), 4U);
   EXPECT_EQ(version->plannedOccasions[2].code, "post");
   EXPECT_EQ(version->plannedOccasions[3].code, study.fourth.code);
 }
 
-TEST(Occasions, OfAnotherStudyAreNotAskedForInThePapersProtocol) {
+TEST(Occasions, OfAnotherStudyAreNotRequiredByThePapersProtocol) {
   StudyCentre centre;
   centre.addTrainees(1);
   const std::string version = centre.runPaperCurriculum();
@@ -208,7 +208,7 @@ TEST(Occasions, OfAnotherStudyAreNotAskedForInThePapersProtocol) {
   EXPECT_EQ(releaseStates(office, cohort).size(), 3U);
 }
 
-TEST(Occasions, NeedANameOfTheirOwnAndAreAudited) {
+TEST(Occasions, NeedAUniqueNameAndAreAudited) {
   StudyCentre centre;
   SessionContext& office = centre.as("administrator");
 
@@ -221,7 +221,7 @@ TEST(Occasions, NeedANameOfTheirOwnAndAreAudited) {
   EXPECT_EQ(addOccasion(office, "a year later").code, "occasion-5");
 }
 
-TEST(Occasions, OfACurriculumMustBeKnownToTheRecord) {
+TEST(Occasions, OfACurriculumMustExistInTheRecord) {
   StudyCentre centre;
   const Occasions known = OccasionRepository(centre.connection()).all();
   const CurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});

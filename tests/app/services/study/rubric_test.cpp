@@ -15,7 +15,7 @@ namespace {
 
 using testing::StudyCentre;
 
-/// Care from 0 to 5 counts twice as much as time from 1 to 10.
+/// Care from 0 to 5 has twice the weight of time from 1 to 10.
 RubricRevision twoRows() {
   RubricRevision rubric{.overall = {10, 100, 10}};
   rubric.rows = {{"time", "Time", {10, 100, 10}, {{10, "slow"}, {100, "brisk"}}, 1000},
@@ -23,7 +23,7 @@ RubricRevision twoRows() {
   return rubric;
 }
 
-TEST(RubricText, IsReadBackAsItWasWritten) {
+TEST(RubricText, SurvivesARoundTrip) {
   RubricRevision rubric = twoRows();
   rubric.rows[0].anchors[0].meaning = "\u6162, \"slow\"";
   rubric.rows.push_back({"hold", "Hold", {-4, 6, 4}, {{-3, "below"}}, 0});
@@ -39,7 +39,7 @@ TEST(RubricText, IsReadBackAsItWasWritten) {
   EXPECT_EQ(read.revision.rows[2].weight_milli, 0);
 }
 
-TEST(RubricText, TheShippedSheetWeighsItsCriteriaAlike) {
+TEST(RubricText, TheShippedSheetHasEqualWeights) {
   StudyCentre centre;
 
   for (const RubricTemplate& shipped : rubricTemplates(centre.assets())) {
@@ -49,7 +49,7 @@ TEST(RubricText, TheShippedSheetWeighsItsCriteriaAlike) {
   }
 }
 
-TEST(Rubric, KeepsItsWeightsInTheRecord) {
+TEST(Rubric, StoresItsWeightsInTheRecord) {
   StudyCentre centre;
   centre.addPaperRubric();
   SessionContext& session = centre.as("administrator");
@@ -64,7 +64,7 @@ TEST(Rubric, KeepsItsWeightsInTheRecord) {
   EXPECT_EQ(after.revisions[1].note, "care counts twice");
 }
 
-TEST(Rubric, RefusesASheetThatNobodyCanFillIn) {
+TEST(Rubric, RejectsASheetThatNobodyCanFillIn) {
   const auto refused = [](const std::function<void(RubricRevision&)>& spoil) {
     RubricRevision rubric = twoRows();
     spoil(rubric);
@@ -84,7 +84,7 @@ TEST(Rubric, RefusesASheetThatNobodyCanFillIn) {
   refused([](RubricRevision& r) { r.rows[0].weight_milli = 100'001; });
 }
 
-TEST(Rubric, MakesACodeOfItsOwnForEachCriterion) {
+TEST(Rubric, CreatesAUniqueCodeForEachCriterion) {
   const RubricRevision rubric = twoRows();
 
   EXPECT_EQ(codeForCriterion(rubric, "Grip, of the organ!"), "grip_of_the_organ");
@@ -95,7 +95,7 @@ TEST(Rubric, MakesACodeOfItsOwnForEachCriterion) {
 TEST(CriteriaMean, WeighsEachCriterionOnItsOwnScale) {
   const RubricRevision rubric = twoRows();
 
-  // Time 5.5 of 1..10 is half way, care 4 of 0..5 is 0.8 of it: (0.5 + 2 * 0.8) / 3 = 0.7; 1 + 9 * 0.7 = 7.3
+  // Time 5.5 of 1..10 is 0.5 of it, care 4 of 0..5 is 0.8: (0.5 + 2 * 0.8) / 3 = 0.7; 1 + 9 * 0.7 = 7.3
   const std::optional<double> mean =
       criteriaMean(rubric, std::vector<SheetRow>{{"time", 55, ""}, {"care", 4, ""}});
 
@@ -103,7 +103,7 @@ TEST(CriteriaMean, WeighsEachCriterionOnItsOwnScale) {
   EXPECT_NEAR(*mean, 7.3, 1e-12);
 }
 
-TEST(CriteriaMean, IsNoneWhereAWeightedCriterionWasNotScored) {
+TEST(CriteriaMean, IsEmptyIfAWeightedCriterionWasNotScored) {
   RubricRevision rubric = twoRows();
   const std::vector<SheetRow> careMissing{{"time", 55, ""}, {"care", std::nullopt, "not seen"}};
 

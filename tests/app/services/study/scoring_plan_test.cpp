@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who scores whom, and evaluations of models, through the services.
+// Scoring plans and evaluations of models, through the services.
 #include "app/services/study/scoring_plan.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace {
 using testing::SixTrainees;
 using testing::StudyCentre;
 
-TEST(ScoringPlan, EveryRaterScoresEveryTraineeAtEveryPointOnce) {
+TEST(ScoringPlan, EveryRaterScoresEveryTraineeAtEveryOccasionOnce) {
   SixTrainees study;
   study.allocate();
   SessionContext& session = study.centre.as("administrator");
@@ -77,7 +77,7 @@ TEST(ScoringPlan, LabelsDoNotFollowStageOrGroup) {
   study.allocate();
   createAssignments(study.centre.as("administrator"), study.plan());
 
-  // Cases of a stage, sorted by label, would stand together if labels followed the stage.
+  // Sorted by label, cases of a stage would be adjacent if labels followed the stage.
   std::vector<std::pair<std::string, std::string>> byLabel;
   for (const Assignment& one : SheetRepository(study.centre.connection()).assignmentsOf(study.chiefs[0])) {
     byLabel.emplace_back(one.caseLabel, one.occasionCode);
@@ -91,7 +91,7 @@ TEST(ScoringPlan, LabelsDoNotFollowStageOrGroup) {
   EXPECT_GT(changes, 6U);  // two if sorted by stage; about twelve of seventeen at random
 }
 
-TEST(ScoringPlan, ReassigningNeedsAReasonAndAnUnaskedRater) {
+TEST(ScoringPlan, ReassigningNeedsAReasonAndARaterNotYetAssigned) {
   SixTrainees study;
   SessionContext& session = study.centre.as("administrator");
   ScoringPlan plan = study.plan();
@@ -135,7 +135,7 @@ TEST(ScoringPlan, MarksAreReleasedWhenAllAreInOrWithAReason) {
   EXPECT_EQ(study.centre.audited("mark.retract"), 1);
 }
 
-/// A recording of free practice, as the station stores it.
+/// Stores a free practice recording like the station.
 void storeRecording(Connection& connection, const char* id, TissueModel model) {
   TrialRepository trials(connection, {.station = "station-1"});
   Trial trial;
@@ -153,7 +153,7 @@ void storeRecording(Connection& connection, const char* id, TissueModel model) {
   trials.finish(trial.summary);
 }
 
-TEST(CampaignService, TakesOneFinishedRecordingOfEachModel) {
+TEST(CampaignService, AcceptsOneFinishedRecordingOfEachModel) {
   StudyCentre centre;
   SessionContext& session = centre.as("administrator");
   storeRecording(centre.connection(), "with-twist", TissueModel::kTwist);
@@ -224,7 +224,7 @@ TEST(CampaignService, OrdersAreCounterbalancedWithinEachClass) {
   EXPECT_EQ(hidden, (std::set<std::string>{"X", "Y", "Z"}));
 }
 
-TEST(CampaignService, RefusesAClassWithAWeightAndNobodyInIt) {
+TEST(CampaignService, RejectsAWeightedClassWithoutRaters) {
   StudyCentre centre;
   CampaignPlan plan;
   plan.name = "Models";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Untwistings that are stored in a record of either engine come back as lines of the report.
+// Untwistings stored in a record of either engine come back as rows of the report.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ namespace {
 const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 constexpr std::int64_t kNow_us = 1'768'000'000'000'000;  // after the simulated date of the demonstration
 
-/// A record with the demonstration, and somebody who computes its results.
+/// A record with the demonstration, and a user who computes its results.
 class UntwistingRows : public DatabaseTest {
  protected:
   void SetUp() override {
@@ -34,7 +34,7 @@ class UntwistingRows : public DatabaseTest {
     }
     connection_ = std::make_unique<Connection>(openWithSchema());
     DemonstrationOptions options;
-    options.shortening = 600;  // two seconds a phase; untwistings take their time
+    options.shortening = 600;  // two seconds per phase; untwistings are not shortened
     options.training.assets = kAssets;
     options.example.assets = kAssets;
     options.example.id = "stomach";
@@ -107,13 +107,13 @@ void UntwistingRows::comeBackFromTheRecordWithTheirMetricsAndOutcomes() {
     done.push_back(trial.detorsion.at("detorse.done"));
     jaw_Pa.push_back(trial.detorsion.at("detorse.peak_jaw"));
   }
-  // By design: the third and the seventh stop a turn too early, the fifth closes the jaw too tightly.
+  // By design: the third and seventh stop one turn early, the fifth closes the jaw too tightly.
   EXPECT_THAT(done, ::testing::ElementsAre(1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0));
   for (std::size_t i = 0; i < jaw_Pa.size(); ++i) {
     EXPECT_EQ(jaw_Pa[i] > 350e3, i == 4) << i;  // 6 N on 15 mm2 are 400 kPa
   }
-  EXPECT_GT(inputs.trials[4].detorsion.at("detorse.overload_time"), 0.3);  // that long makes a bruise
-  EXPECT_EQ(inputs.trials[3].detorsion.at("detorse.overload_time"), 0.0);  // a careful hand leaves none
+  EXPECT_GT(inputs.trials[4].detorsion.at("detorse.overload_time"), 0.3);  // long enough for a bruise
+  EXPECT_EQ(inputs.trials[3].detorsion.at("detorse.overload_time"), 0.0);  // a careful hand has none
 }
 
 void UntwistingRows::areLinesOfTheTableOfUntwistingsAndOfTheCsvFile() {
@@ -124,12 +124,12 @@ void UntwistingRows::areLinesOfTheTableOfUntwistingsAndOfTheCsvFile() {
   const ReportTable* table = tableIn(report, "table-untwistings");
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->rows.size(), 2U);
-  // Group, phase, trials, undone, relapsed is not asked here; five of the loop, two of the stomach.
+  // Group, phase, trials, untwisted; relapses do not matter here; five of the loop, two of the stomach.
   EXPECT_THAT(cellsOf(table->rows[0], 4),
               ::testing::ElementsAre("Group 1", "Small-bowel loop: untwist it", "5", "4 of 5"));
   EXPECT_THAT(cellsOf(table->rows[1], 4),
               ::testing::ElementsAre("Group 1", "Stomach, organo-axial: untwist it", "2", "1 of 2"));
-  EXPECT_EQ(tableIn(report, "table-trials"), nullptr);  // nobody twisted
+  EXPECT_EQ(tableIn(report, "table-trials"), nullptr);  // no twists
   const auto count = [&rows](const std::string& statistic) {
     return std::count_if(rows.begin(), rows.end(),
                          [&](const CohortCsvRow& row) { return row.statistic == statistic; });
@@ -153,8 +153,8 @@ void UntwistingRows::leaveTheStudyOfTheDemonstrationAsItIs() {
   EXPECT_EQ(others, 1U);
 }
 
-// One test: the demonstration takes most of its time.
-TEST_F(UntwistingRows, AreTheSameInRecordTableAndFileAndLeaveTheStudyAlone) {
+// One test, because the demonstration takes most of its time.
+TEST_F(UntwistingRows, AreTheSameInRecordTableAndFileAndDoNotChangeTheStudy) {
   comeBackFromTheRecordWithTheirMetricsAndOutcomes();
   areLinesOfTheTableOfUntwistingsAndOfTheCsvFile();
   leaveTheStudyOfTheDemonstrationAsItIs();

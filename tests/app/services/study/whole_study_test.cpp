@@ -33,7 +33,7 @@ namespace {
 
 using testing::SixTrainees;
 
-TEST(Allocation, CardsAreTakenOutWithATrace) {
+TEST(Allocation, ExportingCardsIsAudited) {
   SixTrainees study;
   EXPECT_THROW((void)takeOutCards(study.centre.as("allocator"), study.cohortId), Error);
   study.allocate();
@@ -46,7 +46,7 @@ TEST(Allocation, CardsAreTakenOutWithATrace) {
   EXPECT_EQ(study.centre.audited("allocation.cards"), 1);
 }
 
-TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
+TEST(CohortService, RejectsTimeInAPhaseOfAnotherArmOrKind) {
   SixTrainees study;
   study.allocate();
   SessionContext& session = study.centre.as("administrator");
@@ -61,7 +61,7 @@ TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
   EXPECT_THROW(recordExposure(session, {study.cohortId, id, "", ExposureKind::kReal, 0, 0}), Error);
 }
 
-TEST(CohortService, TimeThatTheArmDoesNotPlanNeedsAReasonAndIsADeviation) {
+TEST(CohortService, UnplannedTimeNeedsAReasonAndIsADeviation) {
   SixTrainees study;
   study.allocate();
   SessionContext& session = study.centre.as("administrator");
@@ -93,7 +93,7 @@ TEST(CohortService, TimeThatTheArmDoesNotPlanNeedsAReasonAndIsADeviation) {
   EXPECT_TRUE(isPlanned({}, ExposureKind::kReal)) << "no plan forbids nothing";
 }
 
-TEST(CohortService, WhoMayNotSeeTheAllocationSeesNoGroups) {
+TEST(CohortService, UsersWithoutTheRightToAllocationsSeeNoGroups) {
   SixTrainees study;
   study.allocate();
   study.centre.connection().execute(
@@ -105,7 +105,7 @@ TEST(CohortService, WhoMayNotSeeTheAllocationSeesNoGroups) {
   }
 }
 
-TEST(FrozenData, TellsLaterWhatIsDifferent) {
+TEST(FrozenData, ShowsLaterDifferences) {
   SixTrainees study;
   study.allocate();
   SessionContext& session = study.centre.as("administrator");
@@ -127,7 +127,7 @@ TEST(FrozenData, TellsLaterWhatIsDifferent) {
   EXPECT_EQ(study.centre.audited("dataset.freeze"), 1);
 }
 
-TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
+TEST(Audit, AWholeStudyHasAnEntryForEveryChangeAndVerifies) {
   SixTrainees study;
   study.allocate();
   SessionContext& session = study.centre.as("administrator");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Registered competence designs: who may register, whom they count for, what is said without one.
+// Registered competence designs: who may register them, whom they apply to, and the default.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using testing::TrainingCentre;
 
 constexpr double kExpertSkill = 1.0;
 
-/// Signs in somebody who may edit curricula.
+/// Signs in a user who may edit curricula.
 SessionContext& asAdministrator(TrainingCentre& centre) {
   const UserId id = "the administrator";
   AccessRepository access(centre.connection(), PasswordCost::kTest);
@@ -41,13 +41,13 @@ CompetenceDesign stricter(TrainingCentre& centre) {
   return design;
 }
 
-TEST(CompetenceDesigns, CountForThoseWhoBeginAfterTheyWereRegistered) {
+TEST(CompetenceDesigns, ApplyToTraineesWhoStartAfterTheirRegistration) {
   TrainingCentre centre;
-  centre.attempt("first", "practice", kExpertSkill);  // T-01 begins before
+  centre.attempt("first", "practice", kExpertSkill);  // T-01 starts before
   centre.passTime_us(kMinute_us);
   const CompetenceDesign stored = registerCompetence(asAdministrator(centre), stricter(centre));
   EXPECT_EQ(stored.version, 1);
-  EXPECT_EQ(stored.limit, 4.06);  // as an independent program chooses it
+  EXPECT_EQ(stored.limit, 4.06);  // as calculated by an independent program
   EXPECT_DOUBLE_EQ(stored.tolerance_rad, radians(5.0));
   centre.passTime_us(kMinute_us);
 
@@ -61,19 +61,19 @@ TEST(CompetenceDesigns, CountForThoseWhoBeginAfterTheyWereRegistered) {
       << rule;
   centre.become("T-02");
   const CompetenceVerdict shown = trend(centre.session(), centre.person(), centre.module("first")).competence;
-  EXPECT_EQ(shown.design, stored);  // before the first attempt already
+  EXPECT_EQ(shown.design, stored);  // even before the first attempt
   centre.attempt("first", "practice", kExpertSkill);
   const Transcript paper = transcript(centre.session(), centre.person());
   EXPECT_EQ(paper.modules.front().competence.design, stored);
   EXPECT_EQ(paper.modules.front().competence.errors.attempts, 30);
 }
 
-TEST(CompetenceDesigns, AreRefusedToTraineesAndWhereTheyBreakTheirPromise) {
+TEST(CompetenceDesigns, AreRefusedToTraineesAndIfTheyMissTheirErrorRates) {
   TrainingCentre centre;
   EXPECT_THROW((void)registerCompetence(centre.session(), stricter(centre)), Error);
   SessionContext& session = asAdministrator(centre);
   CompetenceDesign weak = stricter(centre);
-  weak.inadequate = 0.2;  // two thirds of the able would fail
+  weak.inadequate = 0.2;  // two thirds of the competent would fail
   EXPECT_THROW((void)registerCompetence(session, weak), Error);
   CompetenceDesign chosen = stricter(centre);
   chosen.source = ToleranceSource::kChosen;

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::int64_t kTenth_us = 100'000;
 
-/// A second a stage, ten samples each: free and twisted, gripped, held by the clip alone, free and undone.
+/// One second per stage, ten samples each: free and twisted, gripped, held by the clip alone, free and
+/// untwisted.
 std::vector<Sample> fourSeconds() {
   std::vector<Sample> samples;
   for (int i = 0; i <= 40; ++i) {
@@ -45,7 +46,7 @@ double spent(const DetorsionStory& story, DetorsionDoing doing) {
   return story.spent_s[static_cast<std::size_t>(doing)];
 }
 
-TEST(DetorsionStory, EverySecondGoesToWhatHeldTheOrgan) {
+TEST(DetorsionStory, EverySecondCountsForWhatHeldTheOrgan) {
   const std::vector<Sample> samples = fourSeconds();
 
   const DetorsionStory story = detorsionStory(samples, tenths(samples.size()), {}, kNoMetrics);
@@ -56,9 +57,9 @@ TEST(DetorsionStory, EverySecondGoesToWhatHeldTheOrgan) {
   EXPECT_NEAR(spent(story, DetorsionDoing::kWaiting), 1.0, 1e-9);
 }
 
-TEST(DetorsionStory, ACheckTakesItsTimeFromWhatElseWasDone) {
+TEST(DetorsionStory, ACheckIsCountedInsteadOfOtherActivities) {
   std::vector<Sample> samples = fourSeconds();
-  samples[0].command = {.kind = ServoCommand::Kind::kCheckFlow, .value = 1.0};  // a look: 1 s
+  samples[0].command = {.kind = ServoCommand::Kind::kCheckFlow, .value = 1.0};  // a visual check: 1 s
 
   const DetorsionStory story = detorsionStory(samples, tenths(samples.size()), {}, kNoMetrics);
 
@@ -66,7 +67,7 @@ TEST(DetorsionStory, ACheckTakesItsTimeFromWhatElseWasDone) {
   EXPECT_NEAR(spent(story, DetorsionDoing::kSearching), 0.0, 1e-9);
 }
 
-TEST(DetorsionStory, NamesGripsAndClipsInTheirOrder) {
+TEST(DetorsionStory, ListsGripsAndClipsInOrder) {
   const std::vector<Sample> samples = fourSeconds();
 
   const DetorsionStory story = detorsionStory(samples, tenths(samples.size()), {}, kNoMetrics);
@@ -79,11 +80,11 @@ TEST(DetorsionStory, NamesGripsAndClipsInTheirOrder) {
   EXPECT_EQ(story.events[3].what, DetorsionMoment::kClipOff);
 }
 
-TEST(DetorsionStory, MarksTheClipThatTheSecondButtonSetsAtTheOrgan) {
+TEST(DetorsionStory, MarksTheClipSetWithTheSecondButtonAtTheOrgan) {
   std::vector<Sample> samples = fourSeconds();
   samples[19].command = {};
   samples[30].command = {};
-  samples[5].device.buttons = kButtonSecond;   // in the air
+  samples[5].device.buttons = kButtonSecond;   // away from the organ
   samples[15].device.buttons = kButtonSecond;  // while the jaw holds
 
   const DetorsionStory story = detorsionStory(samples, tenths(samples.size()), {}, kNoMetrics);
@@ -95,7 +96,7 @@ TEST(DetorsionStory, MarksTheClipThatTheSecondButtonSetsAtTheOrgan) {
   EXPECT_EQ(story.events[2].what, DetorsionMoment::kLetGo);
 }
 
-/// A tube under a jaw of `jawArea_m2`, undone by the scripted expert, and its recording.
+/// A tube under a jaw of `jawArea_m2`, untwisted by the scripted expert, and its recording.
 struct Undone {
   explicit Undone(double jawArea_m2)
       : scene([jawArea_m2] {
@@ -128,19 +129,19 @@ std::vector<double> timesOf(const DetorsionStory& story, DetorsionMoment what) {
   return times_s;
 }
 
-TEST(DetorsionMishaps, AreNoneOfACarefulHand) {
-  const Undone careful(20e-6);  // 180 kPa when held with care
+TEST(DetorsionMishaps, DoNotOccurWithACarefulHand) {
+  const Undone careful(20e-6);  // 180 kPa if held with care
 
   const DetorsionStory story = careful.story();
 
   EXPECT_TRUE(story.mishapsKnown);
   EXPECT_TRUE(std::none_of(story.events.begin(), story.events.end(),
                            [](const DetorsionStory::Event& event) { return isMishap(event.what); }));
-  EXPECT_EQ(timesOf(story, DetorsionMoment::kGrip).size(), 2U);  // 270 degrees, 155 a hand
+  EXPECT_EQ(timesOf(story, DetorsionMoment::kGrip).size(), 2U);  // 270 degrees, 155 per hand turn
 }
 
 TEST(DetorsionMishaps, ABruiseIsMarkedThreeTenthsOfASecondAfterEachHardGrip) {
-  const Undone hard(8e-6);  // at least 6 N x 0.6 / 8 mm2 = 450 kPa; the wall bears 330 for 0.3 s
+  const Undone hard(8e-6);  // at least 6 N x 0.6 / 8 mm2 = 450 kPa; the wall tolerates 330 for 0.3 s
 
   const DetorsionStory story = hard.story();
 
@@ -148,14 +149,14 @@ TEST(DetorsionMishaps, ABruiseIsMarkedThreeTenthsOfASecondAfterEachHardGrip) {
   const std::vector<double> bruises_s = timesOf(story, DetorsionMoment::kBruise);
   ASSERT_EQ(bruises_s.size(), grips_s.size());
   for (std::size_t i = 0; i < grips_s.size(); ++i) {
-    EXPECT_NEAR(bruises_s[i] - grips_s[i], 0.3, 0.2) << i;  // while the jaw still closes
+    EXPECT_NEAR(bruises_s[i] - grips_s[i], 0.3, 0.2) << i;  // while the jaw is closing
   }
   EXPECT_TRUE(timesOf(story, DetorsionMoment::kSlip).empty());
   EXPECT_TRUE(std::is_sorted(story.events.begin(), story.events.end(),
                              [](const auto& a, const auto& b) { return a.at_s < b.at_s; }));
 }
 
-TEST(DetorsionMishaps, ATearIsMarkedWhereTheJawPressesTwiceAsHard) {
+TEST(DetorsionMishaps, ATearIsMarkedIfTheJawPressesTwiceAsHard) {
   const Undone crushed(4e-6);  // 900 kPa; the wall tears from 660
 
   const DetorsionStory story = crushed.story();
@@ -172,7 +173,7 @@ TEST(DetorsionMishaps, AnOrganThatNothingHoldsBetweenTwoGripsTurnsBack) {
 
   const DetorsionStory story = unclipped.story();
 
-  // The first grip ends beyond 90 degrees, from which the organ relapses at once.
+  // The first grip ends beyond 90 degrees, from where the organ relapses at once.
   const std::vector<double> letGo_s = timesOf(story, DetorsionMoment::kLetGo);
   const std::vector<double> back_s = timesOf(story, DetorsionMoment::kRelapse);
   ASSERT_FALSE(letGo_s.empty());
@@ -180,7 +181,7 @@ TEST(DetorsionMishaps, AnOrganThatNothingHoldsBetweenTwoGripsTurnsBack) {
   EXPECT_NEAR(back_s.front(), letGo_s.front(), 0.005);
 }
 
-TEST(DetorsionMishaps, AHandThatIsDrawnAwayAlongTheOrganSlipsOff) {
+TEST(DetorsionMishaps, AHandThatIsPulledAlongTheOrganSlipsOff) {
   Undone pulled(20e-6);
   const auto grip = std::find_if(pulled.samples.begin(), pulled.samples.end(), [](const Sample& sample) {
     return sample.phase == ExercisePhase::kTwisting;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No run passes whose tissue bore more than the limit, whatever the device could give of it. Hands by chance,
-// through the whole servo; TORSIO_FORCE_RUNS says how many, TORSIO_FORCE_FROM which is the first (slices of a
-// large number run one after another).
+// No run passes if the force on the tissue exceeded the limit, whatever the device could render. Random hands
+// through the whole servo; TORSIO_FORCE_RUNS sets their number, TORSIO_FORCE_FROM the first one (so that a
+// large number can be split).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,21 +35,21 @@ using testing::hostileRun;
 
 constexpr std::uint64_t kSeed = 20261125;
 constexpr std::size_t kCutRecordings = 8;
-constexpr std::size_t kLongestPiece = 2'500;  // samples: long enough for a twist of a quick hand
+constexpr std::size_t kLongestPiece = 2'500;  // samples: long enough for a quick twist
 constexpr int kPieces = 10'000;
-constexpr int kDefaultRuns = 15;  // three of them on the shipped organs, which take longest
+constexpr int kDefaultRuns = 15;  // three of them on shipped organs, which take longest
 
 int wanted(const char* variable, int least, int usual) {
   const char* value = std::getenv(variable);
   return value != nullptr ? std::max(least, std::atoi(value)) : usual;
 }
 
-/// Whether a hand led the instrument.
+/// Returns whether a hand led the instrument.
 bool led(const Sample& sample) {
   return (sample.device.status & (kDeviceLost | kDeviceUncalibrated | kDeviceEnded)) == 0;
 }
 
-/// What the tissue bore in a sample, told anew here.
+/// Computes the force on the tissue in a sample, independently of the production code.
 double borne_N(const Sample& sample) {
   return led(sample) ? norm(sample.response.force_N) : 0.0;
 }
@@ -78,8 +78,8 @@ Bearing bearingOf(const std::vector<Sample>& samples) {
   return bearing;
 }
 
-/// A limit that is awkward for this run: its peak itself, the number just below it, the largest but one, what
-/// the device could give; or any.
+/// Chooses a limit that is critical for this run: its peak, the number just below, the second largest force,
+/// what the device could render; or a random one.
 double awkwardLimit_N(const Bearing& bearing, Random& random) {
   const std::array limits_N{
       bearing.peak_N, std::nextafter(bearing.peak_N, 0.0), bearing.second_N,
@@ -87,11 +87,11 @@ double awkwardLimit_N(const Bearing& bearing, Random& random) {
   return std::max(0.05, limits_N[random.bounded(limits_N.size())]);
 }
 
-/// Every verdict that is told of a run, and the peak that stands beside it.
+/// All verdicts on a run, and the peak shown with them.
 struct Verdicts {
   Debrief told;
   AttemptMeasures measures;
-  RunVerdict kept{};  ///< of trend, transcript, mastery and statements, from what is kept of the run
+  RunVerdict kept{};  ///< of trend, transcript, mastery and statements, from the stored measures
   [[nodiscard]] bool anyPassed() const { return told.verdict.passed() || kept.passed(); }
 };
 
@@ -103,8 +103,8 @@ Verdicts verdictsOf(const TrialHeader& header, const std::vector<Sample>& sample
   return verdicts;
 }
 
-/// A sample at which a short peak is easily overlooked: at the first or the last contact, right before or
-/// after a release, where two chunks meet, at either end; or any.
+/// Chooses a sample where a short peak is easily missed: at the first or last contact, just before or after a
+/// release, at a chunk boundary, at either end; or a random one.
 std::size_t awkwardPlace(const std::vector<Sample>& samples, Random& random) {
   const std::size_t last = samples.size() - 1;
   std::vector<std::size_t> places{0, last, random.bounded(samples.size())};
@@ -125,13 +125,13 @@ std::size_t awkwardPlace(const std::vector<Sample>& samples, Random& random) {
   return places[random.bounded(places.size())];
 }
 
-/// What came of many runs of one kind of hand or on one kind of organ.
+/// Results of many runs with one kind of hand or one kind of organ.
 struct Tally {
   int runs = 0;
   int passed = 0;
   int failedByForceAlone = 0;
   int unseenByTheDevice = 0;
-  int raised = 0;  ///< passed ones that were tried again with one sample above the limit
+  int raised = 0;  ///< passed runs repeated with one sample above the limit
 };
 std::ostream& operator<<(std::ostream& out, const Tally& tally) {
   return out << tally.runs << " runs, " << tally.passed << " passed, " << tally.failedByForceAlone
@@ -139,7 +139,7 @@ std::ostream& operator<<(std::ostream& out, const Tally& tally) {
              << tally.raised << " tried with one sample raised";
 }
 
-/// Passed it, one sample above the limit must be enough to fail it, and one that just reaches it is not.
+/// Checks that one sample above the limit fails a passed run, and one equal to it does not.
 void raiseOneSample(const TrialHeader& header, std::vector<Sample> samples, const AttemptRules& rules,
                     Random& random, Tally& tally) {
   const std::size_t at = awkwardPlace(samples, random);
@@ -163,7 +163,7 @@ Tally judged(const TrialHeader& header, const std::vector<Sample>& samples, Atte
   const Verdicts verdicts = verdictsOf(header, samples, rules);
 
   EXPECT_FALSE(verdicts.anyPassed() && above);
-  // One peak on the page: of the check, of the curve below it, of what is kept.
+  // The same peak everywhere on the page: check, curve below it, and stored measures.
   const TargetCheck& force = verdicts.told.verdict.checks.back();
   EXPECT_EQ(force.quantity, Quantity::kPeakForce);
   if (force.value) {
@@ -226,15 +226,14 @@ TEST(ForceLimit, NoRunPassesWithASampleOfTissueForceAboveIt) {
     }
     std::cout << "all: " << all << '\n';
   }
-  // The property says something: runs pass, and runs fail by what the device could not give.
+  // The property is not vacuous: some runs pass, and some fail by force that the device could not render.
   EXPECT_GT(all.passed, 0);
   EXPECT_GT(all.failedByForceAlone, 0);
   EXPECT_GT(all.unseenByTheDevice, 0);
   EXPECT_GT(all.raised, 0);
 }
 
-/// A run by chance that no hand led: a piece of a recording, with moments in which the tissue bears more or
-/// the device is away.
+/// A random piece of a recording, with moments of higher force on the tissue or a lost device.
 std::vector<Sample> pieceOf(const std::vector<Sample>& whole, Random& random) {
   const std::size_t length = std::min(whole.size(), 500 + random.bounded(kLongestPiece));
   const std::size_t first = random.bounded(whole.size() - length + 1);
@@ -253,7 +252,7 @@ std::vector<Sample> pieceOf(const std::vector<Sample>& whole, Random& random) {
   return piece;
 }
 
-// Ten thousand, since a piece costs no servo: what is judged is judged as a whole run is.
+// Ten thousand, since pieces need no servo; they are judged like whole runs.
 TEST(ForceLimit, NoPieceOfARunPassesWithASampleOfTissueForceAboveIt) {
   std::vector<std::pair<HostileRun, std::vector<Sample>>> recordings;
   for (std::uint64_t stream = 0; recordings.size() < kCutRecordings; ++stream) {
@@ -276,8 +275,8 @@ TEST(ForceLimit, NoPieceOfARunPassesWithASampleOfTissueForceAboveIt) {
   EXPECT_GT(all.unseenByTheDevice, kPieces / 100);
 }
 
-// A limit that the twist itself goes beyond would fail everybody.
-TEST(ForceLimit, AnExpertKeepsToTheLimitsOfEveryShippedExercise) {
+// A limit below the force of the twist itself would fail everybody.
+TEST(ForceLimit, AnExpertMeetsTheLimitsOfEveryShippedExercise) {
   const std::filesystem::path assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   std::map<std::pair<std::string, std::string>, RecordedLoads> known;
   for (const CurriculumTemplate& shipped : curriculumTemplates(assets)) {

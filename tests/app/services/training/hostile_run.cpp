@@ -31,7 +31,7 @@ constexpr double kFarthestJump_m = 0.03;
 constexpr std::uint64_t kShippedEvery = 5;
 constexpr double kLongestUntwisting_s = 60.0;
 
-/// Draws by chance, in the words of this file.
+/// Random choices with the vocabulary of this file.
 class Chance {
  public:
   Chance(std::uint64_t seed, std::uint64_t stream) : random_(Random::forStream(seed, stream)) {}
@@ -49,7 +49,7 @@ class Chance {
   Random random_;
 };
 
-/// Any device made worse: slow to be read, weak, jumping, failing.
+/// Makes any device worse: slow, weak, jumping, failing.
 class WorseDevice final : public HapticDevice {
  public:
   WorseDevice(std::unique_ptr<HapticDevice> inner, std::uint64_t seed, std::uint64_t stream)
@@ -119,11 +119,11 @@ class WorseDevice final : public HapticDevice {
   bool released_ = false;
 };
 
-/// From which side a task comes at its organ.
+/// Direction from which a task approaches its organ.
 struct Approach {
   Vec3 grasp_m;
-  Vec3 outward;  // unit
-  Vec3 axis;     // unit
+  Vec3 outward;  // unit vector
+  Vec3 axis;     // unit vector
 };
 
 Approach approachOf(const HandTask& task) {
@@ -141,7 +141,7 @@ Quat facing(const Approach& from) {
   return rotationFromRows({x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z}).value();
 }
 
-/// The wheel goes on notch by notch, whatever the organ says; then a grip, a turn, and letting go.
+/// The wheel advances notch by notch whatever the organ does; then a grip, a turn, and a release.
 class WheelHand final : public HapticDevice {
  public:
   WheelHand(const Approach& from, double target_rad, Chance& chance)
@@ -182,7 +182,7 @@ class WheelHand final : public HapticDevice {
   double rate_;
 };
 
-/// Goes its own way round the place to be gripped, at every depth.
+/// Wanders around the grasping point at every depth.
 class WanderingHand final : public HapticDevice {
  public:
   WanderingHand(const Approach& from, Chance& chance)
@@ -224,7 +224,7 @@ struct Shipped {
   const char* scene;
   const char* pattern;
 };
-/// The first three, one of each kind, are quick: they are what the usual number of runs comes to.
+/// The first three, one of each kind, are quick: the default number of runs uses only these.
 constexpr std::array kShipped{Shipped{"forearm", "pronation"},
                               Shipped{"small-bowel-loop", "detorse"},
                               Shipped{"stomach", "mesentero-axial"},
@@ -252,7 +252,7 @@ const Scene& shipped(const Shipped& which) {
   return kLoaded.emplace(name, loadScene(request)).first->second;
 }
 
-/// A planned hand on the wrong side of the organ's axis.
+/// Moves a planned hand to the wrong side of the organ's axis.
 HandTask fromBehind(HandTask task) {
   const auto mirrored = [&](const Vec3& point_m) {
     const Vec3 way_m = point_m - task.axisCentre_m;

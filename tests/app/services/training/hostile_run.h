@@ -11,17 +11,17 @@
 
 namespace torsio::testing {
 
-/// What leads the instrument in a run by chance.
+/// What leads the instrument in a random run.
 enum class HostileHand {
-  kCareful,     ///< a planned twist, or an untwisting, that may press too deep
+  kCareful,     ///< a planned twist or untwisting, possibly pressing too deep
   kFromBehind,  ///< the same from the other side of the organ
-  kWheel,       ///< mouse and wheel, pushed on through the organ, gripping wherever that ends
-  kWandering,   ///< round the organ and into it, gripping now and then
+  kWheel,       ///< mouse and wheel, pushed through the organ, gripping wherever that ends
+  kWandering,   ///< around the organ and into it, gripping now and then
 };
 inline constexpr std::array kHostileHands{HostileHand::kCareful, HostileHand::kFromBehind,
                                           HostileHand::kWheel, HostileHand::kWandering};
 
-/// A recorded run and the rules of its exercise, but for the limit of force.
+/// A recorded run and the rules of its exercise except the force limit.
 struct HostileRun {
   HostileHand hand = HostileHand::kCareful;
   std::string scene;
@@ -29,12 +29,12 @@ struct HostileRun {
   AttemptRules rules;
 };
 
-/// Makes run number `stream`, the same on every machine: a hand by chance on the bar of the training centre,
-/// in every fifth run on a shipped organ (twist on sections, rod, untwisting). The device is read at the
-/// rate of one of the adapters (1, 2, 5, 8, 16 ms), gives as little force as chance has it, may be lost or
-/// give nonsense for a moment; single readings are up to 30 mm off, by preference at the first contact, as
-/// the jaw opens and where two chunks of the recording meet. Commands come in between, and the time may end
-/// at any moment.
+/// Creates run number `stream`, the same on every machine: a random hand on the training centre's bar, or in
+/// every fifth run on a shipped organ (twist on sections, rod, untwisting). The device is read at one of the
+/// adapters' rates (1, 2, 5, 8, 16 ms), renders a random share of the force, and may be lost or return
+/// garbage for a moment; single readings are up to 30 mm off, preferably at the first contact, when the jaw
+/// opens and at chunk boundaries of the recording. Commands are interspersed, and the run may end at any
+/// moment.
 [[nodiscard]] HostileRun hostileRun(std::uint64_t seed, std::uint64_t stream);
 
 }  // namespace torsio::testing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Report, debrief, trend, mastery, metrics, transcript and export give the same number for the same run, and
-// it is the number that the recording was made with.
+// Report, debrief, trend, mastery, metrics, transcript and export show the same number for the same run,
+// equal to the one that the recording was generated with.
 #include <cmath>
 #include <map>
 
@@ -32,9 +32,9 @@ using testing::TrainingCentre;
 
 constexpr std::uint64_t kRunSeed = 20251122;
 constexpr int kRecordings = 200;
-constexpr double kTolerance_deg = 5.0;  // of the modules of the centre
+constexpr double kTolerance_deg = 5.0;  // of the centre's modules
 
-/// What a recording was made with.
+/// Values that a recording was generated with.
 struct Truth {
   std::int64_t completed = 0;
   std::int64_t onTarget = 0;
@@ -42,9 +42,9 @@ struct Truth {
   double errorSum_deg = 0.0;
 };
 
-/// A recording by chance: stamps that jitter, now and then do not rise, short and long gaps, targets that
-/// change before and within a twist, touches, twists that are turned back, slip past the target, lose their
-/// device or are cut off by the end.
+/// A random recording: time stamps with jitter, some not increasing, short and long gaps, targets that change
+/// before and during a twist, touches, twists that are turned back, slip past the target, lose their device
+/// or are cut off by the end.
 class RandomRecording {
  public:
   RandomRecording(std::uint64_t stream, double firstTarget_deg)
@@ -86,7 +86,7 @@ class RandomRecording {
     sample.response.angle_rad = radians(angle_deg);
     sample.response.torque_Nm = 0.004 * angle_deg;
     sample.response.force_N = {0.01 * angle_deg, between(0.0, 0.1), 0.0};
-    sample.force_N = 0.5 * sample.response.force_N;  // what the device could give
+    sample.force_N = 0.5 * sample.response.force_N;  // what the device could render
     samples_.push_back(sample);
     next_ = {};
     ++tick_;
@@ -115,7 +115,7 @@ class RandomRecording {
     idle(whole(20, 200));
   }
 
-  /// Errors keep away from the tolerance, where the stored steps of an angle would decide.
+  /// Errors keep a distance from the tolerance, where the quantisation of stored angles would matter.
   double error_deg() {
     return (chance(0.5) ? 1.0 : -1.0) * (chance(0.6) ? between(0.1, 4.5) : between(5.5, 25.0));
   }
@@ -130,10 +130,10 @@ class RandomRecording {
       add(ExercisePhase::kTwisting, top_deg * i / turn);
     }
     if (chance(0.15)) {
-      skip(whole(2, 19));  // short: the metrics bridge it
+      skip(whole(2, 19));  // short: interpolated by the metrics
     }
     if (chance(0.1)) {
-      skip(whole(25, 200));  // long: the metrics of this twist are undefined
+      skip(whole(25, 200));  // long: makes the metrics of this twist undefined
     }
     if (chance(0.15)) {
       next_ = {ServoCommand::Kind::kSetTarget, radians(end_deg - error)};
@@ -181,7 +181,7 @@ class RandomRecording {
   Truth truth_;
 };
 
-/// The centre with 200 recordings of one trainee at one module.
+/// A centre with 200 recordings of one trainee at one module.
 class OneNumber : public ::testing::Test {
  protected:
   OneNumber() : centre_(setup()) {
@@ -227,7 +227,7 @@ class OneNumber : public ::testing::Test {
     truths_[trial.header.trialId] = random.truth();
   }
 
-  /// Whoever computes results.
+  /// Signs in a user who may compute results and reads the report's inputs.
   CohortInputs report() {
     centre_.become("statistician");
     TrialDigests digests{std::filesystem::path()};
@@ -254,8 +254,8 @@ double meanError_deg(const std::vector<TwistResult>& twists) {
   return sum / static_cast<double>(twists.size());
 }
 
-TEST_F(OneNumber, IsTheSameForTheSameRunOnEveryWayThatReadsIt) {
-  // Each way is the first to look at some of the runs: who measures must not matter.
+TEST_F(OneNumber, IsTheSameForTheSameRunWhereverItIsRead) {
+  // Each way is the first to read some of the runs: who measures must not matter.
   for (const auto& [trialId, truth] : truths_) {
     if (trialId.back() == '1') {
       static_cast<void>(debrief(centre_.session(), trialId, "no assets here"));
@@ -325,7 +325,7 @@ TEST_F(OneNumber, IsTheSameInTheDebriefAndInItsMasteryCheck) {
 
   for (const TrialSummaryRow& row : reported.trials) {
     if (row.trialId.text().back() != '3' && row.trialId.text().back() != '7') {
-      continue;  // a debrief takes its time
+      continue;  // a debrief is slow
     }
     const Debrief told = debrief(centre_.session(), row.trialId, "no assets here");
     const auto passed =
@@ -371,7 +371,7 @@ TEST_F(OneNumber, IsTheSameInTheExportedTable) {
   }
 }
 
-TEST_F(OneNumber, AnOlderVersionOfTheFormulasIsMeasuredAnew) {
+TEST_F(OneNumber, RunsMeasuredByOlderFormulasAreMeasuredAgain) {
   const TrialId trialId = truths_.begin()->first;
   const std::string hash = TrialRepository(centre_.connection()).load(trialId).summary.contentHash;
   TrialDigest older;

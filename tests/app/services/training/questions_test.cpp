@@ -65,7 +65,7 @@ class QuestionsTest : public ::testing::Test {
   }
 };
 
-TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerComesBackAtTheMoment) {
+TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerAppearsAtTheMoment) {
   PeopleRepository(centre_.connection()).setIdentity({.personId = chief_, .fullName = "Dr. Li Na"});
   PeopleRepository(centre_.connection()).setIdentity({.personId = centre_.person(), .fullName = "Chen Wei"});
   const QuestionDesk before = questionDesk(desk(), trial_);
@@ -109,7 +109,7 @@ TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerComesBackAtTheMoment) {
   EXPECT_EQ(remarks[0].remarks[0].replies[0].text, "No, but let go later.");
 }
 
-TEST_F(QuestionsTest, AnAnswerCanBeEditedByWhoGaveIt) {
+TEST_F(QuestionsTest, AnAnswerCanBeEditedByItsAuthor) {
   const RemarkId id = askPhysician(desk(), trial_, 3.5, chief_, "too fast?");
   centre_.become("chief");
   EXPECT_EQ(refusedWith([&] { editAnswer(desk(), id, "yes"); }), ErrorCode::kBadParameter);
@@ -132,7 +132,7 @@ TEST_F(QuestionsTest, AnAnswerCanBeEditedByWhoGaveIt) {
   EXPECT_FALSE(thread.replies[0].read);
 }
 
-TEST_F(QuestionsTest, NeedWordsAndAreBookmarksToo) {
+TEST_F(QuestionsTest, NeedATextAndAreBookmarksToo) {
   for (const char* nothing : {"", "  "}) {
     EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, 2.0, chief_, nothing); }),
               ErrorCode::kBadParameter);
@@ -147,7 +147,7 @@ TEST_F(QuestionsTest, NeedWordsAndAreBookmarksToo) {
   EXPECT_TRUE(ownRemarks(desk()).empty());  // nothing to read before the answer
 }
 
-TEST_F(QuestionsTest, AreRefusedForARunThatIsJudgedWithoutNames) {
+TEST_F(QuestionsTest, AreRefusedForARunThatIsJudgedAnonymously) {
   const std::string graded = centre_.attempt("second", "graded", 1.0);
   EXPECT_FALSE(questionDesk(desk(), graded).mayAsk);
   EXPECT_EQ(refusedWith([&] { askPhysician(desk(), graded, 1.0, chief_, "?"); }), ErrorCode::kPermission);
@@ -158,7 +158,7 @@ TEST_F(QuestionsTest, AreRefusedForARunThatIsJudgedWithoutNames) {
   EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, 1.0, chief_, "?"); }), ErrorCode::kPermission);
 }
 
-TEST_F(QuestionsTest, BelongToTheTraineeAndToTheChiefWhoWasAsked) {
+TEST_F(QuestionsTest, AreVisibleToTheTraineeAndToTheChiefWhoWasAsked) {
   const RemarkId id = askPhysician(desk(), trial_, 2.0, chief_, "mine");
 
   centre_.become("T-02");
@@ -172,7 +172,7 @@ TEST_F(QuestionsTest, BelongToTheTraineeAndToTheChiefWhoWasAsked) {
   EXPECT_EQ(refusedWith([&] { answerQuestion(desk(), "none", "so"); }), ErrorCode::kBadParameter);
 }
 
-TEST_F(QuestionsTest, WantAMomentWithinTheRunAndAPhysicianWhoCanBeAsked) {
+TEST_F(QuestionsTest, NeedAMomentWithinTheRunAndAPhysicianWhoCanBeAsked) {
   for (const double moment : {-1.0, 1e6, std::nan("")}) {
     EXPECT_EQ(refusedWith([&] { askPhysician(desk(), trial_, moment, chief_, "?"); }),
               ErrorCode::kBadParameter);
@@ -181,7 +181,7 @@ TEST_F(QuestionsTest, WantAMomentWithinTheRunAndAPhysicianWhoCanBeAsked) {
             ErrorCode::kBadParameter);
 }
 
-TEST_F(QuestionsTest, LeaveTheirEntriesInTheAuditTrail) {
+TEST_F(QuestionsTest, AreAudited) {
   std::string id;
   testing::expectAudited(centre_.connection(), desk().actor().userId, "question.ask",
                          [&] { id = askPhysician(desk(), trial_, 2.0, chief_, "seen?"); });

@@ -41,7 +41,7 @@ TEST(ExpertRun, IsOneTwistThatReachesTheTargetAndReplaysBitForBit) {
   EXPECT_TRUE(replayTrial(trainingBar(), trial).identical());
 }
 
-TEST(Debrief, TellsBesideTodaysJudgementWhatAnOlderVersionHadSaid) {
+TEST(Debrief, ShowsEarlierMeasuresNextToTheCurrentVerdict) {
   TrainingCentre centre;
   const TrialId trial = centre.attempt("first", "practice", kExpert);
   static_cast<void>(attemptOf(centre.session(), trial));
@@ -49,7 +49,7 @@ TEST(Debrief, TellsBesideTodaysJudgementWhatAnOlderVersionHadSaid) {
   TrialDigest older = digests.ofTrial(trial, kMetricsVersion).at(0);
   const double judged_N = older.measures.at(idOf(Quantity::kPeakForce));
   older.formulaVersion = kMetricsVersion - 1;
-  older.measures.at(idOf(Quantity::kPeakForce)) = 0.88;  // what the device could give
+  older.measures.at(idOf(Quantity::kPeakForce)) = 0.88;  // what the device could render
   DigestRepository(centre.connection()).add({&older, 1});
 
   const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
@@ -66,7 +66,7 @@ TEST(Debrief, TellsBesideTodaysJudgementWhatAnOlderVersionHadSaid) {
   EXPECT_GT(judged_N, 0.88);
 }
 
-TEST(Debrief, TellsWhatWasReachedAndWhereToLook) {
+TEST(Debrief, ShowsWhatWasReachedAndWhereToLook) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", kBeginner, 30.0);
 
@@ -87,15 +87,15 @@ TEST(Debrief, TellsWhatWasReachedAndWhereToLook) {
       EXPECT_LT(finding.when.from_s, finding.when.to_s) << idOf(finding.quantity);
     }
   }
-  EXPECT_EQ(metrics.size(), 4U);  // nothing is praised and blamed at once
+  EXPECT_EQ(metrics.size(), 4U);  // no metric is both a strength and a weakness
   EXPECT_GE(told.strengths[0].merit, told.weaknesses[0].merit);
   EXPECT_LT(told.weaknesses[0].merit, 0.0);  // a beginner is worse than the expert in something
 }
 
-TEST(Debrief, SaysWhetherTheForceWasFelt) {
+TEST(Debrief, StatesWhetherTheForceWasFelt) {
   const Trial led = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
   TrialHeader turned = led.header;
-  turned.drive = TwistDrive::kRoll;  // mouse, game controller, puck: they turn on the spot and give no force
+  turned.drive = TwistDrive::kRoll;  // mouse, game controller, puck: they turn on the spot without force
   const std::vector<Sample> samples = decodeTrial(led);
 
   EXPECT_TRUE(makeDebrief(led.header, samples, {}, nullptr).forceFelt);
@@ -115,7 +115,7 @@ TEST(Debrief, ShowsTheExpertsCurveAtEachGrip) {
   EXPECT_NEAR(top, told.target_rad, told.tolerance_rad);
 }
 
-TEST(Debrief, PassesAnExpertAndFailsWhoDidNothing) {
+TEST(Debrief, PassesAnExpertAndFailsATraineeWhoDidNothing) {
   TrainingCentre centre;
   const std::string good = centre.attempt("first", "practice", kExpert);
   const std::string idle = centre.attempt("first", "practice", kExpert, 0.5);
@@ -134,7 +134,7 @@ TEST(Debrief, PassesAnExpertAndFailsWhoDidNothing) {
   EXPECT_FALSE(failed.verdict.checks.front().passed);
 }
 
-TEST(Debrief, ATwistThatTheEndOfTheRunCutsOffIsNotJudged) {
+TEST(Debrief, ATwistCutOffByTheEndOfTheRunIsNotJudged) {
   Trial trial = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
   std::vector<Sample> samples = decodeTrial(trial);
   const auto gripped = std::find_if(samples.begin(), samples.end(), [](const Sample& sample) {
@@ -152,7 +152,7 @@ TEST(Debrief, ATwistThatTheEndOfTheRunCutsOffIsNotJudged) {
   EXPECT_EQ(measures.unfinished, 1);
 }
 
-TEST(Debrief, SaysThatTheComputerLostPartOfATwistAndOnlyThen) {
+TEST(Debrief, ReportsLostSamplesOnlyIfTheyBelongToATwist) {
   const Trial trial = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
   const std::vector<Sample> whole = decodeTrial(trial);
   const auto without = [&](double angle) {
@@ -163,7 +163,7 @@ TEST(Debrief, SaysThatTheComputerLostPartOfATwistAndOnlyThen) {
     torn.erase(at, at + 50);
     return torn;
   };
-  std::vector<Sample> before = whole;  // the hand is still on its way
+  std::vector<Sample> before = whole;  // the hand is still approaching
   before.erase(before.begin() + 10, before.begin() + 60);
 
   EXPECT_TRUE(makeDebrief(trial.header, without(0.5), {}, &trial).verdict.torn);
@@ -171,7 +171,7 @@ TEST(Debrief, SaysThatTheComputerLostPartOfATwistAndOnlyThen) {
   EXPECT_FALSE(makeDebrief(trial.header, before, {}, &trial).verdict.torn) << "no twist was touched";
 }
 
-TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
+TEST(Debrief, MasteryCountsTheAttemptsUpToThisOne) {
   TrainingCentre centre;
   const std::string first = centre.attempt("first", "practice", kExpert);
   const std::string second = centre.attempt("first", "practice", kExpert);
@@ -186,8 +186,8 @@ TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
   EXPECT_EQ(streakOf(second).consecutive, 2);
 }
 
-// Twenty peaks are not close to twelve, although nothing else of the run came nearer.
-TEST(Debrief, CallsCloseOnlyWhatIs) {
+// Twenty peaks are not close to twelve, although nothing else in the run was closer.
+TEST(Debrief, CallsOnlyCloseResultsClose) {
   DebriefFinding finding{
       .quantity = Quantity::kSubMovements, .value = 20.0, .expert = 12.0, .merit = -0.45, .strength = true};
   EXPECT_NE(finding.text().str().find("came nearest"), std::string::npos);
@@ -199,7 +199,7 @@ TEST(Debrief, CallsCloseOnlyWhatIs) {
   EXPECT_NE(finding.text().str().find("better than the expert"), std::string::npos);
 }
 
-TEST(Debrief, GoesWithoutAnExpertWhenTheOrganIsGone) {
+TEST(Debrief, HasNoExpertIfTheOrganIsNoLongerAvailable) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", kExpert);
 
@@ -210,14 +210,14 @@ TEST(Debrief, GoesWithoutAnExpertWhenTheOrganIsGone) {
   EXPECT_FALSE(told.twists.empty());
 }
 
-TEST(Debrief, BelongsToTheTrainee) {
+TEST(Debrief, IsOnlyForTheTrainee) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", kExpert);
   centre.become("T-02");
   EXPECT_THROW(static_cast<void>(debrief(centre.session(), trial, {}, &trainingBar())), Error);
 }
 
-TEST(Debrief, KeepsBookmarks) {
+TEST(Debrief, StoresBookmarks) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", kExpert);
   addBookmark(centre.session(), trial, 2.5, "good grip");
@@ -230,7 +230,7 @@ TEST(Debrief, KeepsBookmarks) {
   EXPECT_THROW(addBookmark(centre.session(), trial, -1.0, ""), Error);
 }
 
-TEST(Trend, ShowsEveryAttemptAndTheWayToTheThreshold) {
+TEST(Trend, ShowsEveryAttemptAndTheDistanceToTheThreshold) {
   TrainingCentre centre;
   centre.attempt("first", "practice", kExpert);
   centre.attempt("first", "practice", kExpert, 0.5);
@@ -241,7 +241,7 @@ TEST(Trend, ShowsEveryAttemptAndTheWayToTheThreshold) {
   EXPECT_EQ(way.quantity, Quantity::kOnTarget);
   EXPECT_EQ(way.points[0].outcome, RunOutcome::kPassed);
   EXPECT_EQ(way.points[1].outcome, RunOutcome::kNotPassed);
-  EXPECT_FALSE(way.points[1].value);  // no twist, no share
+  EXPECT_FALSE(way.points[1].value);  // no share without twists
   EXPECT_EQ(way.threshold, 0.5);
   ASSERT_TRUE(way.distance);
   EXPECT_LE(*way.distance, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A station is killed in the middle of a run: what was recorded and trained must be there at the next start.
-// The program that is killed is this one, started again with --train.
+// A station is killed during a run: what was recorded and trained must be there at the next start. The killed
+// program is this one, started with --train.
 #include <cstring>
 #include <iostream>
 
@@ -30,7 +30,7 @@ using testing::TrainingCentre;
 constexpr const char* kTrain = "--train";
 constexpr int kPatience_ms = 60'000;
 
-/// Trains without end, a line on standard output after each second that reached the database.
+/// Trains endlessly; prints a line after each second that reached the database.
 [[noreturn]] void trainForever(const std::filesystem::path& folder) {
   TrainingCentre centre(folder);
   centre.become("T-01");
@@ -74,11 +74,11 @@ std::int64_t logged_us(TrainingCentre& centre) {
   return total_us;
 }
 
-TEST(KilledRun, IsThereAsInterruptedAndItsTimeCounts) {
+TEST(KilledRun, IsRecoveredAsInterruptedAndItsTimeCounts) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
   TrainingCentre centre(setup);
-  trainAndKill(centre, 33);  // one piece of exposure was logged, three seconds were not
+  trainAndKill(centre, 33);  // one piece of training time was logged, three seconds were not
   centre.passTime_us(utcNow_us() - kCentreTime_us + kMinute_us);
 
   const std::vector<RecoveredTrial> found = recoverInterrupted(centre.session());
@@ -92,10 +92,10 @@ TEST(KilledRun, IsThereAsInterruptedAndItsTimeCounts) {
   ASSERT_EQ(steps.interrupted.size(), 1U);
   EXPECT_EQ(steps.interrupted[0].trialId, found[0].trialId);
   EXPECT_EQ(steps.plan.phases[0].done_us, logged_us(centre));
-  EXPECT_EQ(steps.modules[0].attempts, 0);  // not counted, so that nobody loses an attempt to a power cut
+  EXPECT_EQ(steps.modules[0].attempts, 0);  // not counted, so that nobody loses an attempt by a power cut
 }
 
-TEST(KilledRun, IsFoundOnce) {
+TEST(KilledRun, IsFoundOnlyOnce) {
   TrainingCentre centre;
   trainAndKill(centre, 2);
   centre.passTime_us(utcNow_us() - kCentreTime_us + kMinute_us);
@@ -106,7 +106,7 @@ TEST(KilledRun, IsFoundOnce) {
   EXPECT_EQ(logged_us(centre), once_us);
 }
 
-TEST(KilledRun, ARunThatStillGivesSignsOfLifeIsLeftAlone) {
+TEST(KilledRun, ARunWithARecentHeartbeatIsLeftAlone) {
   TrainingCentre centre;
   trainAndKill(centre, 2);
   centre.passTime_us(utcNow_us() - kCentreTime_us + kSecond_us);

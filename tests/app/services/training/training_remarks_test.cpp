@@ -28,7 +28,7 @@ namespace {
 using testing::kCentreTime_us;
 using testing::TrainingCentre;
 
-/// A chief physician was asked to score a trial of T-01, remarked on it and gave 7 of 10, proficiency 6.
+/// A chief physician was assigned a trial of T-01, commented on it and gave 7 of 10, proficiency 6.
 class RemarksTest : public ::testing::Test {
  protected:
   TrainingCentre centre_;
@@ -109,7 +109,7 @@ TEST_F(RemarksTest, CanBeReadAndAnswered) {
   EXPECT_THROW(replyToRemark(centre_.session(), remark_, ""), Error);
 }
 
-TEST_F(RemarksTest, AnEditShowsTheNewestWordsAndKeepsTheOld) {
+TEST_F(RemarksTest, AnEditShowsTheLatestVersionAndKeepsTheOld) {
   release();
   SessionContext& desk = centre_.session();
   const RemarkId reply = replyToRemark(desk, remark_, "I will");
@@ -132,7 +132,7 @@ TEST_F(RemarksTest, AnEditShowsTheNewestWordsAndKeepsTheOld) {
   EXPECT_EQ(ownRemarks(desk)[0].remarks[0].text, "let go more gently");
 }
 
-TEST_F(RemarksTest, WhatWasEditedAfterItWasReadIsUnreadAgain) {
+TEST_F(RemarksTest, ARemarkEditedAfterReadingIsUnreadAgain) {
   release();
   SessionContext& desk = centre_.session();
   markRemarkRead(desk, remark_, 1);
@@ -143,14 +143,14 @@ TEST_F(RemarksTest, WhatWasEditedAfterItWasReadIsUnreadAgain) {
 
   EXPECT_EQ(unreadRemarks(desk), 1U);
   EXPECT_FALSE(ownRemarks(desk)[0].remarks[0].read);
-  markRemarkRead(desk, remark_, 1);  // what stood on the screen before
+  markRemarkRead(desk, remark_, 1);  // the version displayed before
   EXPECT_EQ(unreadRemarks(desk), 1U);
   EXPECT_THROW(markRemarkRead(desk, remark_, 3), Error);
   markRemarkRead(desk, remark_, 2);
   EXPECT_EQ(unreadRemarks(desk), 0U);
 }
 
-TEST_F(RemarksTest, BelongToTheTraineeOnly) {
+TEST_F(RemarksTest, AreVisibleToTheTraineeOnly) {
   release();
   centre_.become("T-02");
   EXPECT_TRUE(ownRemarks(centre_.session()).empty());
@@ -158,12 +158,12 @@ TEST_F(RemarksTest, BelongToTheTraineeOnly) {
   EXPECT_THROW(static_cast<void>(scoreGap(centre_.session(), trial_)), Error);
 }
 
-TEST_F(RemarksTest, OwnMarksComeFirstThenTheGap) {
+TEST_F(RemarksTest, TheTraineesMarksComeBeforeTheComparison) {
   release();
   const ScoreGap before = scoreGap(centre_.session(), trial_);
   EXPECT_FALSE(before.selfScored);
   EXPECT_TRUE(before.released);
-  EXPECT_FALSE(before.overall.panel);  // nothing is told before the trainee has judged
+  EXPECT_FALSE(before.overall.panel);  // nothing is shown before the trainee's own marks
   ASSERT_EQ(before.rows.size(), 1U);
   EXPECT_EQ(before.rows[0].label, "Proficiency");
   EXPECT_DOUBLE_EQ(before.overall.highest, 10.0);
@@ -176,10 +176,10 @@ TEST_F(RemarksTest, OwnMarksComeFirstThenTheGap) {
   EXPECT_EQ(gap.rows[0].own, 9.0);
   EXPECT_EQ(gap.rows[0].panel, 6.0);
   EXPECT_EQ(gap.raters, 1U);
-  EXPECT_THROW(selfScore(centre_.session(), trial_, 7.0, {}), Error);  // they were seen
+  EXPECT_THROW(selfScore(centre_.session(), trial_, 7.0, {}), Error);  // the raters' marks were shown
 }
 
-TEST_F(RemarksTest, OwnMarksMayChangeUntilTheOthersAreShown) {
+TEST_F(RemarksTest, TheTraineesMarksMayChangeUntilTheRatersAreShown) {
   selfScore(centre_.session(), trial_, 8.5, {});
   selfScore(centre_.session(), trial_, 6.0, {{"proficiency", 5.0}});
 
@@ -187,12 +187,12 @@ TEST_F(RemarksTest, OwnMarksMayChangeUntilTheOthersAreShown) {
   EXPECT_EQ(gap.overall.own, 6.0);
   EXPECT_FALSE(gap.overall.panel);
   EXPECT_EQ(RemarkRepository(centre_.connection()).selfScores(trial_).size(), 2U);
-  EXPECT_THROW(selfScore(centre_.session(), trial_, 10.4, {}), Error);  // beyond the scale
+  EXPECT_THROW(selfScore(centre_.session(), trial_, 10.4, {}), Error);  // outside the scale
   EXPECT_THROW(selfScore(centre_.session(), trial_, 7.03, {}), Error);  // between two steps
   EXPECT_THROW(selfScore(centre_.session(), trial_, 7.0, {{"style", 5.0}}), Error);
 }
 
-TEST_F(RemarksTest, EveryChangeAtTheStationLeavesAnEntryAndTheTrailStaysWhole) {
+TEST_F(RemarksTest, EveryChangeAtTheStationIsAuditedAndTheTrailVerifies) {
   SessionContext& desk = centre_.session();
   const auto audited = [&](const char* action, const std::function<void()>& change) {
     testing::expectAudited(centre_.connection(), desk.actor().userId, action, change);
@@ -214,7 +214,7 @@ TEST_F(RemarksTest, EveryChangeAtTheStationLeavesAnEntryAndTheTrailStaysWhole) {
   audited("consent.own", [&] { decideOwnConsent(desk, "training_record", false, "1"); });
 }
 
-TEST(Transcript, HoldsEveryAttemptAndTheTimeSpent) {
+TEST(Transcript, ContainsEveryAttemptAndTheTimeSpent) {
   TrainingCentre centre;
   for (int i = 0; i < 2; ++i) {
     centre.attempt("first", "practice", 1.0);

@@ -30,7 +30,7 @@ class TrainingRunTest : public ::testing::Test {
   TrainingRun run_{paperArm(), clock_};
   std::vector<RunEvent> events_;
 
-  /// Time goes by as it does under a timer of the window.
+  /// Lets time pass like a timer of the window.
   void pass(std::int64_t span_us, std::int64_t step_us = 200'000) {
     for (; span_us > 0; span_us -= step_us) {
       clock_.advance_us(std::min(span_us, step_us));
@@ -57,7 +57,7 @@ class TrainingRunTest : public ::testing::Test {
   }
 };
 
-TEST_F(TrainingRunTest, HandsOverFromTheVirtualToTheRealArmAndStopsHardAtTheEnd) {
+TEST_F(TrainingRunTest, ChangesFromTheVirtualToTheRealArmAndStopsHardAtTheEnd) {
   run_.start();
   pass(20 * kMinute_us);
   EXPECT_EQ(run_.state(), RunState::kHandOver);
@@ -74,7 +74,7 @@ TEST_F(TrainingRunTest, HandsOverFromTheVirtualToTheRealArmAndStopsHardAtTheEnd)
                                         Kind::kPhaseBegan, Kind::kPhaseEnded, Kind::kFinished}));
 }
 
-TEST_F(TrainingRunTest, PhaseBordersAreExactHoweverLateTheTimerComes) {
+TEST_F(TrainingRunTest, PhaseBoundariesAreExactHoweverLateTheTimerIs) {
   run_.start();
   pass(20 * kMinute_us + 3 * kSecond_us, 7 * kSecond_us);
 
@@ -83,7 +83,7 @@ TEST_F(TrainingRunTest, PhaseBordersAreExactHoweverLateTheTimerComes) {
   EXPECT_EQ(run_.handOverLeft_us(), kLongestHandOver_us - 3 * kSecond_us);
 }
 
-TEST_F(TrainingRunTest, WhoIsAtTheRealArmEarlierBeginsEarlier) {
+TEST_F(TrainingRunTest, ATraineeWhoReachesTheRealArmEarlierStartsEarlier) {
   run_.start();
   pass(20 * kMinute_us + 4 * kSecond_us);
   run_.resume();
@@ -92,7 +92,7 @@ TEST_F(TrainingRunTest, WhoIsAtTheRealArmEarlierBeginsEarlier) {
   EXPECT_EQ(run_.remainingInPhase_us(), 20 * kMinute_us);
 }
 
-TEST_F(TrainingRunTest, RestStopsTheClockAndIsLoggedApart) {
+TEST_F(TrainingRunTest, RestStopsTheClockAndIsLoggedSeparately) {
   run_.start();
   pass(5 * kMinute_us);
   ASSERT_TRUE(run_.rest());
@@ -108,7 +108,7 @@ TEST_F(TrainingRunTest, RestStopsTheClockAndIsLoggedApart) {
   EXPECT_EQ(sum(pieces, ExposureKind::kRest), 2 * kMinute_us);
 }
 
-TEST_F(TrainingRunTest, ARestThatMayNotBeSplitIsUsedUpByTheFirst) {
+TEST_F(TrainingRunTest, AnIndivisibleRestIsUsedUpByTheFirst) {
   run_.start();
   pass(kMinute_us);
   ASSERT_TRUE(run_.rest());
@@ -121,7 +121,7 @@ TEST_F(TrainingRunTest, ARestThatMayNotBeSplitIsUsedUpByTheFirst) {
   EXPECT_EQ(run_.restLeft_us(), 0);
 }
 
-TEST_F(TrainingRunTest, ARestThatMayBeSplitLastsAsLongAsTheAllowance) {
+TEST_F(TrainingRunTest, ADivisibleRestLastsAsLongAsTheAllowance) {
   RunPlan plan = paperArm();
   plan.restSplittable = true;
   run_ = TrainingRun(plan, clock_);
@@ -136,7 +136,7 @@ TEST_F(TrainingRunTest, ARestThatMayBeSplitLastsAsLongAsTheAllowance) {
   EXPECT_TRUE(run_.mayRest());
 }
 
-TEST_F(TrainingRunTest, TrainingGoesOnByItselfWhenTheRestIsUsedUp) {
+TEST_F(TrainingRunTest, TrainingContinuesAutomaticallyWhenTheRestIsUsedUp) {
   run_.start();
   ASSERT_TRUE(run_.rest());
   pass(6 * kMinute_us);
@@ -146,7 +146,7 @@ TEST_F(TrainingRunTest, TrainingGoesOnByItselfWhenTheRestIsUsedUp) {
   EXPECT_EQ(kinds(), (std::vector<Kind>{Kind::kPhaseBegan, Kind::kRestBegan, Kind::kRestUsedUp}));
 }
 
-TEST_F(TrainingRunTest, AMachineThatSleptTrainedNobody) {
+TEST_F(TrainingRunTest, TimeOfASleepingMachineDoesNotCount) {
   run_.start();
   pass(kMinute_us);
   clock_.advance_us(45 * kMinute_us);  // the lid was closed
@@ -158,7 +158,7 @@ TEST_F(TrainingRunTest, AMachineThatSleptTrainedNobody) {
   EXPECT_EQ(kinds().back(), Kind::kPaused);
 }
 
-TEST_F(TrainingRunTest, WaitingForTheMachineIsNoTraining) {
+TEST_F(TrainingRunTest, WaitingForTheMachineDoesNotCount) {
   run_.start();
   pass(kMinute_us);
   for (int i = 0; i < 30; ++i) {
@@ -177,7 +177,7 @@ TEST_F(TrainingRunTest, WaitingForTheMachineIsNoTraining) {
   EXPECT_EQ(kinds(), std::vector<Kind>{Kind::kPhaseBegan});
 }
 
-TEST_F(TrainingRunTest, GoesOnWhereAnEarlierRunEnded) {
+TEST_F(TrainingRunTest, ContinuesWhereAnEarlierRunEnded) {
   RunPlan plan = paperArm();
   plan.phases[0].done_us = 20 * kMinute_us;
   plan.phases[1].done_us = 4 * kMinute_us;
@@ -189,7 +189,7 @@ TEST_F(TrainingRunTest, GoesOnWhereAnEarlierRunEnded) {
   EXPECT_EQ(run_.restLeft_us(), 0);
 }
 
-TEST_F(TrainingRunTest, ExposureComesInPiecesAndAddsUp) {
+TEST_F(TrainingRunTest, TrainingTimeComesInPiecesAndAddsUp) {
   run_.start();
   pass(70 * kSecond_us);
   const std::vector<ExposurePiece> complete = run_.takeExposure(false);
@@ -206,7 +206,7 @@ TEST_F(TrainingRunTest, ExposureComesInPiecesAndAddsUp) {
   EXPECT_TRUE(run_.over());
 }
 
-TEST_F(TrainingRunTest, RefusesAPlanWithNothingLeftToDo) {
+TEST_F(TrainingRunTest, RejectsAPlanWithNothingLeftToDo) {
   RunPlan plan = paperArm();
   for (RunPhase& phase : plan.phases) {
     phase.done_us = phase.duration_us;

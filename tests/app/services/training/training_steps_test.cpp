@@ -38,7 +38,7 @@ TrainingCentre::Setup twoPhases() {
   return setup;
 }
 
-TEST(NextSteps, SaysWhatIsOpenWhatIsLockedAndWhy) {
+TEST(NextSteps, StatesWhatIsOpenWhatIsLockedAndWhy) {
   TrainingCentre centre;
 
   const NextSteps steps = nextSteps(centre.session(), centre.person());
@@ -93,7 +93,7 @@ TEST(NextSteps, AttemptsCanBeUsedUp) {
   for (int i = 0; i < 2; ++i) {
     centre.attempt("first", "practice", 1.0);
   }
-  // Too short for a single twist: nothing was reached.
+  // Too short for a single twist: no target reached.
   for (int i = 0; i < 3; ++i) {
     centre.attempt("second", "graded", 1.0, 0.5);
   }
@@ -110,7 +110,7 @@ TEST(NextSteps, AttemptsCanBeUsedUp) {
             ErrorCode::kBadParameter);
 }
 
-TEST(NextSteps, IsForOneselfOnly) {
+TEST(NextSteps, IsForTheActorOnly) {
   TrainingCentre centre;
   const std::string first = centre.person();
   const std::string trial = centre.attempt("first", "practice", 1.0);
@@ -123,7 +123,7 @@ TEST(NextSteps, IsForOneselfOnly) {
             ErrorCode::kPermission);
 }
 
-TEST(NextSteps, ValuesAreMeasuredOnceAndKeptBesideTheTrial) {
+TEST(NextSteps, ValuesAreMeasuredOnceAndStoredWithTheTrial) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", 1.0);
   const Attempt first = attemptOf(centre.session(), trial);
@@ -160,7 +160,7 @@ TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {
             ErrorCode::kDevice);
 }
 
-TEST(RunSession, LocksAreHeldByTheServiceToo) {
+TEST(RunSession, LocksAreEnforcedByTheServiceToo) {
   TrainingCentre centre;
   const ManualClock clock;
   EXPECT_EQ(codeOf([&] {
@@ -173,7 +173,7 @@ TEST(RunSession, LocksAreHeldByTheServiceToo) {
             ErrorCode::kBadParameter);
 }
 
-TEST(RunSession, ATrialSaysWhatItBelongsTo) {
+TEST(RunSession, ATrialHasItsContext) {
   TrainingCentre centre(twoPhases());
   const ManualClock clock;
   RunSession runSession(centre.session(), {centre.module("first"), true, deviceWith(Light::kGreen)}, clock);
@@ -191,7 +191,7 @@ TEST(RunSession, ATrialSaysWhatItBelongsTo) {
   EXPECT_EQ(runSession.trials(), std::vector<TrialId>{recording.trialId});
 }
 
-TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {
+TEST(RunSession, LogsTheTimeOfEveryPhaseAndTheRest) {
   TrainingCentre centre(twoPhases());
   ManualClock clock;
   RunSession runSession(centre.session(), {centre.module("first"), false, deviceWith(Light::kGreen)}, clock);
@@ -225,7 +225,7 @@ TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {
   EXPECT_FALSE(steps.next);
 }
 
-TEST(RunSession, AnEarlyStopKeepsTheDoseAndTellsTheStudy) {
+TEST(RunSession, AnEarlyStopKeepsTheTimeAndIsReportedToTheStudy) {
   TrainingCentre centre(twoPhases());
   ManualClock clock;
   {
@@ -242,19 +242,19 @@ TEST(RunSession, AnEarlyStopKeepsTheDoseAndTellsTheStudy) {
   EXPECT_EQ(deviations[0].kind, "phase cut short");
   EXPECT_EQ(deviations[0].description, "called to the ward");
 
-  // The next run goes on where this one ended.
+  // The next run continues where this one ended.
   RunSession later(centre.session(), {centre.module("first"), false, deviceWith(Light::kGreen)}, clock);
   EXPECT_EQ(later.run().remainingInPhase_us(), 51 * kSecond_us);
 }
 
-TEST(RunSession, MouseAndKeyboardAreForPracticeUnlessTheCentreSaysOtherwise) {
+TEST(RunSession, MouseAndKeyboardAreForPracticeUnlessTheCentreAllowsGrading) {
   TrainingCentre centre;
   EXPECT_EQ(pointerReadiness(gradesWithMouse(centre.session())).light(), Light::kAmber);
   SettingRepository(centre.connection()).set("graded_with_mouse", "yes", 0);
   EXPECT_EQ(pointerReadiness(gradesWithMouse(centre.session())).light(), Light::kGreen);
 }
 
-TEST(RunSession, NoSoundTellsOfALimitUnlessTheCentreWantsIt) {
+TEST(RunSession, NoSoundIsPlayedAtALimitUnlessTheCentreWantsIt) {
   TrainingCentre centre;
   EXPECT_FALSE(soundsAtLimit(centre.session()));
   SettingRepository(centre.connection()).set("sound_at_limit", "yes", 0);

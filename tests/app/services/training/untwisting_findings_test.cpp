@@ -34,7 +34,7 @@ bool isSaid(const DetorsionStory& story, const std::string& words) {
   return toldOf(story).find(words) != std::string::npos;
 }
 
-TEST(UntwistingFindings, SayInSentencesWhatTheMeasuresComeTo) {
+TEST(UntwistingFindings, DescribeTheMeasuresInSentences) {
   const DetorsionStory story = storyWith({{Quantity::kFirstDirection, 0.0}, {Quantity::kDose, 1.2}});
 
   EXPECT_EQ(toldOf(story),
@@ -43,7 +43,7 @@ TEST(UntwistingFindings, SayInSentencesWhatTheMeasuresComeTo) {
             "The ischaemic dose reached 1.20: from 1 the tissue is lost.\n");
 }
 
-TEST(UntwistingFindings, SayLengthsOfTimeInMinutesAndSeconds) {
+TEST(UntwistingFindings, FormatTimesInMinutesAndSeconds) {
   const DetorsionStory story = storyWith({{Quantity::kTimeToFlow, 65.12}, {Quantity::kOverloadTime, 5.1}});
 
   // 65.12 s of the hand are 65 minutes of the tissue.
@@ -52,14 +52,14 @@ TEST(UntwistingFindings, SayLengthsOfTimeInMinutesAndSeconds) {
   EXPECT_EQ(findingsOf(story).front().at_s, 65.12);
 }
 
-TEST(UntwistingFindings, DoNotSayThatBloodCameBackWhereItNeverStopped) {
+TEST(UntwistingFindings, DoNotReportThatFlowReturnedIfItNeverStopped) {
   const DetorsionStory story = storyWith({{Quantity::kTimeToFlow, 0.0}});
 
   EXPECT_TRUE(isSaid(story, "Blood flow was sufficient from the start."));
   EXPECT_FALSE(isSaid(story, "returned"));
 }
 
-TEST(UntwistingFindings, LeaveOutTurnsThatNobodySees) {
+TEST(UntwistingFindings, OmitInvisibleTurns) {
   EXPECT_FALSE(isSaid(storyWith({{Quantity::kWrongWay, 0.01}, {Quantity::kSlipBack, 0.01}}), "\u00b0"));
   const DetorsionStory seen =
       storyWith({{Quantity::kWrongWay, radians(30.0)}, {Quantity::kSlipBack, radians(12.0)}});
@@ -67,7 +67,7 @@ TEST(UntwistingFindings, LeaveOutTurnsThatNobodySees) {
   EXPECT_TRUE(isSaid(seen, "12\u00b0 were lost again between grips"));
 }
 
-TEST(UntwistingFindings, CountWhatWentWrongAndSayWhenItIsNotKnown) {
+TEST(UntwistingFindings, CountMishapsAndSayIfTheyAreUnknown) {
   DetorsionStory known = storyWith({});
   known.events = {
       {1.0, DetorsionMoment::kBruise}, {2.0, DetorsionMoment::kTear}, {3.0, DetorsionMoment::kBruise}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way of a trainee who undoes organs: what is shown, in which unit, and what passes.
+// Progress of a trainee in untwisting: metrics, units, and what passes.
 #include <gtest/gtest.h>
 
 #include "app/services/training/next_steps.h"
@@ -27,7 +27,7 @@ const MasteryCriterion kSmallDose{
 TEST(UntwistingTrend, FollowsTheDoseAndPassesByAllRulesOfTheModule) {
   TrainingCentre centre(undone({kUndone, kSmallDose}));
   centre.untwist("first", "practice");
-  centre.untwist("first", "practice", 1);  // stays twisted by a turn of the hand
+  centre.untwist("first", "practice", 1);  // one turn of the hand is left
 
   const Trend way = trend(centre.session(), centre.person(), centre.module("first"));
 
@@ -43,7 +43,7 @@ TEST(UntwistingTrend, FollowsTheDoseAndPassesByAllRulesOfTheModule) {
   EXPECT_EQ(way.points[1].outcome, RunOutcome::kNotPassed);
 }
 
-TEST(UntwistingTrend, AsksOnlyWhetherItIsUndoneWhereNoRuleHasAScale) {
+TEST(UntwistingTrend, ShowsOnlySuccessIfNoRuleHasAScale) {
   TrainingCentre centre(undone({kUndone}));
   centre.untwist("first", "practice", 1);
 
@@ -58,7 +58,7 @@ TEST(UntwistingTrend, AsksOnlyWhetherItIsUndoneWhereNoRuleHasAScale) {
   EXPECT_TRUE(way.curve.empty());
   EXPECT_FALSE(way.noCurveReason.empty());
   ASSERT_TRUE(residual.points.at(0).value);
-  EXPECT_GT(*residual.points[0].value, 1.57);  // left out: at least 360 degrees / 3 turns, some slips back
+  EXPECT_GT(*residual.points[0].value, 1.57);  // omitted: at least 360 degrees / 3 turns; some slips back
 }
 
 TEST(UntwistingTrend, KnowsBeforeTheFirstAttemptThatTheModuleIsAboutUntwisting) {
