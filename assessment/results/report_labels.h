@@ -27,7 +27,7 @@ class CellsAt {
  private:
   ResultKey place_;
 };
-/// Returns the key of the comparison of two groups.
+/// Returns the cells for the comparison of two groups.
 [[nodiscard]] inline CellsAt cellsOfPair(const CohortInputs& inputs, std::size_t first, std::size_t second) {
   return CellsAt({.section = ResultSection::kComparison,
                   .group = first,
