@@ -185,7 +185,7 @@ TEST_F(Window, TheRateOfAnAsynchronousModelIsShownInWords) {
   const QRegularExpression words(
       QStringLiteral("^Finite elements: [0-9,]+ times a second beside the force at 1,000$"));
   EXPECT_TRUE(words.match(said->text()).hasMatch()) << said->text().toStdString();
-  EXPECT_NE(window_.controller().run()->beside()->framesPerSecond(), 0.0);
+  EXPECT_NE(window_.controller().run()->asyncModel()->framesPerSecond(), 0.0);
 }
 
 TEST_F(Window, AnEngineersModelIsRequestedFromTheLoaderAndNeverRecorded) {
