@@ -493,8 +493,8 @@ ExportSet exportSet(const AnalysedCohort& cohort, const std::map<TrialId, std::i
 }
 
 std::vector<const ExportTable*> tablesOf(const ExportSet& set) {
-  return {&set.groups,     &set.participants, &set.scores,     &set.marks,  &set.evaluation, &set.agreement,
-          &set.comparison, &set.twists,       &set.competence, &set.trials, &set.deviations, &set.numbers};
+  return {&set.scores,     &set.marks,  &set.participants, &set.groups, &set.evaluation, &set.agreement,
+          &set.comparison, &set.twists, &set.competence,   &set.trials, &set.deviations, &set.numbers};
 }
 
 }  // namespace torsio

@@ -237,6 +237,7 @@ TEST(StationSettings, SetWhatRatersMustWatchAndRefuseInvalidSpeeds) {
   card.read();
   card.resize(1200, 400);
   card.show();
+  retype(child<QLineEdit>(card, "centreName"), QStringLiteral("Hospital"));
   auto& speeds = child<QLineEdit>(card, "playbackSpeeds");
   retype(speeds, QStringLiteral("fast"));
   EXPECT_FALSE(hintBelow(card, speeds).isEmpty());

@@ -58,7 +58,7 @@ TEST(UntwistingPages, TheNextStepShowsAYesOrNoRuleInWords) {
   EXPECT_TRUE(all.contains(QStringLiteral("Untwisted: yes"))) << all.toStdString();
   EXPECT_TRUE(all.contains(QStringLiteral("Relapse: no"))) << all.toStdString();
   EXPECT_TRUE(all.contains(QStringLiteral("Last time: not untwisted, ischaemic dose"))) << all.toStdString();
-  EXPECT_FALSE(all.contains(QStringLiteral("on target"))) << all.toStdString();
+  EXPECT_FALSE(all.contains(QStringLiteral("Twists on target"))) << all.toStdString();
 }
 
 }  // namespace

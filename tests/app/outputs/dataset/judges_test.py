@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve()
-sys.path.insert(0, str(HERE.parents[2] / "support"))
+sys.path.insert(0, str(HERE.parents[3] / "support"))
 from npm_packages import node_modules  # noqa: E402
 
 DATASETS = "Dataset.IsReadByTheReferenceLibraryOfFrictionless:Dataset.IsAcceptedByTheValidatorOfBids"

@@ -110,7 +110,7 @@ QString withoutKeptWords(QString text) {
       "Mann-Whitney|Friedman|Kendall|Rasch|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay "
       "RUN "
       "--verify|LC-CUSUM|CUSUM|ICC|SEM|FEM|MSM|CSV|III|UTC|min|saint_venant|final|admin|mt19937_64|"
-      "(evaluation|training|allocation)-\\d|\\b[0-9a-f]{16,}\\b"));
+      "(evaluation|training|allocation)-\\d|R-[0-9]+-[0-9a-f]{8}|\\b[0-9a-f]{16,}\\b"));
   return text.remove(kKept);
 }
 
@@ -202,8 +202,9 @@ std::size_t bookmarksOfFirstPage(const std::string& pdf) {
   const std::string pages = pdf.substr(pdf.find("/Kids"));
   const std::string first = std::to_string(std::stoull(pages.substr(pages.find('[') + 1)));
   std::size_t count = 0;
-  for (std::size_t at = pdf.find("/Dest ["); at != std::string::npos; at = pdf.find("/Dest [", at + 1)) {
-    count += pdf.compare(at + 7, first.size() + 5, first + " 0 R ") == 0 ? 1U : 0U;
+  const std::string destination = "/Dest [ " + first + " 0 R ";
+  for (std::size_t at = pdf.find(destination); at != std::string::npos; at = pdf.find(destination, at + 1)) {
+    ++count;
   }
   return count;
 }
