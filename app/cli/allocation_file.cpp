@@ -13,8 +13,8 @@
 
 #include "app/services/maintenance/signing_key.h"
 #include "app/services/maintenance/station_anchor.h"
-#include "sim/core/file_io.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio::cli {

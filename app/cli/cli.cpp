@@ -145,20 +145,15 @@ constexpr const char* kPurpose = "Training and assessment of surgical twist skil
 
 }  // namespace
 
-int runCommand(int argc, char** argv) {
-  CLI::App program(kPurpose);
-  buildProgram(program);
-  program.require_subcommand(1);
-  return parse(program, argc, argv);
-}
-
 int runCommandLine(int argc, char** argv, std::initializer_list<ProgramAddition> windows) {
   try {
     CLI::App program(kPurpose);
     buildProgram(program);
     // Qt draws reports without a display; the database drivers are Qt plug-ins.
     const auto application =
-        argc > 1 && isCommand(program, argv[1]) ? makeHeadlessGraphicsApplication(argc, argv) : nullptr;
+        argc > 1 && isCommand(program, argv[1]) && QCoreApplication::instance() == nullptr
+            ? makeHeadlessGraphicsApplication(argc, argv)
+            : nullptr;
     for (const ProgramAddition add : windows) {
       add(program);
     }

@@ -14,10 +14,8 @@ using ProgramAddition = void (*)(CLI::App& program);
 
 /// Runs the command line and returns the exit code (docs/cli.md). Results go to standard output; messages and
 /// progress to standard error. `windows`: options and commands that open windows and create their own Qt
-/// application; all other commands get one without a display, which draws reports and loads database drivers.
+/// application; all other commands use the one of the process, or get one without a display, which draws
+/// reports and loads database drivers.
 [[nodiscard]] int runCommandLine(int argc, char** argv, std::initializer_list<ProgramAddition> windows);
-
-/// Runs one command without windows and without the process's Qt application; repeatable within one process.
-[[nodiscard]] int runCommand(int argc, char** argv);
 
 }  // namespace torsio::cli

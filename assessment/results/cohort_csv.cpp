@@ -32,15 +32,6 @@ std::string resultText(const ResultValue& value) {
   return number ? formatExact(*number) : std::string();
 }
 
-std::string numberAddress(const CohortCsvRow& row) {
-  std::string address;
-  for (const std::string* field :
-       {&row.section, &row.item, &row.group, &row.model, &row.index, &row.occasion, &row.statistic}) {
-    address += (field == &row.section ? "" : ",") + csvCell(*field);
-  }
-  return address;
-}
-
 std::vector<CohortCsvRow> cohortCsvRows(const Ledger& ledger) {
   std::vector<CohortCsvRow> rows;
   rows.reserve(ledger.every().size());
@@ -51,10 +42,6 @@ std::vector<CohortCsvRow> cohortCsvRows(const Ledger& ledger) {
                     std::to_string(result.n), result.flags});
   }
   return rows;
-}
-
-std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
-  return cohortCsvRows(analysedCohort(inputs).ledger);
 }
 
 std::string cohortCsvText(const std::vector<CohortCsvRow>& rows) {

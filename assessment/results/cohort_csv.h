@@ -27,13 +27,8 @@ struct CohortCsvRow {
 /// Returns the shortest text that reads back as the same number, or a word; empty if undefined.
 [[nodiscard]] std::string resultText(const ResultValue& value);
 
-/// Identifies a row by its first seven cells as in the file: keyAddress() of its result.
-[[nodiscard]] std::string numberAddress(const CohortCsvRow& row);
-
 /// Lists the results of a ledger as rows of cohort.csv, in order.
 [[nodiscard]] std::vector<CohortCsvRow> cohortCsvRows(const Ledger& ledger);
-/// Like the overload above, analysing the cohort first.
-[[nodiscard]] std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs);
 
 /// Formats cohort.csv in csvCell() format, with a header: comma-separated, decimal point, line ends \r\n. No
 /// byte order mark.

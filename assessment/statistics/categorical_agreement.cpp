@@ -9,8 +9,8 @@
 #include "assessment/statistics/distributions.h"
 #include "assessment/statistics/quantiles.h"
 #include "assessment/statistics/ratio_differences.h"
-#include "sim/core/random.h"
 #include "sim/core/error.h"
+#include "sim/core/random.h"
 
 namespace torsio {
 

@@ -19,8 +19,8 @@
 #include "sim/core/clock.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
-#include "sim/core/file_io.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 // Outside any namespace, as Qt requires: a static library registers its resources only on request.
 static void registerMigrationFiles() {

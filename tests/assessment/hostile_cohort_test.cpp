@@ -14,6 +14,7 @@
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/study_analysis.h"
 #include "assessment/statistics/power.h"
+#include "tests/support/cohort_rows.h"
 #include "tests/support/demonstration_cohort.h"
 #include "tests/support/said_cohort.h"
 

@@ -12,6 +12,7 @@
 
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/provenance_line.h"
+#include "tests/support/cohort_rows.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio::testing {

@@ -423,10 +423,6 @@ void SimulatorWindow::toggleRecording() {
   }
 }
 
-void SimulatorWindow::showInstrument(const std::filesystem::path& file) {
-  view_->setInstrument(loadInstrument(file));
-}
-
 std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
   std::vector<std::pair<QString, QString>> all{
       {tr("Move the instrument"), tr("Mouse, or arrow keys")},

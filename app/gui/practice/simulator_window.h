@@ -70,9 +70,6 @@ class SimulatorWindow : public QMainWindow {
   [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
   /// Returns how mouse and keys move instrument and camera: input and effect.
   [[nodiscard]] static std::vector<std::pair<QString, QString>> pointerKeys();
-  /// Shows a centre's own instrument (NAME.json) until the window closes; haptics stay those of the exercise.
-  /// Throws like loadInstrument().
-  void showInstrument(const std::filesystem::path& file);
   /// Unfolds the panel of the model's parts and scrolls to it.
   void unfoldEngineerPanel();
   /// One tick of the frame timer; tests call it directly.

@@ -127,15 +127,15 @@ bool validCentreSetting(const CentreSetting& setting, const std::string& written
   return canonical(setting, written).has_value();
 }
 
-template <const CentreSetting& setting>
-SettingValue<setting.kind> centreSetting(Connection& connection) {
-  const std::string value = inForce(connection, setting);
-  if constexpr (setting.kind == SettingKind::kWords) {
+template <const CentreSetting& Setting>
+SettingValue<Setting.kind> centreSetting(Connection& connection) {
+  const std::string value = inForce(connection, Setting);
+  if constexpr (Setting.kind == SettingKind::kWords) {
     return value;
-  } else if constexpr (setting.kind == SettingKind::kSpeeds) {
-    return numbersIn(setting, value);
+  } else if constexpr (Setting.kind == SettingKind::kSpeeds) {
+    return numbersIn(Setting, value);
   } else {
-    return static_cast<SettingValue<setting.kind>>(numbersIn(setting, value).front());
+    return static_cast<SettingValue<Setting.kind>>(numbersIn(Setting, value).front());
   }
 }
 

@@ -145,15 +145,15 @@ inline constexpr std::array kCentreSettings{
     &kGradedWithMouse, &kSoundAtLimit,           &kKioskCodes,          &kBrowserAddress,
     &kMailServer,      &kLearningRecords,        &kLearningRecordStore, &kLanguage};
 
-template <SettingKind kind>
-using SettingValue = std::tuple_element_t<static_cast<std::size_t>(kind),
+template <SettingKind Kind>
+using SettingValue = std::tuple_element_t<static_cast<std::size_t>(Kind),
                                           std::tuple<bool, int, double, std::vector<double>, std::string>>;
 
 /// Returns the value in use. Requires no right: the shell reads some settings before anybody signs in, and
 /// services read their own. Instantiated for each setting in centre_settings.cpp, so that .ci/unreachable
 /// finds settings that nobody reads.
-template <const CentreSetting& setting>
-[[nodiscard]] SettingValue<setting.kind> centreSetting(Connection& connection);
+template <const CentreSetting& Setting>
+[[nodiscard]] SettingValue<Setting.kind> centreSetting(Connection& connection);
 
 /// Changes a setting to `written`, in the stored format; does nothing if the value is already in use.
 /// Audited. kSettingsEdit. Throws Error{kBadParameter} for an invalid value; SecondPersonNeeded.
@@ -167,15 +167,15 @@ void keepCentreSetting(SessionContext& session, const CentreSetting& setting, co
 /// Returns whether changeCentreSetting() accepts a value.
 [[nodiscard]] bool validCentreSetting(const CentreSetting& setting, const std::string& written);
 /// Like changeCentreSetting().
-template <const CentreSetting& setting>
+template <const CentreSetting& Setting>
 void setCentreSetting(SessionContext& session,
-                      const std::type_identity_t<SettingValue<setting.kind>>& value) {
-  if constexpr (setting.kind == SettingKind::kWords) {
-    changeCentreSetting(session, setting, value);
-  } else if constexpr (setting.kind == SettingKind::kSpeeds) {
-    changeCentreSetting(session, setting, asStored(setting, value));
+                      const std::type_identity_t<SettingValue<Setting.kind>>& value) {
+  if constexpr (Setting.kind == SettingKind::kWords) {
+    changeCentreSetting(session, Setting, value);
+  } else if constexpr (Setting.kind == SettingKind::kSpeeds) {
+    changeCentreSetting(session, Setting, asStored(Setting, value));
   } else {
-    changeCentreSetting(session, setting, asStored(setting, {static_cast<double>(value)}));
+    changeCentreSetting(session, Setting, asStored(Setting, {static_cast<double>(value)}));
   }
 }
 

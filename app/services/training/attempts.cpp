@@ -46,16 +46,6 @@ Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseR
 
 }  // namespace
 
-Attempt attemptOf(SessionContext& session, const TrialId& trialId) {
-  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
-  const TrialListing listing = ownTrial(session, record, trialId);
-  ExerciseRules rules;
-  Transaction transaction(session.connection());
-  Attempt attempt = measured(session, listing, rules);
-  transaction.commit();
-  return attempt;
-}
-
 std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId, const ModuleId& moduleId) {
   session.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);

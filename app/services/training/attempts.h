@@ -39,10 +39,6 @@ struct Attempt {
   [[nodiscard]] Text result() const;
 };
 
-/// Returns the measures of a stored trial (app/services/recording/kept_digests.h), measuring it if necessary.
-/// kTrialViewOwn, the actor's trials.
-Attempt attemptOf(SessionContext& session, const TrialId& trialId);
-
 /// Returns a trainee's attempts, oldest first, without tracked recordings of the real arm; empty `moduleId`:
 /// at all modules. Measures trials that were not measured yet. kTrialViewOwn, the actor's trials.
 [[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId,

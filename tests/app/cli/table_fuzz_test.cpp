@@ -14,6 +14,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include <QCoreApplication>
 #include <gtest/gtest.h>
 
 #include "app/cli/cli.h"
@@ -228,6 +229,10 @@ class HangWatch {
 
 /// Runs a command in this process: starting the program takes a hundred times longer than a small table.
 test::ProgramRun runHere(const std::string& arguments) {
+  static int count = 1;
+  static std::array<char, 7> name{"torsio"};
+  static std::array<char*, 2> names{name.data(), nullptr};
+  static const QCoreApplication application(count, names.data());  // for all commands of this process
   std::istringstream words("torsio " + arguments);
   std::vector<std::string> given;
   for (std::string word; words >> word;) {
@@ -239,7 +244,7 @@ test::ProgramRun runHere(const std::string& arguments) {
   }
   const Written out(std::cout);
   const Written err(std::cerr);
-  const int code = cli::runCommand(static_cast<int>(argv.size()), argv.data());
+  const int code = cli::runCommandLine(static_cast<int>(argv.size()), argv.data(), {});
   return {code, out.text(), err.text()};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/support/training_centre.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "app/services/base/build_info.h"
@@ -256,6 +257,15 @@ std::string TrainingCentre::untwist(const std::string& moduleCode, const std::st
   recordScriptedTrial(kTestis, trial, sink);
   now_us_ += kMinute_us;
   return trial.recording.trialId;
+}
+
+Attempt attemptOf(TrainingCentre& centre, const TrialId& trialId) {
+  for (const Attempt& attempt : attemptsOf(centre.session(), centre.person())) {
+    if (attempt.trialId == trialId) {
+      return attempt;
+    }
+  }
+  throw std::out_of_range(trialId.text());
 }
 
 }  // namespace torsio::testing

@@ -10,6 +10,7 @@
 #include "app/services/access/session_context.h"
 #include "app/services/devices/device_readiness.h"
 #include "app/services/recording/recording_spec.h"
+#include "app/services/training/attempts.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"
@@ -100,5 +101,9 @@ class TrainingCentre {
 
 /// Returns a device with one finding of this light.
 [[nodiscard]] DeviceReadiness deviceWith(Light light);
+
+/// Returns one attempt of the trainee who is signed in, measured and stored like all of theirs. Throws
+/// std::out_of_range for a trial that is not theirs.
+[[nodiscard]] Attempt attemptOf(TrainingCentre& centre, const TrialId& trialId);
 
 }  // namespace torsio::testing

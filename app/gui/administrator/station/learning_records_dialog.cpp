@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/station/learning_records_dialog.h"
 
-
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>

@@ -12,6 +12,7 @@
 #include "app/outputs/wording/wording.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
+#include "tests/support/cohort_rows.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio {

@@ -482,7 +482,6 @@ std::vector<ServiceCall> trainingCalls() {
       {O::kTrialRecordOwn, "recoverInterrupted",
        [](SessionContext& w, Path) { (void)recoverInterrupted(w); }},
       {O::kTrialViewOwn, "attemptsOf", [](SessionContext& w, Path) { (void)attemptsOf(w, kNoSuch); }},
-      {O::kTrialViewOwn, "attemptOf", [](SessionContext& w, Path) { (void)attemptOf(w, kNoSuch); }},
       {O::kMarkViewOwn, "scoreGap", [](SessionContext& w, Path) { (void)scoreGap(w, kNoSuch); }},
       {O::kTrialViewOwn, "debrief",
        [](SessionContext& w, Path folder) { (void)debrief(w, kNoSuch, folder); }},

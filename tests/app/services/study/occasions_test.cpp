@@ -29,6 +29,7 @@
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/support/cohort_rows.h"
 
 namespace torsio {
 namespace {

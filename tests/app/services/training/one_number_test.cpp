@@ -24,6 +24,7 @@
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/training_centre.h"
+#include "tests/support/cohort_rows.h"
 
 namespace torsio {
 namespace {
@@ -261,7 +262,7 @@ TEST_F(OneNumber, IsTheSameForTheSameRunWhereverItIsRead) {
       static_cast<void>(debrief(centre_.session(), trialId, "no assets here"));
     }
     if (trialId.back() == '2') {
-      static_cast<void>(attemptOf(centre_.session(), trialId));
+      static_cast<void>(testing::attemptOf(centre_, trialId));
     }
   }
   const CohortInputs reported = report();
@@ -383,7 +384,7 @@ TEST_F(OneNumber, RunsMeasuredByOlderFormulasAreMeasuredAgain) {
   older.measures = {{idOf(Quantity::kOnTarget), 0.123}};
   DigestRepository(centre_.connection()).add({&older, 1});
 
-  const Attempt attempt = attemptOf(centre_.session(), trialId);
+  const Attempt attempt = testing::attemptOf(centre_, trialId);
 
   EXPECT_EQ(attempt.twists, truths_.at(trialId).completed);
   EXPECT_EQ(DigestRepository(centre_.connection()).ofTrial(trialId, kMetricsVersion).size(), 1U);

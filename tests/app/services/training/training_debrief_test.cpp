@@ -44,7 +44,7 @@ TEST(ExpertRun, IsOneTwistThatReachesTheTargetAndReplaysBitForBit) {
 TEST(Debrief, ShowsEarlierMeasuresNextToTheCurrentVerdict) {
   TrainingCentre centre;
   const TrialId trial = centre.attempt("first", "practice", kExpert);
-  static_cast<void>(attemptOf(centre.session(), trial));
+  static_cast<void>(testing::attemptOf(centre, trial));
   const DigestRepository digests(centre.connection());
   TrialDigest older = digests.ofTrial(trial, kMetricsVersion).at(0);
   const double judged_N = older.measures.at(idOf(Quantity::kPeakForce));

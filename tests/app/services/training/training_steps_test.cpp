@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "app/services/training/debrief.h"
 #include "app/services/training/next_steps.h"
 #include "app/services/training/run_session.h"
 #include "assessment/catalogue/quantity.h"
@@ -117,7 +118,8 @@ TEST(NextSteps, IsForTheActorOnly) {
   centre.become("T-02");
 
   EXPECT_EQ(codeOf([&] { static_cast<void>(nextSteps(centre.session(), first)); }), ErrorCode::kPermission);
-  EXPECT_EQ(codeOf([&] { static_cast<void>(attemptOf(centre.session(), trial)); }), ErrorCode::kPermission);
+  EXPECT_EQ(codeOf([&] { static_cast<void>(debrief(centre.session(), trial, "no assets here")); }),
+            ErrorCode::kPermission);
   centre.become("chief");
   EXPECT_EQ(codeOf([&] { static_cast<void>(nextSteps(centre.session(), centre.person())); }),
             ErrorCode::kPermission);
@@ -126,10 +128,10 @@ TEST(NextSteps, IsForTheActorOnly) {
 TEST(NextSteps, ValuesAreMeasuredOnceAndStoredWithTheTrial) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", 1.0);
-  const Attempt first = attemptOf(centre.session(), trial);
+  const Attempt first = testing::attemptOf(centre, trial);
   const auto kept = DigestRepository(centre.connection()).ofTrial(trial, kMetricsVersion);
 
-  const Attempt again = attemptOf(centre.session(), trial);
+  const Attempt again = testing::attemptOf(centre, trial);
 
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(DigestRepository(centre.connection()).ofTrial(trial, kMetricsVersion), kept);
