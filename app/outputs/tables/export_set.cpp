@@ -321,7 +321,8 @@ class Tables {
                       {}};
     std::vector<ExportColumn> numbers = trialNumbers();
     for (const TrialSummaryRow& trial : in_.trials) {
-      for (const auto& [id, value] : trial.detorsion) {
+      for (const auto& measured : trial.detorsion) {
+        const auto& id = measured.first;
         if (std::none_of(numbers.begin(), numbers.end(), [&](const auto& one) { return one.name == id; })) {
           numbers.push_back(quantityColumn(id));
         }
