@@ -46,6 +46,11 @@ std::vector<TargetCheck> checksOf(const QuantityValues& values, const AttemptRul
     TargetCheck check = checkOf(values, rule.quantity, rule.threshold, !rule.atMost);
     check.consecutive = rule.consecutive;
     check.streak = check.passed ? 1 : 0;
+    // A rule that repeats a requirement of the exercise takes its place.
+    std::erase_if(checks, [&check](const TargetCheck& one) {
+      return one.quantity == check.quantity && one.wanted == check.wanted && one.atLeast == check.atLeast &&
+             one.outOf == 0 && one.consecutive == 0;
+    });
     checks.push_back(check);
   }
   return checks;

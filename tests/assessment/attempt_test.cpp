@@ -444,6 +444,22 @@ TEST(RunVerdict, SaysEachCheckWithNameValueAndLimit) {
   EXPECT_FALSE(checks[6].passed);
 }
 
+TEST(RunVerdict, StatesARequirementOnceIfARuleRepeatsIt) {
+  const QuantityValues values{
+      {Quantity::kUntwisted, 1.0}, {Quantity::kTornTwists, 0.0}, {Quantity::kPeakForce, 0.4}};
+
+  const RunVerdict verdict =
+      judgeRun(values, {.forceLimit_N = 2.0,
+                        .mastery = {{.quantity = Quantity::kUntwisted, .threshold = 1.0, .consecutive = 2},
+                                    {.quantity = Quantity::kPeakForce, .atMost = true, .threshold = 1.0}}});
+
+  ASSERT_EQ(verdict.checks.size(), 3U);
+  EXPECT_EQ(verdict.checks[0].text(), "Peak force: 0.40 N, at most 2.00 N");
+  EXPECT_EQ(verdict.checks[1].text(), "Untwisted: yes, wanted yes (1 in a row, 2 needed)");
+  EXPECT_EQ(verdict.checks[2].text(),
+            "Peak force: 0.40 N, at most 1.00 N");  // a stricter limit is another one
+}
+
 TEST(TwistCount, AgreesWithTheDebrief) {
   TwistCount count;
   std::int64_t now_us = 0;
