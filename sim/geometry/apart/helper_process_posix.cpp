@@ -179,6 +179,9 @@ HelperEnd runHelper(const std::vector<std::string>& words, const HelperAnswer& a
     std::this_thread::sleep_for(kLookEvery);
   }
   leash.letGo();
+  if (news) {
+    pipe.hand(news);  // what it told after the last look
+  }
   constexpr double kKilobyte_MB = 1024e-6;
   end.processor_s = secondsOf(used.ru_utime) + secondsOf(used.ru_stime);
   end.peak_MB = kKilobyte_MB * static_cast<double>(used.ru_maxrss);

@@ -118,6 +118,16 @@ TEST(ScanApart, OutlivesAReaderThatCrashesHangsOrTalksNonsense) {
   }
 }
 
+TEST(ScanApart, HearsTheLastNewsOfAReaderThatEndsAtOnce) {
+  const OtherScanReader quick(R"(printf '\000\144\001\144\002\144\003\144' >&4)");
+  std::vector<ScanStep> steps;
+  EXPECT_THROW(static_cast<void>(scanApart(
+                   barRequest(), [&steps](ScanStep step, double /*fraction*/) { steps.push_back(step); })),
+               Error);  // it gave no answer
+  EXPECT_THAT(steps, ::testing::ElementsAre(ScanStep::kReading, ScanStep::kSegmenting, ScanStep::kDrawing,
+                                            ScanStep::kThinning));
+}
+
 TEST(ScanApart, CarriesARequestInWords) {
   ScanRequest request;
   request.source = "some folder/scan";
