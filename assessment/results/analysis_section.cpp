@@ -163,8 +163,7 @@ std::optional<ModelOrder> modelOrder(const CohortInputs& in) {
 }
 
 ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportSection section;
-  section.title = Text::tr("Agreement and comparisons");
+  ReportSection section{"comparisons", Text::tr("Agreement and comparisons")};
   if (in.demonstration) {
     section.paragraphs.push_back(Text::tr(
         "The marks are simulated. The tables show what is computed and how it is presented; their values "

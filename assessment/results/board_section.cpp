@@ -294,8 +294,7 @@ ReportTable signatureTable(bool roomy) {
 }  // namespace
 
 ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportSection section;
-  section.title = Text::tr("At a glance");
+  ReportSection section{"summary", Text::tr("At a glance")};
   section.onFirstPage = true;
   section.paragraphs = {questionOf(in), peopleOf(in), answerOf(in, study)};
   for (Text& reservation : reservationsOf(in, study)) {

@@ -132,8 +132,7 @@ ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
     report.sections.push_back(boardSection(in, *study));
   }
   if (!in.simulated.empty()) {
-    ReportSection section;
-    section.title = Text::tr("What was simulated");
+    ReportSection section{"simulated", Text::tr("What was simulated")};
     section.paragraphs = in.simulated;
     report.sections.push_back(section);
   }
@@ -238,8 +237,7 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
         kSmallestCell));
   }
   if (!left.empty()) {
-    ReportSection section;
-    section.title = Text::tr("What is left out");
+    ReportSection section{"left-out", Text::tr("What is left out")};
     section.paragraphs = std::move(left);
     const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));

@@ -142,8 +142,7 @@ ResultKey competenceKey(const CohortInputs& in, std::size_t number) {
 }
 
 ReportSection competenceSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Competence");
+  ReportSection section{"competence", Text::tr("Competence")};
   section.paragraphs = designSentences(in);
   section.figures = {sumsFigure(in)};
   section.tables = {countsTable(in), verdictsTable(in)};

@@ -10,8 +10,7 @@
 namespace torsio {
 
 ReportSection deviationsSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Deviations");
+  ReportSection section{"deviations", Text::tr("Deviations")};
   if (in.deviations.empty()) {
     section.paragraphs.push_back(Text::tr("No deviation from the protocol was reported."));
     return section;
@@ -41,8 +40,7 @@ ReportSection deviationsSection(const CohortInputs& in) {
 
 /// Name, meaning and time with the signed object, as required by 21 CFR 11.50.
 ReportSection signaturesSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Signatures of the marks");
+  ReportSection section{"signatures", Text::tr("Signatures of the marks")};
   section.paragraphs.push_back(
       Text::tr("%1 {mark was|marks were} signed with the password of their rater, %2 {was|were} not.",
                in.signatures.size(), in.unsignedMarks));

@@ -208,8 +208,7 @@ ReportTable traineesTable(const CohortInputs& in, std::size_t number,
 }  // namespace
 
 ReportSection criteriaSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Criteria of the scoring sheet");
+  ReportSection section{"criteria", Text::tr("Criteria of the scoring sheet")};
   const bool whole = std::all_of(in.criterionMarks.begin(), in.criterionMarks.end(),
                                  [](const CriterionMark& mark) { return mark.points.has_value(); });
   section.paragraphs = {

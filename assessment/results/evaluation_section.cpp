@@ -301,8 +301,7 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
 }  // namespace
 
 ReportSection evaluationSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Evaluation of the models");
+  ReportSection section{"evaluation", Text::tr("Evaluation of the models")};
   if (in.unfinishedEvaluation) {
     return unfinishedSection(in);
   }

@@ -226,8 +226,7 @@ ReportTable doseTable(const CohortInputs& in) {
 }  // namespace
 
 ReportSection learningSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Learning");
+  ReportSection section{"learning", Text::tr("Learning")};
   const std::vector<Course> all = courses(in);
   if (!in.doses.empty()) {
     section.tables.push_back(doseTable(in));

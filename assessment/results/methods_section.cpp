@@ -83,8 +83,7 @@ Text comparisonSentence(const StudyAnalysis& study) {
 }  // namespace
 
 ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportSection section;
-  section.title = Text::tr("Methods and limits");
+  ReportSection section{"methods", Text::tr("Methods and limits")};
   if (!in.evaluations.empty()) {
     section.paragraphs = evaluationSentences(in);
   }

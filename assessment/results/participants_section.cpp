@@ -127,8 +127,7 @@ ReportTable pairsTable(const std::string& id, const Text& title, const Facts& pa
 }  // namespace
 
 ReportSection participantsSection(const CohortInputs& in, const CohortInputs& all) {
-  ReportSection section;
-  section.title = Text::tr("Participants and allocation");
+  ReportSection section{"participants", Text::tr("Participants and allocation")};
   const CohortAllocation& drawn = in.allocation;
   const Text enrolled = in.notAllocated > 0
                             ? Text::tr(

@@ -180,8 +180,7 @@ ReportTable trialsTable(const CohortInputs& in) {
 }  // namespace
 
 ReportSection provenanceSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Provenance");
+  ReportSection section{"provenance", Text::tr("Provenance")};
   section.tables = {versionsTable(in)};
   if (ReportTable sources = sourcesTable(in); !sources.rows.empty()) {
     section.tables.push_back(std::move(sources));

@@ -162,8 +162,7 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
 }  // namespace
 
 ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportSection section;
-  section.title = Text::tr("Raters");
+  ReportSection section{"raters", Text::tr("Raters")};
   section.paragraphs = {Text::tr(
       "Offsets are taken against the mean of the other raters; a mean that contains the rater would agree by "
       "construction.")};

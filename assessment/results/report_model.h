@@ -105,11 +105,12 @@ struct ReportFigure {
 };
 
 struct ReportSection {
+  std::string id;  ///< stable id, "methods"
   Text title;
   bool onFirstPage = false;  ///< below the title, on the same page
-  std::vector<Text> paragraphs;
-  std::vector<ReportFigure> figures;
-  std::vector<ReportTable> tables;
+  std::vector<Text> paragraphs{};
+  std::vector<ReportFigure> figures{};
+  std::vector<ReportTable> tables{};
 };
 
 /// A cohort report as plain values, the only source of PDF and screen. Strings are Text, so that they can be

@@ -294,8 +294,7 @@ Text shorteningSentence(const CohortInputs& in) {
 }  // namespace
 
 ReportSection trainingSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Training study");
+  ReportSection section{"training", Text::tr("Training study")};
   section.paragraphs.push_back(marksSentence(in));
   if (in.trainingTimeDivisor > 1) {
     section.paragraphs.push_back(shorteningSentence(in));

@@ -93,8 +93,7 @@ ResultKey trialKey(const TrialSummaryRow& trial) {
 }
 
 ReportSection trialsSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Recorded runs");
+  ReportSection section{"runs", Text::tr("Recorded runs")};
   double minutes = 0.0;
   std::int64_t refused = 0;
   std::int64_t late = 0;

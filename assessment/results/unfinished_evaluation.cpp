@@ -127,8 +127,7 @@ std::vector<ClassScore> classScores(const CohortInputs& in) {
 }
 
 ReportSection unfinishedSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = Text::tr("Evaluation of the models");
+  ReportSection section{"evaluation", Text::tr("Evaluation of the models")};
   const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
   section.paragraphs = {
       Text::tr("The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once "

@@ -30,9 +30,8 @@ using testing::tableNamed;
 TEST(CohortReport, ComparesGroupsAndRatersIfThereAreMarks) {
   const CohortInputs in = demonstrationCohort();
   const ReportModel report = cohortReport(in);
-  const auto section =
-      std::find_if(report.sections.begin(), report.sections.end(),
-                   [](const ReportSection& of) { return of.title == "Agreement and comparisons"; });
+  const auto section = std::find_if(report.sections.begin(), report.sections.end(),
+                                    [](const ReportSection& of) { return of.id == "comparisons"; });
   ASSERT_NE(section, report.sections.end());
   std::vector<std::string> ids;
   for (const ReportTable& table : section->tables) {

@@ -14,8 +14,7 @@
 #include "app/services/study/curriculum_content.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/people/person.h"
-#include "assessment/results/number_format.h"
-#include "assessment/results/shown_inputs.h"
+#include "assessment/results/cohort_csv.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
@@ -94,9 +93,8 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
     }
   }
   // Taken from the report: the analysis takes seconds for thousands of marks.
-  const auto methods = std::find_if(report.sections.begin(), report.sections.end(), [](const auto& section) {
-    return section.title == "Methods and limits";
-  });
+  const auto methods = std::find_if(report.sections.begin(), report.sections.end(),
+                                    [](const auto& section) { return section.id == "methods"; });
   if (methods != report.sections.end()) {
     contents.methods = methods->paragraphs;
   }
@@ -215,13 +213,13 @@ ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& re
   session.require(Operation::kReportExportNamed);
   const CohortInputs inputs =
       reportInputs(session, {request.cohortId, {}, request.frozenId, ReportIdentity::kCoded}, digests);
-  std::vector<Text> left;
-  const CohortInputs shown = shownInputs(inputs, left);
+  const Ledger ledger = analysedCohort(inputs).ledger;
+  const std::vector<Text>& occasions = ledger.names().occasions;
   std::map<std::string, std::vector<std::string>> grades;  // by code, one per occasion
-  for (const TraineeScore& score : shown.scores) {
-    auto& own = grades[score.trainee];
-    own.resize(shown.occasions.size(), "-");
-    own.at(score.occasion) = formatExact(score.score);
+  for (const Result* score : ledger.select({.statistic = "score", .of = kEach})) {
+    auto& own = grades[score->key.of];
+    own.resize(occasions.size(), "-");
+    own.at(*score->key.occasion) = resultText(score->value);
   }
   if (grades.empty()) {
     refuse(Text::tr("nobody has a score that may be shown"), inputs.title,
@@ -239,8 +237,8 @@ ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& re
     }
   }
   std::vector<std::string> head{"ID number", "Email address"};
-  for (const Text& occasion : shown.occasions) {
-    head.push_back(shown.title.str() + ": " + occasion.str());
+  for (const Text& occasion : occasions) {
+    head.push_back(inputs.title.str() + ": " + occasion.str());
   }
   std::string text = csvLine(head);
   for (const auto& [code, own] : grades) {

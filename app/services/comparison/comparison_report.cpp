@@ -248,18 +248,15 @@ ReportModel comparisonReport(const ComparisonResult& result, const std::string& 
   report.softwareVersion = softwareVersion;
   report.createdUtc_us = createdUtc_us;
   report.facts = machineLines(result);
-  ReportSection speed;
-  speed.title = Text::tr("Time");
+  ReportSection speed{"time", Text::tr("Time")};
   speed.figures = {timeFigure(result)};
   speed.tables = {timeTable(result)};
-  ReportSection accuracy;
-  accuracy.title = Text::tr("Accuracy");
+  ReportSection accuracy{"accuracy", Text::tr("Accuracy")};
   accuracy.tables = {accuracyTable(result)};
   if (!result.markers.empty()) {
     accuracy.figures = {markerFigure(result), courseFigure(result)};
   }
-  ReportSection honesty;
-  honesty.title = Text::tr("What these figures do not say");
+  ReportSection honesty{"limits", Text::tr("What these figures do not say")};
   honesty.paragraphs = comparisonLimits();
   for (const OrganWarning& warning : result.organWarnings) {
     honesty.paragraphs.push_back(Text::tr("The organ was accepted with a warning: %1.", coded(warning)));

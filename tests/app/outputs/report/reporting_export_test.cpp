@@ -347,9 +347,8 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsReportedWithoutBlockingAnythingElse) 
             (std::vector<std::string>{"deputy chief physician", "chief physician"}));
   const ReportModel report = cohortReport(inputs);
   const auto section =
-      std::find_if(report.sections.begin(), report.sections.end(), [](const ReportSection& candidate) {
-        return candidate.title == Text::verbatim("Evaluation of the models");
-      });
+      std::find_if(report.sections.begin(), report.sections.end(),
+                   [](const ReportSection& candidate) { return candidate.id == "evaluation"; });
   ASSERT_NE(section, report.sections.end());
   EXPECT_NE(section->paragraphs.at(0).str().find("27 marks are in so far"), std::string::npos);
   // Lists what is missing by class, model and index.
