@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/cli.h"
 #include "app/gui/program/window_options.h"
-#include "sim/core/private_files.h"
+#include "sim/core/file_io.h"
 
 int main(int argc, char** argv) {
   torsio::keepFilesPrivate();

@@ -18,7 +18,6 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/private_files.h"
 
 namespace torsio::web {
 

@@ -9,7 +9,6 @@
 #include "assessment/metrics/signal.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/tick_period.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -9,7 +9,7 @@
 #include "assessment/catalogue/quantity.h"
 #include "assessment/metrics/trial_metrics.h"
 #include "sim/core/angle.h"
-#include "sim/core/hollow_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/core/staged_turn.h"
 
 namespace torsio {

@@ -15,7 +15,7 @@
 #include "db/connection/change_watch.h"
 #include "db/connection/database_file.h"
 #include "sim/core/contracts.h"
-#include "sim/core/database_trace.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

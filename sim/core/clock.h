@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace torsio {
 
@@ -32,5 +33,16 @@ class ManualClock final : public Clock {
 /// Returns the wall-clock time, microseconds since 1970-01-01 UTC. For records, never for measuring
 /// durations.
 [[nodiscard]] std::int64_t utcNow_us() noexcept;
+
+// Times within a recording and durations below an hour, as minutes and seconds. What is measured or compared
+// with a limit (a hold, a time to the target, a computing time) stays in seconds with its unit; planned
+// durations are whole minutes in words. Any thread.
+
+/// Elapsed time, rounded down to seconds: "2:05".
+[[nodiscard]] std::string clockText(std::int64_t time_us);
+/// Time left, rounded up to seconds: "2:05"; "0:00" when nothing is left.
+[[nodiscard]] std::string clockLeftText(std::int64_t left_us);
+/// To the nearest tenth: "2:05.4".
+[[nodiscard]] std::string clockTenthsText(double time_s);
 
 }  // namespace torsio

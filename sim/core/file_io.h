@@ -33,4 +33,20 @@ void writeFileAtomically(const std::filesystem::path& file, const std::function<
 /// Creates the folder with its parents if it is missing. Throws Error (kFileUnwritable).
 void ensureFolder(const std::filesystem::path& folder);
 
+/// Makes every file that this process creates from now on private to its owner (mode 0600), every folder too
+/// (0700): records, backups, packages, exports, pictures; calls disableCoreDumps(). On Windows the user's
+/// folders are private already. Call once, before any thread.
+void keepFilesPrivate() noexcept;
+/// Disables core dumps of this process, which would hold names, passwords or a scan, and keeps other programs
+/// of the account from reading its memory.
+void disableCoreDumps() noexcept;
+/// Removes the permissions of group and others from `file`, or from a folder and everything in it. Returns
+/// whether anything changed. Files of other owners stay as they are.
+bool makePrivate(const std::filesystem::path& file) noexcept;
+
+/// Tells whether a file holds an SQLite database, even one too damaged to open: by its header or, where that
+/// is destroyed, by a whole b-tree page among a sample of its pages (4096 bytes each, as Torsio writes them).
+/// False for a file that is missing or cannot be read.
+[[nodiscard]] bool looksLikeDatabase(const std::filesystem::path& file);
+
 }  // namespace torsio

@@ -7,8 +7,7 @@
 
 #include "sim/core/async_model.h"
 #include "sim/core/device_sample.h"
-#include "sim/core/hollow_pose.h"
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 
 namespace torsio {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/core/angle.h"
-#include "sim/core/hollow_pose.h"
+#include "sim/core/organ_pose.h"
 
 namespace torsio {
 

@@ -11,7 +11,7 @@
 #include "sim/core/ids.h"
 #include "sim/core/live_types.h"
 #include "sim/core/servo_health.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/core/tissue_model.h"
 
 namespace torsio {

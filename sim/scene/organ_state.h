@@ -3,9 +3,8 @@
 
 #include <type_traits>
 
-#include "sim/core/hollow_pose.h"
 #include "sim/core/live_types.h"
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {

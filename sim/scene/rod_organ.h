@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/scene/turn_task.h"

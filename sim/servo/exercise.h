@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "sim/core/live_types.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/contact_coupling.h"
 #include "sim/servo/exercise_event.h"

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/core/hollow_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/scene/scene.h"
 

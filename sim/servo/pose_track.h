@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/core/hollow_pose.h"
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 

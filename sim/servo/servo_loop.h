@@ -8,7 +8,7 @@
 #include "sim/core/latest_value.h"
 #include "sim/core/live_types.h"
 #include "sim/core/spsc_ring.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/safety/force_governor.h"
 #include "sim/device/safety/passivity.h"

@@ -10,7 +10,7 @@
 #include "app/services/recording/recorded_run.h"
 #include "app/services/training/attempts.h"
 #include "app/services/training/debrief.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial.h"

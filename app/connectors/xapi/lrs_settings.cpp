@@ -17,7 +17,6 @@
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/private_files.h"
 
 namespace torsio {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/base/clock_time.h"
 
-#include "sim/core/clock_text.h"
+#include "sim/core/clock.h"
 
 namespace torsio::gui {
 

@@ -7,7 +7,7 @@
 
 namespace torsio::gui {
 
-// Like sim/core/clock_text.h, for screens: moments and durations of a recording are shown in tenths, so that
+// Like sim/core/clock.h, for screens: moments and durations of a recording are shown in tenths, so that
 // people can refer to the same moment; running clocks and plans in whole seconds. Thread-safe.
 
 /// Rounds down to whole seconds: "2:05".

@@ -15,7 +15,7 @@
 #include "app/gui/widgets/child.h"
 #include "app/services/recording/unstored_trials.h"
 #include "assessment/attempt/trial_listing.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::gui {
 

@@ -22,7 +22,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/angle.h"
-#include "sim/core/hollow_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/core/time_units.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/detorsion.h"

@@ -18,7 +18,7 @@
 #include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/angle.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::gui {
 

@@ -14,7 +14,7 @@
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/load_decimals.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/servo/surface_proxy.h"
 
 namespace torsio::gui {

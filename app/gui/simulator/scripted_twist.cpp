@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/services/recording/recorded_run.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/servo/hand_task.h"

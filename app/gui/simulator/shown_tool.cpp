@@ -5,7 +5,7 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "sim/core/angle.h"
-#include "sim/core/hollow_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/surface_proxy.h"
 

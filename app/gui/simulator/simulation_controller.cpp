@@ -13,7 +13,7 @@
 #include "sim/core/clock.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/servo/tool_touch.h"
 
 namespace torsio::gui {

@@ -23,7 +23,6 @@
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/tick_period.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

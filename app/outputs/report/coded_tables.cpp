@@ -29,7 +29,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

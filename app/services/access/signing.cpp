@@ -10,7 +10,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
-#include "sim/core/clock_text.h"
+#include "sim/core/clock.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -11,7 +11,7 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/copy_register.h"
 #include "sim/core/clock.h"
-#include "sim/core/private_files.h"
+#include "sim/core/file_io.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {

@@ -12,7 +12,6 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/people/server_roles.h"
 #include "sim/core/clock.h"
-#include "sim/core/clock_text.h"
 #include "sim/core/error.h"
 
 namespace torsio {

@@ -6,7 +6,7 @@
 #include <QStandardPaths>
 
 #include "db/connection/locator.h"
-#include "sim/core/private_files.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 

@@ -12,7 +12,6 @@
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/core/private_files.h"
 
 namespace torsio {
 

@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "sim/core/contracts.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -17,7 +17,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/remark_repository.h"
 #include "sim/core/error.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -20,7 +20,7 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "assessment/catalogue/quantity.h"
-#include "sim/core/clock_text.h"
+#include "sim/core/clock.h"
 
 namespace torsio {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "sim/core/error.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/hdapi/hdapi_border.h"
 
 namespace torsio {

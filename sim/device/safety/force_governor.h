@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "sim/core/live_types.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/safety/force_gate.h"
 
 namespace torsio {

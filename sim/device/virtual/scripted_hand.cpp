@@ -7,7 +7,7 @@
 
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
-#include "sim/core/hollow_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/core/portable_math.h"
 #include "sim/core/random.h"
 

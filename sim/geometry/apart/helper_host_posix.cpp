@@ -5,7 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "sim/core/private_files.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/apart/helper_host.h"
 #include "sim/geometry/apart/helper_process.h"
 

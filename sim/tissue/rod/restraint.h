@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 
 namespace torsio {
 

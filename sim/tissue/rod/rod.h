@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/tissue/rod/restraint.h"
 #include "sim/tissue/rod/rod_algebra.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 
 /// Small rotations and 3 x 3 matrices of the rod: +, -, *, / and sqrt only, so that every build gives the
 /// same bits. Shared by the sources of sim/tissue/rod.

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/tissue/rod/rod.h"
 #include "sim/tissue/section/wall_section.h"

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/core/vec3.h"
 #include "sim/tissue/rod/rod_sections.h"
 

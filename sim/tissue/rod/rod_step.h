@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "sim/core/rod_pose.h"
+#include "sim/core/organ_pose.h"
 #include "sim/tissue/rod/grip.h"
 #include "sim/tissue/rod/rod_system.h"
 

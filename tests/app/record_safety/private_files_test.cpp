@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Personal data are readable only by the record's owner, and erased data do not remain on the disk.
-#include "sim/core/private_files.h"
 
 #include <chrono>
 #include <csignal>

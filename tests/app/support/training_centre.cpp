@@ -15,7 +15,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/angle.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/sim/servo/bar_scene.h"

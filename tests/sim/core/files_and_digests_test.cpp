@@ -21,7 +21,6 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/file_lock.h"
-#include "sim/core/private_files.h"
 
 namespace torsio {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/services/base/build_info.h"
 #include "app/services/recording/pipeline.h"
 #include "sim/core/error.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"

@@ -26,7 +26,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/recorder.h"

@@ -13,7 +13,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/pose.h"
 #include "sim/core/random.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/sample_codec.h"

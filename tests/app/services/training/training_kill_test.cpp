@@ -13,7 +13,7 @@
 #include "app/services/training/run_session.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/repository/study/study_repository.h"
-#include "sim/core/tick_period.h"
+#include "sim/core/time_units.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/support/training_centre.h"
