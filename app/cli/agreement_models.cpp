@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models of raters: many-facet Rasch and generalizability.
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -54,19 +55,7 @@ Scale scaleOf(const RatingGrid& grid, const AgreementOptions& options) {
   return scale;
 }
 
-const char* statusName(RaschStatus status) {
-  switch (status) {
-    case RaschStatus::kEstimated:
-      return "estimated";
-    case RaschStatus::kExtremeLow:
-      return "extreme low";
-    case RaschStatus::kExtremeHigh:
-      return "extreme high";
-    case RaschStatus::kNoRatings:
-      return "no ratings";
-  }
-  return "";
-}
+constexpr std::array kStatuses{"estimated", "extreme low", "extreme high", "no ratings"};
 
 Json estimatesJson(const RatingGrid& grid, const Scale& scale, const RaschResult& result) {
   const std::string aside = "set aside: see the status";
@@ -74,7 +63,7 @@ Json estimatesJson(const RatingGrid& grid, const Scale& scale, const RaschResult
   out["persons"] = Json::array();
   for (std::size_t n = 0; n < result.persons.size(); ++n) {
     const RaschPerson& person = result.persons[n];
-    Json entry{{"target", grid.targets[n]}, {"status", statusName(person.status)}};
+    Json entry{{"target", grid.targets[n]}, {"status", wordOf(person.status, kStatuses)}};
     entry["ability"] = numberJson(person.ability, aside);
     entry["error"] = numberJson(person.error, aside);
     entry["joint_error"] = numberJson(person.jointError, aside);
@@ -87,7 +76,7 @@ Json estimatesJson(const RatingGrid& grid, const Scale& scale, const RaschResult
   out["raters"] = Json::array();
   for (std::size_t r = 0; r < result.raters.size(); ++r) {
     const RaschRater& rater = result.raters[r];
-    Json entry{{"rater", grid.raters[r]}, {"status", statusName(rater.status)}};
+    Json entry{{"rater", grid.raters[r]}, {"status", wordOf(rater.status, kStatuses)}};
     entry["severity"] = numberJson(rater.severity, aside);
     entry["error"] = numberJson(rater.error, aside);
     entry["infit"] = numberJson(rater.infit, aside);

@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/connectors/built_in.h"
 #include "app/outputs/charts/graphics_application.h"
 #include "app/services/base/build_info.h"
@@ -108,7 +109,7 @@ void requireKnownCommand(const CLI::App& program, const std::string& first) {
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
     names.append(names.empty() || command->get_name().empty() ? "" : ", ").append(command->get_name());
   }
-  throw Error(ErrorCode::kUsage, Text::verbatim("no such command"), first, "Commands: " + names);
+  refuseUsage("no such command", first, "Commands: " + names);
 }
 
 /// One line on standard error for whatever is being thrown, and its exit code. Call inside a catch block.

@@ -11,6 +11,7 @@
 #include "app/cli/agreement_methods.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/options.h"
 #include "app/services/base/csv_table.h"
 #include "sim/core/error.h"
 
@@ -41,7 +42,7 @@ const std::map<std::string, std::string> kMethodOf = {
 void requireOptionsOfMethod(const CLI::App& command, const std::string& method) {
   for (const auto& [name, owner] : kMethodOf) {
     if (command.count(name) > 0 && method != owner) {
-      throw Error(ErrorCode::kUsage, "the method " + method + " does not read " + name, "agreement " + name,
+      refuseUsage("the method " + method + " does not read " + name, "agreement " + name,
                   "Give --method " + owner + " or leave the option out");
     }
   }
@@ -87,7 +88,7 @@ void addMethodOptions(CLI::App& command, AgreementOptions& options) {
       ->delimiter(',');
   command.add_option("--disagreement", options.disagreement,
                      "kappa: custom weights, CSV with the columns first,second,disagreement");
-  command.add_option("--seed", options.seed, "krippendorff: seed of the resamples")->capture_default_str();
+  addDefaulted(command, "--seed", options.seed, "krippendorff: seed of the resamples");
   command
       .add_option("--resamples", options.resamples,
                   "krippendorff: resamples for the interval; default: 9999, fewer for more than 8000 scores")
@@ -109,10 +110,8 @@ void addAgreement(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "agreement", "How well raters agree: ICC, Krippendorff, kappa, Bland-Altman, Rasch, generalizability");
   command->add_option("--ratings", arguments->file, "CSV with the columns target,rater,score")->required();
-  command
-      ->add_option("--method", arguments->method, "What to compute; the overview has the usual coefficients")
-      ->check(CLI::IsMember(kMethods))
-      ->capture_default_str();
+  addDefaulted(*command, "--method", arguments->method,
+               "What to compute; the overview has the usual coefficients", CLI::IsMember(kMethods));
   addMethodOptions(*command, arguments->options);
   command->callback([arguments, command] {
     requireOptionsOfMethod(*command, arguments->method);

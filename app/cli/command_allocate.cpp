@@ -12,6 +12,7 @@
 #include "app/cli/allocation_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/options.h"
 #include "app/services/maintenance/signing_key.h"
 #include "app/services/maintenance/station_anchor.h"
 #include "assessment/domain/study/allocation.h"
@@ -125,20 +126,19 @@ void runReplay(const AllocateArguments& arguments) {
 void run(const AllocateArguments& arguments) {
   if (!arguments.replay.empty()) {
     if (!arguments.design.empty() || arguments.seed || !arguments.salt.empty()) {
-      throw Error(ErrorCode::kUsage, Text::verbatim("--replay stands alone: design and seed are in the file"),
-                  arguments.replay, Text::verbatim("Leave out --design, --seed and --salt"));
+      refuseUsage("--replay stands alone: design and seed are in the file", arguments.replay,
+                  "Leave out --design, --seed and --salt");
     }
     runReplay(arguments);
     return;
   }
   if (!arguments.head.empty() || !arguments.keys.publicKey.empty() || !arguments.keys.witness.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("--head, --public-key and --witness belong to --replay"),
-                Text::verbatim("allocate"), Text::verbatim("Give --replay FILE, or leave them out"));
+    refuseUsage("--head, --public-key and --witness belong to --replay", "allocate",
+                "Give --replay FILE, or leave them out");
   }
   if (arguments.design.empty() || !arguments.seed) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("an allocation needs --design and --seed, or --replay"),
-                Text::verbatim("allocate"),
-                Text::verbatim("Give the design and draw a seed at random: it is never chosen for you"));
+    refuseUsage("an allocation needs --design and --seed, or --replay", "allocate",
+                "Give the design and draw a seed at random: it is never chosen for you");
   }
   runAllocation(arguments);
 }

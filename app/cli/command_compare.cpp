@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/progress_line.h"
 #include "app/outputs/pdf/pdf_report.h"
@@ -56,9 +57,8 @@ void runCompare(OrganComparison arguments) {
   arguments.options.springs.calibration =
       arguments.calibration == "affine" ? Calibration::kAffine : Calibration::kEquilibrium;
   if (arguments.options.grasp && arguments.ends == "clamped-turned") {
-    throw Error(ErrorCode::kUsage,
-                Text::verbatim("with --ends clamped-turned the upper face is turned, nothing is gripped"),
-                Text::verbatim("--grasp"), Text::verbatim("Leave it out, or give --ends clamped-free"));
+    refuseUsage("with --ends clamped-turned the upper face is turned, nothing is gripped", "--grasp",
+                "Leave it out, or give --ends clamped-free");
   }
   const SceneRequest request = sceneRequest(arguments.organ);
   const Scene scene = loadScene(request);
@@ -101,12 +101,10 @@ void addCompare(CLI::App& program) {
   command->add_option(
       "--torque", arguments->options.torque_Nm,
       "At the turned end or jaw, N m; default: reaches the pattern's angle by the twist model");
-  command
-      ->add_option("--ends", arguments->ends,
-                   "clamped-turned (the upper face is turned in its place) or clamped-free (a jaw at --grasp "
-                   "turns the organ, all else is free)")
-      ->check(CLI::IsMember({"clamped-turned", "clamped-free"}))
-      ->capture_default_str();
+  addDefaulted(*command, "--ends", arguments->ends,
+               "clamped-turned (the upper face is turned in its place) or clamped-free (a jaw at --grasp "
+               "turns the organ, all else is free)",
+               CLI::IsMember({"clamped-turned", "clamped-free"}));
   command->add_option("--grasp", arguments->options.grasp,
                       "Middle of the jaw, fraction of the length; default: the pattern's");
   command->add_option("--out", arguments->out, "Folder for comparison.pdf, comparison.json and tables")
@@ -116,22 +114,15 @@ void addCompare(CLI::App& program) {
   command->add_option("--measured", arguments->measured,
                       "Markers of real limbs, CSV: marker, time, x, y, z, unit, subject; or a camera marker "
                       "file (TRC)");
-  command->add_option("--nu", arguments->options.poissonRatio, "Poisson's ratio of the elements")
-      ->capture_default_str();
-  command->add_option("--ramp", arguments->options.ramp_s, "Seconds in which the torque grows")
-      ->capture_default_str();
-  command->add_option("--rings", arguments->options.rings, "Rings of elements and springs in a section")
-      ->capture_default_str();
-  command->add_option("--reference-rings", arguments->options.referenceRings, "Rings of the reference")
-      ->check(CLI::Range(1, 12))
-      ->capture_default_str();
-  command->add_option("--substeps", arguments->options.springs.substeps, "Substeps of the springs per frame")
-      ->capture_default_str();
-  command
-      ->add_option("--calibration", arguments->calibration,
-                   "Calibration of the springs: affine or equilibrium")
-      ->check(CLI::IsMember({"affine", "equilibrium"}))
-      ->capture_default_str();
+  addDefaulted(*command, "--nu", arguments->options.poissonRatio, "Poisson's ratio of the elements");
+  addDefaulted(*command, "--ramp", arguments->options.ramp_s, "Seconds in which the torque grows");
+  addDefaulted(*command, "--rings", arguments->options.rings, "Rings of elements and springs in a section");
+  addDefaulted(*command, "--reference-rings", arguments->options.referenceRings, "Rings of the reference",
+               CLI::Range(1, 12));
+  addDefaulted(*command, "--substeps", arguments->options.springs.substeps,
+               "Substeps of the springs per frame");
+  addDefaulted(*command, "--calibration", arguments->calibration,
+               "Calibration of the springs: affine or equilibrium", CLI::IsMember({"affine", "equilibrium"}));
   command->add_flag("--json", arguments->json, "Print comparison.json");
   command->callback([arguments] { runCompare(*arguments); });
 }

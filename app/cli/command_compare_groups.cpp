@@ -12,6 +12,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/comparison_methods.h"
 #include "app/cli/json_output.h"
+#include "app/cli/options.h"
 #include "app/services/base/csv_table.h"
 #include "assessment/statistics/descriptive.h"
 #include "sim/core/error.h"
@@ -157,16 +158,15 @@ void compareGroups(const CompareArguments& arguments) {
 void requireOptionsThatCount(const CLI::App& command) {
   for (const char* name : {"--resamples", "--every-resample"}) {
     if (command.count(name) > 0 && command.count("--bootstrap") == 0) {
-      throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a bootstrap",
-                  Text::verbatim("compare-groups"),
-                  Text::verbatim("Give --bootstrap mean or --bootstrap median too"));
+      refuseUsage(std::string(name) + " belongs to a bootstrap", "compare-groups",
+                  "Give --bootstrap mean or --bootstrap median too");
     }
   }
   for (const char* name :
        {"--occasion", "--covariate", "--margin", "--lowest", "--highest", "--residuals", "--adjust"}) {
     if (command.count(name) > 0 && command.count("--paired") > 0) {
-      throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a comparison between groups",
-                  Text::verbatim("compare-groups --paired"), Text::verbatim("Leave one of the two out"));
+      refuseUsage(std::string(name) + " belongs to a comparison between groups", "compare-groups --paired",
+                  "Leave one of the two out");
     }
   }
 }
@@ -176,11 +176,10 @@ void addResampling(CLI::App& command, CompareArguments& arguments) {
       .add_option("--bootstrap", arguments.bootstrap,
                   "Bootstrap intervals of the mean or median of each group; with --paired of the gains")
       ->check(CLI::IsMember({"mean", "median"}));
-  command.add_option("--resamples", arguments.request.resamples, "Resamples of the bootstrap")
-      ->check(CLI::Range(99, 1'000'000))
-      ->capture_default_str();
-  command.add_option("--seed", arguments.request.seed, "Seed of the bootstrap, and of random permutations")
-      ->capture_default_str();
+  addDefaulted(command, "--resamples", arguments.request.resamples, "Resamples of the bootstrap",
+               CLI::Range(99, 1'000'000));
+  addDefaulted(command, "--seed", arguments.request.seed,
+               "Seed of the bootstrap, and of random permutations");
   command.add_flag("--every-resample", arguments.request.everyResample,
                    "All resamples instead of random ones: up to seven subjects");
 }
@@ -208,9 +207,8 @@ void addCompareGroups(CLI::App& program) {
   highest->needs(lowest);
   command->add_flag("--residuals", arguments->residuals,
                     "Adds each subject's residual of the analysis of covariance, for plots");
-  command->add_option("--adjust", arguments->adjust, "Adjustment of p over the pairs of more than two groups")
-      ->check(CLI::IsMember(kAdjustments))
-      ->capture_default_str();
+  addDefaulted(*command, "--adjust", arguments->adjust,
+               "Adjustment of p over the pairs of more than two groups", CLI::IsMember(kAdjustments));
   command
       ->add_option("--paired", arguments->paired,
                    "Compare occasions of the same subjects, last against first; friedman: all occasions")

@@ -9,6 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/recording/competence_service.h"
 #include "app/services/recording/competence_text.h"
@@ -104,17 +105,13 @@ void enrolDesign(const CompetenceArguments& arguments) {
 
 void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
   CompetenceDesign& design = arguments->design;
-  command.add_option("--adequate", design.adequate, "Failure rate of a trainee who is competent")
-      ->capture_default_str();
-  command.add_option("--inadequate", design.inadequate, "Failure rate of a trainee who is not competent")
-      ->capture_default_str();
-  command.add_option("--attempts", design.attempts, "Number of attempts for which the error rates hold")
-      ->capture_default_str();
-  command.add_option("--false-pass", design.falsePassMost, "Largest share of inadequate trainees that pass")
-      ->capture_default_str();
-  command
-      .add_option("--false-fail", design.falseFailMost, "Largest share of adequate trainees that do not pass")
-      ->capture_default_str();
+  addDefaulted(command, "--adequate", design.adequate, "Failure rate of a trainee who is competent");
+  addDefaulted(command, "--inadequate", design.inadequate, "Failure rate of a trainee who is not competent");
+  addDefaulted(command, "--attempts", design.attempts, "Number of attempts for which the error rates hold");
+  addDefaulted(command, "--false-pass", design.falsePassMost,
+               "Largest share of inadequate trainees that pass");
+  addDefaulted(command, "--false-fail", design.falseFailMost,
+               "Largest share of adequate trainees that do not pass");
   command.add_option("--tolerance", arguments->tolerance_deg,
                      "Tolerance in degrees; default: the exercise's");
 }

@@ -8,10 +8,10 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/copies.h"
-#include "app/services/maintenance/database_copy.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/record_restore.h"
@@ -211,7 +211,7 @@ void addDb(CLI::App& program) {
       ->required();
   command->add_flag("--ask-server-password", arguments->database.askPassword,
                     "Asks at the terminal for the password of the server");
-  command->add_option("--station-role", arguments->role, "Role of the stations")->capture_default_str();
+  addDefaulted(*command, "--station-role", arguments->role, "Role of the stations");
   addMaintenanceOptions(*command, arguments->maintenance);
   command->callback([arguments] { prepareServerRoles(*arguments); });
 }

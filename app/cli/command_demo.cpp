@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/progress_line.h"
 #include "app/outputs/pdf/pdf_report.h"
@@ -76,7 +77,7 @@ void addDemo(CLI::App& program) {
       "demo", "A whole study with simulated people: twist, record, mark, evaluate, report");
   command->add_option("--out", arguments->out, "Folder for cohort.pdf, cohort.csv and torsio.sqlite")
       ->required();
-  command->add_option("--seed", arguments->seed, "Same seed, same results")->capture_default_str();
+  addDefaulted(*command, "--seed", arguments->seed, "Same seed, same results");
   command
       ->add_option("--shorten", arguments->shorten,
                    "Shortens training time by this factor, however few twists remain (default: 60)")
@@ -85,9 +86,8 @@ void addDemo(CLI::App& program) {
       ->add_option("--twists", arguments->twists,
                    "Minimum number of twists per phase (default: 10; none with --shorten or --full)")
       ->check(CLI::Range(0, 200));
-  command->add_option("--language", arguments->language, "Language of the report; the table stays English")
-      ->check(CLI::IsMember(reportLanguages()))
-      ->capture_default_str();
+  addDefaulted(*command, "--language", arguments->language, "Language of the report; the table stays English",
+               CLI::IsMember(reportLanguages()));
   command->add_flag("--full", arguments->full, "Full length: twenty minutes per phase");
   addOrganOptions(*command, arguments->organ);
   command->callback([arguments] { runDemo(*arguments); });

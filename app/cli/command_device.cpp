@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <csignal>
 #include <iomanip>
 #include <iostream>
@@ -10,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_output.h"
+#include "app/cli/options.h"
 #include "app/services/devices/device_check.h"
 #include "app/services/devices/device_monitor.h"
 #include "assessment/results/number_format.h"
@@ -44,29 +47,9 @@ struct DeviceArguments {
   double interval_s = 0.25;
 };
 
-const char* gradeWord(FindingGrade grade) {
-  switch (grade) {
-    case FindingGrade::kGood:
-      return "good";
-    case FindingGrade::kNote:
-      return "note";
-    case FindingGrade::kBad:
-      return "problem";
-  }
-  return "";
-}
+constexpr std::array kGrades{"good", "note", "problem"};
 
-const char* useWord(DriverUse use) {
-  switch (use) {
-    case DriverUse::kStation:
-      return "station";
-    case DriverUse::kPointer:
-      return "pointer";
-    case DriverUse::kNoHand:
-      return "no hand";
-  }
-  return "";
-}
+constexpr std::array kUses{"station", "pointer", "no hand"};
 
 void runList(const DeviceArguments& arguments) {
   const DeviceRequest request = deviceRequest(arguments.choice);
@@ -77,7 +60,7 @@ void runList(const DeviceArguments& arguments) {
     out.push_back({{"id", driver.id},
                    {"name", driver.name},
                    {"needs", driver.needs.str()},
-                   {"use", useWord(driver.use)},
+                   {"use", wordOf(driver.use, kUses)},
                    {"renders_force", driver.rendersForce},
                    {"chosen", driver.id == remembered},
                    {"available", found.available},
@@ -108,8 +91,8 @@ void runChoose(const DeviceArguments& arguments) {
 void printCheck(const DeviceCheckResult& result, bool json) {
   if (!json) {
     for (const DeviceFinding& finding : result.findings) {
-      std::cout << std::left << std::setw(8) << gradeWord(finding.grade) << " " << finding.subject << ": "
-                << finding.sentence << "\n";
+      std::cout << std::left << std::setw(8) << wordOf(finding.grade, kGrades) << " " << finding.subject
+                << ": " << finding.sentence << "\n";
       if (!finding.remedy.empty()) {
         std::cout << std::string(9, ' ') << "What to do: " << finding.remedy << "\n";
       }
@@ -124,7 +107,7 @@ void printCheck(const DeviceCheckResult& result, bool json) {
   out["findings"] = nlohmann::ordered_json::array();
   for (const DeviceFinding& finding : result.findings) {
     out["findings"].push_back({{"subject", finding.subject},
-                               {"grade", gradeWord(finding.grade)},
+                               {"grade", wordOf(finding.grade, kGrades)},
                                {"sentence", finding.sentence.str()},
                                {"remedy", finding.remedy.str()}});
   }
@@ -264,9 +247,8 @@ void addDevice(CLI::App& program) {
       command->add_subcommand("check", "Tests the haptic device; exit code 12 if it is not ready");
   addChoice(check);
   addName(check);
-  check->add_option("--seconds", arguments->checkSeconds, "Length of the measurement")->capture_default_str();
-  check->add_option("--wait", arguments->wait_s, "Seconds to wait for the stylus in the inkwell")
-      ->capture_default_str();
+  addDefaulted(*check, "--seconds", arguments->checkSeconds, "Length of the measurement");
+  addDefaulted(*check, "--wait", arguments->wait_s, "Seconds to wait for the stylus in the inkwell");
   check->add_flag("--force-test", arguments->forceTest, "I hold the stylus: push upwards with 0.5 N for 2 s");
   check->add_flag("--json", arguments->json, "Print JSON");
   check->callback([arguments] { runCheck(*arguments); });
@@ -274,9 +256,8 @@ void addDevice(CLI::App& program) {
   CLI::App* monitor = command->add_subcommand("monitor", "Shows the haptic device's readings; no force");
   addChoice(monitor);
   addName(monitor);
-  monitor->add_option("--seconds", arguments->monitorSeconds, "How long")->capture_default_str();
-  monitor->add_option("--interval", arguments->interval_s, "Seconds between two lines")
-      ->capture_default_str();
+  addDefaulted(*monitor, "--seconds", arguments->monitorSeconds, "How long");
+  addDefaulted(*monitor, "--interval", arguments->interval_s, "Seconds between two lines");
   monitor->add_flag("--json", arguments->json, "Print JSON");
   monitor->callback([arguments] { runMonitor(*arguments); });
 }

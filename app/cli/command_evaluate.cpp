@@ -13,6 +13,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/options.h"
 #include "app/services/base/csv_table.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_resampling.h"
@@ -44,8 +45,8 @@ std::pair<std::string, double> namedWeight(const std::string& text, const std::s
   double weight = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), weight);
   if (error != std::errc() || end != digits.data() + digits.size()) {
-    throw Error(ErrorCode::kUsage, "\"" + text + "\" is no weight", option,
-                Text::verbatim("Give weights such as 0.2,0.3,0.5 or A=0.2,B=0.3,C=0.5"));
+    refuseUsage("\"" + text + "\" is no weight", option,
+                "Give weights such as 0.2,0.3,0.5 or A=0.2,B=0.3,C=0.5");
   }
   return {name, weight};
 }
@@ -62,8 +63,7 @@ std::vector<std::pair<std::string, std::int64_t>> weightList(const std::vector<s
   }
   const auto unnamed = std::count(names.begin(), names.end(), "");
   if (unnamed != 0 && unnamed != std::ssize(names)) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("some weights have a name and some have none"), option,
-                Text::verbatim("Name all of them or none"));
+    refuseUsage("some weights have a name and some have none", option, "Name all of them or none");
   }
   std::vector<std::pair<std::string, std::int64_t>> list;
   const std::vector<std::int64_t> milli = weightsInMilli(weights);
@@ -413,24 +413,15 @@ void addEvaluate(CLI::App& program) {
       ->add_option("--class-weights", arguments->classWeights,
                    "Weights of the rater classes: 0.2,0.3,0.5 (A, B, C) or id=0.2,...; default: the paper's")
       ->delimiter(',');
-  command->add_option("--policy", arguments->policy, "Treatment of missing marks")
-      ->check(CLI::IsMember({"refuse", "renormalise", "available", "list-wise"}))
-      ->capture_default_str();
-  command->add_option("--lowest", arguments->lowest, "Lowest score, points")
-      ->check(CLI::Range(-1000, 1000))
-      ->capture_default_str();
-  command->add_option("--highest", arguments->highest, "Highest score, points")
-      ->check(CLI::Range(-1000, 1000))
-      ->capture_default_str();
-  command->add_option("--steps-per-point", arguments->stepsPerPoint, "Steps per point; 10: scores in tenths")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      ->add_option("--resamples", arguments->resamples,
-                   "Resampled panels of raters for an interval of N; 0: none")
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Seed of the resampling")->capture_default_str();
+  addDefaulted(*command, "--policy", arguments->policy, "Treatment of missing marks",
+               CLI::IsMember({"refuse", "renormalise", "available", "list-wise"}));
+  addDefaulted(*command, "--lowest", arguments->lowest, "Lowest score, points", CLI::Range(-1000, 1000));
+  addDefaulted(*command, "--highest", arguments->highest, "Highest score, points", CLI::Range(-1000, 1000));
+  addDefaulted(*command, "--steps-per-point", arguments->stepsPerPoint,
+               "Steps per point; 10: scores in tenths", CLI::Range(1, 1000));
+  addDefaulted(*command, "--resamples", arguments->resamples,
+               "Resampled panels of raters for an interval of N; 0: none", CLI::Range(0, 1'000'000));
+  addDefaulted(*command, "--seed", arguments->seed, "Seed of the resampling");
   command->callback([arguments] { runEvaluate(*arguments); });
 }
 

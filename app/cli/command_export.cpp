@@ -9,6 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/cli/terminal.h"
 #include "app/connectors/built_in.h"
 #include "app/outputs/dataset/cohort_exchange.h"
@@ -150,13 +151,13 @@ void addExport(CLI::App& program) {
   CLI::App* book = parent->add_subcommand("workbook", "A workbook for spreadsheets (.xlsx), with charts");
   addCommon(*book, *arguments, "File to write");
   addPseudonyms(*book, *arguments);
-  book->add_option("--language", arguments->language, "en or zh_CN")->capture_default_str();
+  addDefaulted(*book, "--language", arguments->language, "en or zh_CN");
   book->callback([arguments] { run(*arguments, &writeBook); });
 
   CLI::App* tables = parent->add_subcommand("tables", "Tables for statisticians, with a codebook");
   addCommon(*tables, *arguments, "Folder to write into");
   addPseudonyms(*tables, *arguments);
-  tables->add_option("--as", arguments->format, "spss, r or csv")->capture_default_str();
+  addDefaulted(*tables, "--as", arguments->format, "spss, r or csv");
   tables->callback([arguments] { run(*arguments, &writeTableFiles); });
 
   CLI::App* grades = parent->add_subcommand("gradebook", "Scores for a learning system (Moodle's CSV)");
@@ -174,16 +175,15 @@ void addDataset(CLI::App& program) {
   CLI::App* out = parent->add_subcommand("export", "Tables, trajectories and definitions, with a descriptor");
   addCommon(*out, *arguments, "New folder to write into");
   addPseudonyms(*out, *arguments);
-  out->add_option("--as", arguments->format, "frictionless, ro-crate or bids")->capture_default_str();
+  addDefaulted(*out, "--as", arguments->format, "frictionless, ro-crate or bids");
   DatasetAbout& about = arguments->dataset.about;
   out->add_option("--title", about.title, "Title of the data set")->required();
   out->add_option("--licence", about.licence, "SPDX identifier of the licence: CC-BY-4.0")->required();
   out->add_option("--description", about.description, "What the data are about");
   out->add_option("--citation", about.citation, "How users cite the data");
   out->add_option("--creator", about.creator, "Author: person or centre");
-  out->add_option("--rate", arguments->dataset.rate_Hz,
-                  "Samples of a trajectory per second; a divisor of 1000")
-      ->capture_default_str();
+  addDefaulted(*out, "--rate", arguments->dataset.rate_Hz,
+               "Samples of a trajectory per second; a divisor of 1000");
   out->add_flag("--whole", arguments->dataset.whole, "Also include what an import into another record needs");
   out->callback([arguments] {
     arguments->dataset.layout = datasetLayout(arguments->format);

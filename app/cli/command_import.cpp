@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "app/connectors/foreign/dataset_import.h"
 #include "app/connectors/foreign/foreign_import.h"
@@ -51,9 +52,8 @@ void printImport(const Outcome& done, bool json) {
 void runImport(const ImportArguments& given) {
   const bool own = given.layout == "torsio";
   if (own ? given.folder.empty() || !given.map.empty() : given.map.empty() || !given.folder.empty()) {
-    throw Error(ErrorCode::kUsage,
-                Text::verbatim("a data set of Torsio is a folder; other formats need a map"), given.layout,
-                Text::verbatim("Give --from FOLDER with --as torsio, --map FILE otherwise"));
+    refuseUsage("a data set of Torsio is a folder; other formats need a map", given.layout,
+                "Give --from FOLDER with --as torsio, --map FILE otherwise");
   }
   MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
   auto line = std::make_unique<ProgressLine>();

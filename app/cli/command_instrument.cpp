@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
@@ -75,8 +76,7 @@ nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string
 /// Checks the output name and converts the positions, given in units of `unit_mm`.
 void takePlaces(InstrumentArguments& arguments, double unit_mm) {
   if (!arguments.out.ends_with(".json")) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("an instrument's file ends with .json"),
-                "--out " + arguments.out, Text::verbatim("Name it so"));
+    refuseUsage("an instrument's file ends with .json", "--out " + arguments.out, "Name it so");
   }
   arguments.tool.seed_mm = placeOf(arguments.seed);
   arguments.tool.tip_mm = placeOf(arguments.tip);
@@ -141,14 +141,12 @@ void addPlaces(CLI::App& command, InstrumentArguments& arguments, const std::str
          "x,y,z: direction from the tip to the hand; default: found from the shape");
   vector("--jaw-axis", arguments.jawAxis,
          "x,y,z: direction of the hinge; default: along the jaws' broad side");
-  command
-      .add_option("--pivot", arguments.tool.pivot_mm, "Distance from the tip to the hinge of the jaws, mm")
-      ->capture_default_str();
-  command.add_option("--opening", arguments.facts.opening_deg, "How far each jaw opens, degrees")
-      ->check(CLI::Range(0.0, 90.0))
-      ->capture_default_str();
-  command.add_option("--grip-reach", arguments.facts.gripReach_mm, "How far a closed jaw holds tissue, mm")
-      ->capture_default_str();
+  addDefaulted(command, "--pivot", arguments.tool.pivot_mm,
+               "Distance from the tip to the hinge of the jaws, mm");
+  addDefaulted(command, "--opening", arguments.facts.opening_deg, "How far each jaw opens, degrees",
+               CLI::Range(0.0, 90.0));
+  addDefaulted(command, "--grip-reach", arguments.facts.gripReach_mm,
+               "How far a closed jaw holds tissue, mm");
   command.add_option("--tip-radius", arguments.facts.tipRadius_mm,
                      "Radius of the ball that touches, mm; default: measured");
   command.add_option("--title", arguments.facts.title, "Display name");
@@ -160,10 +158,8 @@ void addReconstruct(CLI::App& instrument) {
   CLI::App* command = instrument.add_subcommand(
       "reconstruct", "Make an instrument from its scan: a folder of DICOM files, or NIfTI (.nii, .nii.gz)");
   command->add_option("SOURCE", arguments->source, "Folder or file of the scan")->required();
-  command
-      ->add_option("--threshold", arguments->tool.threshold_HU,
-                   "Threshold in HU above which the scan shows the instrument")
-      ->capture_default_str();
+  addDefaulted(*command, "--threshold", arguments->tool.threshold_HU,
+               "Threshold in HU above which the scan shows the instrument");
   command
       ->add_option("--seed", arguments->seed,
                    "x,y,z of a point in it, mm: left, back, up; default: the largest piece")
@@ -188,10 +184,8 @@ void addImport(CLI::App& instrument) {
       ->check(CLI::IsMember({"m", "cm", "mm", "um"}))
       ->excludes(scale)
       ->capture_default_str();
-  command
-      ->add_option("--drawn-open", arguments->drawnOpen_deg, "How far each jaw is open in the file, degrees")
-      ->check(CLI::Range(0.0, 90.0))
-      ->capture_default_str();
+  addDefaulted(*command, "--drawn-open", arguments->drawnOpen_deg,
+               "How far each jaw is open in the file, degrees", CLI::Range(0.0, 90.0));
   addPlaces(*command, *arguments, "the file's unit");
   command->callback([arguments] { runImport(*arguments); });
 }

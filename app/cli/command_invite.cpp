@@ -9,6 +9,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/invitations.h"
 #include "app/services/maintenance/maintenance_desk.h"
@@ -53,8 +54,8 @@ void inviteUsers(const InviteArguments& arguments) {
   }
   const std::string address = browserAddress(desk.session());
   if (address.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("the address of the review desk is not set"), "",
-                Text::verbatim("Give --address https://..., once; the record remembers it"));
+    refuseUsage("the address of the review desk is not set", "",
+                "Give --address https://..., once; the record remembers it");
   }
   for (const Invitation& one : invite(desk.session(), ids)) {
     std::cout << one.login << "  " << invitationLink(address, one.secret, false) << "\n";

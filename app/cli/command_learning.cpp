@@ -11,6 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/options.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/base/name_places.h"
 #include "assessment/statistics/curve_fit.h"
@@ -280,8 +281,7 @@ void runLearning(const LearningArguments& arguments) {
                     Text::verbatim("Give for example 0.1 and 0.2"));
   }
   if (arguments.target.has_value() != arguments.sigma.has_value()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("a CUSUM of values needs both --target and --sigma"),
-                Text::verbatim("learning"), Text::verbatim("Give both or none"));
+    refuseUsage("a CUSUM of values needs both --target and --sigma", "learning", "Give both or none");
   }
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "attempt", "value"});
   noteIgnoredColumns(table);
@@ -292,18 +292,13 @@ void runLearning(const LearningArguments& arguments) {
 
 void addProficiency(CLI::App& command, LearningArguments& arguments) {
   command.add_option("--threshold", arguments.threshold, "Values: standard that a proficient trainee meets");
-  command
-      .add_option("--better", arguments.better, "Values: whether lower or higher values meet the standard")
-      ->check(CLI::IsMember({"lower", "higher"}))
-      ->capture_default_str();
-  command
-      .add_option("--consecutive", arguments.consecutive, "Values: attempts in a row that meet the standard")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      .add_option("--further", arguments.further, "Values: attempts after these that meet it, not in a row")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+  addDefaulted(command, "--better", arguments.better,
+               "Values: whether lower or higher values meet the standard",
+               CLI::IsMember({"lower", "higher"}));
+  addDefaulted(command, "--consecutive", arguments.consecutive,
+               "Values: attempts in a row that meet the standard", CLI::Range(1, 1000));
+  addDefaulted(command, "--further", arguments.further,
+               "Values: attempts after these that meet it, not in a row", CLI::Range(0, 1000));
 }
 
 }  // namespace
@@ -315,37 +310,24 @@ void addLearning(CLI::App& program) {
   command->add_option("FILE", arguments->file, "CSV: subject,attempt,value with numbers or pass and fail")
       ->required();
   const auto rate = CLI::Range(0.001, 0.999);
-  command->add_option("--adequate", arguments->adequate, "Acceptable failure rate")
-      ->check(rate)
-      ->capture_default_str();
-  command->add_option("--inadequate", arguments->inadequate, "Unacceptable failure rate")
-      ->check(rate)
-      ->capture_default_str();
-  command
-      ->add_option("--false-pass", arguments->falsePass,
-                   "How often an inadequate trainee may pass; decides the limit")
-      ->check(rate)
-      ->capture_default_str();
+  addDefaulted(*command, "--adequate", arguments->adequate, "Acceptable failure rate", rate);
+  addDefaulted(*command, "--inadequate", arguments->inadequate, "Unacceptable failure rate", rate);
+  addDefaulted(*command, "--false-pass", arguments->falsePass,
+               "How often an inadequate trainee may pass; decides the limit", rate);
   command->add_option("--limit", arguments->limit, "Limit h of the LC-CUSUM instead of the chosen one")
       ->check(CLI::Range(0.01, 100.0));
-  command->add_option("--alpha", arguments->alpha, "Error rate of the success-failure CUSUM")
-      ->check(rate)
-      ->capture_default_str();
-  command->add_option("--beta", arguments->beta, "Error rate of the success-failure CUSUM")
-      ->check(rate)
-      ->capture_default_str();
+  addDefaulted(*command, "--alpha", arguments->alpha, "Error rate of the success-failure CUSUM", rate);
+  addDefaulted(*command, "--beta", arguments->beta, "Error rate of the success-failure CUSUM", rate);
   command->add_option("--target", arguments->target, "Values: target of a tabular CUSUM");
   command->add_option("--sigma", arguments->sigma, "Values: standard deviation in control")
       ->check(CLI::PositiveNumber);
-  command->add_option("--cusum-limit", arguments->h, "Values: limit of the CUSUM in sigma")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  addDefaulted(*command, "--cusum-limit", arguments->h, "Values: limit of the CUSUM in sigma",
+               CLI::PositiveNumber);
   addProficiency(*command, *arguments);
   command->callback([arguments, command] {
     for (const char* name : {"--better", "--consecutive", "--further"}) {
       if (command->count(name) > 0 && !arguments->threshold) {
-        throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a threshold",
-                    Text::verbatim("learning"), Text::verbatim("Give --threshold too"));
+        refuseUsage(std::string(name) + " belongs to a threshold", "learning", "Give --threshold too");
       }
     }
     runLearning(*arguments);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -44,17 +45,7 @@ struct MetricsArguments {
   bool cards = false;
 };
 
-const char* directionText(Direction direction) {
-  switch (direction) {
-    case Direction::kLowerIsBetter:
-      return "lower";
-    case Direction::kHigherIsBetter:
-      return "higher";
-    case Direction::kNeither:
-      return "neither";
-  }
-  return "";
-}
+constexpr std::array kBetter{"lower", "higher", "neither"};
 
 Json valuesJson(const MetricValues& values) {
   Json out = Json::object();
@@ -114,7 +105,7 @@ Json cardsJson() {
                                 {"shown_unit", row.shown.unit},
                                 {"decimals", row.shown.decimals},
                                 {"window", row.window.english()},
-                                {"better", directionText(row.direction)},
+                                {"better", wordOf(row.direction, kBetter)},
                                 {"version", row.version}};
   }
   return out;
@@ -165,26 +156,14 @@ OrganKnowledge organOf(const Scene& scene, const Trial& trial) {
   return organ;
 }
 
-const char* endingText(TwistEnding ending) {
-  switch (ending) {
-    case TwistEnding::kLetGo:
-      return "let go";
-    case TwistEnding::kRecordingEnded:
-      return "recording ended";
-    case TwistEnding::kDeviceFault:
-      return "device fault";
-    case TwistEnding::kNotSeen:
-      return "samples missing";
-  }
-  return "";
-}
+constexpr std::array kEndings{"let go", "recording ended", "device fault", "samples missing"};
 
 Json twistJson(const MeasuredTwist& measured) {
   const RecordedTwist& twist = measured.twist;
   Json entry{{"start_s", measured.start_s}, {"samples", twist.end - twist.first}};
   entry["target_rad"] = twist.target_rad;
   entry["released_at_rad"] = twist.releasedAt_rad;
-  entry["ending"] = endingText(twist.ending);
+  entry["ending"] = wordOf(twist.ending, kEndings);
   entry["on_target"] = measured.onTarget;
   entry["metrics"] = metricsJson(measured.metrics);
   return entry;

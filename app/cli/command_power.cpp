@@ -9,6 +9,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/options.h"
 #include "assessment/statistics/power.h"
 #include "sim/core/error.h"
 
@@ -60,9 +61,8 @@ Design designOf(const PowerArguments& arguments) {
 void requireTwoOfThree(const PowerArguments& arguments) {
   const int given = (arguments.n ? 1 : 0) + (arguments.effect ? 1 : 0) + (arguments.power ? 1 : 0);
   if (given != 2) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("one of size, effect and power follows from the other two"),
-                "power --test " + arguments.test,
-                Text::verbatim("Give exactly two of --n, --effect and --power"));
+    refuseUsage("one of size, effect and power follows from the other two", "power --test " + arguments.test,
+                "Give exactly two of --n, --effect and --power");
   }
   if (arguments.power && *arguments.power <= arguments.alpha) {
     refuseParameter(Text::verbatim("a power up to alpha needs no trainees"), Text::verbatim("--power"),
@@ -121,8 +121,7 @@ Json intraclassJson(const PowerArguments& arguments) {
 void requireOptionsThatCount(const CLI::App& command, const PowerArguments& arguments) {
   const auto refuse = [&](const char* name, bool counts, const char* owner) {
     if (command.count(name) > 0 && !counts) {
-      throw Error(ErrorCode::kUsage, std::string(name) + " does not belong to this question",
-                  "power --test " + arguments.test,
+      refuseUsage(std::string(name) + " does not belong to this question", "power --test " + arguments.test,
                   std::string("Use it with ") + owner + ", or leave it out");
     }
   };
@@ -152,21 +151,15 @@ void addPower(CLI::App& program) {
       ->check(CLI::Range(0.01, 20.0));
   command->add_option("--power", arguments->power, "Chance of finding the effect")
       ->check(CLI::Range(0.001, 0.9999));
-  command->add_option("--alpha", arguments->alpha, "Two-sided level of the test")
-      ->check(CLI::Range(1e-6, 0.5))
-      ->capture_default_str();
-  command->add_option("--groups", arguments->groups, "anova: number of groups")
-      ->check(CLI::Range(2, 100))
-      ->capture_default_str();
+  addDefaulted(*command, "--alpha", arguments->alpha, "Two-sided level of the test", CLI::Range(1e-6, 0.5));
+  addDefaulted(*command, "--groups", arguments->groups, "anova: number of groups", CLI::Range(2, 100));
   command
       ->add_option("--correlation", arguments->correlation,
                    "Correlation of the scores before and after: size of an analysis of covariance")
       ->check(CLI::Range(-0.999, 0.999));
   command->add_option("--icc", arguments->icc, "icc: the expected coefficient")
       ->check(CLI::Range(0.0, 0.999));
-  command->add_option("--raters", arguments->raters, "icc: raters per target")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
+  addDefaulted(*command, "--raters", arguments->raters, "icc: raters per target", CLI::Range(2, 1000));
   command->add_option("--width", arguments->width, "icc: wanted width of the 95 % interval")
       ->check(CLI::Range(0.001, 1.0));
   command->callback([arguments, command] {

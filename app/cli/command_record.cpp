@@ -10,8 +10,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/cli/organ_option.h"
-#include "app/services/maintenance/record_privacy.h"
+#include "app/services/maintenance/copies.h"
 #include "app/services/recording/pipeline.h"
 #include "app/services/recording/recording_spec.h"
 #include "app/services/recording/unstored_trials.h"
@@ -76,13 +77,10 @@ void addRecord(CLI::App& program) {
   auto arguments = std::make_shared<RecordArguments>();
   CLI::App* command = program.add_subcommand("record", "Record a simulated hand that twists an organ");
   addDatabaseOption(*command, arguments->database)->required();
-  command->add_option("--model", arguments->model, "Model that responds to the hand: twist, fem, msm")
-      ->check(CLI::IsMember({"twist", "fem", "msm"}))
-      ->capture_default_str();
-  command->add_option("--duration", arguments->duration_s, "Seconds to record")
-      ->check(CLI::Range(1.0, 3600.0))
-      ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Same seed, same hand")->capture_default_str();
+  addDefaulted(*command, "--model", arguments->model, "Model that responds to the hand: twist, fem, msm",
+               CLI::IsMember({"twist", "fem", "msm"}));
+  addDefaulted(*command, "--duration", arguments->duration_s, "Seconds to record", CLI::Range(1.0, 3600.0));
+  addDefaulted(*command, "--seed", arguments->seed, "Same seed, same hand");
   command->add_flag("--json", arguments->json, "Print JSON");
   addOrganOptions(*command, arguments->organ);
   command->callback([arguments] { runRecord(*arguments); });

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
 #include "sim/tissue/section/outline_file.h"
@@ -75,9 +76,8 @@ void printSection(const nlohmann::ordered_json& result, bool json) {
 /// Solves a closed wall by Bredt's formula: without a field inside, so without points or choice of a solver.
 void runWall(const SectionArguments& arguments) {
   if (!arguments.holes.empty() || !arguments.points.empty() || arguments.method != "auto") {
-    throw Error(ErrorCode::kUsage,
-                Text::verbatim("a wall is computed in closed form, without holes, points or a solver"),
-                Text::verbatim("--wall"), Text::verbatim("Leave out --hole, --at and --method, or --wall"));
+    refuseUsage("a wall is computed in closed form, without holes, points or a solver", "--wall",
+                "Leave out --hole, --at and --method, or --wall");
   }
   const WallSection wall = wallSection(readOutline(arguments.file), arguments.wall);
   if (wall.thickest > wall.mostThickness) {

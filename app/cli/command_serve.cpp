@@ -22,6 +22,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/services/base/assets.h"
 #include "app/web/http_server.h"
 #include "app/web/own_certificate.h"
@@ -52,24 +53,20 @@ struct ServeArguments {
 void requireEncryption(const ServeArguments& arguments, const web::HttpAddress& address) {
   const bool proxied = arguments.publicUrl.rfind("https://", 0) == 0;
   if (!arguments.publicUrl.empty() && !proxied) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("browsers reach the desk by https only"),
-                arguments.publicUrl,
-                Text::verbatim("Give --public-url https://... as the proxy is called, or leave it out"));
+    refuseUsage("browsers reach the desk by https only", arguments.publicUrl,
+                "Give --public-url https://... as the proxy is called, or leave it out");
   }
   if (arguments.certificate.empty() != arguments.key.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("certificate and key belong together"), "",
-                Text::verbatim("Give both --certificate and --key"));
+    refuseUsage("certificate and key belong together", "", "Give both --certificate and --key");
   }
   if (!arguments.certificate.empty() && !arguments.ownCertificate.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("a desk has one certificate"), "",
-                Text::verbatim("Give --own-certificate, or --certificate and --key"));
+    refuseUsage("a desk has one certificate", "", "Give --own-certificate, or --certificate and --key");
   }
   if (arguments.certificate.empty() && arguments.ownCertificate.empty() && !proxied &&
       !address.isLoopback()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("other machines would reach the desk without encryption"),
-                arguments.listen,
-                Text::verbatim("Give --certificate and --key, --own-certificate, or --public-url of a proxy "
-                               "that encrypts, or listen at 127.0.0.1"));
+    refuseUsage("other machines would reach the desk without encryption", arguments.listen,
+                "Give --certificate and --key, --own-certificate, or --public-url of a proxy "
+                "that encrypts, or listen at 127.0.0.1");
   }
 }
 
@@ -201,7 +198,7 @@ void addServe(CLI::App& program) {
   auto arguments = std::make_shared<ServeArguments>();
   CLI::App* command = program.add_subcommand("serve", "Opens the review desk to browsers");
   addDatabaseOption(*command, arguments->database);
-  command->add_option("--listen", arguments->listen, "Address and port")->capture_default_str();
+  addDefaulted(*command, "--listen", arguments->listen, "Address and port");
   command->add_option("--certificate", arguments->certificate, "PEM file: the certificate with its chain");
   command->add_option("--key", arguments->key, "PEM file: the key of the certificate");
   command->add_option("--public-url", arguments->publicUrl,

@@ -9,6 +9,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
+#include "app/cli/options.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/study/standard_tables.h"
 #include "assessment/statistics/standard_setting.h"
@@ -112,10 +113,8 @@ Json standardJson(const StandardArguments& arguments) {
   }
   if (arguments.method == "borderline-regression") {
     if (!arguments.borderline) {
-      throw Error(ErrorCode::kUsage,
-                  Text::verbatim("the method needs the global rating of a borderline trainee"),
-                  Text::verbatim("standard-setting --method borderline-regression"),
-                  Text::verbatim("Give --borderline"));
+      refuseUsage("the method needs the global rating of a borderline trainee",
+                  "standard-setting --method borderline-regression", "Give --borderline");
     }
     return borderlineJson(read({"subject", "global", "score"}), *arguments.borderline);
   }
@@ -128,8 +127,8 @@ Json standardJson(const StandardArguments& arguments) {
 void requireOptionsThatCount(const CLI::App& command, const std::string& method) {
   const auto refuse = [&](const std::string& name, const std::string& owner) {
     if (command.count(name) > 0 && method != owner) {
-      throw Error(ErrorCode::kUsage, "the method " + method + " does not read " + name,
-                  "standard-setting " + name, "Give --method " + owner + " or leave the option out");
+      refuseUsage("the method " + method + " does not read " + name, "standard-setting " + name,
+                  "Give --method " + owner + " or leave the option out");
     }
   };
   refuse("--borderline", "borderline-regression");
@@ -151,22 +150,16 @@ void addStandardSetting(CLI::App& program) {
       ->required();
   command->add_option("--borderline", arguments->borderline,
                       "borderline-regression: the global rating that means borderline");
-  command->add_option("--better", arguments->better, "proficiency: whether lower or higher values are better")
-      ->check(CLI::IsMember({"lower", "higher"}))
-      ->capture_default_str();
+  addDefaulted(*command, "--better", arguments->better,
+               "proficiency: whether lower or higher values are better", CLI::IsMember({"lower", "higher"}));
   command->add_flag("--log", arguments->proficiency.logScale,
                     "proficiency: compute on logarithms, as for times");
   command->add_flag("--drop-outliers", arguments->proficiency.dropOutliers,
                     "proficiency: leave out experts beyond 1.96 standard deviations, once");
-  command
-      ->add_option("--coverage", arguments->proficiency.coverage,
-                   "proficiency: share of experts within the bound")
-      ->check(CLI::Range(0.5, 0.999))
-      ->capture_default_str();
-  command
-      ->add_option("--certainty", arguments->proficiency.confidence, "proficiency: confidence of the bound")
-      ->check(CLI::Range(0.5, 0.999))
-      ->capture_default_str();
+  addDefaulted(*command, "--coverage", arguments->proficiency.coverage,
+               "proficiency: share of experts within the bound", CLI::Range(0.5, 0.999));
+  addDefaulted(*command, "--certainty", arguments->proficiency.confidence,
+               "proficiency: confidence of the bound", CLI::Range(0.5, 0.999));
   command->callback([arguments, command] {
     requireOptionsThatCount(*command, arguments->method);
     Json out{{"method", arguments->method}};

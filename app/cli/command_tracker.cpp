@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/connectors/tracker/instrument_outlet.h"
 #include "app/connectors/tracker/tracker_choice.h"
 #include "app/connectors/tracker/tracker_link.h"
@@ -46,26 +48,14 @@ struct TrackerArguments {
   DatabaseOption database;
 };
 
-const char* stageWord(TrackerStage stage) {
-  switch (stage) {
-    case TrackerStage::kSeeking:
-      return "no connection";
-    case TrackerStage::kWaiting:
-      return "connected, no pose yet";
-    case TrackerStage::kTracking:
-      return "tracking";
-    case TrackerStage::kSilent:
-      return "silent";
-  }
-  return "";
-}
+constexpr std::array kStages{"no connection", "connected, no pose yet", "tracking", "silent"};
 
 nlohmann::ordered_json placeJson(const Vec3& place_m) {
   return {place_m.x * kMillimetres, place_m.y * kMillimetres, place_m.z * kMillimetres};
 }
 
 nlohmann::ordered_json trackerJson(const TrackerView& view) {
-  nlohmann::ordered_json out{{"stage", stageWord(view.stage)},
+  nlohmann::ordered_json out{{"stage", wordOf(view.stage, kStages)},
                              {"trouble", view.trouble.str()},
                              {"instrument", view.instrument},
                              {"instruments", view.instruments},
@@ -92,7 +82,7 @@ nlohmann::ordered_json trackerJson(const TrackerView& view) {
 }
 
 void printTracker(const TrackerView& view) {
-  std::cout << stageWord(view.stage);
+  std::cout << wordOf(view.stage, kStages);
   if (!view.trouble.empty()) {
     std::cout << ": " << view.trouble.str();
   }
@@ -189,25 +179,18 @@ void send(const TrackerArguments& given) {
 }
 
 void addPlace(CLI::App& command, TrackerArguments& given) {
-  command
-      .add_option("--address", given.place.address, "Address of the tracker; with --listen, of this computer")
-      ->capture_default_str();
-  command.add_option("--port", given.place.port, "Its port")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 65535));
+  addDefaulted(command, "--address", given.place.address,
+               "Address of the tracker; with --listen, of this computer");
+  addDefaulted(command, "--port", given.place.port, "Its port", CLI::Range(1, 65535));
   command.add_option("--instrument", given.place.instrument,
                      "Name of the instrument in the tracker; default: the first one");
   command.add_flag("--listen", given.place.listens, "Wait for the tracker to call");
 }
 
 void addOutlet(CLI::App& command, TrackerArguments& given) {
-  command.add_option("--port", given.outletPort, "Port for other programs")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 65535));
-  command
-      .add_option("--address", given.outletAddress,
-                  "Address of this computer; 0.0.0.0 offers it to the whole network")
-      ->capture_default_str();
+  addDefaulted(command, "--port", given.outletPort, "Port for other programs", CLI::Range(1, 65535));
+  addDefaulted(command, "--address", given.outletAddress,
+               "Address of this computer; 0.0.0.0 offers it to the whole network");
 }
 
 }  // namespace
@@ -220,7 +203,7 @@ void addTracker(CLI::App& program) {
   CLI::App* command = tracker->add_subcommand(
       "watch", "Shows what a tracker sends; exit code 12 if no pose of the instrument arrives");
   addPlace(*command, *given);
-  command->add_option("--seconds", given->seconds, "How long")->capture_default_str();
+  addDefaulted(*command, "--seconds", given->seconds, "How long");
   command->add_option("--poses", given->poses, "Stop after this many poses")->check(CLI::PositiveNumber);
   command->add_flag("--json", given->json, "Print JSON");
   command->callback([given] { watch(*given); });
@@ -240,8 +223,7 @@ void addTracker(CLI::App& program) {
   command->add_option("RUN", given->run, "Id of the run, or its first characters")->required();
   addDatabaseOption(*command, given->database);
   addOutlet(*command, *given);
-  command->add_option("--wait", given->seconds, "Seconds to wait for the other program")
-      ->capture_default_str();
+  addDefaulted(*command, "--wait", given->seconds, "Seconds to wait for the other program");
   command->add_flag("--json", given->json, "Print JSON");
   command->callback([given] { send(*given); });
 }

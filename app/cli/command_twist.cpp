@@ -14,9 +14,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/options.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/rod_twist.h"
-#include "app/cli/twist_json.h"
 #include "app/cli/wall_twist.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
@@ -141,8 +141,7 @@ void print(const nlohmann::ordered_json& result, bool json) {
 /// Initial angle of an organ that is twisted already: the given one, or the smallest of its trials.
 OrganState hollowState(const TwistArguments& arguments, const Scene& scene) {
   if (arguments.grasp) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("the mobile part of this organ turns as a whole"),
-                Text::verbatim("--grasp"), Text::verbatim("Leave it out."));
+    refuseUsage("the mobile part of this organ turns as a whole", "--grasp", "Leave it out.");
   }
   const InitialTwist& start = scene.hollow->detorsion().start;
   return scene.stateAt(arguments.angle_deg ? angleOf_rad(arguments, scene) : start.sign * start.least_rad);
@@ -244,14 +243,13 @@ void addReference(nlohmann::ordered_json& result, const RodTwistResult& twist, d
 
 void checkRodArguments(const TwistArguments& arguments) {
   if (arguments.ends == "clamped-turned" && (arguments.grasp || arguments.jaw)) {
-    throw Error(ErrorCode::kUsage,
-                Text::verbatim("with --ends clamped-turned the upper face is turned, nothing is gripped"),
+    refuseUsage("with --ends clamped-turned the upper face is turned, nothing is gripped",
                 std::string(arguments.jaw ? "--jaw" : "--grasp"),
-                Text::verbatim("Leave it out, or give --ends clamped-free"));
+                "Leave it out, or give --ends clamped-free");
   }
   if (modelChoice(arguments.model).ofBar()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("these options change the model of a pattern, not the rod"),
-                "--ends " + arguments.ends, Text::verbatim("Leave out --ends, or the options of the model"));
+    refuseUsage("these options change the model of a pattern, not the rod", "--ends " + arguments.ends,
+                "Leave out --ends, or the options of the model");
   }
 }
 
@@ -354,9 +352,8 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
 void checkWallArguments(const TwistArguments& arguments) {
   const bool content = arguments.pressure_mmHg || arguments.restPressure_mmHg || arguments.sealed;
   if (arguments.wall.empty() && content) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("a pressure needs a wall"),
-                Text::verbatim("--pressure-mmhg, --rest-pressure-mmhg or --sealed"),
-                Text::verbatim("Give --wall too, or leave it out"));
+    refuseUsage("a pressure needs a wall", "--pressure-mmhg, --rest-pressure-mmhg or --sealed",
+                "Give --wall too, or leave it out");
   }
   if (!arguments.wall.empty() && (arguments.ends.empty() || arguments.reference)) {
     throw Error(ErrorCode::kUsage,
@@ -373,17 +370,14 @@ void runTwist(TwistArguments arguments) {
     checkWallArguments(arguments);
   }
   if (arguments.ends.empty() && arguments.poisson) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("a pattern is computed without Poisson's ratio"),
-                Text::verbatim("--nu"), Text::verbatim("Give --ends too, or leave it out"));
+    refuseUsage("a pattern is computed without Poisson's ratio", "--nu", "Give --ends too, or leave it out");
   }
   if (arguments.ends.empty() && (arguments.jaw || arguments.reference)) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("a pattern has neither a jaw nor a reference"),
-                std::string(arguments.jaw ? "--jaw" : "--reference"),
-                Text::verbatim("Give --ends too, or leave it out"));
+    refuseUsage("a pattern has neither a jaw nor a reference",
+                std::string(arguments.jaw ? "--jaw" : "--reference"), "Give --ends too, or leave it out");
   }
   if (!arguments.referenceElements.empty() && !arguments.reference) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("there is no reference to make of elements"),
-                Text::verbatim("--reference-elements"), Text::verbatim("Give --reference too"));
+    refuseUsage("there is no reference to make of elements", "--reference-elements", "Give --reference too");
   }
   if (arguments.reference) {
     constexpr int kReferenceRidges = 16;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -34,6 +36,11 @@ void noteIgnoredColumns(const CsvTable& table);
                                               nlohmann::ordered_json effect, nlohmann::ordered_json interval);
 /// Placeholder for the interval of a test that has none.
 [[nodiscard]] nlohmann::ordered_json noInterval();
+/// Returns the word of an enumeration's value; `words`: one for each value, in its order.
+template <class Value, std::size_t Size>
+[[nodiscard]] constexpr const char* wordOf(Value value, const std::array<const char*, Size>& words) {
+  return words.at(static_cast<std::size_t>(value));
+}
 /// Returns `show(value)`, or {"undefined": reason}.
 template <class T, class Show>
 [[nodiscard]] nlohmann::ordered_json outcomeJson(const Outcome<T>& outcome, const Show& show) {

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/options.h"
 #include "app/cli/terminal.h"
 #include "app/services/access/first_run.h"
 #include "db/connection/locator.h"
@@ -97,8 +98,7 @@ std::string DatabaseOption::locator() const {
   }
   Locator server = parseLocator(address);
   if (server.engine != Engine::kPostgresql) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("a file has no password of a server"), address,
-                Text::verbatim("Leave --ask-server-password out"));
+    refuseUsage("a file has no password of a server", address, "Leave --ask-server-password out");
   }
   server.password = typedSecret("Password of the server at " + server.shown() + ": ");
   asked_ = addressOf(server);

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/options.h"
 #include "app/services/base/assets.h"
 #include "sim/core/error.h"
 
@@ -22,11 +23,9 @@ const std::map<std::string, double>& unitsInMetres() {
 }  // namespace
 
 void addOrganOptions(CLI::App& command, OrganArguments& arguments) {
-  command.add_option("--organ", arguments.organ, "Scene (arm, stomach, intestine) or mesh file")
-      ->capture_default_str();
-  command.add_option("--organ-unit", arguments.unit, "Unit of the mesh file: mm, cm or m")
-      ->check(CLI::IsMember({"mm", "cm", "m"}))
-      ->capture_default_str();
+  addDefaulted(command, "--organ", arguments.organ, "Scene (arm, stomach, intestine) or mesh file");
+  addDefaulted(command, "--organ-unit", arguments.unit, "Unit of the mesh file: mm, cm or m",
+               CLI::IsMember({"mm", "cm", "m"}));
   CLI::Option* fixedEnd =
       command
           .add_option("--fixed-end", arguments.fixedEnd,
@@ -60,7 +59,7 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     for (const std::string& id : known) {
       names += (names.empty() ? "" : ", ") + id;
     }
-    throw Error(ErrorCode::kUsage, Text::verbatim("no such organ"), "--organ " + arguments.organ,
+    refuseUsage("no such organ", "--organ " + arguments.organ,
                 "Choose one of " + names + ", or give a mesh file with its ending");
   }
   const auto point_m = [&request](const std::vector<double>& xyz) {
@@ -70,8 +69,7 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     request.fixedEnd_m = point_m(arguments.fixedEnd);
     request.freeEnd_m = point_m(arguments.freeEnd);
   } else if (!arguments.fixedEnd.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("one end alone is not enough"),
-                Text::verbatim("--fixed-end"), Text::verbatim("Give --free-end too"));
+    refuseUsage("one end alone is not enough", "--fixed-end", "Give --free-end too");
   }
   request.material = arguments.material;
   request.pattern = arguments.pattern;

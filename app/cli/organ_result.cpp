@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/organ_result.h"
 
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/options.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
 #include "sim/scene/organ_file.h"
@@ -15,17 +17,7 @@ namespace torsio::cli {
 
 namespace {
 
-const char* weightName(FindingWeight weight) {
-  switch (weight) {
-    case FindingWeight::kRefusal:
-      return "refusal";
-    case FindingWeight::kWarning:
-      return "warning";
-    case FindingWeight::kNote:
-      break;
-  }
-  return "note";
-}
+constexpr std::array kWeights{"note", "warning", "refusal"};
 
 /// Returns a finding's sentence without its code, which starts the reader's refusals.
 std::string sentenceOf(const OrganFinding& finding) {
@@ -41,7 +33,7 @@ nlohmann::ordered_json numberOrNull(const std::optional<double>& value) {
 nlohmann::ordered_json findingJson(const OrganFinding& finding) {
   nlohmann::ordered_json json;
   json["code"] = finding.code;
-  json["weight"] = weightName(finding.weight);
+  json["weight"] = wordOf(finding.weight, kWeights);
   json["what"] = sentenceOf(finding);
   json["where"] = finding.where.str();
   json["value"] = numberOrNull(finding.value);
@@ -59,7 +51,8 @@ void printForPeople(const OrganImport& import, const std::string& file) {
   }
   std::cout << '\n';
   for (const OrganFinding& finding : import.findings) {
-    std::cout << "  " << weightName(finding.weight) << ' ' << finding.code << ' ' << sentenceOf(finding);
+    std::cout << "  " << wordOf(finding.weight, kWeights) << ' ' << finding.code << ' '
+              << sentenceOf(finding);
     std::cout << (finding.remedy.empty() ? "" : ". " + finding.remedy.str()) << '\n';
   }
   if (const std::string repairs = import.repairs.text(); !repairs.empty()) {
@@ -144,12 +137,10 @@ void addOrganResultOptions(CLI::App& command, OrganResultOptions& options, const
 void applyOrganResultOptions(const OrganResultOptions& options, double unit_m, OrganImportRequest& request) {
   constexpr double kWallUnit_m = 1e-3;
   if (!options.out.empty() && !isOrganFile(options.out)) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("an organ file ends with .organ"), "--out " + options.out,
-                Text::verbatim("Name it so"));
+    refuseUsage("an organ file ends with .organ", "--out " + options.out, "Name it so");
   }
   if (options.fixedEnd.empty() != options.freeEnd.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("one end alone is not enough"),
-                Text::verbatim("--fixed-end, --free-end"), Text::verbatim("Give both"));
+    refuseUsage("one end alone is not enough", "--fixed-end, --free-end", "Give both");
   }
   if (!options.fixedEnd.empty()) {
     request.ends.fixedEnd_m = vectorFrom(options.fixedEnd) * unit_m;

@@ -6,6 +6,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "app/cli/options.h"
 #include "app/cli/terminal.h"
 #include "sim/core/error.h"
 
@@ -63,8 +64,8 @@ bool standardErrorIsTerminal() noexcept {
 std::string typedSecret(const std::string& question) {
   const int terminal = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (terminal < 0) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("there is no terminal to ask for the password"),
-                Text::verbatim("password"), Text::verbatim("Pass the password with --password-fd N"));
+    refuseUsage("there is no terminal to ask for the password", "password",
+                "Pass the password with --password-fd N");
   }
   std::string line;
   {
@@ -83,9 +84,8 @@ std::string secretFrom(int descriptor) {
     line.pop_back();  // CR of a Windows line end
   }
   if (line.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("no password can be read"),
-                "file descriptor " + std::to_string(descriptor),
-                Text::verbatim("Open it for the program, with the password in its first line"));
+    refuseUsage("no password can be read", "file descriptor " + std::to_string(descriptor),
+                "Open it for the program, with the password in its first line");
   }
   return line;
 }

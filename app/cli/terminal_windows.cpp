@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <io.h>
 
+#include "app/cli/options.h"
 #include "app/cli/terminal.h"
 #include "sim/core/error.h"
 
@@ -36,9 +37,8 @@ std::string secretFrom(int descriptor) {
     }
   }
   if (line.empty()) {
-    throw Error(ErrorCode::kUsage, Text::verbatim("no password can be read"),
-                "file descriptor " + std::to_string(descriptor),
-                Text::verbatim("Open it for the program, with the password in its first line"));
+    refuseUsage("no password can be read", "file descriptor " + std::to_string(descriptor),
+                "Open it for the program, with the password in its first line");
   }
   return line;
 }

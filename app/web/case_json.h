@@ -10,7 +10,7 @@
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/review_queue.h"
 #include "app/services/review/viewing_report.h"
-#include "app/web/json_body.h"
+#include "app/web/router.h"
 #include "app/web/web_sessions.h"
 
 namespace torsio::web {

@@ -4,12 +4,33 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
-
-#include "app/web/http_message.h"
+#include <utility>
+#include <vector>
 
 namespace torsio::web {
+
+/// A request within HttpLimits. Header names are lower-case.
+struct HttpRequest {
+  std::string method{};  ///< "GET"
+  std::string path{};    ///< "/api/queue": decoded, with leading slash, without query
+  std::map<std::string, std::string> headers{};
+  std::string body{};
+  std::string address{};  ///< of the peer, from the socket
+  bool encrypted = false;
+
+  [[nodiscard]] std::string header(const std::string& name) const;
+  [[nodiscard]] std::string cookie(const std::string& name) const;
+};
+
+struct HttpResponse {
+  int status = 200;
+  std::string type = "application/json";  ///< Content-Type
+  std::string body{};
+  std::vector<std::pair<std::string, std::string>> headers{};
+};
 
 /// Address on which a server listens.
 struct HttpAddress {

@@ -9,7 +9,7 @@
 
 #include <QDateTime>
 
-#include "app/connectors/mail/mailed_invitations.h"
+#include "app/connectors/mail/mailing.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/invitations.h"

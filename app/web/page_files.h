@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "app/web/http_message.h"
+#include "app/web/http_server.h"
 
 namespace torsio::web {
 

@@ -2,9 +2,113 @@
 #include "app/web/router.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
+#include "sim/core/error.h"
+
 namespace torsio::web {
+
+namespace {
+
+constexpr int kDeepest = 16;
+
+[[noreturn]] void refuseField(const std::string& field) {
+  refuseParameter(Text::tr("the page sent something that cannot be used"), field,
+                  Text::tr("Load the page again"));
+}
+
+}  // namespace
+
+JsonBody JsonBody::parse(const std::string& text) {
+  // Reading a value recurses into it, so nesting deeper than any page's is rejected.
+  bool tooDeep = false;
+  const auto keep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    tooDeep = tooDeep || depth > kDeepest;
+    return !tooDeep;
+  };
+  nlohmann::json json = nlohmann::json::parse(text, keep, false);
+  if (tooDeep || !json.is_object()) {
+    refuseField("");
+  }
+  return JsonBody(std::move(json));
+}
+
+bool JsonBody::has(const char* field) const {
+  const auto found = object_.find(field);
+  return found != object_.end() && !found->is_null();
+}
+
+const nlohmann::json& JsonBody::at(const char* field) const {
+  const auto found = object_.find(field);
+  if (found == object_.end()) {
+    refuseField(field);
+  }
+  return *found;
+}
+
+std::string JsonBody::text(const char* field, std::size_t most) const {
+  const nlohmann::json& value = at(field);
+  if (!value.is_string() || value.get_ref<const std::string&>().size() > most) {
+    refuseField(field);
+  }
+  return value.get<std::string>();
+}
+
+std::string JsonBody::textOrNone(const char* field, std::size_t most) const {
+  return has(field) ? text(field, most) : std::string();
+}
+
+std::int64_t JsonBody::whole(const char* field, std::int64_t least, std::int64_t most) const {
+  const nlohmann::json& value = at(field);
+  const bool tooLarge =
+      value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(INT64_MAX);
+  if (!value.is_number_integer() || tooLarge || value.get<std::int64_t>() < least ||
+      value.get<std::int64_t>() > most) {
+    refuseField(field);
+  }
+  return value.get<std::int64_t>();
+}
+
+std::optional<std::int64_t> JsonBody::wholeOrNone(const char* field, std::int64_t least,
+                                                  std::int64_t most) const {
+  return has(field) ? std::optional(whole(field, least, most)) : std::nullopt;
+}
+
+double JsonBody::number(const char* field, double least, double most) const {
+  const nlohmann::json& value = at(field);
+  if (!value.is_number()) {
+    refuseField(field);
+  }
+  const auto number = value.get<double>();
+  if (!std::isfinite(number) || number < least || number > most) {
+    refuseField(field);
+  }
+  return number;
+}
+
+JsonBody JsonBody::object(const char* field) const {
+  const nlohmann::json& value = at(field);
+  if (!value.is_object()) {
+    refuseField(field);
+  }
+  return JsonBody(value);
+}
+
+std::vector<JsonBody> JsonBody::objects(const char* field, std::size_t most) const {
+  const nlohmann::json& value = at(field);
+  if (!value.is_array() || value.size() > most) {
+    refuseField(field);
+  }
+  std::vector<JsonBody> bodies;
+  for (const nlohmann::json& one : value) {
+    if (!one.is_object()) {
+      refuseField(field);
+    }
+    bodies.emplace_back(one);
+  }
+  return bodies;
+}
 
 namespace {
 

@@ -8,11 +8,26 @@
 #include <string>
 #include <vector>
 
-#include "app/connectors/mail/mail_message.h"
 #include "app/services/base/progress.h"
 #include "sim/core/text.h"
 
 namespace torsio {
+
+/// A plain-text message in UTF-8.
+struct MailMessage {
+  std::string from{};  ///< mail address
+  std::string to{};    ///< one mail address
+  std::string subject{};
+  std::string body{};
+};
+
+/// Throws Error{kBadParameter} for anything but a plain ASCII address ("li@example.org") without spaces and
+/// line breaks.
+void checkAddress(const std::string& address);
+
+/// The message on the wire (RFC 5322, MIME, body in base64), with CRLF. `id`: any unique word. Throws
+/// Error{kBadParameter} for an invalid address.
+[[nodiscard]] std::string written(const MailMessage& message, const std::string& id, std::int64_t utc_us);
 
 /// How the connection to a mail server is encrypted.
 enum class MailEncryption {

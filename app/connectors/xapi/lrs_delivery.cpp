@@ -2,13 +2,21 @@
 #include "app/connectors/xapi/lrs_delivery.h"
 
 #include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <QDateTime>
 #include <nlohmann/json.hpp>
 
 #include "app/connectors/xapi/learning_statement.h"
+#include "app/connectors/xapi/lrs_client.h"
+#include "app/connectors/xapi/lrs_settings.h"
 #include "app/services/base/stored_sentence.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
@@ -218,6 +226,49 @@ std::int64_t retryAfter_us(const std::string& header, std::int64_t now_us) {
 LrsDelivery deliverLearningRecords(Connection& connection, const LrsIdentity& identity, LrsClient& store,
                                    const UtcClock& now) {
   return Round(connection, identity, store, now).run();
+}
+
+struct LrsWorker::State {
+  State(SessionKey station, std::chrono::milliseconds wait) : key(std::move(station)), again(wait) {}
+
+  SessionKey key;
+  std::chrono::milliseconds again;
+  std::atomic<bool> stop{false};
+  std::mutex mutex{};
+  std::condition_variable wake{};
+};
+
+LrsWorker::LrsWorker(SessionKey key, std::chrono::milliseconds again)
+    : state_(std::make_unique<State>(std::move(key), again)), thread_([this] { run(*state_); }) {}
+
+LrsWorker::~LrsWorker() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->stop = true;
+  }
+  state_->wake.notify_all();
+  thread_.join();
+}
+
+void LrsWorker::run(State& state) {
+  std::unique_lock lock(state.mutex);
+  while (!state.wake.wait_for(lock, state.again, [&] { return state.stop.load(); })) {
+    lock.unlock();
+    try {
+      if (const std::optional<LrsKey> key = stationLrsKey()) {
+        SessionContext session(state.key);
+        Connection& connection = session.connectionWithoutRight();
+        const std::optional<LrsIdentity> identity = lrsIdentity(connection);
+        if (identity && identity->settings.on) {
+          LrsClient store(identity->settings.endpoint, *key, std::chrono::seconds(30), &state.stop);
+          (void)deliverLearningRecords(connection, *identity, store, [&] { return session.now_us(); });
+        }
+      }
+    } catch (const std::exception&) {
+      // The database or the key file is unavailable: entries stay in the outbox for the next try.
+    }
+    lock.lock();
+  }
 }
 
 }  // namespace torsio

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <thread>
 
 #include "app/connectors/xapi/lrs_client.h"
 #include "app/connectors/xapi/lrs_settings.h"
@@ -33,5 +36,23 @@ struct LrsDelivery {
 /// DbError.
 LrsDelivery deliverLearningRecords(Connection& connection, const LrsIdentity& identity, LrsClient& store,
                                    const UtcClock& now);
+
+/// Sends the centre's learning records in the background, on its own thread and connection, if this station
+/// has a key; retries what fails. Does nothing if the centre sends nothing.
+class LrsWorker {
+ public:
+  /// `again`: interval between checks of the outbox.
+  explicit LrsWorker(SessionKey key, std::chrono::milliseconds again);
+  /// Aborts a running request.
+  ~LrsWorker();
+  LrsWorker(const LrsWorker&) = delete;
+  LrsWorker& operator=(const LrsWorker&) = delete;
+
+ private:
+  struct State;
+  static void run(State& state);
+  std::unique_ptr<State> state_;
+  std::thread thread_;
+};
 
 }  // namespace torsio

@@ -34,7 +34,6 @@
 #include "app/services/access/kiosk_codes.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
-#include "app/services/maintenance/record_privacy.h"
 #include "app/services/recording/station_start.h"
 #include "app/services/recording/station_writer.h"
 #include "assessment/domain/people/account.h"

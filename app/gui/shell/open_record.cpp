@@ -2,7 +2,7 @@
 #include "app/gui/shell/open_record.h"
 
 #include "app/connectors/built_in.h"
-#include "app/connectors/xapi/lrs_worker.h"
+#include "app/connectors/xapi/lrs_delivery.h"
 #include "app/services/access/access_service.h"
 #include "assessment/domain/people/account.h"
 #include "sim/core/error.h"

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/gui/scene/scene_view.h"
-#include "app/services/recording/async_model_playback.h"
+#include "app/services/recording/async_model_worker.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <variant>
 
-#include "app/services/recording/async_model_playback.h"
+#include "app/services/recording/async_model_worker.h"
 #include "app/services/recording/recorded_run.h"
 #include "app/services/recording/trial_playback.h"
 #include "sim/core/live_types.h"

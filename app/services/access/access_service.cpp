@@ -71,10 +71,8 @@ void noteFailure(SessionContext& session, const std::string& login, SignIn outco
       userId = user.id;
     }
   }
-  session.note({.action = AuditAction::kUserSignInFailed,
-                .objectKind = AuditObject::kAppUser,
-                .objectId = userId,
-                .newJson = nlohmann::json{{"outcome", failureName(outcome)}, {"with", with}}.dump()});
+  session.note(AuditAction::kUserSignInFailed, AuditObject::kAppUser, userId,
+               {{"outcome", failureName(outcome)}, {"with", with}});
 }
 
 SignInAnswer answer(SessionContext& session, const std::string& login, const SignInResult& result,
@@ -90,15 +88,14 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
-    session.note({.action = practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,
-                  .objectKind = AuditObject::kAppUser,
-                  .objectId = user.id});
+    session.note(practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,
+                 AuditObject::kAppUser, user.id);
   }
   return answer;
 }
 
-std::string rolesJson(const std::vector<std::string>& roles) {
-  return nlohmann::json{{"roles", roles}}.dump();
+nlohmann::json rolesJson(const std::vector<std::string>& roles) {
+  return {{"roles", roles}};
 }
 
 /// Throws if the person already has an account: nobody gets a second one.
@@ -163,10 +160,7 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministratorRole}},
                  password);
   access.setPassword(userId, password, false);
-  session.note({.action = AuditAction::kCentreSetUp,
-                .objectKind = AuditObject::kAppUser,
-                .objectId = userId,
-                .newJson = rolesJson({kAdministratorRole})});
+  session.note(AuditAction::kCentreSetUp, AuditObject::kAppUser, userId, rolesJson({kAdministratorRole}));
   transaction.commit();
 }
 
@@ -195,9 +189,7 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
   Transaction transaction(session.connectionWithoutRight());
   access.setPassword(old.userId, password, false);
   SignInAnswer signedIn = answer(session, login, {SignIn::kOk, old.userId}, false);
-  session.note({.action = AuditAction::kUserChangePassword,
-                .objectKind = AuditObject::kAppUser,
-                .objectId = old.userId});
+  session.note(AuditAction::kUserChangePassword, AuditObject::kAppUser, old.userId);
   transaction.commit();
   return signedIn;
 }
@@ -219,11 +211,9 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
     if (!user.demonstration || !user.active || user.roles != wanted) {
       continue;
     }
-    session.note({.action = AuditAction::kUserSignIn,
-                  .objectKind = AuditObject::kAppUser,
-                  .objectId = user.id,
-                  .reason = physician ? "an administrator entered as a simulated physician"
-                                      : "an administrator entered as a simulated trainee"});
+    session.note(AuditAction::kUserSignIn, AuditObject::kAppUser, user.id, {},
+                 physician ? "an administrator entered as a simulated physician"
+                           : "an administrator entered as a simulated trainee");
     return {.userId = user.id,
             .login = user.login,
             .personId = user.personId,
@@ -239,9 +229,7 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
 
 void signOut(SessionContext& session) {
   if (!session.actor().userId.empty()) {
-    session.note({.action = AuditAction::kUserSignOut,
-                  .objectKind = AuditObject::kAppUser,
-                  .objectId = session.actor().userId});
+    session.note(AuditAction::kUserSignOut, AuditObject::kAppUser, session.actor().userId);
   }
   session.setActor({});
 }
@@ -265,10 +253,7 @@ UserId addUser(SessionContext& session, const NewUser& user) {
                   .demonstration = user.demonstration,
                   .roles = user.roles},
                  password);
-  session.note({.action = AuditAction::kUserAdd,
-                .objectKind = AuditObject::kAppUser,
-                .objectId = id,
-                .newJson = rolesJson(user.roles)});
+  session.note(AuditAction::kUserAdd, AuditObject::kAppUser, id, rolesJson(user.roles));
   transaction.commit();
   return id;
 }
@@ -291,12 +276,8 @@ void setUserRoles(SessionContext& session, const UserId& userId, const std::vect
     throw SecondPersonNeeded(DutyAct::kGrantRoles, userId);
   }
   repository(session).setRoles(userId, roles);
-  session.note({.action = AuditAction::kUserSetRoles,
-                .objectKind = AuditObject::kAppUser,
-                .objectId = userId,
-                .oldJson = rolesJson(before.roles),
-                .newJson = rolesJson(roles),
-                .reason = reason});
+  session.noteChange(AuditAction::kUserSetRoles, AuditObject::kAppUser, userId, rolesJson(before.roles),
+                     rolesJson(roles), reason);
   transaction.commit();
 }
 
@@ -307,10 +288,8 @@ void setUserActive(SessionContext& session, const UserId& userId, bool active, c
     requireRemainingAdministrator(session, userId);
   }
   repository(session).setActive(userId, active);
-  session.note({.action = active ? AuditAction::kUserEnable : AuditAction::kUserDisable,
-                .objectKind = AuditObject::kAppUser,
-                .objectId = userId,
-                .reason = reason});
+  session.note(active ? AuditAction::kUserEnable : AuditAction::kUserDisable, AuditObject::kAppUser, userId,
+               {}, reason);
   transaction.commit();
 }
 
@@ -325,10 +304,7 @@ void resetPassword(SessionContext& session, const UserId& userId, const std::str
   const SealedSecret password = access.sealPassword(user.login, startPassword);
   Transaction transaction(session.connection());
   access.setPassword(userId, password, true);
-  session.note({.action = AuditAction::kUserResetPassword,
-                .objectKind = AuditObject::kAppUser,
-                .objectId = userId,
-                .reason = reason});
+  session.note(AuditAction::kUserResetPassword, AuditObject::kAppUser, userId, {}, reason);
   transaction.commit();
 }
 
@@ -342,9 +318,8 @@ void setOwnPin(SessionContext& session, const std::string& pin) {
   const SealedSecret sealed = access.sealPin(pin);
   Transaction transaction(session.connection());
   access.setPin(session.actor().userId, sealed);
-  session.note({.action = pin.empty() ? AuditAction::kUserRemovePin : AuditAction::kUserSetPin,
-                .objectKind = AuditObject::kAppUser,
-                .objectId = session.actor().userId});
+  session.note(pin.empty() ? AuditAction::kUserRemovePin : AuditAction::kUserSetPin, AuditObject::kAppUser,
+               session.actor().userId);
   transaction.commit();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/access/audit_service.h"
 
+#include <nlohmann/json.hpp>
+
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/person.h"
 #include "db/migrations/schema_check.h"
@@ -46,9 +48,7 @@ std::vector<AuditFinding> verifyAudit(SessionContext& session) {
   for (const SchemaFinding& finding : schemaFindings(session.connection())) {
     findings.push_back({0, "schema", finding.part, finding.what});
   }
-  session.note({.action = AuditAction::kAuditVerify,
-                .objectKind = AuditObject::kAuditEntry,
-                .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});
+  session.note(AuditAction::kAuditVerify, AuditObject::kAuditEntry, {}, {{"findings", findings.size()}});
   return findings;
 }
 

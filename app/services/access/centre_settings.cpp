@@ -184,12 +184,8 @@ void keepCentreSetting(SessionContext& session, const CentreSetting& setting, co
 
 void noteSetting(const SessionContext& session, std::string_view name, const nlohmann::json& before,
                  const nlohmann::json& after, const std::string& reason) {
-  session.note({.action = AuditAction::kSettingChange,
-                .objectKind = AuditObject::kSetting,
-                .objectId = std::string(name),
-                .oldJson = before.is_null() ? std::string() : before.dump(),
-                .newJson = after.dump(),
-                .reason = reason});
+  session.noteChange(AuditAction::kSettingChange, AuditObject::kSetting, std::string(name), before, after,
+                     reason);
 }
 
 void setCentreSettingNamed(SessionContext& session, const std::string& name, const std::string& value) {
@@ -245,11 +241,8 @@ void setCentreName(SessionContext& session, const std::string& name) {
     centre.createdUtc_us = session.now_us();
   }
   studies.setCentre(centre);
-  session.note({.action = AuditAction::kCentreRename,
-                .objectKind = AuditObject::kCentre,
-                .objectId = centre.id,
-                .oldJson = nlohmann::json{{"name", before ? before->name : ""}}.dump(),
-                .newJson = nlohmann::json{{"name", name}}.dump()});
+  session.noteChange(AuditAction::kCentreRename, AuditObject::kCentre, centre.id,
+                     {{"name", before ? before->name : ""}}, {{"name", name}});
   transaction.commit();
 }
 

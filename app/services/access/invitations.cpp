@@ -201,10 +201,7 @@ std::size_t revokeInvitations(SessionContext& session, std::span<const UserId> u
       continue;
     }
     ++revoked;
-    session.note({.action = AuditAction::kInvitationRevoke,
-                  .objectKind = AuditObject::kAppUser,
-                  .objectId = id,
-                  .reason = reason});
+    session.note(AuditAction::kInvitationRevoke, AuditObject::kAppUser, id, {}, reason);
   }
   transaction.commit();
   return revoked;
@@ -227,9 +224,7 @@ SignInAnswer acceptInvitation(SessionContext& session, const std::string& secret
   AccessRepository access(connection, session.passwordCost());
   const std::string hash = hashOfInvitation(secret, code);
   const auto refused = [&] {
-    session.note({.action = AuditAction::kUserSignInFailed,
-                  .objectKind = AuditObject::kAppUser,
-                  .newJson = nlohmann::json{{"with", "invitation"}}.dump()});
+    session.note(AuditAction::kUserSignInFailed, AuditObject::kAppUser, {}, {{"with", "invitation"}});
     return SignInAnswer{SignIn::kWrong};
   };
   const std::optional<UserId> userId = access.invited(hash, session.now_us());

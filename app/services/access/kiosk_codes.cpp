@@ -96,10 +96,7 @@ std::size_t revokeKioskCodes(SessionContext& session, std::span<const UserId> us
       continue;
     }
     ++revoked;
-    session.note({.action = AuditAction::kKioskCodeRevoke,
-                  .objectKind = AuditObject::kAppUser,
-                  .objectId = id,
-                  .reason = reason});
+    session.note(AuditAction::kKioskCodeRevoke, AuditObject::kAppUser, id, {}, reason);
   }
   transaction.commit();
   return revoked;
@@ -122,10 +119,7 @@ SignInAnswer signInWithCode(SessionContext& session, const std::string& code) {
                                   : SignInResult{SignIn::kDisabled};
   SignInAnswer answer{result.outcome, {}, result.waitUntilUtc_us};
   if (result.outcome != SignIn::kOk) {
-    session.note({.action = AuditAction::kUserSignInFailed,
-                  .objectKind = AuditObject::kAppUser,
-                  .objectId = result.userId,
-                  .newJson = nlohmann::json{{"with", "card"}}.dump()});
+    session.note(AuditAction::kUserSignInFailed, AuditObject::kAppUser, result.userId, {{"with", "card"}});
     return answer;
   }
   const UserAccount user = accountOf(access.users(), result.userId);

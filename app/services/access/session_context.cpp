@@ -6,6 +6,7 @@
 
 #include <QString>
 #include <QSysInfo>
+#include <nlohmann/json.hpp>
 
 #include "app/services/base/build_info.h"
 #include "assessment/domain/ids.h"
@@ -137,6 +138,22 @@ void SessionContext::note(const AuditNote& note) const {
                .oldJson = note.oldJson,
                .newJson = note.newJson,
                .reason = note.reason});
+}
+
+void SessionContext::note(AuditAction action, AuditObject objectKind, const std::string& objectId) const {
+  note({action, objectKind, objectId});
+}
+
+void SessionContext::note(AuditAction action, AuditObject objectKind, const std::string& objectId,
+                          const nlohmann::json& now, const std::string& reason) const {
+  noteChange(action, objectKind, objectId, {}, now, reason);
+}
+
+void SessionContext::noteChange(AuditAction action, AuditObject objectKind, const std::string& objectId,
+                                const nlohmann::json& before, const nlohmann::json& now,
+                                const std::string& reason) const {
+  const auto told = [](const nlohmann::json& json) { return json.is_null() ? std::string() : json.dump(); };
+  note({action, objectKind, objectId, told(before), told(now), reason});
 }
 
 std::string stationName() {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "app/services/access/operation.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
@@ -107,8 +109,16 @@ class SessionContext {
   /// Requires an "own" operation: the record must also belong to the actor's person.
   void requireOwn(Operation operation, const PersonId& personId) const;
 
-  /// Adds an entry to the audit trail; call it inside the transaction of the change.
+  /// Adds an entry to the audit trail; call it inside the transaction of the change. `now`: what was stored;
+  /// null: nothing to tell.
   void note(const AuditNote& note) const;
+  void note(AuditAction action, AuditObject objectKind, const std::string& objectId) const;
+  void note(AuditAction action, AuditObject objectKind, const std::string& objectId,
+            const nlohmann::json& now, const std::string& reason = {}) const;
+  /// Like note(), with what was stored before.
+  void noteChange(AuditAction action, AuditObject objectKind, const std::string& objectId,
+                  const nlohmann::json& before, const nlohmann::json& now,
+                  const std::string& reason = {}) const;
 
  private:
   struct Owned;

@@ -281,11 +281,7 @@ std::string askSecondPerson(SessionContext& session, const DutyWish& wish) {
   detail.erase("first_half");
   detail["act"] = storedText(wish.act);
   detail["subject"] = wish.subject;
-  session.note({.action = AuditAction::kDutyRequest,
-                .objectKind = AuditObject::kDutyRequest,
-                .objectId = request.id,
-                .newJson = detail.dump(),
-                .reason = wish.reason});
+  session.note(AuditAction::kDutyRequest, AuditObject::kDutyRequest, request.id, detail, wish.reason);
   transaction.commit();
   return half;
 }

@@ -11,6 +11,7 @@
 #include "app/services/base/progress.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "db/migrations/backup.h"
+#include "db/repository/system/record_copy.h"
 
 namespace torsio {
 
@@ -63,5 +64,14 @@ BackupContent backUpDatabase(SessionContext& session, const std::filesystem::pat
 /// (kFileUnwritable, kFileMissing).
 void copyStepwise(const std::filesystem::path& from, const std::filesystem::path& to,
                   const ProgressCallback& progress = {});
+
+/// Copies a record to another database: SQLite to PostgreSQL or back. Reads the source as of one moment
+/// without changing it; the target must be a new file or an empty database, and receives everything in one
+/// transaction or stays as it was. Compares counts and hashes of every table and verifies the target's audit
+/// trail before committing. Audited in the source before copying (so in the copy too) and after a failure.
+/// kDatabaseRestore. Throws Error: kUsage if both are the same, kBadData if the target is not empty,
+/// kVerifyFailed if the copy differs.
+[[nodiscard]] CopyReport copyDatabase(SessionContext& session, const std::string& to,
+                                      const ProgressCallback& progress = {});
 
 }  // namespace torsio

@@ -7,7 +7,6 @@
 
 #include "app/services/access/access_service.h"
 #include "app/services/maintenance/copies.h"
-#include "app/services/maintenance/record_privacy.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/server_roles.h"

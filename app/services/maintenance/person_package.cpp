@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/two_people.h"
 #include "app/services/maintenance/copies.h"
-#include "app/services/maintenance/guarded_erase.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/migrations/compaction.h"
@@ -25,6 +25,28 @@
 #include "sim/record/trial_file.h"
 
 namespace torsio {
+
+namespace {
+
+bool isSimulated(SessionContext& session, const PersonId& personId) {
+  const std::optional<Person> person = PeopleRepository(session.connection()).find(personId);
+  return person && person->demonstration;
+}
+
+}  // namespace
+
+bool mayEraseNow(SessionContext& session, const PersonId& personId) {
+  return isSimulated(session, personId) || secondPersonIsThere(session, DutyAct::kErase, personId);
+}
+
+void eraseGuarded(SessionContext& session, const PersonId& personId, const std::string& reason) {
+  Transaction transaction(session.connection());
+  if (!isSimulated(session, personId)) {
+    requireSecondPerson(session, DutyAct::kErase, personId);
+  }
+  erasePerson(session.connection(), personId, session.actor().userId, reason, session.now_us());
+  transaction.commit();
+}
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -163,10 +185,7 @@ PersonPackage exportPersonPackage(SessionContext& session, const PersonId& perso
   writeManifest(making.path(), personId, AuditRepository(session.connection()).head(), session.now_us());
   Transaction together(session.connection());
   registerCopy(session.connection(), CopyKind::kPackage, folder, session.now_us(), personId);
-  session.note({.action = AuditAction::kPersonExport,
-                .objectKind = AuditObject::kPerson,
-                .objectId = personId,
-                .reason = reason});
+  session.note(AuditAction::kPersonExport, AuditObject::kPerson, personId, {}, reason);
   together.commit();
   std::error_code failed;
   fs::rename(making.path(), folder, failed);

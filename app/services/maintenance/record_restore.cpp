@@ -202,12 +202,12 @@ std::optional<Connection> presentRecord(const std::string& file, std::string& un
 
 /// Adds who requested and who carried it out, if two people were needed: the requests are in the record being
 /// replaced.
-std::string withPeople(nlohmann::ordered_json what, const SessionContext& session, const UserId& askedBy) {
+nlohmann::json withPeople(nlohmann::json what, const SessionContext& session, const UserId& askedBy) {
   if (!askedBy.empty()) {
     what["asked_by"] = askedBy.text();
     what["confirmed_by"] = session.actor().userId.text();
   }
-  return what.dump();
+  return what;
 }
 
 /// Adds an audit entry to the trail of `connection`.
@@ -215,15 +215,13 @@ void tell(SessionContext& session, Connection& connection, AuditAction action, c
           const fs::path& safety, const UserId& askedBy) {
   SessionKey key = session.key();
   const SessionContext there(connection, session.ids(), key, [&session] { return session.now_us(); });
-  there.note({.action = action,
-              .objectKind = AuditObject::kDatabase,
-              .objectId = plan.backup.filename().string(),
-              .newJson = withPeople({{"trials", plan.restored.trials},
-                                     {"marks", plan.restored.marks},
-                                     {"lost_trials", plan.lostTrials},
-                                     {"lost_marks", plan.lostMarks},
-                                     {"safety_backup", safety.filename().string()}},
-                                    session, askedBy)});
+  there.note(action, AuditObject::kDatabase, plan.backup.filename().string(),
+             withPeople({{"trials", plan.restored.trials},
+                         {"marks", plan.restored.marks},
+                         {"lost_trials", plan.lostTrials},
+                         {"lost_marks", plan.lostMarks},
+                         {"safety_backup", safety.filename().string()}},
+                        session, askedBy));
 }
 
 /// Transfers the register of later copies, which also contain people of the older record; omits copies of
@@ -327,10 +325,8 @@ void noteRestore(SessionContext& session, const fs::path& backup) {
   session.require(Operation::kDatabaseRestore);
   Transaction transaction(session.connection());
   const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, hashOfFile(backup));
-  session.note({.action = AuditAction::kDatabaseRestore,
-                .objectKind = AuditObject::kDatabase,
-                .objectId = backup.filename().string(),
-                .newJson = withPeople({{"present", "unreadable"}}, session, askedBy)});
+  session.note(AuditAction::kDatabaseRestore, AuditObject::kDatabase, backup.filename().string(),
+               withPeople({{"present", "unreadable"}}, session, askedBy));
   transaction.commit();
 }
 

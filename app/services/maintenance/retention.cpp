@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "app/services/access/two_people.h"
-#include "app/services/maintenance/guarded_erase.h"
+#include "app/services/maintenance/person_package.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/retention_repository.h"
@@ -46,10 +48,7 @@ void hold(SessionContext& session, std::span<const PersonId> personIds, Retentio
   for (const PersonId& id : personIds) {
     decision.personId = id;
     RetentionRepository(session.connection()).addHold(decision);
-    session.note({.action = actionOf(decision.kind),
-                  .objectKind = AuditObject::kPerson,
-                  .objectId = id,
-                  .reason = decision.reason});
+    session.note(actionOf(decision.kind), AuditObject::kPerson, id, {}, decision.reason);
   }
   transaction.commit();
 }
@@ -71,11 +70,8 @@ void setRetentionRule(SessionContext& session, const std::string& category, std:
   session.require(Operation::kRetentionManage);
   Transaction transaction(session.connection());
   RetentionRepository(session.connection()).setRule({category, keep_days, basis, session.now_us()});
-  session.note({.action = AuditAction::kRetentionRule,
-                .objectKind = AuditObject::kRetentionRule,
-                .objectId = category,
-                .newJson = R"({"keep_days":)" + std::to_string(keep_days) + "}",
-                .reason = basis});
+  session.note(AuditAction::kRetentionRule, AuditObject::kRetentionRule, category, {{"keep_days", keep_days}},
+               basis);
   transaction.commit();
 }
 
@@ -83,9 +79,7 @@ void removeRetentionRule(SessionContext& session, const std::string& category) {
   session.require(Operation::kRetentionManage);
   Transaction transaction(session.connection());
   RetentionRepository(session.connection()).removeRule(category);
-  session.note({.action = AuditAction::kRetentionRemoveRule,
-                .objectKind = AuditObject::kRetentionRule,
-                .objectId = category});
+  session.note(AuditAction::kRetentionRemoveRule, AuditObject::kRetentionRule, category);
   transaction.commit();
 }
 

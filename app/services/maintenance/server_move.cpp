@@ -4,9 +4,11 @@
 #include <set>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "app/services/access/first_run.h"
 #include "app/services/base/build_info.h"
-#include "app/services/maintenance/database_copy.h"
+#include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/record_restore.h"
 #include "db/connection/connection.h"
@@ -162,11 +164,8 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
   std::string locator = requireLastingLocator(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
   const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
-  server.note({.action = AuditAction::kDatabaseSwitch,
-               .objectKind = AuditObject::kDatabase,
-               .objectId = parseLocator(locator).shown(),
-               .newJson = R"({"tables":)" + std::to_string(copied.tables.size()) + R"(,"rows":)" +
-                          std::to_string(copied.rows) + "}"});
+  server.note(AuditAction::kDatabaseSwitch, AuditObject::kDatabase, parseLocator(locator).shown(),
+              {{"tables", copied.tables.size()}, {"rows", copied.rows}});
   return locator;
 }
 
@@ -231,10 +230,8 @@ void prepareServer(SessionContext& session, const std::string& stationRole) {
   }
   Transaction transaction(connection);
   writeServerRoles(connection, tables, appendOnly, stationRole);
-  session.note({.action = AuditAction::kDatabasePrepareServer,
-                .objectKind = AuditObject::kDatabase,
-                .objectId = connection.location(),
-                .newJson = R"({"station_role":")" + stationRole + "\"}"});
+  session.note(AuditAction::kDatabasePrepareServer, AuditObject::kDatabase, connection.location(),
+               {{"station_role", stationRole}});
   transaction.commit();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/maintenance/station_anchor.h"
 
+#include <system_error>
+
 #include <QSettings>
 
 #include "app/services/maintenance/anchor.h"
@@ -71,6 +73,150 @@ LeftHead headOnLeaving(Connection& connection, std::int64_t now_us) {
     return {.line = anchoredHead(connection, {}, now_us),
             .trouble = Text::tr("%1: %2", error.whereText(), error.happenedText())};
   }
+}
+
+}  // namespace torsio
+
+#ifdef _WIN32
+#include <QStorageInfo>
+#else
+#include <sys/stat.h>
+#endif
+
+#include <nlohmann/json.hpp>
+
+#include "app/services/access/centre_settings.h"
+#include "app/services/access/session_context.h"
+#include "app/services/maintenance/anchor.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
+#include "sim/core/error.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kWitnessSetting = "station_witness";
+constexpr const char* kKeySetting = "station_key";
+
+/// Returns the folder of a file that may not exist yet.
+fs::path folderOf(const fs::path& file) {
+  return fs::absolute(file).lexically_normal().parent_path();
+}
+
+/// Compares the files themselves if possible: a list of mounts is wrong after chroot.
+bool onOneDisk(const fs::path& one, const fs::path& other) {
+#ifdef _WIN32
+  const QStorageInfo first(QString::fromStdString(folderOf(one).string()));
+  const QStorageInfo second(QString::fromStdString(folderOf(other).string()));
+  return first.isValid() && first == second;
+#else
+  struct stat first {};
+  struct stat second {};
+  return ::stat(folderOf(one).c_str(), &first) == 0 && ::stat(folderOf(other).c_str(), &second) == 0 &&
+         first.st_dev == second.st_dev;
+#endif
+}
+
+/// Returns the record's file; empty if it is on a server.
+fs::path recordFile(const SessionContext& session) {
+  const Locator locator = parseLocator(session.key().locator);
+  return locator.engine == Engine::kSqlite ? fs::path(locator.file) : fs::path();
+}
+
+/// Returns the public key of a key file that may be gone; empty if none.
+std::string publicPart(const fs::path& key) {
+  try {
+    return key.empty() ? std::string() : publicAnchorKey(key);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+void useKey(SessionContext& session, const fs::path& file) {
+  StationAnchor anchor = stationAnchor();
+  const std::string before = publicPart(anchor.key);
+  anchor.key = file;
+  setStationAnchor(anchor);
+  noteSetting(session, kKeySetting, {{"public_key", before}}, {{"public_key", publicPart(file)}});
+}
+
+}  // namespace
+
+StationHeads stationHeads(SessionContext& session) {
+  session.require(Operation::kAuditView);
+  StationHeads heads{.anchor = stationAnchor()};
+  const fs::path record = recordFile(session);
+  try {
+    if (!heads.anchor.key.empty()) {
+      heads.publicKey = publicAnchorKey(heads.anchor.key);
+    }
+    std::error_code ignored;
+    if (fs::exists(heads.anchor.witness, ignored)) {
+      heads.kept = static_cast<std::int64_t>(headsOf(heads.anchor.witness).size());
+    }
+  } catch (const Error& error) {
+    heads.trouble = Text::tr("%1: %2", error.whereText(), error.happenedText());
+  }
+  if (!record.empty()) {
+    heads.witnessOnDisk = !heads.anchor.witness.empty() && onOneDisk(heads.anchor.witness, record);
+    heads.keyBesideRecord = !heads.anchor.key.empty() && folderOf(heads.anchor.key) == folderOf(record);
+  }
+  return heads;
+}
+
+std::string headNow(SessionContext& session) {
+  session.require(Operation::kAuditView);
+  return anchoredHead(session.connection(), stationAnchor().key, session.now_us());
+}
+
+void keepHeadNow(SessionContext& session) {
+  session.require(Operation::kAuditView);
+  if (stationAnchor().witness.empty()) {
+    throw Error(ErrorCode::kUsage, Text::tr("this station keeps no heads"), "",
+                Text::tr("Choose a witness file first"));
+  }
+  witnessHead(session.connection(), session.now_us());
+}
+
+void chooseWitness(SessionContext& session, const fs::path& file) {
+  session.require(Operation::kSettingsEdit);
+  StationAnchor anchor = stationAnchor();
+  const fs::path before = anchor.witness;
+  if (!file.empty()) {  // before anything is changed, check that the file is writable
+    appendToWitness(file, anchoredHead(session.connection(), anchor.key, session.now_us()));
+  }
+  anchor.witness = file;
+  setStationAnchor(anchor);
+  noteSetting(session, kWitnessSetting, {{"file", before.string()}}, {{"file", file.string()}});
+}
+
+void makeStationKey(SessionContext& session, const fs::path& file) {
+  session.require(Operation::kSettingsEdit);
+  const StationAnchor anchor = stationAnchor();
+  if (publicPart(anchor.key).empty()) {
+    (void)makeAnchorKey(file);
+  } else {
+    replaceAnchorKey(session.connection(), anchor.key, file, anchor.witness, session.now_us());
+  }
+  useKey(session, file);
+}
+
+void chooseStationKey(SessionContext& session, const fs::path& file) {
+  session.require(Operation::kSettingsEdit);
+  useKey(session, file);
+}
+
+std::vector<AuditFinding> verifyHeads(SessionContext& session, const std::vector<std::string>& lines,
+                                      const std::string& publicKey) {
+  session.require(Operation::kAuditView);
+  const std::string key = publicKey.empty() ? publicPart(stationAnchor().key) : publicKey;
+  std::vector<AuditFinding> findings = compareWithHeads(session.connection(), lines, key);
+  session.note(AuditAction::kAuditVerify, AuditObject::kAuditEntry, {},
+               {{"heads", lines.size()}, {"findings", findings.size()}});
+  return findings;
 }
 
 }  // namespace torsio

@@ -231,10 +231,8 @@ PersonId addPerson(SessionContext& session, const PersonEntry& entry) {
     repository.addRaters(std::vector<Rater>{{person, entry.raterClass}});
   }
   repository.setIdentity({person.id, entry.fullName, entry.email, entry.externalId});
-  session.note({.action = AuditAction::kPersonAdd,
-                .objectKind = AuditObject::kPerson,
-                .objectId = person.id,
-                .newJson = codedJson(person, entry.handedness, entry.raterClass).dump()});
+  session.note(AuditAction::kPersonAdd, AuditObject::kPerson, person.id,
+               codedJson(person, entry.handedness, entry.raterClass));
   transaction.commit();
   return person.id;
 }
@@ -289,12 +287,8 @@ void changePerson(SessionContext& session, const PersonId& personId, const Perso
   repository.setIdentity({personId, entry.fullName, entry.email, entry.externalId});
   nlohmann::json now = codedJson(after, entry.handedness, entry.raterClass);
   now["identity_changed"] = changedIdentity(old, entry);
-  session.note({.action = AuditAction::kPersonChange,
-                .objectKind = AuditObject::kPerson,
-                .objectId = personId,
-                .oldJson = codedJson(before.person, before.handedness, before.raterClass).dump(),
-                .newJson = now.dump(),
-                .reason = reason});
+  session.noteChange(AuditAction::kPersonChange, AuditObject::kPerson, personId,
+                     codedJson(before.person, before.handedness, before.raterClass), now, reason);
   transaction.commit();
 }
 
@@ -310,12 +304,8 @@ void setPersonState(SessionContext& session, const PersonId& personId, PersonSta
   Person person = rowOf(repository, personId).person;
   const PersonState before = std::exchange(person.state, state);
   repository.updatePerson(person);
-  session.note({.action = AuditAction::kPersonSetState,
-                .objectKind = AuditObject::kPerson,
-                .objectId = personId,
-                .oldJson = nlohmann::json{{"state", storedText(before)}}.dump(),
-                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
-                .reason = reason});
+  session.noteChange(AuditAction::kPersonSetState, AuditObject::kPerson, personId,
+                     {{"state", storedText(before)}}, {{"state", storedText(state)}}, reason);
   transaction.commit();
 }
 
@@ -335,9 +325,7 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session) {
   classes = paperRaterClasses();
   Transaction transaction(session.connection());
   repository.addRaterClasses(classes);
-  session.note({.action = AuditAction::kRaterClassAdd,
-                .objectKind = AuditObject::kRaterClass,
-                .objectId = "intern deputy_chief chief"});
+  session.note(AuditAction::kRaterClassAdd, AuditObject::kRaterClass, "intern deputy_chief chief");
   transaction.commit();
   return classes;
 }
@@ -376,9 +364,8 @@ std::size_t exportPeople(SessionContext& session, const std::filesystem::path& f
   digest.update(text);
   // Audit first, then write: exported names without an entry would be worse than an entry for a file that
   // could not be written.
-  session.note({.action = withNames ? AuditAction::kPeopleExportNamed : AuditAction::kPeopleExportCoded,
-                .objectKind = AuditObject::kPerson,
-                .newJson = nlohmann::json{{"people", count}, {"blake2b", digest.hex()}}.dump()});
+  session.note(withNames ? AuditAction::kPeopleExportNamed : AuditAction::kPeopleExportCoded,
+               AuditObject::kPerson, {}, {{"people", count}, {"blake2b", digest.hex()}});
   writeFileAtomically(file, text);
   return count;
 }

@@ -18,11 +18,8 @@ void close(SessionContext& session, const std::string& requestId, PersonRequestA
            const std::string& reason) {
   Transaction transaction(session.connection());
   RequestRepository(session.connection()).answer(requestId, answer, reason, session.now_us());
-  session.note({.action = AuditAction::kPersonRequestAnswer,
-                .objectKind = AuditObject::kPersonRequest,
-                .objectId = requestId,
-                .newJson = nlohmann::json{{"answer", storedText(answer)}}.dump(),
-                .reason = reason});
+  session.note(AuditAction::kPersonRequestAnswer, AuditObject::kPersonRequest, requestId,
+               {{"answer", storedText(answer)}}, reason);
   transaction.commit();
 }
 
@@ -46,10 +43,8 @@ void requestAboutOwnRecord(SessionContext& session, PersonRequestKind kind) {
                               .askedUtc_us = session.now_us()};
   Transaction transaction(session.connection());
   RequestRepository(session.connection()).add(request);
-  session.note({.action = AuditAction::kPersonRequest,
-                .objectKind = AuditObject::kPersonRequest,
-                .objectId = request.id,
-                .newJson = nlohmann::json{{"kind", storedText(kind)}}.dump()});
+  session.note(AuditAction::kPersonRequest, AuditObject::kPersonRequest, request.id,
+               {{"kind", storedText(kind)}});
   transaction.commit();
 }
 

@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include <QByteArray>
+#include <QByteArrayView>
+#include <QString>
+#include <QStringDecoder>
+
 #include "app/services/people/roster_import.h"
-#include "app/services/people/roster_text.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
@@ -16,21 +23,97 @@ namespace torsio {
 
 namespace {
 
+/// Text of a file saved by a spreadsheet.
+struct RosterText {
+  std::string utf8{};      ///< without a byte order mark
+  std::string encoding{};  ///< encoding of the file: "UTF-8", "UTF-16", "GB18030", "Windows-1252"
+};
+
+/// Converts to UTF-8; empty if the text is not in this encoding, or the system does not know it.
+std::optional<std::string> decoded(std::string_view bytes, const char* encoding) {
+  QStringDecoder decoder(encoding,
+                         QStringConverter::Flag::Stateless);  // an incomplete character at the end is an
+                                                              // error
+  if (!decoder.isValid()) {
+    return std::nullopt;
+  }
+  const QString text = decoder(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
+  // Undefined bytes become C1 control characters.
+  const bool meaningless = std::any_of(text.begin(), text.end(), [](QChar letter) {
+    return letter == QChar::ReplacementCharacter || (letter >= QChar(0x80) && letter <= QChar(0x9F));
+  });
+  if (decoder.hasError() || meaningless) {
+    return std::nullopt;
+  }
+  return text.toStdString();
+}
+
+/// Simplified Chinese consists of pairs of bytes above A0; in a western text such bytes are single among
+/// ASCII letters.
+bool isPairedChinese(std::string_view bytes) {
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const auto byte = [&](std::size_t at) {
+      return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U;
+    };
+    if (byte(i) < 0x80) {
+      continue;
+    }
+    if (byte(i) < 0xA1 || byte(i + 1) < 0xA1) {
+      return false;
+    }
+    ++pairs;
+    ++i;
+  }
+  return pairs > 0;
+}
+
+/// Decodes UTF-8, UTF-16 with a byte order mark ("Unicode text"), and what older spreadsheets save: GB18030
+/// if all non-ASCII characters are byte pairs as in simplified Chinese, otherwise Windows-1252. `name`: file
+/// name for messages. Throws Error{kBadData} for any other encoding.
+RosterText decodeRosterText(std::string_view bytes, const std::string& name) {
+  const bool little = bytes.starts_with("\xFF\xFE");
+  if (little || bytes.starts_with("\xFE\xFF")) {
+    if (auto text = decoded(bytes.substr(2), little ? "UTF-16LE" : "UTF-16BE")) {
+      return {std::move(*text), "UTF-16"};
+    }
+    refuse(Text::tr("the text begins as UTF-16 and is broken"), name,
+           Text::tr("Save the table as UTF-8 CSV"));
+  }
+  if (bytes.starts_with("\xEF\xBB\xBF")) {
+    bytes.remove_prefix(3);
+  }
+  if (auto text = decoded(bytes, "UTF-8")) {
+    return {std::move(*text), "UTF-8"};
+  }
+  for (const char* encoding : {"GB18030", "windows-1252"}) {
+    if (encoding == std::string_view("GB18030") && !isPairedChinese(bytes)) {
+      continue;
+    }
+    if (auto text = decoded(bytes, encoding)) {
+      return {std::move(*text), encoding == std::string_view("GB18030") ? "GB18030" : "Windows-1252"};
+    }
+  }
+  refuse(Text::tr("the text is in no encoding that a spreadsheet saves"), name,
+         Text::tr("Save the table as UTF-8 CSV"));
+}
+
 struct FieldName {
   RosterField field;
   const char* code;
   const char* example;
+  Phrase label;
 };
 constexpr std::array<FieldName, kRosterFields> kFields{
-    {{RosterField::kExternalId, "external_id", "S-1001"},
-     {RosterField::kFullName, "full_name", "Maria Example"},
-     {RosterField::kEmail, "email", "maria@example.org"},
-     {RosterField::kSex, "sex", "female"},
-     {RosterField::kLevel, "level", "master's student"},
-     {RosterField::kExperience, "experience", "none"},
-     {RosterField::kAge, "age", "24"},
-     {RosterField::kHandedness, "handedness", "right"},
-     {RosterField::kRaterClass, "rater_class", "chief"}}};
+    {{RosterField::kExternalId, "external_id", "S-1001", Text::tr("Staff or student number")},
+     {RosterField::kFullName, "full_name", "Maria Example", Text::tr("Full name")},
+     {RosterField::kEmail, "email", "maria@example.org", Text::tr("E-mail")},
+     {RosterField::kSex, "sex", "female", Text::tr("Sex")},
+     {RosterField::kLevel, "level", "master's student", Text::tr("Level")},
+     {RosterField::kExperience, "experience", "none", Text::tr("Experience")},
+     {RosterField::kAge, "age", "24", Text::tr("Age")},
+     {RosterField::kHandedness, "handedness", "right", Text::tr("Handedness")},
+     {RosterField::kRaterClass, "rater_class", "chief", Text::tr("Class of rater")}}};
 
 /// Lower case without spaces, dashes, underscores and dots, so that "E-Mail" and "e_mail" match.
 std::string plain(std::string_view text) {
@@ -80,27 +163,7 @@ std::string_view rosterFieldCode(RosterField field) noexcept {
 }
 
 Phrase rosterFieldLabel(RosterField field) noexcept {
-  switch (field) {
-    case RosterField::kExternalId:
-      return Text::tr("Staff or student number");
-    case RosterField::kFullName:
-      return Text::tr("Full name");
-    case RosterField::kEmail:
-      return Text::tr("E-mail");
-    case RosterField::kSex:
-      return Text::tr("Sex");
-    case RosterField::kLevel:
-      return Text::tr("Level");
-    case RosterField::kExperience:
-      return Text::tr("Experience");
-    case RosterField::kAge:
-      return Text::tr("Age");
-    case RosterField::kHandedness:
-      return Text::tr("Handedness");
-    case RosterField::kRaterClass:
-      return Text::tr("Class of rater");
-  }
-  return {};
+  return kFields[static_cast<std::size_t>(field)].label;
 }
 
 std::vector<RosterField> rosterFields(RosterKind kind) {

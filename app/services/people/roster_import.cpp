@@ -190,10 +190,8 @@ std::vector<std::string> addNew(SessionContext& session, const RosterPreview& pr
       repository.addRaters(std::vector<Rater>{{person, entry.raterClass}});
     }
     repository.setIdentity({id, entry.fullName, entry.email, entry.externalId});
-    session.note({.action = AuditAction::kPersonAdd,
-                  .objectKind = AuditObject::kPerson,
-                  .objectId = id,
-                  .newJson = addedJson(person, trainees ? "trainee" : entry.raterClass).dump()});
+    session.note(AuditAction::kPersonAdd, AuditObject::kPerson, id,
+                 addedJson(person, trainees ? "trainee" : entry.raterClass));
     newCodes.push_back(person.code);
     done.push_back({.personId = id, .afterJson = rosterJson(entry)});
   }
@@ -257,13 +255,9 @@ RosterOutcome importRoster(SessionContext& session, const RosterFile& file, Rost
   keepImport(session, kind, done);
   outcome.added = now.added;
   outcome.changed = now.changed;
-  session.note({.action = AuditAction::kRosterImport,
-                .objectKind = AuditObject::kPerson,
-                .newJson = nlohmann::json{{"added", now.added},
-                                          {"changed", now.changed},
-                                          {"same", now.same},
-                                          {"blake2b", file.contentHash}}
-                               .dump()});
+  session.note(
+      AuditAction::kRosterImport, AuditObject::kPerson, {},
+      {{"added", now.added}, {"changed", now.changed}, {"same", now.same}, {"blake2b", file.contentHash}});
   if (mode == RosterMode::kCommit) {
     transaction.commit();
   }

@@ -142,4 +142,13 @@ void AsyncModelWorker::noteFrame(double duration_s) noexcept {
   rate_per_s_ = meanFrame_s_ > 0.0 ? 1.0 / meanFrame_s_ : 0.0;
 }
 
+AsyncModelPlayback::AsyncModelPlayback(std::shared_ptr<const Scene> scene, std::shared_ptr<LatestShape> shape)
+    : worker_(std::move(scene), link_, std::move(shape)) {
+  worker_.start();
+}
+
+void AsyncModelPlayback::follow(const LiveState& shown) noexcept {
+  link_.questions.publish({1, shown.response.graspArc_m, shown.response.angle_rad});
+}
+
 }  // namespace torsio

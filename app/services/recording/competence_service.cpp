@@ -122,11 +122,8 @@ CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDes
   }
   planned.registeredUtc_us = session.now_us();
   planned = CompetenceRepository(session.connection()).add(std::move(planned));
-  session.note({.action = AuditAction::kCompetenceRegister,
-                .objectKind = AuditObject::kCompetenceDesign,
-                .objectId = planned.moduleId,
-                .newJson = designJson(planned).dump(),
-                .reason = planned.reason});
+  session.note(AuditAction::kCompetenceRegister, AuditObject::kCompetenceDesign, planned.moduleId,
+               designJson(planned), planned.reason);
   transaction.commit();
   return planned;
 }

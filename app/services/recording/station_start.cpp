@@ -77,10 +77,8 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
 SettledTrial settled(SessionContext& session, TrialListing trial, bool fromFile) {
   const std::int64_t added_us = logMissing_us(session, trial);
   const nlohmann::json what{{"exposure_us", added_us}};
-  session.note({.action = fromFile ? AuditAction::kTrialImport : AuditAction::kTrialCloseInterrupted,
-                .objectKind = AuditObject::kTrial,
-                .objectId = trial.trialId,
-                .newJson = what.dump()});
+  session.note(fromFile ? AuditAction::kTrialImport : AuditAction::kTrialCloseInterrupted,
+               AuditObject::kTrial, trial.trialId, what);
   return {std::move(trial), fromFile, added_us};
 }
 

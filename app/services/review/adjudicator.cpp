@@ -204,11 +204,8 @@ std::string assignAdjudicator(SessionContext& session, const CohortId& cohortId,
   next.assignedBy = session.actor().userId;
   next.assignedUtc_us = session.now_us();
   sheets.assign(std::span(&next, 1));
-  session.note({.action = AuditAction::kAssignmentAdjudicator,
-                .objectKind = AuditObject::kAssignment,
-                .objectId = next.id,
-                .newJson = nlohmann::json{{"rater", raterId}, {"asked_in", before.id}}.dump(),
-                .reason = found->second.asked.front().reason});
+  session.note(AuditAction::kAssignmentAdjudicator, AuditObject::kAssignment, next.id,
+               {{"rater", raterId}, {"asked_in", before.id}}, found->second.asked.front().reason);
   transaction.commit();
   return next.id;
 }

@@ -54,10 +54,7 @@ void addCaseRemark(SessionContext& session, const AssignmentId& assignmentId, co
   stored.demonstration = assignment.demonstration;
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).add(stored);
-  session.note({.action = AuditAction::kRemarkAdd,
-                .objectKind = AuditObject::kTrialRemark,
-                .objectId = stored.id,
-                .newJson = {}});
+  session.note(AuditAction::kRemarkAdd, AuditObject::kTrialRemark, stored.id);
   transaction.commit();
 }
 

@@ -28,7 +28,7 @@ namespace torsio {
 
 namespace {
 
-std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
+nlohmann::json seenJson(const BlindedCase& shown, const WatchLog& watched) {
   nlohmann::json json;
   if (!shown.live) {
     json["watched"] = std::round(watched.share() * 1000.0) / 1000.0;
@@ -36,7 +36,7 @@ std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
     json["fastest"] = watched.fastest();
   }
   json["worked_s"] = watched.worked_us() / 1'000'000;
-  return json.dump();
+  return json;
 }
 
 void requireSheetWords(const Sheet& sheet, const std::string& label) {
@@ -154,10 +154,8 @@ void submitSheet(SessionContext& session, const AssignmentId& assignmentId, cons
   DeskRepository(session.connection()).sealViewing(assignmentId, markId, watched.stored());
   sign(session,
        {.objectId = markId, .meaning = SignatureMeaning::kScored, .demonstration = assignment.demonstration});
-  session.note({.action = AuditAction::kSheetSubmit,
-                .objectKind = AuditObject::kAssignment,
-                .objectId = assignmentId,
-                .newJson = seenJson(opened.shown, watched)});
+  session.note(AuditAction::kSheetSubmit, AuditObject::kAssignment, assignmentId,
+               seenJson(opened.shown, watched));
   transaction.commit();
   endSigning(session);
 }
@@ -188,10 +186,7 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
                  .meaning = SignatureMeaning::kAmended,
                  .reason = reason,
                  .demonstration = assignment.demonstration});
-  session.note({.action = AuditAction::kSheetAmend,
-                .objectKind = AuditObject::kAssignment,
-                .objectId = assignmentId,
-                .reason = reason});
+  session.note(AuditAction::kSheetAmend, AuditObject::kAssignment, assignmentId, {}, reason);
   transaction.commit();
   endSigning(session);
 }

@@ -270,9 +270,7 @@ void submitEvaluation(SessionContext& session, const CampaignId& campaignId, con
   }
   DeskRepository(session.connection())
       .removeEvaluationDraft(campaignId, session.actor().personId, open.models[model].code);
-  session.note({.action = AuditAction::kEvaluationForm,
-                .objectKind = AuditObject::kEvaluationCampaign,
-                .objectId = campaignId});
+  session.note(AuditAction::kEvaluationForm, AuditObject::kEvaluationCampaign, campaignId);
   transaction.commit();
   endSigning(session);
 }

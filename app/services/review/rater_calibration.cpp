@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/reference_run.h"
@@ -145,9 +147,7 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
   score.demonstration = run.demonstration;
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).addCalibrationScore(score);
-  session.note({.action = AuditAction::kCalibrationScore,
-                .objectKind = AuditObject::kRaterCalibration,
-                .objectId = score.id});
+  session.note(AuditAction::kCalibrationScore, AuditObject::kRaterCalibration, score.id);
   transaction.commit();
 }
 
@@ -219,9 +219,7 @@ void addReferenceRuns(SessionContext& session, const std::vector<ReferenceChoice
     run.demonstration =
         choice.demonstration || TrialRepository(session.connection()).find(choice.trialId)->demonstration;
     desk.addReferenceRuns(std::span(&run, 1));
-    session.note({.action = AuditAction::kReferenceRunAdd,
-                  .objectKind = AuditObject::kReferenceRun,
-                  .objectId = run.trialId});
+    session.note(AuditAction::kReferenceRunAdd, AuditObject::kReferenceRun, run.trialId);
   }
   transaction.commit();
 }
@@ -240,10 +238,7 @@ void withdrawReferenceRun(SessionContext& session, const TrialId& trialId, const
            Text::tr("Open the list again"));
   }
   desk.withdrawReferenceRun({trialId, reason, session.actor().userId, session.now_us()});
-  session.note({.action = AuditAction::kReferenceRunWithdraw,
-                .objectKind = AuditObject::kReferenceRun,
-                .objectId = trialId,
-                .reason = reason});
+  session.note(AuditAction::kReferenceRunWithdraw, AuditObject::kReferenceRun, trialId, {}, reason);
   transaction.commit();
 }
 

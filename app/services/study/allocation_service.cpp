@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -215,14 +216,12 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   study.lockDesign(stored);
   stored.seed.clear();
   stored.salt.clear();
-  session.note({.action = before.empty() ? AuditAction::kAllocationLock : AuditAction::kAllocationSupersede,
-                .objectKind = AuditObject::kAllocationDesign,
-                .objectId = stored.id,
-                .newJson = nlohmann::json{{"cohort", plan.cohortId},
-                                          {"commitment", stored.seedCommitment},
-                                          {"seed_given", plan.seed.has_value()}}
-                               .dump(),
-                .reason = supersedeReason});
+  session.note(before.empty() ? AuditAction::kAllocationLock : AuditAction::kAllocationSupersede,
+               AuditObject::kAllocationDesign, stored.id,
+               {{"cohort", plan.cohortId},
+                {"commitment", stored.seedCommitment},
+                {"seed_given", plan.seed.has_value()}},
+               supersedeReason);
   transaction.commit();
   return {stored, design, 0, 0};
 }
@@ -297,13 +296,88 @@ AllocationEntry overrideAllocation(SessionContext& session, const CohortId& coho
   record.overrideReason = reason;
   record.allocatedUtc_us = session.now_us();
   record = study.allocate(std::span(&record, 1)).front();
-  session.note({.action = AuditAction::kAllocationOverride,
-                .objectKind = AuditObject::kAllocation,
-                .objectId = record.id,
-                .newJson = nlohmann::json{{"enrolment", enrolmentId}, {"record", record.recordHash}}.dump(),
-                .reason = reason});
+  session.note(AuditAction::kAllocationOverride, AuditObject::kAllocation, record.id,
+               {{"enrolment", enrolmentId}, {"record", record.recordHash}}, reason);
   transaction.commit();
   return record;
+}
+
+namespace {
+
+std::optional<LockedDesign> designIn(StudyRepository& study, const DesignId& designId) {
+  for (const Cohort& cohort : study.cohorts()) {
+    for (LockedDesign& design : study.designs(cohort.id)) {
+      if (design.id == designId) {
+        return std::move(design);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string revealSeed(SessionContext& session, const DesignId& designId, const std::string& reason) {
+  session.require(Operation::kAllocationReveal);
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
+  const std::string seed = study.sealedSeed(designId);
+  if (seed.empty()) {
+    refuse(Text::tr("there is no such design"), designId, Text::tr("Choose one from the list"));
+  }
+  const LockedDesign design = designIn(study, designId).value();
+  if (reason.empty() && study.designs(design.cohortId).back().id == designId) {
+    const DrawField field = readDrawField(session, design.cohortId);
+    if (const std::size_t waiting = field.waiting().size(); waiting > 0) {
+      refuse(
+          Text::tr("%1 {person still waits|people still wait} for a group: the seed would tell them theirs",
+                   waiting),
+          field.cohort.name, Text::tr("Allocate them first, or give a reason"));
+    }
+  }
+  if (!design.demonstration) {
+    requireSecondPerson(session, DutyAct::kRevealAllocation, designId);
+  }
+  study.revealSeed(designId, session.now_us());
+  session.note(AuditAction::kAllocationReveal, AuditObject::kAllocationDesign, designId, {}, reason);
+  transaction.commit();
+  return seed;
+}
+
+AllocationCheck checkAllocation(SessionContext& session, const DesignId& designId) {
+  session.require(Operation::kAllocationView);
+  StudyRepository study(session.connection());
+  const std::optional<LockedDesign> stored = designIn(study, designId);
+  if (!stored) {
+    refuse(Text::tr("there is no such design"), designId, Text::tr("Choose one from the list"));
+  }
+  return repeatedDraw(study, *stored, study.sealedSeed(designId), study.sealedSalt(designId));
+}
+
+std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& cohortId) {
+  session.require(Operation::kAllocationRun);
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
+  const std::vector<LockedDesign> designs = study.designs(cohortId);
+  std::map<std::string, std::string> codes = codesOf(study, cohortId);
+  std::map<std::string, StudyGroup> groups;
+  for (const StudyGroup& group : study.groups(cohortId)) {
+    groups[group.id] = group;
+  }
+  std::vector<SealedCard> cards;
+  if (!designs.empty()) {
+    for (const AllocationEntry& record : study.allocations(designs.back().id)) {
+      cards.push_back({record.sequence, codes[record.enrolmentId], groups[record.groupId].code,
+                       groups[record.groupId].label});
+    }
+  }
+  if (cards.empty()) {
+    refuse(Text::tr("nobody is allocated yet"), cohortId, Text::tr("Lock a design and allocate first"));
+  }
+  session.note(AuditAction::kAllocationCards, AuditObject::kAllocationDesign, designs.back().id,
+               {{"cards", cards.size()}});
+  transaction.commit();
+  return cards;
 }
 
 }  // namespace torsio

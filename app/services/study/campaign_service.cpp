@@ -216,13 +216,9 @@ CampaignId addCampaign(SessionContext& session, const CampaignPlan& plan) {
     }
   }
   EvaluationRepository(session.connection()).addCampaign(campaign);
-  session.note({.action = AuditAction::kEvaluationAdd,
-                .objectKind = AuditObject::kEvaluationCampaign,
-                .objectId = campaign.id,
-                .newJson = nlohmann::json{{"models", plan.models.size()},
-                                          {"raters", campaign.raters.size()},
-                                          {"seed", std::to_string(seed)}}
-                               .dump()});
+  session.note(
+      AuditAction::kEvaluationAdd, AuditObject::kEvaluationCampaign, campaign.id,
+      {{"models", plan.models.size()}, {"raters", campaign.raters.size()}, {"seed", std::to_string(seed)}});
   transaction.commit();
   return campaign.id;
 }

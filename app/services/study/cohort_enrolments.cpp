@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Enrolments of cohorts and their training times.
+// Enrolments of cohorts, their training times and protocol deviations.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -106,13 +106,8 @@ void notePlan(SessionContext& session, const StudyArm& arm, const Enrolment& enr
                          exposure.reason,
                      exposure.startedUtc_us, session.actor().userId, session.now_us(),
                      enrolment.demonstration});
-  session.note({.action = AuditAction::kDeviationReport,
-                .objectKind = AuditObject::kDeviation,
-                .objectId = id,
-                .newJson = nlohmann::json{{"kind", kTrainedBesidePlan},
-                                          {"cohort", exposure.cohortId},
-                                          {"enrolment", enrolment.id}}
-                               .dump()});
+  session.note(AuditAction::kDeviationReport, AuditObject::kDeviation, id,
+               {{"kind", kTrainedBesidePlan}, {"cohort", exposure.cohortId}, {"enrolment", enrolment.id}});
 }
 
 /// Records training while sheets of the real arm are missing as a deviation, whoever logs it.
@@ -184,10 +179,8 @@ std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& 
                        .traineeId = traineeId,
                        .enrolledUtc_us = session.now_us(),
                        .demonstration = cohort.demonstration});
-    session.note({.action = AuditAction::kEnrolmentAdd,
-                  .objectKind = AuditObject::kEnrolment,
-                  .objectId = ids.back(),
-                  .newJson = nlohmann::json{{"cohort", cohortId}, {"trainee", person->code}}.dump()});
+    session.note(AuditAction::kEnrolmentAdd, AuditObject::kEnrolment, ids.back(),
+                 {{"cohort", cohortId}, {"trainee", person->code}});
   }
   study.enrol(records);
   transaction.commit();
@@ -204,12 +197,8 @@ void setEnrolmentState(SessionContext& session, const CohortId& cohortId, const 
   StudyRepository study(session.connection());
   const Enrolment before = enrolmentOf(study, cohortId, enrolmentId);
   study.setEnrolmentState(enrolmentId, state);
-  session.note({.action = AuditAction::kEnrolmentSetState,
-                .objectKind = AuditObject::kEnrolment,
-                .objectId = enrolmentId,
-                .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
-                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
-                .reason = reason});
+  session.noteChange(AuditAction::kEnrolmentSetState, AuditObject::kEnrolment, enrolmentId,
+                     {{"state", storedText(before.state)}}, {{"state", storedText(state)}}, reason);
   transaction.commit();
 }
 
@@ -240,16 +229,93 @@ ExposureId recordExposure(SessionContext& session, const NewExposure& exposure) 
                   exposure.kind,           exposure.startedUtc_us, exposure.duration_us,
                   session.actor().userId,  enrolment.demonstration};
   study.addExposures(std::span(&stored, 1));
-  session.note({.action = AuditAction::kExposureRecord,
-                .objectKind = AuditObject::kExposure,
-                .objectId = stored.id,
-                .newJson = nlohmann::json{{"enrolment", exposure.enrolmentId},
-                                          {"kind", storedText(exposure.kind)},
-                                          {"phase", exposure.phaseId},
-                                          {"duration_us", exposure.duration_us}}
-                               .dump()});
+  session.note(AuditAction::kExposureRecord, AuditObject::kExposure, stored.id,
+               {{"enrolment", exposure.enrolmentId},
+                {"kind", storedText(exposure.kind)},
+                {"phase", exposure.phaseId},
+                {"duration_us", exposure.duration_us}});
   transaction.commit();
   return stored.id;
+}
+
+namespace {
+
+void checkDeviation(const NewDeviation& deviation) {
+  const auto kind = fromStoredText<DeviationKind>(deviation.kind);
+  if (!kind || *kind >= DeviationKind::kTrainedBeforeScoring) {
+    refuse(Text::tr("this kind of deviation is not known"), deviation.kind,
+           Text::tr("Choose one from the list"));
+  }
+  if (kind == DeviationKind::kOther && deviation.description.empty()) {
+    refuse(Text::tr("\"other\" needs a description"), Text::tr("deviation"),
+           Text::tr("Say in a few words what happened"));
+  }
+}
+
+}  // namespace
+
+DeviationId reportDeviation(SessionContext& session, const NewDeviation& deviation) {
+  session.require(Operation::kStudySetup);
+  checkDeviation(deviation);
+  Transaction transaction(session.connection());
+  StudyRepository study(session.connection());
+  const Cohort cohort = study.cohort(deviation.cohortId);
+  const std::vector<Enrolment> enrolled = study.enrolments(cohort.id);
+  if (!deviation.enrolmentId.empty() &&
+      std::none_of(enrolled.begin(), enrolled.end(),
+                   [&](const Enrolment& one) { return one.id == deviation.enrolmentId; })) {
+    refuse(Text::tr("nobody is enrolled here under this number"), deviation.enrolmentId,
+           Text::tr("Choose one from the list"));
+  }
+  const std::int64_t now_us = session.now_us();
+  const DeviationId id = session.ids().newUuid();
+  study.addDeviation({id, cohort.id, deviation.enrolmentId, deviation.kind, deviation.description,
+                      deviation.happenedUtc_us == 0 ? now_us : deviation.happenedUtc_us,
+                      session.actor().userId, now_us, cohort.demonstration});
+  // The description is free text that may contain names, so it is not audited.
+  session.note(AuditAction::kDeviationReport, AuditObject::kDeviation, id,
+               {{"kind", deviation.kind}, {"cohort", cohort.id}, {"enrolment", deviation.enrolmentId}});
+  transaction.commit();
+  return id;
+}
+
+void reportDeviations(SessionContext& session, std::span<const NewDeviation> deviations) {
+  session.require(Operation::kStudySetup);
+  Transaction transaction(session.connection());
+  for (const NewDeviation& one : deviations) {
+    static_cast<void>(reportDeviation(session, one));
+  }
+  transaction.commit();
+}
+
+void correctDeviations(SessionContext& session, const CohortId& cohortId,
+                       std::span<const DeviationId> deviationIds, const std::string& reason) {
+  session.require(Operation::kStudySetup);
+  if (reason.empty()) {
+    refuse(Text::tr("a correction needs a reason"), Text::tr("deviation"), Text::tr("Say what was wrong"));
+  }
+  const std::set<DeviationId> wrong(deviationIds.begin(), deviationIds.end());
+  std::vector<NewDeviation> corrections;
+  for (const ProtocolDeviation& one : StudyRepository(session.connection()).deviations(cohortId)) {
+    if (wrong.contains(one.id)) {
+      corrections.push_back({.cohortId = cohortId,
+                             .enrolmentId = one.enrolmentId,
+                             .kind = std::string(storedText(DeviationKind::kOther)),
+                             .description = "entered in error: \"" + one.kind +
+                                            (one.description.empty() ? "" : ": " + one.description) +
+                                            "\": " + reason,
+                             .happenedUtc_us = one.happenedUtc_us});
+    }
+  }
+  if (corrections.size() != wrong.size() || wrong.empty()) {
+    refuse(Text::tr("this deviation is not of the cohort"), cohortId, Text::tr("Read the list again"));
+  }
+  reportDeviations(session, corrections);
+}
+
+std::vector<ProtocolDeviation> deviations(SessionContext& session, const CohortId& cohortId) {
+  session.require(Operation::kPersonViewCoded);
+  return StudyRepository(session.connection()).deviations(cohortId);
 }
 
 }  // namespace torsio

@@ -164,10 +164,7 @@ CohortId addCohort(SessionContext& session, const NewCohort& cohort) {
   if (!cohort.curriculumVersionId.empty()) {
     curricula.assign(id, cohort.curriculumVersionId);
   }
-  session.note({.action = AuditAction::kCohortAdd,
-                .objectKind = AuditObject::kCohort,
-                .objectId = id,
-                .newJson = now.dump()});
+  session.note(AuditAction::kCohortAdd, AuditObject::kCohort, id, now);
   transaction.commit();
   return id;
 }
@@ -179,11 +176,8 @@ void renameCohort(SessionContext& session, const CohortId& cohortId, const std::
   const Cohort before = study.cohort(cohortId);
   checkName(study, cohortId, name);
   study.renameCohort(cohortId, name);
-  session.note({.action = AuditAction::kCohortRename,
-                .objectKind = AuditObject::kCohort,
-                .objectId = cohortId,
-                .oldJson = nlohmann::json{{"name", before.name}}.dump(),
-                .newJson = nlohmann::json{{"name", name}}.dump()});
+  session.noteChange(AuditAction::kCohortRename, AuditObject::kCohort, cohortId, {{"name", before.name}},
+                     {{"name", name}});
   transaction.commit();
 }
 
@@ -224,12 +218,8 @@ void setCohortState(SessionContext& session, const CohortId& cohortId, CohortSta
   const Cohort before = study.cohort(cohortId);
   checkStep(session, before, state);
   study.setCohortState(cohortId, state, reason, session.actor().userId, session.now_us());
-  session.note({.action = AuditAction::kCohortSetState,
-                .objectKind = AuditObject::kCohort,
-                .objectId = cohortId,
-                .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
-                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
-                .reason = reason});
+  session.noteChange(AuditAction::kCohortSetState, AuditObject::kCohort, cohortId,
+                     {{"state", storedText(before.state)}}, {{"state", storedText(state)}}, reason);
   transaction.commit();
 }
 
@@ -252,11 +242,9 @@ void assignCurriculum(SessionContext& session, const CohortId& cohortId,
            Text::tr("Make another cohort for the other curriculum"));
   }
   CurriculumRepository(session.connection()).assign(cohortId, versionId);
-  session.note({.action = AuditAction::kCohortAssignCurriculum,
-                .objectKind = AuditObject::kCohort,
-                .objectId = cohortId,
-                .oldJson = nlohmann::json{{"curriculum_version", before.curriculumVersionId}}.dump(),
-                .newJson = nlohmann::json{{"curriculum_version", versionId}}.dump()});
+  session.noteChange(AuditAction::kCohortAssignCurriculum, AuditObject::kCohort, cohortId,
+                     {{"curriculum_version", before.curriculumVersionId}},
+                     {{"curriculum_version", versionId}});
   transaction.commit();
 }
 
@@ -284,10 +272,7 @@ Occasion addOccasion(SessionContext& session, const std::string& label) {
   }
   const Occasion added{"occasion-" + std::to_string(number), label, {}};
   repository.add(added);
-  session.note({.action = AuditAction::kOccasionAdd,
-                .objectKind = AuditObject::kOccasion,
-                .objectId = added.code,
-                .newJson = nlohmann::json{{"label", label}}.dump()});
+  session.note(AuditAction::kOccasionAdd, AuditObject::kOccasion, added.code, {{"label", label}});
   transaction.commit();
   return added;
 }

@@ -49,11 +49,8 @@ void moveTo(SessionContext& session, const CurriculumVersionId& versionId, Curri
   Transaction transaction(session.connection());
   CurriculumRepository(session.connection())
       .moveTo(versionId, state, session.actor().userId, session.now_us());
-  session.note({.action = actionOf(state),
-                .objectKind = AuditObject::kCurriculumVersion,
-                .objectId = versionId,
-                .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
-                .reason = reason});
+  session.note(actionOf(state), AuditObject::kCurriculumVersion, versionId, {{"state", storedText(state)}},
+               reason);
   transaction.commit();
 }
 
@@ -134,10 +131,8 @@ std::int64_t saveCurriculumDraft(SessionContext& session, const CurriculumId& cu
                                     .saveDraft(curriculumId, {draft.revision, curriculumJson(draft.content),
                                                               session.actor().userId, session.now_us()});
   // Every save is audited: merging saves of one person would hide who wrote what.
-  session.note({.action = AuditAction::kCurriculumSaveDraft,
-                .objectKind = AuditObject::kCurriculumDraft,
-                .objectId = curriculumId,
-                .newJson = nlohmann::json{{"revision", revision}}.dump()});
+  session.note(AuditAction::kCurriculumSaveDraft, AuditObject::kCurriculumDraft, curriculumId,
+               {{"revision", revision}});
   transaction.commit();
   return revision;
 }
@@ -159,13 +154,9 @@ CurriculumVersionId publishCurriculum(SessionContext& session, const CurriculumI
   version.note = note;
   version.createdUtc_us = session.now_us();
   repository.addVersion(version, session.actor().userId);
-  session.note({.action = AuditAction::kCurriculumPublish,
-                .objectKind = AuditObject::kCurriculumVersion,
-                .objectId = version.id,
-                .newJson = nlohmann::json{{"curriculum", curriculumId},
-                                          {"number", version.number},
-                                          {"draft_revision", draft.revision}}
-                               .dump()});
+  session.note(
+      AuditAction::kCurriculumPublish, AuditObject::kCurriculumVersion, version.id,
+      {{"curriculum", curriculumId}, {"number", version.number}, {"draft_revision", draft.revision}});
   transaction.commit();
   return version.id;
 }

@@ -364,10 +364,7 @@ void swapSlots(SessionContext& session, const CohortId& cohortId, const Enrolmen
   SlotRepository repository(session.connection());
   for (const auto& [slot, comes] : {std::pair(first, other), std::pair(second, one)}) {
     repository.give(slot->id, comes);
-    session.note({.action = AuditAction::kSlotPlan,
-                  .objectKind = AuditObject::kEnrolment,
-                  .objectId = comes,
-                  .newJson = slotJson(*slot)});
+    session.note(AuditAction::kSlotPlan, AuditObject::kEnrolment, comes, slotJson(*slot));
   }
 }
 

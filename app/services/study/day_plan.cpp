@@ -65,10 +65,10 @@ void refuseClash(const DaySlot& wanted, const std::vector<DaySlot>& present) {
 
 }  // namespace
 
-std::string slotJson(const DaySlot& slot) {
-  return nlohmann::json{
-      {"place", slot.place}, {"starts_utc_us", slot.startsUtc_us}, {"minutes", slot.duration_us / kMinute_us}}
-      .dump();
+nlohmann::json slotJson(const DaySlot& slot) {
+  return {{"place", slot.place},
+          {"starts_utc_us", slot.startsUtc_us},
+          {"minutes", slot.duration_us / kMinute_us}};
 }
 
 std::vector<DaySlot> planDay(SessionContext& session, const DayPlanRequest& request) {
@@ -98,10 +98,7 @@ std::vector<DaySlot> planDay(SessionContext& session, const DayPlanRequest& requ
   }
   repository.add(slots);
   for (const DaySlot& slot : slots) {
-    session.note({.action = AuditAction::kSlotPlan,
-                  .objectKind = AuditObject::kEnrolment,
-                  .objectId = slot.enrolmentId,
-                  .newJson = slotJson(slot)});
+    session.note(AuditAction::kSlotPlan, AuditObject::kEnrolment, slot.enrolmentId, slotJson(slot));
   }
   transaction.commit();
   return slots;
@@ -124,10 +121,8 @@ void removeSlots(SessionContext& session, const CohortId& cohortId, std::span<co
       refuse(Text::tr("this slot is in the plan no more"), id, Text::tr("Read the plan again"));
     }
     repository.remove(id);
-    session.note({.action = AuditAction::kSlotRemove,
-                  .objectKind = AuditObject::kEnrolment,
-                  .objectId = slot->enrolmentId,
-                  .oldJson = slotJson(*slot)});
+    session.noteChange(AuditAction::kSlotRemove, AuditObject::kEnrolment, slot->enrolmentId, slotJson(*slot),
+                       {});
   }
   transaction.commit();
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/day_slot.h"
@@ -42,7 +44,7 @@ void removeSlots(SessionContext& session, const CohortId& cohortId, std::span<co
                                     std::int64_t utc_us);
 
 /// Returns the slot in the audit trail's format.
-[[nodiscard]] std::string slotJson(const DaySlot& slot);
+[[nodiscard]] nlohmann::json slotJson(const DaySlot& slot);
 
 /// Half a day before and after a time: what belongs to the same working day.
 inline constexpr std::int64_t kHalfDay_us = 12LL * 3600 * 1'000'000;

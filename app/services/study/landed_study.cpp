@@ -79,10 +79,8 @@ class Landing {
   }
 
   void notePerson(const Person& person, const std::string& part) {
-    session_.note({.action = AuditAction::kPersonAdd,
-                   .objectKind = AuditObject::kPerson,
-                   .objectId = person.id,
-                   .newJson = nlohmann::json{{"code", person.code}, {"part", part}}.dump()});
+    session_.note(AuditAction::kPersonAdd, AuditObject::kPerson, person.id,
+                  {{"code", person.code}, {"part", part}});
   }
 
   void addPeople() {
@@ -134,13 +132,10 @@ class Landing {
         enrolment.numberInGroup = ++numbers[one.group];
       }
       enrolmentOf_[one.name] = enrolment.id;
-      session_.note({.action = AuditAction::kEnrolmentAdd,
-                     .objectKind = AuditObject::kEnrolment,
-                     .objectId = enrolment.id,
-                     .newJson = nlohmann::json{{"cohort", outcome_.cohortId.text()},
-                                               {"trainee", outcome_.codes.at(one.name)},
-                                               {"group", one.group}}
-                                    .dump()});
+      session_.note(AuditAction::kEnrolmentAdd, AuditObject::kEnrolment, enrolment.id,
+                    {{"cohort", outcome_.cohortId.text()},
+                     {"trainee", outcome_.codes.at(one.name)},
+                     {"group", one.group}});
       enrolments.push_back(std::move(enrolment));
     }
     study.enrol(enrolments);
@@ -288,11 +283,8 @@ LandedOutcome landStudy(SessionContext& session, LandedStudy study, const Landin
   requireLanding(session);
   Transaction transaction(session.connection());
   LandedOutcome outcome = Landing(session, study).land(progress);
-  session.note({.action = AuditAction::kTrialImport,
-                .objectKind = AuditObject::kCohort,
-                .objectId = outcome.cohortId,
-                .newJson = note.json,
-                .reason = note.reason});
+  session.note(
+      {AuditAction::kTrialImport, AuditObject::kCohort, outcome.cohortId, {}, note.json, note.reason});
   transaction.commit();
   return outcome;
 }

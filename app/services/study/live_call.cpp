@@ -113,8 +113,8 @@ LiveCall openCall(SessionContext& session, const CohortId& cohortId, const LiveC
   refuse(Text::tr("this call has ended already"), callId, Text::tr("Refresh Today's sessions"));
 }
 
-std::string callJson(const std::string& occasionCode, const std::string& room) {
-  return nlohmann::json{{"occasion", occasionCode}, {"room", room}}.dump();
+nlohmann::json callJson(const std::string& occasionCode, const std::string& room) {
+  return {{"occasion", occasionCode}, {"room", room}};
 }
 
 /// Returns the open call of the same case; throws if the room or trainee is in another call.
@@ -200,10 +200,8 @@ LiveCallId callTrainee(SessionContext& session, const CallRequest& request) {
                       .calledBy = session.actor().userId,
                       .calledUtc_us = session.now_us()};
   CallRepository(session.connection()).add(std::span(&call, 1));
-  session.note({.action = AuditAction::kCallBegin,
-                .objectKind = AuditObject::kLiveCall,
-                .objectId = call.id,
-                .newJson = callJson(call.occasionCode, call.room)});
+  session.note(AuditAction::kCallBegin, AuditObject::kLiveCall, call.id,
+               callJson(call.occasionCode, call.room));
   transaction.commit();
   return call.id;
 }
@@ -213,10 +211,7 @@ void endCall(SessionContext& session, const CohortId& cohortId, const LiveCallId
   Transaction transaction(session.connection());
   const LiveCall call = openCall(session, cohortId, callId);
   CallRepository(session.connection()).end(callId, false, session.now_us());
-  session.note({.action = AuditAction::kCallEnd,
-                .objectKind = AuditObject::kLiveCall,
-                .objectId = callId,
-                .newJson = callJson(call.occasionCode, call.room)});
+  session.note(AuditAction::kCallEnd, AuditObject::kLiveCall, callId, callJson(call.occasionCode, call.room));
   transaction.commit();
 }
 
@@ -236,11 +231,8 @@ void cancelCall(SessionContext& session, const CohortId& cohortId, const LiveCal
            Text::tr("End the call and report a deviation"));
   }
   CallRepository(session.connection()).end(callId, true, session.now_us());
-  session.note({.action = AuditAction::kCallCancel,
-                .objectKind = AuditObject::kLiveCall,
-                .objectId = callId,
-                .newJson = callJson(call.occasionCode, call.room),
-                .reason = reason});
+  session.note(AuditAction::kCallCancel, AuditObject::kLiveCall, callId,
+               callJson(call.occasionCode, call.room), reason);
   transaction.commit();
 }
 

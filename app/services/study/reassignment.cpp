@@ -99,12 +99,9 @@ AssignmentId moveSheet(SessionContext& session, const AssignmentStatus& before, 
     }
     now = own ? own->assignment.id : assignInstead(session, sheets, sheet, newRaterId);
   }
-  session.note({.action = now.empty() ? AuditAction::kAssignmentWithdraw : AuditAction::kAssignmentReassign,
-                .objectKind = AuditObject::kAssignment,
-                .objectId = sheet.id,
-                .oldJson = nlohmann::json{{"rater", sheet.raterId}}.dump(),
-                .newJson = nlohmann::json{{"rater", newRaterId}, {"assignment", now}}.dump(),
-                .reason = reason});
+  session.noteChange(now.empty() ? AuditAction::kAssignmentWithdraw : AuditAction::kAssignmentReassign,
+                     AuditObject::kAssignment, sheet.id, {{"rater", sheet.raterId}},
+                     {{"rater", newRaterId}, {"assignment", now}}, reason);
   return now;
 }
 

@@ -12,10 +12,7 @@ void reviseRemark(SessionContext& session, const Remark& remark, const std::stri
   const RemarkRevision revision = revisionOf(remark, actor.userId, actor.personId, text, session.now_us());
   Transaction transaction(session.connection());
   RemarkRepository(session.connection()).revise(revision);
-  session.note({.action = AuditAction::kRemarkAdd,
-                .objectKind = AuditObject::kTrialRemark,
-                .objectId = remark.id,
-                .newJson = revisionNote(revision)});
+  session.note({AuditAction::kRemarkAdd, AuditObject::kTrialRemark, remark.id, {}, revisionNote(revision)});
   transaction.commit();
 }
 

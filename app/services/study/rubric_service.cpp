@@ -74,10 +74,8 @@ RubricRevisionId storeRevision(SessionContext& session, const RubricId& rubricId
   revision.createdBy = session.actor().userId;
   revision.createdUtc_us = session.now_us();
   RubricRepository(session.connection()).addRevision(revision);
-  session.note({.action = number == 1 ? AuditAction::kRubricAdd : AuditAction::kRubricRevise,
-                .objectKind = AuditObject::kRubricRevision,
-                .objectId = revision.id,
-                .newJson = json{{"rubric", rubricId}, {"number", number}}.dump()});
+  session.note(number == 1 ? AuditAction::kRubricAdd : AuditAction::kRubricRevise,
+               AuditObject::kRubricRevision, revision.id, {{"rubric", rubricId}, {"number", number}});
   return revision.id;
 }
 

@@ -197,11 +197,8 @@ void setReleased(SessionContext& session, const CohortId& cohortId, const std::s
                  bool released, const std::string& reason) {
   SheetRepository(session.connection())
       .setReleased(cohortId, occasionCode, released, reason, session.actor().userId, session.now_us());
-  session.note({.action = released ? AuditAction::kMarkRelease : AuditAction::kMarkRetract,
-                .objectKind = AuditObject::kMarkRelease,
-                .objectId = cohortId,
-                .newJson = nlohmann::json{{"occasion", occasionCode}}.dump(),
-                .reason = reason});
+  session.note(released ? AuditAction::kMarkRelease : AuditAction::kMarkRetract, AuditObject::kMarkRelease,
+               cohortId, {{"occasion", occasionCode}}, reason);
 }
 
 }  // namespace
@@ -232,18 +229,14 @@ ScoringPlanOutcome createAssignments(SessionContext& session, const ScoringPlan&
     if (made.empty()) {
       continue;
     }
-    session.note({.action = AuditAction::kAssignmentCreate,
-                  .objectKind = AuditObject::kAssignment,
-                  .objectId = plan.raterIds[rater],
-                  .newJson = nlohmann::json{
-                      {"cohort", cohort.id},
-                      {"rater", plan.raterIds[rater]},
-                      {"occasions", plan.occasionCodes},
-                      {"sheets", made.size()},
-                      {"rubric_revision", plan.rubricRevisionId},
-                      {"seed", std::to_string(outcome.seed)},
-                      {"panel_position",
-                       rater}}.dump()});
+    session.note(AuditAction::kAssignmentCreate, AuditObject::kAssignment, plan.raterIds[rater],
+                 {{"cohort", cohort.id},
+                  {"rater", plan.raterIds[rater]},
+                  {"occasions", plan.occasionCodes},
+                  {"sheets", made.size()},
+                  {"rubric_revision", plan.rubricRevisionId},
+                  {"seed", std::to_string(outcome.seed)},
+                  {"panel_position", rater}});
   }
   transaction.commit();
   return outcome;

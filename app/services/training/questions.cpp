@@ -206,9 +206,7 @@ void answerQuestion(SessionContext& session, const RemarkId& questionId, const s
                .text = text,
                .createdUtc_us = session.now_us(),
                .demonstration = bookmark && bookmark->demonstration});
-  session.note({.action = AuditAction::kQuestionAnswer,
-                .objectKind = AuditObject::kTrialQuestion,
-                .objectId = questionId});
+  session.note(AuditAction::kQuestionAnswer, AuditObject::kTrialQuestion, questionId);
   transaction.commit();
 }
 

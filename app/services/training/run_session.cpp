@@ -308,10 +308,7 @@ void decideOwnConsent(SessionContext& session, const std::string& purpose, bool 
                       .recordedBy = session.actor().userId,
                       .demonstration = record.demonstration});
   const nlohmann::json what{{"purpose", purpose}, {"granted", granted}, {"text", textVersion}};
-  session.note({.action = AuditAction::kConsentOwn,
-                .objectKind = AuditObject::kPerson,
-                .objectId = record.personId,
-                .newJson = what.dump()});
+  session.note(AuditAction::kConsentOwn, AuditObject::kPerson, record.personId, what);
   transaction.commit();
 }
 

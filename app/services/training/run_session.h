@@ -10,7 +10,6 @@
 #include "app/services/access/session_context.h"
 #include "app/services/devices/device_readiness.h"
 #include "app/services/recording/recording_spec.h"
-#include "app/services/recording/station_heartbeat.h"
 #include "app/services/recording/station_start.h"
 #include "app/services/recording/station_writer.h"
 #include "app/services/training/next_steps.h"

@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/demonstration_removal.h"
 #include "app/services/maintenance/person_package.h"
-#include "app/services/maintenance/record_privacy.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"

@@ -9,7 +9,7 @@
 #include <QDialog>
 
 #include "app/connectors/mail/mail_settings.h"
-#include "app/connectors/mail/mailed_reminders.h"
+#include "app/connectors/mail/mailing.h"
 #include "app/services/study/reminders.h"
 #include "assessment/domain/ids.h"
 #include "sim/core/text.h"

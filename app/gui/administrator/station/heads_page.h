@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/services/maintenance/station_heads.h"
+#include "app/services/maintenance/station_anchor.h"
 #include "sim/core/error.h"
 
 class QLabel;

@@ -3,7 +3,6 @@
 #include <QByteArray>
 #include <gtest/gtest.h>
 
-#include "app/connectors/mail/mail_message.h"
 #include "app/connectors/mail/mail_settings.h"
 #include "app/connectors/mail/smtp_client.h"
 #include "sim/core/error.h"

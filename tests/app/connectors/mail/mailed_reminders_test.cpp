@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reminders by mail and their audit entries.
-#include "app/connectors/mail/mailed_reminders.h"
-
 #include <map>
 #include <string>
 #include <vector>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/connectors/mail/mail_settings.h"
+#include "app/connectors/mail/mailing.h"
 #include "app/services/access/audit_service.h"
 #include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"

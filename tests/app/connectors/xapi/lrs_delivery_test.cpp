@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A learning record store that misbehaves in every way known from the specification or networks: nothing is
 // lost, duplicated or blocked.
+#include "app/connectors/xapi/lrs_delivery.h"
+
 #include <chrono>
 #include <optional>
 #include <set>
@@ -11,7 +13,6 @@
 
 #include "app/connectors/xapi/learning_records.h"
 #include "app/connectors/xapi/learning_statement.h"
-#include "app/connectors/xapi/lrs_worker.h"
 #include "db/repository/system/learning_repository.h"
 #include "tests/app/connectors/xapi/xapi_centre.h"
 

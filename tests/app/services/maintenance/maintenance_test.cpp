@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/maintenance/copies.h"
-#include "app/services/maintenance/database_copy.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/demonstration_removal.h"
 #include "app/services/maintenance/maintenance_desk.h"

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/recording/async_model_playback.h"
 #include "app/services/recording/async_model_worker.h"
 #include "app/services/recording/pipeline.h"
 #include "app/services/recording/recorded_run.h"

@@ -10,7 +10,7 @@
 
 #include "app/services/base/build_info.h"
 #include "app/services/recording/recording_spec.h"
-#include "app/services/recording/station_heartbeat.h"
+#include "app/services/recording/station_writer.h"
 #include "app/services/recording/unstored_trials.h"
 #include "app/services/training/run_session.h"
 #include "assessment/attempt/trial_listing.h"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/recording/timed_sink.h"
+#include "app/services/recording/unstored_trials.h"
 #include "app/services/training/run_session.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"

@@ -8,9 +8,26 @@
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
 #include "app/services/study/reminders.h"
+#include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 
 namespace torsio {
+
+/// The message with a person's invitation link, in the sender's language.
+struct MailedInvitation {
+  UserId userId{};
+  std::string subject{};
+  std::string body{};
+};
+
+/// Whether links can be sent by mail: a server is set, and the actor may see addresses. kUserManage.
+[[nodiscard]] bool canMailInvitations(SessionContext& session);
+/// Sends each message to its person's address through the centre's mail server, signing in with `password`.
+/// Returns one entry per message: empty if accepted, otherwise the refusal. Each accepted message is audited,
+/// without text and address. kUserManage and kPersonViewIdentity. Throws Error{kBadParameter} if no server is
+/// set, and what sendMail() throws. A worker thread.
+[[nodiscard]] std::vector<Text> sendInvitations(SessionContext& session, const std::string& password,
+                                                std::span<const MailedInvitation> mailed);
 
 /// A reminder and its message, in the sender's language.
 struct MailedReminder {

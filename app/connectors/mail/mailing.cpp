@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/connectors/mail/mailed_invitations.h"
+#include "app/connectors/mail/mailing.h"
 
 #include <map>
 #include <optional>
@@ -69,16 +69,31 @@ std::vector<Text> sendInvitations(SessionContext& session, const std::string& pa
   const std::vector<Text> said =
       sendMail(settings->server, messages, session.now_us(), {}, [&](std::size_t index) {
         Transaction transaction(session.connection());
-        session.note({.action = AuditAction::kInvitationMake,
-                      .objectKind = AuditObject::kAppUser,
-                      .objectId = mailed[whose[index]].userId,
-                      .newJson = nlohmann::json{{"mailed", true}}.dump()});
+        session.note(AuditAction::kInvitationMake, AuditObject::kAppUser, mailed[whose[index]].userId,
+                     {{"mailed", true}});
         transaction.commit();
       });
   for (std::size_t i = 0; i < said.size(); ++i) {
     problems[whose[i]] = said[i];
   }
   return problems;
+}
+
+std::vector<Text> sendReminders(SessionContext& session, const std::string& password,
+                                std::span<const MailedReminder> mailed, const ProgressCallback& progress) {
+  session.require(Operation::kStudySetup);
+  std::optional<MailSettings> settings = mailSettings(session);
+  if (!settings) {
+    refuseParameter(Text::tr("the centre has set no mail server"), "", Text::tr("Set one first"));
+  }
+  settings->server.password = password;
+  std::vector<MailMessage> messages;
+  for (const MailedReminder& one : mailed) {
+    messages.push_back({settings->from, one.reminder.email, one.subject, one.body});
+  }
+  return sendMail(settings->server, messages, session.now_us(), progress, [&](std::size_t index) {
+    noteReminders(session, {&mailed[index].reminder, 1}, ReminderWay::kMail);
+  });
 }
 
 }  // namespace torsio

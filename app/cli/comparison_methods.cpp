@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/study_table.h"
+#include "app/cli/comparison_methods.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/rating_grid.h"
+#include "app/cli/agreement_methods.h"
 
 #include <algorithm>
 #include <map>
