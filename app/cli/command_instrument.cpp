@@ -15,7 +15,7 @@
 #include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/imaging/apart/scan_process.h"
-#include "sim/imaging/surface/scan_steps.h"
+#include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/instrument_file.h"
 #include "sim/scene/instrument_import.h"
 

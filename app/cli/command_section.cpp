@@ -13,7 +13,7 @@
 #include "app/cli/options.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
-#include "sim/tissue/section/outline_file.h"
+#include "sim/tissue/section/polygon.h"
 #include "sim/tissue/section/section_solver.h"
 #include "sim/tissue/section/wall_section.h"
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "sim/anatomy/curves.h"
-#include "sim/anatomy/organ_places.h"
 #include "sim/anatomy/remesh.h"
+#include "sim/anatomy/tube.h"
 #include "sim/core/angle.h"
 #include "sim/core/portable_math.h"
 #include "sim/geometry/query/collision_mesh.h"

@@ -20,4 +20,8 @@ struct Grasper {
 
 [[nodiscard]] Grasper makeGrasper();
 
+/// A surgeon's right hand in a glove, closed about the end of the grasper's shaft, with the cuff of the gown;
+/// metres, in the frame of the instrument (tip at the origin, shaft along +z).
+[[nodiscard]] TriangleMesh makeGlovedHand();
+
 }  // namespace torsio

@@ -9,11 +9,9 @@
 #include <vector>
 
 #include "sim/anatomy/forearm.h"
-#include "sim/anatomy/gloved_hand.h"
 #include "sim/anatomy/grasper.h"
 #include "sim/anatomy/stomach.h"
 #include "sim/anatomy/volvulus_organs.h"
-#include "sim/anatomy/whole_stomach.h"
 #include "sim/core/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/anatomy/organ_places.h"
+#include "sim/anatomy/tube.h"
 #include "sim/core/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
@@ -23,6 +23,12 @@ struct TubeOrgan {
   OrganPlaces places;      ///< of the stomach: in WholeStomach
 };
 
+/// Makes an organ of a fine surface about `frames`, both in millimetres: fixed at the first frame, remeshed
+/// to triangles of this edge length, with its markers on angles from `zero_deg` (of e1).
+[[nodiscard]] TubeOrgan organAlong(const TriangleMesh& fine, double edge_mm,
+                                   const std::vector<CurveFrame>& frames,
+                                   const std::vector<WantedPlace>& markers, double zero_deg = 0.0);
+
 /// A J-shaped stomach without oesophagus: pylorus fixed, fundus free, ridge 0 on the lesser curvature.
 /// Centreline 267 mm, about 710 ml; about ten thousand triangles. Older recordings were made on it;
 /// makeWholeStomach() draws the one that is used now.
@@ -35,5 +41,31 @@ struct TubeOrgan {
 
 /// The same in 6 724 triangles, which older recordings were made on.
 [[nodiscard]] TubeOrgan makeFormerIntestine();
+
+/// Thickness of the wall at a share of the length from the pylorus (0) to the top of the fundus (1).
+struct WallThickness {
+  double share = 0.0;
+  double thickness_mm = 0.0;
+};
+
+/// The stomach with what belongs to it. Metres, LPS.
+struct WholeStomach {
+  TubeOrgan organ;
+  double length_mm = 0.0;  ///< of the centreline from the pylorus to the top of the fundus
+  Vec3 cardia_m;           ///< middle of the opening of the oesophagus
+  Vec3 oesophagus;         ///< direction of its stub, outwards
+  /// Ten; angles from the lesser curvature over the front.
+  std::vector<OrganPlace> markers;
+  std::vector<OrganPlace> landmarks;   ///< others of the anatomy
+  std::vector<WallThickness> wall;     ///< ascending shares
+  std::vector<Vec3> greaterOmentum_m;  ///< where it is fixed, pylorus to fundus
+  std::vector<Vec3> lesserOmentum_m;   ///< pylorus to cardia
+  std::vector<Vec3> zeroLine_m;        ///< lesser curvature, pylorus to cardia
+};
+
+/// Draws the J-shaped stomach with stub of the oesophagus, cardia, angle of His, a fundus that rises above
+/// the cardia, incisura angularis, antrum, pylorus and bulb of the duodenum: fixed at the pylorus, the top of
+/// the fundus free. `edges`: as for makeIntestine().
+[[nodiscard]] WholeStomach makeWholeStomach(double edges = 1.0);
 
 }  // namespace torsio

@@ -30,22 +30,6 @@ double band(double angle_rad, double middle_rad, double halfWidth_rad) {
   return (1.0 - t * t) * (1.0 - t * t);
 }
 
-TubeOrgan organOf(const TriangleMesh& fine, double edge_mm, const std::vector<CurveFrame>& frames,
-                  const std::vector<WantedPlace>& markers) {
-  TubeOrgan organ;
-  organ.surface = remeshed(fine, [edge_mm](const Vec3&) { return edge_mm; });
-  organ.texture = textureAlong(organ.surface, frames);
-  for (Vec3& v : organ.surface.vertices_m) {
-    v *= kMillimetre_m;
-  }
-  organ.fixedEnd_m = kMillimetre_m * frames.front().centre;
-  organ.freeEnd_m = kMillimetre_m * frames.back().centre;
-  organ.ridgeZero = frames.front().e1;
-  organ.length_mm = frames.back().arc;
-  organ.places = placesOn(organ.surface, frames, 0.0, markers);
-  return organ;
-}
-
 // Along a straight axis, close together where the organ's outline bends round its far end.
 std::vector<CurveFrame> straightFrames(const Vec3& from, const Vec3& to, const Vec3& e1, std::size_t count) {
   const double length = norm(to - from);
@@ -128,17 +112,17 @@ TubeOrgan makeTestis(double edges) {
     return strands + ridge;
   };
   // 0 medial, 90 back, 180 lateral, 270 front.
-  return organOf(closedTube(frames, kAround, kDomes, size, bump), edges * kEdge_mm, frames,
-                 {{"cord, upper end, front", 0.1, 270.0},
-                  {"cord, middle, front", 0.3, 270.0},
-                  {"cord, middle, back", 0.3, 90.0},
-                  {"cord, lower end, front", 0.48, 270.0},
-                  {"testis, upper pole, front", 0.6, 270.0},
-                  {"testis, middle, medial", 0.77, 0.0},
-                  {"testis, middle, lateral", 0.77, 180.0},
-                  {"testis, middle, front", 0.77, 270.0},
-                  {"epididymis, body", 0.77, 90.0},
-                  {"testis, lower pole, front", 0.97, 270.0}});
+  return organAlong(closedTube(frames, kAround, kDomes, size, bump), edges * kEdge_mm, frames,
+                    {{"cord, upper end, front", 0.1, 270.0},
+                     {"cord, middle, front", 0.3, 270.0},
+                     {"cord, middle, back", 0.3, 90.0},
+                     {"cord, lower end, front", 0.48, 270.0},
+                     {"testis, upper pole, front", 0.6, 270.0},
+                     {"testis, middle, medial", 0.77, 0.0},
+                     {"testis, middle, lateral", 0.77, 180.0},
+                     {"testis, middle, front", 0.77, 270.0},
+                     {"epididymis, body", 0.77, 90.0},
+                     {"testis, lower pole, front", 0.97, 270.0}});
 }
 
 TubeOrgan makeSigmoid(double edges) {
@@ -177,17 +161,17 @@ TubeOrgan makeSigmoid(double edges) {
     const double ends = rise(share, 0.01, 0.06) * (1.0 - rise(share, 0.94, 0.99));
     return ends * (1.5 - 3.0 * valley - 4.0 * fold * (1.0 - valley));
   };
-  return organOf(closedTube(frames, kAround, kDomes, size, bump), edges * kEdge_mm, frames,
-                 {{"foot towards the descending colon, taenia libera", 0.05, 0.0},
-                  {"foot towards the descending colon, mesenteric border", 0.05, 180.0},
-                  {"descending limb, taenia libera", 0.22, 0.0},
-                  {"descending limb, mesenteric border", 0.22, 180.0},
-                  {"top, taenia libera", 0.5, 0.0},
-                  {"top, mesenteric border", 0.5, 180.0},
-                  {"rectal limb, taenia libera", 0.78, 0.0},
-                  {"rectal limb, mesenteric border", 0.78, 180.0},
-                  {"foot towards the rectum, taenia libera", 0.95, 0.0},
-                  {"foot towards the rectum, mesenteric border", 0.95, 180.0}});
+  return organAlong(closedTube(frames, kAround, kDomes, size, bump), edges * kEdge_mm, frames,
+                    {{"foot towards the descending colon, taenia libera", 0.05, 0.0},
+                     {"foot towards the descending colon, mesenteric border", 0.05, 180.0},
+                     {"descending limb, taenia libera", 0.22, 0.0},
+                     {"descending limb, mesenteric border", 0.22, 180.0},
+                     {"top, taenia libera", 0.5, 0.0},
+                     {"top, mesenteric border", 0.5, 180.0},
+                     {"rectal limb, taenia libera", 0.78, 0.0},
+                     {"rectal limb, mesenteric border", 0.78, 180.0},
+                     {"foot towards the rectum, taenia libera", 0.95, 0.0},
+                     {"foot towards the rectum, mesenteric border", 0.95, 180.0}});
 }
 
 TubeOrgan makeMidgut(double edges) {
@@ -224,17 +208,17 @@ TubeOrgan makeMidgut(double edges) {
     v += outwards * (rise(share, kPole + 0.02, kPole + 0.12) * coils_mm(v));
   }
   // 0 left, 90 up, 180 right, 270 down.
-  return organOf(fine, edges * kEdge_mm, frames,
-                 {{"stalk, root, left", 0.1, 0.0},
-                  {"stalk, middle, above", 0.27, 90.0},
-                  {"stalk, middle, below", 0.27, 270.0},
-                  {"stalk, at the pack, left", 0.43, 0.0},
-                  {"pack, left", 0.73, 0.0},
-                  {"pack, above", 0.73, 90.0},
-                  {"pack, right", 0.73, 180.0},
-                  {"pack, below", 0.73, 270.0},
-                  {"pack, front, above", 0.94, 90.0},
-                  {"pack, front, below", 0.94, 270.0}});
+  return organAlong(fine, edges * kEdge_mm, frames,
+                    {{"stalk, root, left", 0.1, 0.0},
+                     {"stalk, middle, above", 0.27, 90.0},
+                     {"stalk, middle, below", 0.27, 270.0},
+                     {"stalk, at the pack, left", 0.43, 0.0},
+                     {"pack, left", 0.73, 0.0},
+                     {"pack, above", 0.73, 90.0},
+                     {"pack, right", 0.73, 180.0},
+                     {"pack, below", 0.73, 270.0},
+                     {"pack, front, above", 0.94, 90.0},
+                     {"pack, front, below", 0.94, 270.0}});
 }
 
 }  // namespace torsio

@@ -6,7 +6,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
-#include "sim/tissue/rod/restraint.h"
+#include "sim/tissue/rod/rod.h"
 
 namespace torsio {
 
@@ -127,6 +127,32 @@ void turnEnd(const TwistEnds& ends, std::span<const Vec3> rest_m, double angle_r
         ends.axisPoint_m + pose.way_m + along + turn.cos * (arm - along) + turn.sin * cross(ends.axis, arm);
   }
   pose.angle_rad = angle_rad;
+}
+
+double criticalDrag_per_s(const ElasticConstants& constants, double density_kg_per_m3, double length_m) {
+  return kPi * std::sqrt(constants.shearModulus_Pa / density_kg_per_m3) / length_m;
+}
+
+std::vector<double> nodeMasses(const SolidMesh& tetrahedra, std::span<const Vec3> rest_m,
+                               double density_kg_per_m3) {
+  std::vector<double> masses(rest_m.size());
+  const std::vector<double> volumes_m3 = tetrahedronVolumes(tetrahedra, rest_m);
+  for (std::size_t c = 0; c < tetrahedra.cells(); ++c) {
+    for (const int node : tetrahedra.cell(c)) {
+      masses[static_cast<std::size_t>(node)] += 0.25 * density_kg_per_m3 * volumes_m3[c];
+    }
+  }
+  return masses;
+}
+
+double endInertia(const TwistEnds& ends, std::span<const Vec3> rest_m, std::span<const double> masses_kg) {
+  double inertia = 0.0;
+  for (const int node : ends.turned) {
+    const auto i = static_cast<std::size_t>(node);
+    const Vec3 motion = cross(ends.axis, rest_m[i] - ends.axisPoint_m);
+    inertia += masses_kg[i] * dot(motion, motion);
+  }
+  return inertia;
 }
 
 }  // namespace torsio

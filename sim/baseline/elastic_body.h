@@ -77,7 +77,7 @@ struct TwistHold {
 /// the span. Without a jaw all sections from the one nearest to the end of the span on turn about the
 /// organ's tangent there through the centre of that section. A jaw turns the sections within half a local
 /// radius of its grasp (the nearest one at least) as one about the tangent there, their place free: the rule
-/// is nodesAround() of sim/tissue/rod/restraint.h, the local radius that of the circle of the section's area.
+/// is nodesAround() of sim/tissue/rod/rod.h, the local radius that of the circle of the section's area.
 /// Throws Error{kBadParameter} for a span or grasp outside [0, 1] and where the jaw reaches the held part.
 [[nodiscard]] TwistEnds twistEnds(const SweptSolid& solid, const TwistHold& hold = {});
 
@@ -99,5 +99,26 @@ void turnEnd(const TwistEnds& ends, std::span<const Vec3> rest_m, double angle_r
 [[nodiscard]] inline Vec3 turningOf(const TwistEnds& ends, const TwistPose& pose, int node) noexcept {
   return cross(ends.axis, pose.places_m[static_cast<std::size_t>(node)] - pose.way_m - ends.axisPoint_m);
 }
+
+/// What a model in motion needs beside its elasticity.
+struct DynamicsOptions {
+  double frame_s = 1.0 / 60.0;
+  double density_kg_per_m3 = 1000.0;  ///< of tissue: with G 4 kPa a twist runs 2 m/s
+  /// Damping against the surroundings, a share of the momentum a second; 0: none.
+  double drag_per_s = 0.0;
+};
+
+/// Returns the drag that just keeps the slowest twist of the bar from swinging: 2 omega with omega = (pi / 2)
+/// sqrt(G / density) / length.
+[[nodiscard]] double criticalDrag_per_s(const ElasticConstants& constants, double density_kg_per_m3,
+                                        double length_m);
+
+/// Returns the mass of each node: a quarter of each of its tetrahedra, kg.
+[[nodiscard]] std::vector<double> nodeMasses(const SolidMesh& tetrahedra, std::span<const Vec3> rest_m,
+                                             double density_kg_per_m3);
+
+/// Returns the moment of inertia of the turned end about its axis, kg m^2.
+[[nodiscard]] double endInertia(const TwistEnds& ends, std::span<const Vec3> rest_m,
+                                std::span<const double> masses_kg);
 
 }  // namespace torsio

@@ -9,7 +9,6 @@
 #include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
 #include "sim/baseline/spring_lattice.h"
-#include "sim/baseline/xpbd_frames.h"
 #include "sim/core/error.h"
 
 namespace torsio {

@@ -60,6 +60,20 @@ Eigen::Matrix3d polarRotation(const Eigen::Matrix3d& f) {
   return r;
 }
 
+/// The tangent whose column k is `change(dF, k)`, the change of P by number k of F.
+template <typename Change>
+Matrix9 tangentOf(const Change& change) {
+  Matrix9 tangent;
+  Eigen::Map<Eigen::Matrix<double, 9, 9>> a(tangent.data());
+  for (int k = 0; k < 9; ++k) {
+    Eigen::Matrix3d df = Eigen::Matrix3d::Zero();
+    df(k % 3, k / 3) = 1.0;
+    const Eigen::Matrix3d dp = change(df, k);
+    a.col(k) = dp.reshaped();
+  }
+  return tangent;
+}
+
 }  // namespace
 
 StressState neoHookeanStress(const Matrix3& gradient, const ElasticConstants& constants) {
@@ -77,16 +91,10 @@ Matrix9 neoHookeanTangent(const Matrix3& gradient, const ElasticConstants& const
   const double lambda = constants.lame_Pa();
   const Eigen::Matrix3d h = f.inverse().transpose();
   const double turned = g - lambda * std::log(f.determinant());
-  Matrix9 tangent;
-  Eigen::Map<Eigen::Matrix<double, 9, 9>> a(tangent.data());
   // dP = G dF + (G - lambda ln J) F^-T dF^T F^-T + lambda (F^-T : dF) F^-T
-  for (int k = 0; k < 9; ++k) {
-    Eigen::Matrix3d df = Eigen::Matrix3d::Zero();
-    df(k % 3, k / 3) = 1.0;
-    const Eigen::Matrix3d dp = g * df + turned * h * df.transpose() * h + lambda * h(k % 3, k / 3) * h;
-    a.col(k) = dp.reshaped();
-  }
-  return tangent;
+  return tangentOf([&](const Eigen::Matrix3d& df, int k) -> Eigen::Matrix3d {
+    return g * df + turned * h * df.transpose() * h + lambda * h(k % 3, k / 3) * h;
+  });
 }
 
 Matrix3 rotationOf(const Matrix3& gradient) {
@@ -111,19 +119,13 @@ Matrix9 corotationalTangent(const Matrix3& gradient, const ElasticConstants& con
   const double lambda = constants.lame_Pa();
   const Eigen::Matrix3d spin = (s.trace() * Eigen::Matrix3d::Identity() - s).inverse();
   const double turning = lambda * (s.trace() - 3.0) - 2.0 * g;
-  Matrix9 tangent;
-  Eigen::Map<Eigen::Matrix<double, 9, 9>> a(tangent.data());
   // dR = R [w], (tr S I - S) w = axial(R^T dF - dF^T R)
-  for (int k = 0; k < 9; ++k) {
-    Eigen::Matrix3d df = Eigen::Matrix3d::Zero();
-    df(k % 3, k / 3) = 1.0;
+  return tangentOf([&](const Eigen::Matrix3d& df, int /*k*/) -> Eigen::Matrix3d {
     const Eigen::Matrix3d w = r.transpose() * df;
     const Eigen::Vector3d axial(w(2, 1) - w(1, 2), w(0, 2) - w(2, 0), w(1, 0) - w(0, 1));
     const Eigen::Matrix3d dr = r * crossMatrix(spin * axial);
-    const Eigen::Matrix3d dp = 2.0 * g * df + turning * dr + lambda * w.trace() * r;
-    a.col(k) = dp.reshaped();
-  }
-  return tangent;
+    return 2.0 * g * df + turning * dr + lambda * w.trace() * r;
+  });
 }
 
 }  // namespace torsio

@@ -3,14 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
 #include "sim/baseline/reference_solid.h"
 #include "sim/baseline/spring_lattice.h"
-#include "sim/baseline/xpbd_frames.h"
+#include "sim/core/angle.h"
 #include "sim/core/error.h"
+#include "sim/tissue/rod/rod_energy.h"
+#include "sim/tissue/rod/rod_sections.h"
+#include "sim/tissue/rod/rod_skin.h"
+#include "sim/tissue/rod/rod_solve.h"
+#include "sim/tissue/rod/rod_step.h"
 #include "sim/tissue/twist/twist_model_view.h"
 
 namespace torsio {
@@ -164,6 +171,151 @@ class ReferenceRun final : public TwistSimulation {
   ReferenceSolid reference_;
 };
 
+constexpr double kRodTick_s = 1e-3;
+
+/// How the rod is held in motion: the first section whole; the turned one upright, free to turn about its
+/// tangent, and in its place unless a jaw has it.
+RodRestraints heldSections(int turned, bool jaw) {
+  RodRestraints restraints;
+  restraints.held.push_back({.node = 0});
+  restraints.held.push_back({.node = turned, .freedoms = {!jaw, !jaw, !jaw, true, true, false}});
+  return restraints;
+}
+
+class RodRun final : public TwistSimulation {
+ public:
+  RodRun(const ComparedOrgan& organ, const TwistModel& model)
+      : RodRun(organ, solvedSections(*organ.lattice, model.options())) {}
+
+  void step(double torque_Nm) override {
+    elapsed_s_ += organ_.dynamics.frame_s;
+    for (; ticks_ * kRodTick_s < elapsed_s_; ++ticks_) {
+      hand_rad_ += (torque_Nm - torqueOfHand_Nm_) / againstHand_Nm_per_rad_;
+      const Pose hand{middle_.position_m, axisAngle(axis_, hand_rad_)};
+      const RodStepResult tick = stepRod(rod_, &grip_, hand, kRodTick_s, pose_, *work_);
+      torqueOfHand_Nm_ = -dot(tick.load.torque_Nm, axis_);
+    }
+    const auto node = static_cast<std::size_t>(node_);
+    angle_rad_ = sectionTurn_rad(middle_.orientation, pose_.nodes[node].orientation, axis_, angle_rad_);
+    draw();
+  }
+
+  void settle(double torque_Nm) override {
+    // Secant on the angle: the torque of a rod rises smoothly with it.
+    constexpr int kMaxTries = 25;
+    constexpr double kTorqueTolerance = 1e-10;
+    constexpr double kMaxTurn_rad = 10.0 * kTurn;
+    double before_rad = 0.0;
+    double before_Nm = 0.0;
+    double angle_rad = torque_Nm * kSmallRodTurn_rad / turnedBy(kSmallRodTurn_rad).torque_Nm;
+    for (int i = 0; i < kMaxTries && std::abs(angle_rad) <= kMaxTurn_rad; ++i) {
+      const TurnedRod turned = turnedBy(angle_rad);
+      const double error_Nm = turned.torque_Nm - torque_Nm;
+      if (std::abs(error_Nm) <= kTorqueTolerance * std::abs(torque_Nm)) {
+        pose_ = turned.pose;
+        angle_rad_ = angle_rad;
+        draw();
+        return;
+      }
+      const double next_rad =
+          angle_rad - error_Nm * (angle_rad - before_rad) / (turned.torque_Nm - before_Nm);
+      before_rad = angle_rad;
+      before_Nm = turned.torque_Nm;
+      angle_rad = next_rad;
+    }
+    refuseNone();
+  }
+
+  [[nodiscard]] double angle_rad() const override { return angle_rad_; }
+  [[nodiscard]] double energy_J() const override { return storedEnergy_J(rod_, pose_, nullptr, {}); }
+  [[nodiscard]] LatticePlaces surface() const override { return points_.at(*organ_.mesh, vertices_m_); }
+  [[nodiscard]] int unknowns() const override {
+    return 6 * static_cast<int>(parts_.elements.size()) - (organ_.hold.grasp ? 2 : 5);
+  }
+
+ private:
+  static constexpr double kSmallRodTurn_rad = 0.01;
+
+  RodRun(const ComparedOrgan& organ, const SolvedSections& sections)
+      : organ_(organ),
+        parts_(rodOfOrgan(*organ.lattice, sections,
+                          {organ.constants.shearModulus_Pa, organ.constants.poissonRatio},
+                          {.elements = rodElementsOn(*organ.lattice),
+                           .node_m = organ.hold.grasp ? organ.graspArc_m() : -1.0})),
+        rod_(parts_.elements, parts_.rest, parts_.radii_m,
+             heldSections(turnedNode(parts_, organ), organ.hold.grasp.has_value())),
+        skin_(parts_, *organ.lattice, sections, *organ.mesh),
+        points_(*organ.mesh, *organ.lattice),
+        node_(turnedNode(parts_, organ)),
+        halfWidth_m_(organ.hold.grasp ? 0.5 * parts_.radii_m[static_cast<std::size_t>(node_)] : 0.0),
+        middle_(parts_.rest.nodes[static_cast<std::size_t>(node_)]),
+        axis_(rotate(middle_.orientation, {0, 0, 1})),
+        pose_(parts_.rest),
+        vertices_m_(organ.mesh->vertices_m) {
+    if (parts_.arcs_m[static_cast<std::size_t>(node_)] - halfWidth_m_ <= parts_.arcs_m.front()) {
+      refuseParameter(Text::verbatim("The jaw would reach the held end"), Text::verbatim("grasp"),
+                      Text::verbatim("Grip further away from it"));
+    }
+    // A stiff coupling makes the jaw a rigid body. A tick meets the rod's stiffness and its damping: a hand
+    // that closes the gap of the torque by their sum never overshoots.
+    constexpr double kCouplingOverRod = 200.0;
+    const double stiffness_Nm_per_rad = turnedBy(kSmallRodTurn_rad).torque_Nm / kSmallRodTurn_rad;
+    againstHand_Nm_per_rad_ = stiffness_Nm_per_rad * (1.0 + rod_.settings().damping_s / kRodTick_s);
+    const GripStiffness turning{.place_N_per_m = 0.0,
+                                .turn_Nm_per_rad = kCouplingOverRod * stiffness_Nm_per_rad};
+    grip_ = gripAt(rod_, pose_, node_, halfWidth_m_, {middle_.position_m, Quat{}}, turning);
+  }
+
+  static int turnedNode(const OrganRod& parts, const ComparedOrgan& organ) {
+    if (!organ.hold.grasp) {
+      return static_cast<int>(parts.elements.size());
+    }
+    const auto nearer = [&](double a, double b) {
+      return std::abs(a - organ.graspArc_m()) < std::abs(b - organ.graspArc_m());
+    };
+    return static_cast<int>(std::min_element(parts.arcs_m.begin(), parts.arcs_m.end(), nearer) -
+                            parts.arcs_m.begin());
+  }
+
+  [[noreturn]] static void refuseNone() {
+    refuseParameter(Text::verbatim("The rod finds no pose at rest under this torque"),
+                    Text::verbatim("torque"), Text::verbatim("Give a smaller one"));
+  }
+
+  [[nodiscard]] TurnedRod turnedBy(double angle_rad) const {
+    TurnedRod turned = solveTurned(rod_, {.angle_rad = angle_rad,
+                                          .node = node_,
+                                          .holdsPlace = !organ_.hold.grasp.has_value(),
+                                          .halfWidth_m = halfWidth_m_});
+    if (!turned.balance.converged) {
+      refuseNone();
+    }
+    return turned;
+  }
+
+  void draw() { skin_.deform(skin_.curveOf(pose_), vertices_m_); }
+
+  ComparedOrgan organ_;
+  OrganRod parts_;
+  Rod rod_;
+  RodSkin skin_;
+  CarriedKeyPoints points_;
+  int node_ = 0;
+  double halfWidth_m_ = 0.0;
+  Pose middle_;
+  Vec3 axis_;
+  RodGrip grip_;
+  RodPose pose_;
+  std::unique_ptr<RodWorkspace> work_ = std::make_unique<RodWorkspace>();
+  std::vector<Vec3> vertices_m_;
+  double elapsed_s_ = 0.0;
+  int ticks_ = 0;
+  double hand_rad_ = 0.0;
+  double againstHand_Nm_per_rad_ = 1.0;
+  double torqueOfHand_Nm_ = 0.0;
+  double angle_rad_ = 0.0;
+};
+
 }  // namespace
 
 std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ, const TwistModel& model) {
@@ -188,6 +340,20 @@ std::unique_ptr<TwistSimulation> massSpringSimulation(const ComparedOrgan& organ
 
 std::unique_ptr<TwistSimulation> referenceSimulation(const ComparedOrgan& organ, int rings) {
   return std::make_unique<ReferenceRun>(organ, rings);
+}
+
+int rodElementsOn(const SectionLattice& lattice) {
+  return std::clamp(lattice.sections() - 1, kRodElements, kMaxRodNodes - 1);
+}
+
+std::array<double, 2> rodSpan(const SectionLattice& lattice, const TwistModel& model) {
+  const OrganRod parts = rodOfOrgan(lattice, solvedSections(lattice, model.options()),
+                                    {.shearModulus_Pa = model.material().shearModulus_Pa});
+  return {parts.arcs_m.front() / lattice.length_m(), std::min(1.0, parts.arcs_m.back() / lattice.length_m())};
+}
+
+std::unique_ptr<TwistSimulation> rodSimulation(const ComparedOrgan& organ, const TwistModel& model) {
+  return std::make_unique<RodRun>(organ, model);
 }
 
 }  // namespace torsio

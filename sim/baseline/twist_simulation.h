@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
+#include "sim/baseline/elastic_body.h"
 #include "sim/baseline/lattice_surface.h"
 #include "sim/baseline/spring_lattice.h"
-#include "sim/baseline/twist_dynamics.h"
 #include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {

@@ -76,7 +76,7 @@ enum ToolContact : std::uint32_t {
 };
 
 /// Where the surface gives way under a part of the instrument. World frame, of the deformed organ. The law of
-/// its shape stands in sim/servo/indentation.h; a depth of 0 means that nothing is touched.
+/// its shape stands in sim/servo/contact_coupling.h; a depth of 0 means that nothing is touched.
 struct ContactPatch {
   Vec3 point_m;               ///< of the surface before it gives way
   Vec3 normal;                ///< unit, outwards

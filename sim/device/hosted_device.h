@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "sim/core/device_sample.h"
+#include "sim/core/vec3.h"
 #include "sim/device/haptic_device.h"
 
 namespace torsio {
@@ -28,6 +30,51 @@ class HostedDevice : public HapticDevice {
   [[nodiscard]] virtual bool released() const = 0;
 
   void serve() override { start({}); }
+};
+
+/// A reading on its way from a driver's thread, numbered so that an old one is recognised.
+struct MailedReading {
+  DeviceSample sample;
+  std::uint64_t number = 0;  ///< 0: none yet
+};
+
+/// The servo's end of a driver's readings: how long the newest one has been the newest. Servo thread.
+class ReadingAge {
+ public:
+  /// `beforeFirst`: status bits while there is no reading yet; a reading is marked stale and lost when no
+  /// other has come for longer than that.
+  constexpr ReadingAge(std::uint32_t beforeFirst, std::int64_t stale_us, std::int64_t lost_us) noexcept
+      : beforeFirst_(beforeFirst), stale_us_(stale_us), lost_us_(lost_us) {}
+
+  /// Returns the newest reading as it counts at servo time `time_us`.
+  [[nodiscard]] DeviceSample marked(const MailedReading& newest, std::int64_t time_us) noexcept {
+    if (!read_ || newest.number != number_) {
+      since_us_ = time_us;
+    }
+    read_ = true;
+    number_ = newest.number;
+    const std::int64_t age_us = time_us - since_us_;
+    DeviceSample sample = newest.sample;
+    sample.time_us = time_us;
+    sample.status |= newest.number == 0 ? beforeFirst_ : 0U;
+    sample.status |= age_us > stale_us_ ? static_cast<std::uint32_t>(kDeviceStale) : 0U;
+    sample.status |= age_us > lost_us_ ? static_cast<std::uint32_t>(kDeviceLost) : 0U;
+    return sample;
+  }
+
+ private:
+  std::uint32_t beforeFirst_;
+  std::int64_t stale_us_;
+  std::int64_t lost_us_;
+  std::uint64_t number_ = 0;
+  std::int64_t since_us_ = 0;
+  bool read_ = false;
+};
+
+/// A force on its way to a driver's thread, N in the world frame, numbered in the same way.
+struct MailedForce {
+  Vec3 force_N;
+  std::uint64_t number = 0;
 };
 
 }  // namespace torsio

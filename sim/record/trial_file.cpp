@@ -15,7 +15,6 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/record/content_hash.h"
-#include "sim/record/trial_bytes.h"
 
 namespace torsio {
 

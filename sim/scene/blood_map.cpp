@@ -9,7 +9,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/contracts.h"
 #include "sim/scene/hollow_organ.h"
-#include "sim/tissue/hollow/tissue_colour.h"
+#include "sim/tissue/hollow/perfusion.h"
 #include "sim/tissue/twist/twist_model_tables.h"
 
 namespace torsio {

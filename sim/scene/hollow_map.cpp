@@ -8,10 +8,7 @@ namespace torsio {
 
 namespace {
 
-constexpr int kInverseSteps = 12;
-constexpr double kInverseTolerance = 1e-14;  // of the organ's length
-constexpr double kLargestStep = 0.1;         // of the organ's length
-constexpr double kGoodInverse = 1e-9;        // of the organ's length
+constexpr double kGoodInverse = 1e-9;  // of the organ's length
 constexpr int kPlacesTried = 32;
 constexpr int kHalvings = 40;  // of a place's distance from the next
 
@@ -89,34 +86,14 @@ double HollowMap::miss(const Vec3& deformed_m, double arc_m) const noexcept {
   return lattice_.nearestArc_m(unwound(deformed_m, arc_m)) - arc_m;
 }
 
-// Secant steps from an arc length, as TwistMap::backward; the best arc length met counts.
-HollowMap::Found HollowMap::solve(const Vec3& deformed_m, double from_m) const noexcept {
-  const double length_m = organ_.length_m();
-  double before_m = from_m;
-  double missBefore_m = miss(deformed_m, before_m);
-  Found best{before_m, std::abs(missBefore_m)};
-  double arc_m = std::clamp(before_m + missBefore_m, 0.0, length_m);
-  for (int i = 0; i < kInverseSteps && best.miss_m > kInverseTolerance * length_m; ++i) {
-    const double here_m = miss(deformed_m, arc_m);
-    if (std::abs(here_m) < best.miss_m) {
-      best = {arc_m, std::abs(here_m)};
-    }
-    const double change_m = here_m - missBefore_m;
-    double next_m = change_m != 0.0 ? arc_m - here_m * (arc_m - before_m) / change_m : arc_m + here_m;
-    if (!(std::abs(next_m - arc_m) <= kLargestStep * length_m)) {
-      next_m = arc_m + 0.5 * here_m;
-    }
-    before_m = arc_m;
-    missBefore_m = here_m;
-    arc_m = std::clamp(next_m, 0.0, length_m);
-  }
-  return best;
+ArcFound HollowMap::solve(const Vec3& deformed_m, double from_m) const noexcept {
+  return secantSteps([&](double arc_m) { return miss(deformed_m, arc_m); }, from_m, organ_.length_m());
 }
 
 // Halves a stretch over whose ends the miss changes its sign. Where it jumps there, it stays large.
-HollowMap::Found HollowMap::between(const Vec3& deformed_m, double low_m, double high_m) const noexcept {
+ArcFound HollowMap::between(const Vec3& deformed_m, double low_m, double high_m) const noexcept {
   const bool lowIsNegative = miss(deformed_m, low_m) < 0.0;
-  Found middle{};
+  ArcFound middle{};
   for (int i = 0; i < kHalvings; ++i) {
     middle.arc_m = 0.5 * (low_m + high_m);
     const double here_m = miss(deformed_m, middle.arc_m);
@@ -136,9 +113,9 @@ Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
   const double length_m = organ_.length_m();
   const double good_m = kGoodInverse * length_m;
   const Vec3 asMobile_m = organ_.movedBack(deformed_m, {}, {}, {angle_rad_, 1.0});
-  Found best = solve(deformed_m, lattice_.nearestArc_m(asMobile_m));
-  const Found other = solve(deformed_m, lattice_.nearestArc_m(deformed_m));
-  const auto away_m = [&](const Found& found) {
+  ArcFound best = solve(deformed_m, lattice_.nearestArc_m(asMobile_m));
+  const ArcFound other = solve(deformed_m, lattice_.nearestArc_m(deformed_m));
+  const auto away_m = [&](const ArcFound& found) {
     return norm(unwound(deformed_m, found.arc_m) - ownAxis(found.arc_m).point_m);
   };
   const bool bothGood = best.miss_m <= good_m && other.miss_m <= good_m;
@@ -147,18 +124,18 @@ Vec3 HollowMap::backward(const Vec3& deformed_m) const noexcept {
   }
   if (best.miss_m > good_m) {
     double before_m = miss(deformed_m, 0.0);
-    Found start{0.0, std::abs(before_m)};
+    ArcFound start{0.0, std::abs(before_m)};
     for (int i = 1; i <= kPlacesTried; ++i) {
       const double arc_m = length_m * i / kPlacesTried;
       const double here_m = miss(deformed_m, arc_m);
-      start = std::abs(here_m) < start.miss_m ? Found{arc_m, std::abs(here_m)} : start;
+      start = std::abs(here_m) < start.miss_m ? ArcFound{arc_m, std::abs(here_m)} : start;
       if ((here_m < 0.0) != (before_m < 0.0)) {
-        const Found halved = between(deformed_m, arc_m - length_m / kPlacesTried, arc_m);
+        const ArcFound halved = between(deformed_m, arc_m - length_m / kPlacesTried, arc_m);
         best = halved.miss_m < best.miss_m ? halved : best;
       }
       before_m = here_m;
     }
-    const Found last = solve(deformed_m, start.arc_m);
+    const ArcFound last = solve(deformed_m, start.arc_m);
     best = last.miss_m < best.miss_m ? last : best;
   }
   return unwound(deformed_m, best.arc_m);

@@ -7,7 +7,7 @@
 
 #include "sim/geometry/query/deformed_surface.h"
 #include "sim/scene/hollow_organ.h"
-#include "sim/tissue/twist/twist_model_tables.h"
+#include "sim/tissue/twist/twist_model_map.h"
 
 namespace torsio {
 
@@ -37,14 +37,9 @@ class HollowMap {
   [[nodiscard]] Vec3 vertex(const TwistVertex& vertex) const noexcept;
 
  private:
-  /// An arc length, and by how much it misses.
-  struct Found {
-    double arc_m = 0.0;
-    double miss_m = 0.0;
-  };
   [[nodiscard]] TwistLine ownAxis(double arc_m) const noexcept;
-  [[nodiscard]] Found solve(const Vec3& deformed_m, double from_m) const noexcept;
-  [[nodiscard]] Found between(const Vec3& deformed_m, double low_m, double high_m) const noexcept;
+  [[nodiscard]] ArcFound solve(const Vec3& deformed_m, double from_m) const noexcept;
+  [[nodiscard]] ArcFound between(const Vec3& deformed_m, double low_m, double high_m) const noexcept;
   [[nodiscard]] Vec3 unwound(const Vec3& deformed_m, double arc_m) const noexcept;
   [[nodiscard]] double miss(const Vec3& deformed_m, double arc_m) const noexcept;
 

@@ -299,13 +299,8 @@ bool makeFit(std::vector<TriangleMesh>& pieces, std::size_t triangles, const std
 }
 
 void requireThickness(const std::vector<Vec3>& local_mm, const std::string& where) {
-  Vec3 low = local_mm.front();
-  Vec3 high = low;
-  for (const Vec3& p : local_mm) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), 0.0};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), 0.0};
-  }
-  const double thinnest_mm = std::min(high.x - low.x, high.y - low.y);
+  const BoundingBox box = boxOf(local_mm);
+  const double thinnest_mm = std::min(box.high.x - box.low.x, box.high.y - box.low.y);
   if (thinnest_mm < kThinnest_mm) {
     throw Error(ErrorCode::kBadMesh, Text::tr("M18 the mesh is flat: %1 mm thick", shortNumber(thinnest_mm)),
                 where, Text::tr("Give the surface of a whole instrument"));
@@ -315,13 +310,7 @@ void requireThickness(const std::vector<Vec3>& local_mm, const std::string& wher
 /// Before anything is said of places: most often the unit is another.
 void requireInstrumentSize(const TriangleMesh& mesh, double unit_m, const std::string& where) {
   requireSound(mesh, where);
-  Vec3 low = mesh.vertices_m.front();
-  Vec3 high = low;
-  for (const Vec3& v : mesh.vertices_m) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-  }
-  const double side_m = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double side_m = boxOf(mesh.vertices_m).largestSide();
   requireLargestSide(
       side_m, {kInstrumentLength_mm.least / kToolMetre_mm, kInstrumentLength_mm.most / kToolMetre_mm},
       Text::tr("M09 largest side %1 mm is no instrument (%2 to %3 mm)", shortNumber(kToolMetre_mm * side_m),

@@ -14,7 +14,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
-#include "sim/scene/organ_warnings_json.h"
+#include "sim/scene/json_fields.h"
 
 namespace torsio {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/core/short_number.h"
-#include "sim/geometry/lattice/branch_finder.h"
+#include "sim/geometry/lattice/side_branch.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/geometry/mesh/surface_topology.h"

@@ -11,7 +11,6 @@
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "sim/scene/turn_task.h"
-#include "sim/tissue/rod/grip.h"
 #include "sim/tissue/rod/rod.h"
 #include "sim/tissue/rod/rod_sections.h"
 #include "sim/tissue/rod/rod_skin.h"

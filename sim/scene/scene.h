@@ -26,6 +26,7 @@ namespace torsio {
 class HollowOrgan;
 class RodOrgan;
 struct Detorsion;
+struct OrganFile;
 
 /// What collision and grip need of an instrument's file. ToolShape (sim/servo/tool_touch.h) makes tip, blades
 /// and shaft of it.
@@ -178,5 +179,10 @@ struct Scene {
 /// {kFileUnreadable}, {kBadData} scene file, {kBadParameter} unknown pattern or material, number out of
 /// range, {kBadMesh} organ.
 [[nodiscard]] Scene loadScene(const SceneRequest& request);
+
+/// Loads the scene of an organ that is in memory, as loadScene() does of the organ file that
+/// `request.organFile` names: nothing is read there, the name is the scene's title. The organ is taken as it
+/// is, judged or not. Throws as loadScene().
+[[nodiscard]] Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ);
 
 }  // namespace torsio

@@ -9,7 +9,7 @@
 #include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
 #include "sim/scene/hollow_organ.h"
-#include "sim/scene/organ_warnings_json.h"
+#include "sim/scene/json_fields.h"
 
 namespace torsio {
 

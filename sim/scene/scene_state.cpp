@@ -5,7 +5,7 @@
 
 #include "sim/core/angle.h"
 #include "sim/scene/hollow_map.h"
-#include "sim/scene/hollow_skin.h"
+#include "sim/scene/hollow_view.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/twist/twist_model_tables.h"

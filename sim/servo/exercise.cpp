@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sim/core/error.h"
-#include "sim/servo/indentation.h"
+#include "sim/servo/contact_coupling.h"
 
 namespace torsio {
 

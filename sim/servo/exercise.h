@@ -10,7 +10,7 @@
 #include "sim/core/time_units.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/contact_coupling.h"
-#include "sim/servo/exercise_event.h"
+#include "sim/servo/grasp.h"
 #include "sim/servo/grasped_tissue.h"
 #include "sim/servo/tool_touch.h"
 

@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "sim/servo/grasped_async.h"
 #include "sim/servo/grasped_bar.h"
 #include "sim/servo/grasped_hollow.h"
 #include "sim/servo/grasped_rod.h"

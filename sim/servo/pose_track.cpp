@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "sim/record/sample_codec.h"
-#include "sim/servo/trial_rerun.h"
+#include "sim/servo/replay_trial.h"
 
 namespace torsio {
 

@@ -12,7 +12,6 @@
 #include "sim/device/haptic_device.h"
 #include "sim/device/safety/force_governor.h"
 #include "sim/device/safety/passivity.h"
-#include "sim/device/safety/stored_energy.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/exercise.h"

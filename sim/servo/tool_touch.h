@@ -10,7 +10,6 @@
 #include "sim/core/device_sample.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/geometry/query/deformed_surface.h"
-#include "sim/geometry/query/nearest_to_segment.h"
 #include "sim/scene/organ_state.h"
 #include "sim/scene/scene.h"
 

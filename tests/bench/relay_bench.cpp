@@ -16,7 +16,7 @@
 
 #include "sim/core/contracts.h"
 #include "sim/core/deadline.h"
-#include "sim/device/process/device_relay.h"
+#include "sim/device/process/device_channel.h"
 #endif
 
 namespace torsio {

@@ -12,7 +12,7 @@
 #include "app/gui/organ/organ_wizard.h"
 #include "app/gui/widgets/file_choice.h"
 #include "sim/imaging/apart/scan_process.h"
-#include "sim/imaging/surface/scan_steps.h"
+#include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/instrument_file.h"
 #include "sim/scene/instrument_import.h"
 

@@ -8,9 +8,10 @@
 #include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/imaging/apart/scan_process.h"
-#include "sim/imaging/surface/scan_steps.h"
+#include "sim/imaging/surface/scan_surface.h"
+#include "sim/scene/organ_file.h"
 #include "sim/scene/organ_judgement.h"
-#include "sim/scene/organ_scene.h"
+#include "sim/scene/scene.h"
 #include "sim/scene/tissue_look.h"
 
 namespace torsio::gui {

@@ -9,7 +9,6 @@
 #include "app/services/base/progress.h"
 #include "sim/imaging/surface/scan_preview.h"
 #include "sim/scene/organ_import.h"
-#include "sim/scene/organ_reconstruction.h"
 
 namespace torsio::gui {
 

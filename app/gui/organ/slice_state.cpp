@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/imaging/surface/mask_brush.h"
+#include "sim/imaging/surface/voxel_mask.h"
 
 namespace torsio::gui {
 

@@ -6,7 +6,7 @@
 
 #include "assessment/attempt/recorded_loads.h"
 #include "sim/core/angle.h"
-#include "sim/tissue/hollow/tissue_colour.h"
+#include "sim/tissue/hollow/perfusion.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 
 namespace torsio::gui {

@@ -14,7 +14,7 @@
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/comparison/comparison_run.h"
-#include "sim/baseline/lattice_skin.h"
+#include "sim/baseline/lattice_surface.h"
 
 class QComboBox;
 class QDoubleSpinBox;

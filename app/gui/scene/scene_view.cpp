@@ -14,7 +14,7 @@
 
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/stress_legend.h"
-#include "sim/servo/indentation.h"
+#include "sim/servo/contact_coupling.h"
 
 namespace torsio::gui {
 

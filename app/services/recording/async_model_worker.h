@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "sim/baseline/grasped_organ.h"
-#include "sim/baseline/lattice_skin.h"
+#include "sim/baseline/lattice_surface.h"
 #include "sim/core/async_model.h"
 #include "sim/core/live_types.h"
 #include "sim/scene/scene.h"

@@ -9,7 +9,7 @@
 #include "sim/core/contracts.h"
 #include "sim/servo/detorsion.h"
 #include "sim/servo/exercise.h"
-#include "sim/servo/trial_rerun.h"
+#include "sim/servo/replay_trial.h"
 
 namespace torsio {
 

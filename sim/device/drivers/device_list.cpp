@@ -2,7 +2,7 @@
 #include "sim/device/drivers/device_list.h"
 
 #include "sim/core/error.h"
-#include "sim/device/inverse3/inverse3_driver.h"
+#include "sim/device/inverse3/inverse3_device.h"
 #include "sim/device/process/device_process.h"
 #include "sim/device/steering/game_controller.h"
 #include "sim/device/steering/spacemouse.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/device/hdapi/dynamic_library.h"
+#include "sim/device/hdapi/hdapi_library.h"
 
 namespace torsio {
 

@@ -3,7 +3,7 @@
 #define NOMINMAX
 #include <windows.h>
 
-#include "sim/device/hdapi/dynamic_library.h"
+#include "sim/device/hdapi/hdapi_library.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sim/core/contracts.h"
-#include "sim/device/hdapi/hdapi_errors.h"
+#include "sim/device/hdapi/hdapi_library.h"
 
 namespace torsio {
 
@@ -73,28 +73,10 @@ Text HdapiDevice::lossText(std::uint32_t code) const {
 }
 
 DeviceSample HdapiDevice::read(std::int64_t time_us) noexcept {
-  DeviceSample sample;
-  if (driven_) {
-    sample = session_->servo().current();
-  } else {
-    const MailedReading reading = session_->servo().newestReading();
-    sample = reading.sample;
-    if (!reading_ || reading.number != lastNumber_) {
-      lastNew_us_ = time_us;
-    }
-    reading_ = true;
-    lastNumber_ = reading.number;
-    const std::int64_t age_us = time_us - lastNew_us_;
-    if (reading.number == 0) {
-      sample.status |= kDeviceStale | kDeviceUncalibrated;
-    }
-    if (age_us > kReadingStale_us) {
-      sample.status |= kDeviceStale;
-    }
-    if (age_us > kReadingLost_us) {
-      sample.status |= kDeviceLost;
-    }
+  if (!driven_) {
+    return age_.marked(session_->servo().newestReading(), time_us);
   }
+  DeviceSample sample = session_->servo().current();
   sample.time_us = time_us;
   return sample;
 }

@@ -99,9 +99,7 @@ class HdapiDevice final : public HostedDevice {
   std::int64_t lastTicks_ = 0;                        // snapshot(): of the newest one
   std::chrono::steady_clock::time_point lastTick_{};  // ... and when it was new
   // Mailbox operation, servo thread only.
-  std::uint64_t lastNumber_ = 0;
-  std::int64_t lastNew_us_ = 0;
-  bool reading_ = false;
+  ReadingAge age_{kDeviceStale | kDeviceUncalibrated, kReadingStale_us, kReadingLost_us};
   MailedForce force_;
 };
 

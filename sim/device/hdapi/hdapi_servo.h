@@ -10,17 +10,12 @@
 #include "sim/core/latest_value.h"
 #include "sim/core/live_types.h"
 #include "sim/core/spsc_ring.h"
-#include "sim/device/device_mail.h"
-#include "sim/device/device_state.h"
-#include "sim/device/hdapi/button_filter.h"
+#include "sim/device/haptic_device.h"
 #include "sim/device/hdapi/hdapi_abi.h"
 #include "sim/device/hdapi/hdapi_border.h"
-#include "sim/device/hdapi/hdapi_calibration.h"
-#include "sim/device/hdapi/hdapi_errors.h"
-#include "sim/device/hdapi/position_liveness.h"
+#include "sim/device/hdapi/hdapi_library.h"
 #include "sim/device/hosted_device.h"
-#include "sim/device/safety/force_gate.h"
-#include "sim/device/stylus_roll.h"
+#include "sim/device/safety/force_governor.h"
 
 namespace torsio {
 

@@ -4,19 +4,80 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"
 #include "sim/core/contracts.h"
 #include "sim/core/deadline.h"
+#include "sim/core/device_sample.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 
 namespace {
 
+using Json = nlohmann::json;
+
+/// A part of an object; null when it is missing or something else stands there.
+Json part(const Json& from, const char* name) {
+  const auto found = from.is_object() ? from.find(name) : from.end();
+  return from.is_object() && found != from.end() ? *found : Json();
+}
+
+double numberOf(const Json& from, const char* name) {
+  const Json value = part(from, name);
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+std::string textOf(const Json& from, const char* name) {
+  const Json value = part(from, name);
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+/// The device of this id in a list of them; null when there is none.
+Json deviceOf(const Json& list, const std::string& wanted) {
+  if (list.is_array()) {
+    for (const Json& device : list) {
+      const std::string id = textOf(device, "device_id");
+      if (!id.empty() && (wanted.empty() || id == wanted)) {
+        return device;
+      }
+    }
+  }
+  return {};
+}
+
+std::optional<Vec3> cursorOf(const Json& state) {
+  const Json place = part(state, "cursor_position");
+  const Vec3 cursor_m{numberOf(place, "x"), numberOf(place, "y"), numberOf(place, "z")};
+  const double way_m = norm(cursor_m);
+  return std::isfinite(way_m) && way_m <= kInverse3Reach_m ? std::optional(cursor_m) : std::nullopt;
+}
+
+std::optional<Quat> orientationOf(const Json& state) {
+  const Json turn = part(state, "orientation");
+  const Quat q{numberOf(turn, "w"), numberOf(turn, "x"), numberOf(turn, "y"), numberOf(turn, "z")};
+  const double length = norm(q);
+  return std::isfinite(length) && length > 0.5 && length < 2.0 ? std::optional(normalized(q)) : std::nullopt;
+}
+
+std::uint32_t buttonsOf(const Json& state) {
+  const Json pressed = part(state, "buttons");
+  std::uint32_t buttons = 0;
+  for (const auto& [name, bit] :
+       {std::pair("a", kButtonGrip), std::pair("b", kButtonSecond), std::pair("c", kButtonBookmark)}) {
+    const Json value = part(pressed, name);
+    buttons |= value.is_boolean() && value.get<bool>() ? static_cast<std::uint32_t>(bit) : 0U;
+  }
+  return buttons;
+}
+
 constexpr std::size_t kMaxEvents = 256;
-constexpr std::int64_t kLook_us = 5'000;
 constexpr double kGripTime_s = 0.1;
 /// Middle of the workspace as third parties' examples place it; measure your own.
 constexpr Vec3 kCentre_m{0.0, -0.14, 0.2};
@@ -25,7 +86,81 @@ constexpr double kHalf_m = 0.1;
 /// From a stylus along -z to one that points away from the user (y): a quarter turn about x.
 constexpr Quat kAway{0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1, 0.0, 0.0};
 
+constexpr const char* kDefaultPlace = "127.0.0.1:10001";
+constexpr std::int64_t kPatience_us = 1'000'000;
+
+Text plugItIn() {
+  return Text::tr("Install the device's service and start it (docs/devices.md)");
+}
+
+std::unique_ptr<WebSocket> connectToService() {
+  const char* const named = std::getenv("TORSIO_INVERSE_SERVICE");
+  const std::string place = named != nullptr && *named != '\0' ? named : kDefaultPlace;
+  const std::size_t colon = place.rfind(':');
+  const int port = colon == std::string::npos ? 0 : std::atoi(place.c_str() + colon + 1);
+  if (port <= 0 || port > 65'535) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("\"%1\" is not of the form HOST:PORT", place),
+                Text::verbatim("TORSIO_INVERSE_SERVICE"), Text::tr("Correct the variable, or unset it"));
+  }
+  return std::make_unique<WebSocket>(place.substr(0, colon), port, kPatience_us);
+}
+
+/// The first message that names the device; empty when none does in time.
+Inverse3Message firstMessage(WebSocket& service, const std::string& name) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(kPatience_us);
+  std::string text;
+  while (!service.closed() && std::chrono::steady_clock::now() < until) {
+    if (service.receive(text, kPatience_us / 10)) {
+      const std::optional<Inverse3Message> message = inverse3Message(text, name);
+      if (message && !message->deviceId.empty()) {
+        return *message;
+      }
+    }
+  }
+  return {};
+}
+
+DriverFinding lookForInverse3(const DeviceRequest& request) {
+  try {
+    const std::unique_ptr<WebSocket> service = connectToService();
+    const Inverse3Message message = firstMessage(*service, request.name);
+    if (message.deviceId.empty()) {
+      return {false, Text::tr("the service runs, but has no such device"), plugItIn(), {}};
+    }
+    return {true, Text::tr("found: %1", message.deviceId), "", {}};
+  } catch (const Error& error) {
+    return {false, error.happenedText(), error.remedyText(), {}};
+  }
+}
+
 }  // namespace
+
+std::optional<Inverse3Message> inverse3Message(const std::string& json, const std::string& wanted) {
+  const Json whole = Json::parse(json, nullptr, false);
+  if (!whole.is_object()) {
+    return std::nullopt;
+  }
+  Inverse3Message message;
+  const Json device = deviceOf(part(whole, "inverse3"), wanted);
+  message.deviceId = textOf(device, "device_id");
+  const Json version = part(part(part(device, "config"), "device_info"), "firmware_version");
+  message.firmware = version.is_null() ? std::string() : version.dump();
+  message.cursor_m = cursorOf(part(device, "state"));
+  for (const char* const kind : {"wireless_verse_grip", "verse_grip"}) {
+    const Json grip = part(deviceOf(part(whole, kind), {}), "state");
+    if (!message.orientation && grip.is_object()) {
+      message.orientation = orientationOf(grip);
+      message.buttons = buttonsOf(grip);
+    }
+  }
+  return message;
+}
+
+std::string inverse3Force(const std::string& deviceId, const Vec3& force_N) {
+  const Json values{{"x", force_N.x}, {"y", force_N.y}, {"z", force_N.z}};
+  const Json command{{"device_id", deviceId}, {"commands", {{"set_cursor_force", {{"values", values}}}}}};
+  return Json{{"inverse3", Json::array({command})}}.dump();
+}
 
 Inverse3Device::Inverse3Device(std::unique_ptr<WebSocket> service, const Inverse3Message& first,
                                const DeviceRequest& request)
@@ -91,7 +226,7 @@ void Inverse3Device::follow() {
   std::string text;
   service_->send(inverse3Force(deviceId_, {}));  // the service answers commands
   while (!ending_.load(std::memory_order_relaxed)) {
-    const bool came = service_->receive(text, kLook_us);
+    const bool came = service_->receive(text, kInverse3Look_us);
     const std::int64_t now_us = clock.now_us();
     if (service_->closed() || now_us - taken_us_ > kInverse3Lost_us) {
       break;
@@ -228,30 +363,33 @@ DeviceSnapshot Inverse3Device::snapshot() noexcept {
 }
 
 DeviceSample Inverse3Device::read(std::int64_t time_us) noexcept {
-  const MailedReading& newest = readings_.latest();
-  if (!read_ || newest.number != lastNumber_) {
-    lastNew_us_ = time_us;
-  }
-  read_ = true;
-  lastNumber_ = newest.number;
-  DeviceSample sample = newest.sample;
-  const std::int64_t age_us = time_us - lastNew_us_;
-  if (newest.number == 0) {
-    sample.status |= kDeviceStale | kDeviceUncalibrated;
-  }
-  if (age_us > 2 * kLook_us) {
-    sample.status |= kDeviceStale;
-  }
-  if (age_us > kInverse3Lost_us) {
-    sample.status |= kDeviceLost;
-  }
-  sample.time_us = time_us;
-  return sample;
+  return age_.marked(readings_.latest(), time_us);
 }
 
 void Inverse3Device::write(const ForceCommand& command) noexcept {
   wanted_ = {command.force_N, wanted_.number + 1};
   forces_.publish(wanted_);
+}
+
+std::unique_ptr<HostedDevice> openInverse3(const DeviceRequest& request) {
+  std::unique_ptr<WebSocket> service = connectToService();
+  const Inverse3Message message = firstMessage(*service, request.name);
+  if (message.deviceId.empty()) {
+    throw Error(ErrorCode::kDevice, Text::tr("the service runs, but has no such device"),
+                Text::verbatim("Inverse3"), plugItIn());
+  }
+  return std::make_unique<Inverse3Device>(std::move(service), message, request);
+}
+
+DeviceDriver inverse3Driver() {
+  DeviceDriver driver;
+  driver.id = "inverse3";
+  driver.name = "Haply Inverse3";
+  driver.needs = Text::tr("the device's service on this computer; not confirmed on hardware");
+  driver.rendersForce = true;
+  driver.look = lookForInverse3;
+  driver.open = openInverse3;
+  return driver;
 }
 
 }  // namespace torsio

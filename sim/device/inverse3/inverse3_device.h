@@ -4,20 +4,41 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "sim/core/latest_value.h"
+#include "sim/core/pose.h"
 #include "sim/core/spsc_ring.h"
 #include "sim/device/device_driver.h"
-#include "sim/device/device_mail.h"
 #include "sim/device/hosted_device.h"
-#include "sim/device/inverse3/inverse3_messages.h"
 #include "sim/device/inverse3/web_socket.h"
-#include "sim/device/safety/force_gate.h"
+#include "sim/device/safety/force_governor.h"
 
 namespace torsio {
 
+/// Longest way of the cursor from the device's origin that is believed, m.
+inline constexpr double kInverse3Reach_m = 1.0;
+
+/// One message of the service (version 3, JSON), as far as the driver reads it. Frame of the device: x to the
+/// right, y away from the user, z up; metres. What is not in the message stays empty.
+struct Inverse3Message {
+  std::string deviceId;             ///< of the Inverse3; "": none is connected
+  std::string firmware;             ///< config.device_info, in the first message only
+  std::optional<Vec3> cursor_m;     ///< state.cursor_position; empty when not finite or out of reach
+  std::optional<Quat> orientation;  ///< of the (wireless) VerseGrip; empty without one
+  std::uint32_t buttons = 0;        ///< DeviceButton bits: a the jaw, b the second, c the bookmark
+};
+
+/// Reads a message. `wanted`: the device of this id; "": the first one. Empty for what is no JSON object.
+[[nodiscard]] std::optional<Inverse3Message> inverse3Message(const std::string& json,
+                                                             const std::string& wanted);
+/// Writes the command that renders a force at the cursor until the next one, N, frame of the device.
+[[nodiscard]] std::string inverse3Force(const std::string& deviceId, const Vec3& force_N);
+
+/// Longest wait for a message of the service.
+inline constexpr std::int64_t kInverse3Look_us = 5'000;
 /// Time after which a force that the servo has not renewed is no longer sent.
 inline constexpr std::int64_t kInverse3Stale_us = 20'000;
 /// Silence of the service after which the device counts as lost.
@@ -101,9 +122,14 @@ class Inverse3Device final : public HostedDevice {
   std::uint64_t droppedNumber_ = 0;
   // The servo's thread.
   MailedForce wanted_;
-  std::uint64_t lastNumber_ = 0;
-  std::int64_t lastNew_us_ = 0;
-  bool read_ = false;
+  ReadingAge age_{kDeviceStale | kDeviceUncalibrated, 2 * kInverse3Look_us, kInverse3Lost_us};
 };
+
+/// Haply Inverse3 through its service on this computer (Inverse3Device); TORSIO_INVERSE_SERVICE names another
+/// place as HOST:PORT. The name in a DeviceRequest is the device's id; "": the first one. Not confirmed on
+/// hardware. Its thread runs in this process; `hosted` (sim/device/process) moves it into the device process.
+[[nodiscard]] DeviceDriver inverse3Driver();
+/// Opens the device as the driver does. Throws Error{kDevice} or Error{kBadParameter}.
+[[nodiscard]] std::unique_ptr<HostedDevice> openInverse3(const DeviceRequest& request);
 
 }  // namespace torsio

@@ -3,17 +3,101 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "sim/core/text.h"
 #include "sim/device/device_driver.h"
-#include "sim/device/device_mail.h"
 #include "sim/device/hdapi/hdapi_library.h"
-#include "sim/device/process/shared_value.h"
+#include "sim/device/hosted_device.h"
 
 namespace torsio {
+
+/// The newest value of one writer for one reader in memory that two processes share. The writer never waits;
+/// the reader tries a few times, then keeps its old value: a writer that died while writing blocks nothing.
+template <typename T>
+class SharedValue {
+  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+ public:
+  /// Writer's thread.
+  void publish(const T& value) noexcept {
+    Words words{};
+    std::memcpy(words.data(), &value, sizeof(T));
+    const std::uint64_t begun = sequence_.load(std::memory_order_relaxed) + 1;
+    sequence_.store(begun, std::memory_order_relaxed);
+    // Who sees a new word sees that writing had begun. Without a fence, which ThreadSanitizer does not know.
+    for (std::size_t i = 0; i < kWords; ++i) {
+      words_[i].store(words[i], std::memory_order_release);
+    }
+    sequence_.store(begun + 1, std::memory_order_release);
+  }
+  /// Returns the newest value, empty when there is none yet or the writer was writing all the while. Any
+  /// thread.
+  [[nodiscard]] std::optional<T> latest() const noexcept {
+    constexpr int kTries = 64;
+    for (int i = 0; i < kTries; ++i) {
+      const std::uint64_t before = sequence_.load(std::memory_order_acquire);
+      if (before == 0 || (before & 1U) != 0) {
+        continue;
+      }
+      Words words{};
+      for (std::size_t k = 0; k < kWords; ++k) {
+        words[k] = words_[k].load(std::memory_order_acquire);
+      }
+      if (sequence_.load(std::memory_order_relaxed) == before) {
+        T value;
+        std::memcpy(static_cast<void*>(&value), words.data(), sizeof(T));
+        return value;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr std::size_t kWords = (sizeof(T) + 7) / 8;
+  using Words = std::array<std::uint64_t, kWords>;
+
+  std::atomic<std::uint64_t> sequence_{0};
+  std::array<std::atomic<std::uint64_t>, kWords> words_{};
+};
+
+/// Events of one writer for one reader in memory that two processes share. Neither ever waits; a reader that
+/// comes too late misses the oldest.
+template <typename T, std::size_t Capacity>
+class SharedEvents {
+ public:
+  /// Writer's thread.
+  void publish(const T& event) noexcept {
+    const std::uint64_t number = published_.load(std::memory_order_relaxed);
+    slots_[number % Capacity].publish(event);
+    published_.store(number + 1, std::memory_order_release);
+  }
+  /// Takes the event after the `taken` ones and counts it there; false when there is none. Reader's thread.
+  [[nodiscard]] bool next(std::uint64_t& taken, T& event) const noexcept {
+    const std::uint64_t published = published_.load(std::memory_order_acquire);
+    if (published - taken > Capacity) {
+      taken = published - Capacity;
+    }
+    while (taken < published) {
+      if (const std::optional<T> found = slots_[taken++ % Capacity].latest()) {
+        event = *found;
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::atomic<std::uint64_t> published_{0};
+  std::array<SharedValue<T>, Capacity> slots_{};
+};
 
 /// Version of the memory that the program and its device process share: both are installed together, and a
 /// device process of another build refuses to work.
@@ -77,5 +161,36 @@ struct ChannelReport {
 /// Writes and reads a report as bytes. A report that cannot be read is empty; sizes are checked.
 [[nodiscard]] std::string packed(const ChannelReport& report);
 [[nodiscard]] ChannelReport unpacked(const std::string& bytes);
+
+/// The device process's tick: between a driver's reading and its force, the one goes into the shared memory
+/// and the other comes from there. The driver's thread; no allocation, no lock.
+struct DeviceRelay {
+  DeviceChannel* channel = nullptr;
+  HapticDevice* device = nullptr;
+  std::uint64_t seenForce = 0;
+  std::uint32_t seenDrops = 0;
+
+  void tick(std::int64_t time_us) noexcept {
+    const std::uint64_t number = channel->frames.load(std::memory_order_relaxed) + 1;
+    channel->reading.publish({device->read(time_us), number});
+    channel->frames.store(number, std::memory_order_release);
+    device->enableForce(channel->forceWished.load(std::memory_order_relaxed));
+    const std::uint32_t drops = channel->drops.load(std::memory_order_relaxed);
+    if (drops != seenDrops) {
+      seenDrops = drops;
+      device->dropForce();
+    }
+    const std::optional<MailedForce> force = channel->force.latest();
+    if (force && force->number != seenForce) {  // one that is not renewed expires in the driver
+      seenForce = force->number;
+      device->write({force->force_N, 0});
+    }
+  }
+  /// As the driver calls it.
+  [[nodiscard]] DeviceTick asTick() noexcept {
+    return {[](void* context, std::int64_t time_us) { static_cast<DeviceRelay*>(context)->tick(time_us); },
+            this};
+  }
+};
 
 }  // namespace torsio

@@ -17,7 +17,7 @@
 #include "sim/core/deadline.h"
 #include "sim/core/error.h"
 #include "sim/device/hdapi/hdapi_device.h"
-#include "sim/device/hdapi/hdapi_errors.h"
+#include "sim/device/hdapi/hdapi_library.h"
 #include "sim/device/process/device_channel.h"
 #include "sim/device/process/device_process.h"
 
@@ -209,8 +209,7 @@ class ProcessDevice final : public HapticDevice {
   std::uint64_t taken_ = 0;  // events
   MailedForce force_;
   MailedReading reading_;
-  std::int64_t lastNew_us_ = 0;
-  bool read_ = false;
+  ReadingAge age_{kDeviceStale | kDeviceUncalibrated, kReadingStale_us, kReadingLost_us};
 };
 
 /// Waits until the device process leaves `from`; ends it when it takes too long or was cancelled.
@@ -289,24 +288,11 @@ DeviceSnapshot ProcessDevice::snapshot() noexcept {
 }
 
 DeviceSample ProcessDevice::read(std::int64_t time_us) noexcept {
-  const std::optional<MailedReading> newest = child_->channel().reading.latest();
-  if (!read_ || (newest && newest->number != reading_.number)) {
-    lastNew_us_ = time_us;
-  }
-  read_ = true;
-  reading_ = newest.value_or(reading_);
-  DeviceSample sample = reading_.sample;
-  const std::int64_t age_us = time_us - lastNew_us_;
-  if (reading_.number == 0) {
-    sample.status |= kDeviceStale | kDeviceUncalibrated;
-  }
-  if (age_us > kReadingStale_us) {
-    sample.status |= kDeviceStale;
-  }
-  if (age_us > kReadingLost_us || lost_.load(std::memory_order_relaxed)) {
+  reading_ = child_->channel().reading.latest().value_or(reading_);
+  DeviceSample sample = age_.marked(reading_, time_us);
+  if (lost_.load(std::memory_order_relaxed)) {
     sample.status |= kDeviceLost | kDeviceStale;
   }
-  sample.time_us = time_us;
   return sample;
 }
 

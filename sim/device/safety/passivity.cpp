@@ -9,7 +9,33 @@
 
 namespace torsio {
 
-PassivityController::PassivityController(const PassivityOptions& options) : options_(options) {
+void HandPort::begin(const Vec3& tip_m) noexcept {
+  energy_J_ = 0.0;
+  last_m_ = tip_m;
+  sent_N_.fill({});
+  begun_ = true;
+}
+
+Vec3 HandPort::move(const Vec3& tip_m) noexcept {
+  const Vec3 way_m = tip_m - last_m_;
+  last_m_ = tip_m;
+  energy_J_ -= dot(sent_N_[static_cast<std::size_t>(latency_ticks_)], way_m);
+  return way_m;
+}
+
+bool HandPort::quiet(const Vec3& force_N) const noexcept {
+  const auto acting = sent_N_.begin() + latency_ticks_ + 1;
+  return force_N == Vec3{} &&
+         std::all_of(sent_N_.begin(), acting, [](const Vec3& sent_N) { return sent_N == Vec3{}; });
+}
+
+void HandPort::keep(const Vec3& force_N) noexcept {
+  std::copy_backward(sent_N_.begin(), sent_N_.end() - 1, sent_N_.end());
+  sent_N_[0] = force_N;
+}
+
+PassivityController::PassivityController(const PassivityOptions& options)
+    : HandPort(options.latency_ticks), options_(options) {
   const bool latencyFits = options.latency_ticks >= 0 && options.latency_ticks <= kLongestLatency_ticks;
   const bool dampingFits =
       options.largestDamping_Ns_per_m > 0.0 && std::isfinite(options.largestDamping_Ns_per_m);
@@ -23,28 +49,13 @@ PassivityController::PassivityController(const PassivityOptions& options) : opti
   }
 }
 
-void PassivityController::begin(std::int64_t now_us, const Vec3& tip_m) noexcept {
-  energy_J_ = 0.0;
-  last_m_ = tip_m;
-  places_.fill({tip_m, now_us});
-  sent_N_.fill({});
-}
-
-bool PassivityController::quiet(const Vec3& wanted_N) const noexcept {
-  const auto acting = sent_N_.begin() + options_.latency_ticks + 1;
-  return wanted_N == Vec3{} &&
-         std::all_of(sent_N_.begin(), acting, [](const Vec3& force_N) { return force_N == Vec3{}; });
-}
-
 Vec3 PassivityController::control(std::int64_t now_us, const Vec3& tip_m, const Vec3& wanted_N, bool sound,
                                   std::uint32_t& limits) noexcept {
-  if (!begun_ || !sound) {
-    begin(now_us, tip_m);
+  if (!begun() || !sound) {
+    begin(tip_m);
+    places_.fill({tip_m, now_us});
   }
-  begun_ = true;
-  const Vec3 way_m = tip_m - last_m_;
-  last_m_ = tip_m;
-  energy_J_ -= dot(sent_N_[static_cast<std::size_t>(options_.latency_ticks)], way_m);
+  const Vec3 way_m = move(tip_m);
   const Place oldest = places_[nextPlace_];
   places_[nextPlace_] = {tip_m, now_us};
   nextPlace_ = (nextPlace_ + 1) % kWindow;
@@ -68,9 +79,48 @@ Vec3 PassivityController::control(std::int64_t now_us, const Vec3& tip_m, const 
   return wanted_N - velocity_m_per_s * std::min(wanted_Ns_per_m, options_.largestDamping_Ns_per_m);
 }
 
-void PassivityController::sent(const Vec3& force_N) noexcept {
-  std::copy_backward(sent_N_.begin(), sent_N_.end() - 1, sent_N_.end());
-  sent_N_[0] = force_N;
+StoredEnergyLimit::StoredEnergyLimit(const StoredEnergyOptions& options)
+    : HandPort(options.latency_ticks), options_(options) {
+  const bool latencyFits = options.latency_ticks >= 0 && options.latency_ticks <= kLongestLatency_ticks;
+  if (options.tickPeriod_us <= 0 || !latencyFits) {
+    throw Error(ErrorCode::kBadParameter,
+                Text::tr("tick period %1 us, latency %2 {tick|ticks}", std::to_string(options.tickPeriod_us),
+                         std::to_string(options.latency_ticks)),
+                Text::tr("stored energy of the force"),
+                Text::tr("The period lies above zero, the latency in 0..16 ticks"));
+  }
+}
+
+Vec3 StoredEnergyLimit::limited(const Vec3& tip_m, const Vec3& command_N, bool sound,
+                                std::uint32_t& limits) noexcept {
+  if (!begun() || !sound) {
+    begin(tip_m);
+  }
+  const Vec3 way_m = move(tip_m);
+  energy_J_ = std::max(energy_J_, -kEnergyAllowance_J);
+  if (quiet(command_N)) {
+    energy_J_ = 0.0;
+  } else if (command_N == Vec3{}) {
+    forget();
+  }
+
+  Vec3 force_N = command_N;
+  const double size_N = norm(command_N);
+  if (size_N > 0.0) {
+    const double along_m = dot(way_m, command_N) / size_N;
+    const double ahead_N = kHonestStiffness_N_per_m * std::max(0.0, along_m) * (options_.latency_ticks + 1);
+    const double stored_J = std::max(0.0, energy_J_ + kEnergyAllowance_J);
+    double most_N = std::sqrt(2.0 * kHonestStiffness_N_per_m * stored_J + ahead_N * ahead_N) - ahead_N;
+    if (!(along_m > 0.0)) {
+      most_N = std::max(most_N, kLeastResistance_N);
+    }
+    if (size_N > most_N) {
+      force_N *= most_N / size_N;
+      limits |= kForcePassivity;
+    }
+  }
+  keep(force_N);
+  return force_N;
 }
 
 }  // namespace torsio

@@ -15,6 +15,39 @@ namespace torsio {
 /// it for this device.
 inline constexpr double kLargestDamping_Ns_per_m = 4.0;
 
+/// Ticks at most between the tick that computes a force and the way of the hand that it acts on.
+inline constexpr int kLongestLatency_ticks = 16;
+
+/// The hand's port of a held force: the forces that were sent and the energy that the hand has put into them,
+///
+///   E(k) = E(k-1) - F(k-1) . (x(k) - x(k-1)),   F: force sent, N;  x: tip, m;  E: energy, J,
+///
+/// which is exact for a force that is held between ticks (Ryu, Kwon and Hannaford 2004).
+class HandPort {
+ public:
+  /// Returns the energy of the hand in the force, J; below 0 the hand got more back.
+  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+
+ protected:
+  explicit HandPort(int latency_ticks) noexcept : latency_ticks_(latency_ticks) {}
+
+  [[nodiscard]] bool begun() const noexcept { return begun_; }
+  void begin(const Vec3& tip_m) noexcept;
+  /// Adds the energy of the way to `tip_m` and returns that way.
+  Vec3 move(const Vec3& tip_m) noexcept;
+  /// Tells whether neither this force nor any that still acts differs from zero.
+  [[nodiscard]] bool quiet(const Vec3& force_N) const noexcept;
+  void keep(const Vec3& force_N) noexcept;
+
+  double energy_J_ = 0.0;
+
+ private:
+  int latency_ticks_;
+  bool begun_ = false;
+  Vec3 last_m_;
+  std::array<Vec3, kLongestLatency_ticks + 1> sent_N_{};  // newest first
+};
+
 struct PassivityOptions {
   std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
   /// Ticks between the tick that computes a force and the way of the hand that it acts on; 0: at once. At
@@ -23,24 +56,17 @@ struct PassivityOptions {
   double largestDamping_Ns_per_m = kLargestDamping_Ns_per_m;  ///< > 0
 };
 
-/// Time-domain passivity observer and controller at the hand's port (Hannaford and Ryu 2002, with the exact
-/// energy of a held force, Ryu, Kwon and Hannaford 2004). The observer adds up the energy that the hand has
-/// put into the rendered force,
-///
-///   E(k) = E(k-1) - F(k-1) . (x(k) - x(k-1)),   F: force sent, N;  x: tip, m;  E: J,
-///
-/// which holds exactly for a force that is held between ticks. A passive tissue never gives back more than it
-/// got: when E < 0, the controller adds -a v, a = min(-E / (T v^2), largest damping), which takes the excess
-/// back within one tick. v is the mean velocity of the last four ticks, because one step of an encoder
-/// (0.055 mm) would count as 55 mm/s. Whenever no force is wanted or sent, what the hand has put in is
-/// forgotten, what it got too much is not; the controller adds nothing where no force is wanted.
+/// Time-domain passivity observer and controller at the hand's port (Hannaford and Ryu 2002). A passive
+/// tissue never gives back more energy than it got: when E < 0, the controller adds -a v, a = min(-E / (T
+/// v^2), largest damping), which takes the excess back within one tick. v is the mean velocity of the last
+/// four ticks, because one step of an encoder (0.055 mm) would count as 55 mm/s. Whenever no force is wanted
+/// or sent, what the hand has put in is forgotten, what it got too much is not; the controller adds nothing
+/// where no force is wanted.
 ///
 /// A plain value: copying it copies its memory. IEEE basic operations in a fixed order, so that a replay
 /// repeats it bit for bit. Servo thread; noexcept, no allocation.
-class PassivityController {
+class PassivityController : public HandPort {
  public:
-  static constexpr int kLongestLatency_ticks = 16;
-
   /// Makes a controller without stored energy. Throws Error{kBadParameter} for options out of range.
   explicit PassivityController(const PassivityOptions& options);
 
@@ -50,11 +76,7 @@ class PassivityController {
   [[nodiscard]] Vec3 control(std::int64_t now_us, const Vec3& tip_m, const Vec3& wanted_N, bool sound,
                              std::uint32_t& limits) noexcept;
   /// Takes the force that the governor really sent, once a tick after control().
-  void sent(const Vec3& force_N) noexcept;
-
-  /// Returns the energy that the hand has put in since the force was last zero, J; below 0 the hand got
-  /// more back.
-  [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
+  void sent(const Vec3& force_N) noexcept { keep(force_N); }
 
  private:
   struct Place {
@@ -63,17 +85,59 @@ class PassivityController {
   };
   static constexpr std::size_t kWindow = 4;
 
-  void begin(std::int64_t now_us, const Vec3& tip_m) noexcept;
-  [[nodiscard]] bool quiet(const Vec3& wanted_N) const noexcept;
-
   PassivityOptions options_;
-  bool begun_ = false;
-  double energy_J_ = 0.0;
   std::array<Place, kWindow> places_{};  // a ring: the oldest is the next to be overwritten
   std::size_t nextPlace_ = 0;
-  Vec3 last_m_;
-  std::array<Vec3, kLongestLatency_ticks + 1> sent_N_{};  // newest first
 };
 static_assert(std::is_trivially_copyable_v<PassivityController>);
+
+/// Stiffness up to which a force is honest, N/m: twice what a device is asked to render, because two contacts
+/// or a contact and a grip may act side by side.
+inline constexpr double kHonestStiffness_N_per_m = 1000.0;
+/// Energy that a contact may give before it has received any: what the first ticks of a touch lack because
+/// the force is held between ticks.
+inline constexpr double kEnergyAllowance_J = 1e-4;
+/// Force against the hand's motion that is never withheld; without it a contact without energy would stay
+/// without force.
+inline constexpr double kLeastResistance_N = 0.05;
+
+struct StoredEnergyOptions {
+  std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
+  /// As PassivityOptions::latency_ticks.
+  int latency_ticks = 0;
+};
+
+/// Last stage of a force, at the hand's port: a force may be no larger than a spring could give that stores
+/// what the hand has put in.
+///
+///   |F(k)| <= f,  f = sqrt(2 K (E + e) + (K v T)^2) - K v T
+///
+/// E: energy of the hand in the force (HandPort), J; K: kHonestStiffness_N_per_m; e:
+/// kEnergyAllowance_J; v T: way of the last tick along F, m, 0 against it. f is the force of a
+/// spring K with the energy that will be left at the end of the tick. A spring of K or softer is never
+/// limited; what a limiter before it, a jaw that opens, a delay or a sampled wall would give beyond what was
+/// put in is withheld, without damping. E is never below -e, and 0 again whenever no force is wanted and
+/// sent: what a contact can give too much is e and the error of a tick.
+///
+/// A plain value: copying it copies its memory. IEEE basic operations in a fixed order, so that a replay
+/// repeats it bit for bit. Servo thread; noexcept, no allocation.
+class StoredEnergyLimit : public HandPort {
+ public:
+  /// Makes a limit without stored energy. Throws Error{kBadParameter} for options out of range.
+  explicit StoredEnergyLimit(const StoredEnergyOptions& options);
+
+  /// Returns the force to send, once a tick, after every other limit; kForcePassivity is set in `limits`
+  /// where it was made smaller. `sound`: false while the device delivers no position (a contact begins anew).
+  [[nodiscard]] Vec3 limited(const Vec3& tip_m, const Vec3& command_N, bool sound,
+                             std::uint32_t& limits) noexcept;
+  /// Forgets what the hand has put in, once the tissue has let it go: a jaw that closes or opens begins anew.
+  void forget() noexcept { energy_J_ = energy_J_ < 0.0 ? energy_J_ : 0.0; }
+  /// Adds energy that the tissue brings along, J >= 0: of an organ that was twisted before the jaw closed.
+  void lend(double energy_J) noexcept { energy_J_ += energy_J; }
+
+ private:
+  StoredEnergyOptions options_;
+};
+static_assert(std::is_trivially_copyable_v<StoredEnergyLimit>);
 
 }  // namespace torsio

@@ -3,12 +3,38 @@
 
 #include <utility>
 
-#include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/pointer_device.h"
-#include "sim/device/virtual/replay_device.h"
 #include "sim/device/virtual/scripted_hand.h"
 
 namespace torsio {
+
+ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples, DeviceCapabilities capabilities)
+    : samples_(std::move(samples)), capabilities_(std::move(capabilities)) {
+  capabilities_.realTime = false;
+}
+
+DeviceSample ReplayDevice::read(std::int64_t time_us) noexcept {
+  if (next_ < samples_.size()) {
+    return samples_[next_++];
+  }
+  DeviceSample last = samples_.empty() ? DeviceSample{} : samples_.back();
+  last.time_us = time_us;
+  last.status |= kDeviceEnded;
+  return last;
+}
+
+IdleDevice::IdleDevice(const Pose& pose) {
+  capabilities_.model = "Idle";
+  capabilities_.realTime = false;
+  DeviceReading reading;
+  reading.pose = pose;
+  sample_ = quantize(reading, sample_);
+}
+
+DeviceSample IdleDevice::read(std::int64_t time_us) noexcept {
+  sample_.time_us = time_us;
+  return sample_;
+}
 
 namespace {
 

@@ -62,13 +62,24 @@ struct HelperEnd {
 /// Runs a helper, whose first word is its path, to its end or to that of its time. It has no files but its
 /// answer, the pipe of news and the standard three, which lead nowhere. `news`, if any, is called with the
 /// bytes that it writes there, from this thread, and every few milliseconds with none; when it throws, the
-/// helper is ended. Limits of memory and processor it takes on itself
-/// (helper_host.h).
+/// helper is ended. It sets its own limits of memory and processor time (bindHelper).
 [[nodiscard]] HelperEnd runHelper(const std::vector<std::string>& words, const HelperAnswer& answer,
                                   const HelperLimits& limits,
                                   const std::function<void(std::span<const char>)>& news = {});
 
 /// Writes a number so that it is read back with the same bits.
 [[nodiscard]] std::string hexadecimal(double value);
+
+// For the programs that runHelper() starts.
+
+/// Gives up what reading a file does not need: memory and processor time beyond a limit, files
+/// larger than an answer, processes of its own, life after its parent. False when the system refuses.
+[[nodiscard]] bool bindHelper(std::uint64_t memory_MB, std::uint64_t processor_s);
+
+/// Leaves the answer where the parent looks for it; false when it cannot be written.
+[[nodiscard]] bool leaveAnswer(const std::string& answer);
+
+/// Tells the parent how far it is; lost when it does not listen.
+void tellParent(std::span<const char> news);
 
 }  // namespace torsio

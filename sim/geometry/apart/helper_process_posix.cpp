@@ -2,6 +2,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -9,6 +10,7 @@
 #include <optional>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -16,6 +18,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "sim/core/file_io.h"
 #include "sim/geometry/apart/helper_process.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
@@ -116,6 +119,17 @@ double secondsOf(const timeval& time) {
   return static_cast<double>(time.tv_sec) + kMicrosecond_s * static_cast<double>(time.tv_usec);
 }
 
+#ifdef TORSIO_UNLIMITED_MEMORY  // linked with a sanitizer
+constexpr bool kLimitsMemory = false;
+#else
+constexpr bool kLimitsMemory = true;
+#endif
+
+bool limited(int resource, std::uint64_t most) {
+  const rlimit limit{most, most};
+  return setrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0;
+}
+
 }  // namespace
 
 HelperAnswer::HelperAnswer() : number_(memfd_create("torsio-helper", MFD_CLOEXEC)), place_(MAP_FAILED) {}
@@ -199,6 +213,35 @@ std::string hexadecimal(double value) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%a", value);
   return text.data();
+}
+
+}  // namespace torsio
+
+namespace torsio {
+
+bool bindHelper(std::uint64_t memory_MB, std::uint64_t processor_s) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  disableCoreDumps();
+  std::signal(SIGPIPE, SIG_IGN);  // the program that asked may have gone
+  return (!kLimitsMemory || limited(RLIMIT_AS, memory_MB * 1'000'000)) && limited(RLIMIT_CPU, processor_s) &&
+         limited(RLIMIT_FSIZE, kMaxAnswerBytes) && limited(RLIMIT_NPROC, 0);
+}
+
+bool leaveAnswer(const std::string& answer) {
+  std::size_t done = 0;
+  while (done < answer.size()) {
+    const ssize_t written = ::write(kHelperAnswerFile, answer.data() + done, answer.size() - done);
+    if (written <= 0) {
+      return false;
+    }
+    done += static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+void tellParent(std::span<const char> news) {
+  [[maybe_unused]] const ssize_t written = ::write(kHelperNewsFile, news.data(), news.size());
 }
 
 }  // namespace torsio

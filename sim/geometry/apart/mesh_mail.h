@@ -5,7 +5,7 @@
 #include <string>
 
 #include "sim/core/error.h"
-#include "sim/geometry/mesh/mesh_reader.h"
+#include "sim/geometry/mesh/mesh_import.h"
 
 namespace torsio {
 

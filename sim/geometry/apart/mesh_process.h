@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "sim/geometry/apart/helper_process.h"
-#include "sim/geometry/mesh/mesh_reader.h"
+#include "sim/geometry/mesh/mesh_import.h"
 
 namespace torsio {
 

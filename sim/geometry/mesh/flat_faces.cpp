@@ -17,16 +17,6 @@ constexpr double kParallel = 0.99984770;  // cosine of 1 degree: between a trian
 constexpr double kSharpRim = 0.93969262;  // cosine of 20 degrees: a rounded end is no flat face
 constexpr double kSmallestShare = 1e-3;   // of the surface's area
 
-double boxDiagonal_m(const TriangleMesh& mesh) {
-  Vec3 low = mesh.vertices_m.front();
-  Vec3 high = low;
-  for (const Vec3& p : mesh.vertices_m) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return norm(high - low);
-}
-
 Vec3 areaVector(const TriangleMesh& mesh, std::size_t t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return 0.5 * cross(mesh.vertices_m[b] - mesh.vertices_m[a], mesh.vertices_m[c] - mesh.vertices_m[a]);
@@ -36,7 +26,8 @@ class FaceGrower {
  public:
   FaceGrower(const TriangleMesh& mesh, const SurfaceTopology& topology)
       : mesh_(mesh), topology_(topology), taken_(mesh.triangles.size(), 0) {
-    tolerance_m_ = kFlatness * boxDiagonal_m(mesh);
+    const BoundingBox box = boxOf(mesh.vertices_m);
+    tolerance_m_ = kFlatness * norm(box.high - box.low);
     areas_.reserve(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       areas_.push_back(areaVector(mesh, t));

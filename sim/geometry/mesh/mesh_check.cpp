@@ -79,13 +79,9 @@ void measureBox(const TriangleMesh& mesh, MeshReport& report) {
   if (mesh.vertices_m.empty()) {
     return;
   }
-  report.boxMin_m = report.boxMax_m = mesh.vertices_m.front();
-  for (const Vec3& v : mesh.vertices_m) {
-    report.boxMin_m = {std::min(report.boxMin_m.x, v.x), std::min(report.boxMin_m.y, v.y),
-                       std::min(report.boxMin_m.z, v.z)};
-    report.boxMax_m = {std::max(report.boxMax_m.x, v.x), std::max(report.boxMax_m.y, v.y),
-                       std::max(report.boxMax_m.z, v.z)};
-  }
+  const BoundingBox box = boxOf(mesh.vertices_m);
+  report.boxMin_m = box.low;
+  report.boxMax_m = box.high;
 }
 
 // Counts the edges by use and returns how many different ones there are.

@@ -2,16 +2,21 @@
 #include "sim/geometry/mesh/mesh_file_check.h"
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
+#include <system_error>
 #include <vector>
 
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/geometry/mesh/text_lines.h"
 
 namespace torsio {
 
 namespace {
+
+bool isSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 constexpr std::size_t kHeadBytes = 65536;
 
@@ -84,7 +89,97 @@ void checkObj(std::string_view head, const std::string& where) {
   refuseFormat(where, "OBJ", Text::tr("no line of its first 64 kB begins with \"v\""));
 }
 
+using Words = std::vector<std::string_view>;
+
+// The next line that holds more than a comment; nothing at the end.
+bool nextWords(TextLines& lines, Words& words) {
+  while (const auto line = lines.next()) {
+    splitWords(line->substr(0, line->find('#')), words);
+    if (!words.empty()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string lineName(const TextLines& lines) {
+  return "line " + std::to_string(lines.number());
+}
+
+void checkFace(const Words& words, std::uint64_t vertices, const TextLines& lines, const std::string& where) {
+  const auto corners = parseCount(words[0]);
+  if (!corners || *corners < 1 || *corners >= words.size()) {
+    refuseRow(where, lineName(lines), Text::tr("a face needs its number of corners and as many indices"));
+  }
+  for (std::size_t k = 1; k <= *corners; ++k) {
+    const auto index = parseCount(words[k]);
+    if (!index) {
+      refuseRow(where, lineName(lines), Text::tr("an index is not a whole number"));
+    }
+    if (*index >= vertices) {
+      refuseIndex(where, lineName(lines), static_cast<std::int64_t>(*index), vertices);
+    }
+  }
+}
+
 }  // namespace
+
+std::optional<std::string_view> TextLines::next() {
+  if (rest_.empty()) {
+    return std::nullopt;
+  }
+  const std::size_t end = rest_.find('\n');
+  const std::string_view line = rest_.substr(0, end);
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+  ++number_;
+  return line;
+}
+
+void splitWords(std::string_view line, std::vector<std::string_view>& words) {
+  words.clear();
+  std::size_t i = 0;
+  while (true) {
+    while (i < line.size() && isSpace(line[i])) {
+      ++i;
+    }
+    if (i == line.size()) {
+      return;
+    }
+    const std::size_t start = i;
+    while (i < line.size() && !isSpace(line[i])) {
+      ++i;
+    }
+    words.push_back(line.substr(start, i - start));
+  }
+}
+
+std::optional<std::uint64_t> parseCount(std::string_view word) {
+  constexpr std::uint64_t kMost = 1'000'000'000'000ULL;
+  std::uint64_t value = 0;
+  for (const char c : word) {
+    if (c < '0' || c > '9') {
+      return std::nullopt;
+    }
+    value = value * 10 + static_cast<std::uint64_t>(c - '0');
+    if (value > kMost) {
+      value = kMost;
+    }
+  }
+  if (word.empty()) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+bool isNumber(std::string_view word) {
+  if (word.starts_with('+')) {
+    word.remove_prefix(1);
+  }
+  double value = 0.0;
+  const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool outOfRange = failed == std::errc::result_out_of_range;
+  return (failed == std::errc() || outOfRange) && end == word.data() + word.size();
+}
 
 void refuseFormat(const std::string& where, std::string_view format, const Text& why) {
   throw Error(ErrorCode::kFileUnreadable,
@@ -144,6 +239,46 @@ void requirePlausibleFile(const std::filesystem::path& file, std::string_view ex
                 Text::tr("Check that it is a file you may read"));
   }
   requirePlausibleHead(head, size, extension, file.string());
+}
+
+void requirePlausibleOff(std::string_view bytes, const std::string& where) {
+  TextLines lines(bytes);
+  Words words;
+  if (bytes.find('\0') != std::string_view::npos) {
+    refuseFormat(where, "OFF", Text::tr("it is not text"));
+  }
+  if (!nextWords(lines, words) || (words[0] != "OFF" && words[0] != "COFF")) {
+    refuseFormat(where, "OFF", Text::tr("it does not begin with OFF or COFF"));
+  }
+  words.erase(words.begin());
+  if (words.empty()) {
+    nextWords(lines, words);
+  }
+  const auto vertices = !words.empty() ? parseCount(words[0]) : std::nullopt;
+  const auto faces = words.size() > 1 ? parseCount(words[1]) : std::nullopt;
+  if (!vertices || !faces) {
+    refuseFormat(where, "OFF", Text::tr("no counts follow the first word"));
+  }
+  constexpr std::uint64_t kLeastVertex = 6;  // "0 0 0\n"
+  constexpr std::uint64_t kLeastFace = 8;    // "3 0 1 2\n"
+  if (*vertices * kLeastVertex + *faces * kLeastFace > bytes.size() + 1) {
+    refuseShort(where, std::to_string(*vertices) + " vertices and " + std::to_string(*faces) + " faces",
+                bytes.size());
+  }
+  for (std::uint64_t v = 0; v < *vertices; ++v) {
+    if (!nextWords(lines, words)) {
+      refuseShort(where, std::to_string(*vertices) + " vertices", bytes.size());
+    }
+    if (words.size() < 3 || !std::all_of(words.begin(), words.begin() + 3, isNumber)) {
+      refuseRow(where, lineName(lines), Text::tr("a vertex needs three numbers"));
+    }
+  }
+  for (std::uint64_t f = 0; f < *faces; ++f) {
+    if (!nextWords(lines, words)) {
+      refuseShort(where, std::to_string(*faces) + " faces", bytes.size());
+    }
+    checkFace(words, *vertices, lines, where);
+  }
 }
 
 }  // namespace torsio

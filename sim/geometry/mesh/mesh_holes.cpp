@@ -90,14 +90,11 @@ class RimWalk {
 };
 
 double widthOf_m(const TriangleMesh& mesh, const std::vector<std::uint32_t>& rim) {
-  Vec3 low = mesh.vertices_m[rim.front()];
-  Vec3 high = low;
+  BoundingBox box;
   for (const std::uint32_t v : rim) {
-    const Vec3& p = mesh.vertices_m[v];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    box.add(mesh.vertices_m[v]);
   }
-  return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  return box.largestSide();
 }
 
 void closeRim(TriangleMesh& mesh, const std::vector<std::uint32_t>& rim) {

@@ -8,7 +8,6 @@
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_file_check.h"
-#include "sim/geometry/mesh/text_lines.h"
 
 namespace torsio {
 

@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/geometry/mesh/triangle_mesh.h"
 
+#include <algorithm>
+
 #include "sim/core/digest.h"
 
 namespace torsio {
+
+void BoundingBox::add(const Vec3& p) noexcept {
+  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+}
+
+double BoundingBox::largestSide() const noexcept {
+  return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+}
+
+BoundingBox boxOf(std::span<const Vec3> points) noexcept {
+  BoundingBox box;
+  for (const Vec3& p : points) {
+    box.add(p);
+  }
+  return box;
+}
 
 std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
   std::vector<Vec3> normals(mesh.vertices_m.size());

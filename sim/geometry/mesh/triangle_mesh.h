@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,16 @@ struct TriangleMesh {
   std::vector<Vec3> vertices_m;
   std::vector<Triangle> triangles;
 };
+
+/// A box along the axes about the points that were added.
+struct BoundingBox {
+  Vec3 low{1e300, 1e300, 1e300};
+  Vec3 high{-1e300, -1e300, -1e300};
+
+  void add(const Vec3& p) noexcept;
+  [[nodiscard]] double largestSide() const noexcept;
+};
+[[nodiscard]] BoundingBox boxOf(std::span<const Vec3> points) noexcept;
 
 /// Computes area-weighted unit normals, one a vertex, pointing outwards.
 [[nodiscard]] std::vector<Vec3> vertexNormals(const TriangleMesh& mesh);

@@ -13,7 +13,6 @@
 #include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/nearest_on_triangle.h"
-#include "sim/geometry/query/nearest_to_segment.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "sim/core/portable_math.h"
-#include "sim/geometry/query/nearest_to_segment.h"
+#include "sim/geometry/mesh/nearest_on_triangle.h"
 
 namespace torsio {
 

@@ -7,7 +7,6 @@
 
 #include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "sim/geometry/mesh/surface_patches.h"
-#include "sim/geometry/query/nearest_to_segment.h"
 
 namespace torsio {
 

@@ -16,7 +16,6 @@
 #include "sim/core/short_number.h"
 #include "sim/core/text.h"
 #include "sim/imaging/scan/dicom_slice.h"
-#include "sim/imaging/scan/dicom_stack.h"
 
 namespace torsio {
 

@@ -8,17 +8,258 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 #include <zlib.h>
 
 #include "sim/core/error.h"
-#include "sim/imaging/scan/nifti_header.h"
+#include "sim/core/short_number.h"
 
 namespace torsio {
 
-namespace fs = std::filesystem;
-
 namespace {
+
+constexpr std::int32_t kNifti2Bytes = 540;
+constexpr std::int16_t kMaxSide = 4096;
+constexpr double kMaxOffset = 64e6;
+constexpr double kThinnestVoxel_mm = 0.01;
+constexpr double kThickestVoxel_mm = 50.0;
+constexpr double kMaxShear = 0.01745;  // cosine of 89 degrees
+constexpr double kFarthest_mm = 1e5;
+
+// Where the fields lie.
+constexpr std::size_t kDim = 40;
+constexpr std::size_t kDatatype = 70;
+constexpr std::size_t kBitpix = 72;
+constexpr std::size_t kPixdim = 76;
+constexpr std::size_t kVoxOffset = 108;
+constexpr std::size_t kSlope = 112;
+constexpr std::size_t kUnits = 123;
+constexpr std::size_t kQformCode = 252;
+constexpr std::size_t kSformCode = 254;
+constexpr std::size_t kQuaternion = 256;
+constexpr std::size_t kQoffset = 268;
+constexpr std::size_t kSrow = 280;
+constexpr std::size_t kMagic = 344;
+
+[[noreturn]] void refuseHeader(const Text& what, const std::string& where, const Text& remedy) {
+  throw Error(ErrorCode::kFileUnreadable, what, where, remedy);
+}
+
+/// Reads numbers out of a header in the byte order of its file.
+class HeaderBytes {
+ public:
+  HeaderBytes(std::span<const unsigned char, kNiftiHeaderBytes> bytes, bool swapped)
+      : bytes_(bytes), swapped_(swapped) {}
+
+  template <typename Number>
+  [[nodiscard]] Number at(std::size_t place) const {
+    std::array<unsigned char, sizeof(Number)> raw{};
+    std::memcpy(raw.data(), bytes_.data() + place, sizeof(Number));
+    if (swapped_) {
+      std::reverse(raw.begin(), raw.end());
+    }
+    return std::bit_cast<Number>(raw);
+  }
+  [[nodiscard]] double real(std::size_t place) const { return static_cast<double>(at<float>(place)); }
+  [[nodiscard]] double pixdim(std::size_t axis) const { return real(kPixdim + 4 * axis); }
+
+ private:
+  std::span<const unsigned char, kNiftiHeaderBytes> bytes_;
+  bool swapped_;
+};
+
+/// Tells whether the numbers of a header have to be turned round; refuses what is no header.
+bool headerIsSwapped(std::span<const unsigned char, kNiftiHeaderBytes> bytes, const std::string& where) {
+  for (const bool swapped : {false, true}) {
+    const auto size = HeaderBytes(bytes, swapped).at<std::int32_t>(0);
+    if (size == static_cast<std::int32_t>(kNiftiHeaderBytes)) {
+      return swapped;
+    }
+    if (size == kNifti2Bytes) {
+      refuseHeader(Text::tr("N01 this is a NIfTI-2 file; NIfTI-1 is read"), where,
+                   Text::tr("Save it as NIfTI-1"));
+    }
+  }
+  refuseHeader(Text::tr("N01 this is no NIfTI file: its header does not begin with 348"), where,
+               Text::tr("Give a NIfTI-1 file, .nii or .nii.gz"));
+}
+
+bool hasTwoFiles(const HeaderBytes& bytes, const std::string& where) {
+  const std::array<char, 4> magic{bytes.at<char>(kMagic), bytes.at<char>(kMagic + 1),
+                                  bytes.at<char>(kMagic + 2), bytes.at<char>(kMagic + 3)};
+  if (magic == std::array{'n', '+', '1', '\0'}) {
+    return false;
+  }
+  if (magic == std::array{'n', 'i', '1', '\0'}) {
+    return true;
+  }
+  refuseHeader(
+      Text::tr("N01 the file has no NIfTI mark: an Analyze file does not say where left and right are"),
+      where, Text::tr("Convert the scan to NIfTI-1 again from its DICOM files"));
+}
+
+void readDimensions(const HeaderBytes& bytes, const std::string& where, NiftiHeader& header) {
+  const auto dimensions = bytes.at<std::int16_t>(kDim);
+  if (dimensions < 3 || dimensions > 7) {
+    refuseHeader(
+        Text::tr("N02 the file has %1 {dimension|dimensions}, a volume has 3", std::to_string(dimensions)),
+        where, Text::tr("Give one volume"));
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto side = bytes.at<std::int16_t>(kDim + 2 * (axis + 1));
+    if (side < 1 || side > kMaxSide) {
+      refuseHeader(Text::tr("N02 dimension %1 is %2, it must lie between 1 and %3", std::to_string(axis + 1),
+                            std::to_string(side), std::to_string(kMaxSide)),
+                   where, Text::tr("Export the scan again"));
+    }
+    header.count[axis] = static_cast<std::size_t>(side);
+  }
+  for (std::size_t axis = 4; axis <= static_cast<std::size_t>(dimensions); ++axis) {
+    const auto volumes = bytes.at<std::int16_t>(kDim + 2 * axis);
+    if (volumes != 1) {
+      refuseHeader(Text::tr("N02 the file holds a series of volumes: dimension %1 is %2",
+                            std::to_string(axis), std::to_string(volumes)),
+                   where, Text::tr("Give one volume"));
+    }
+  }
+  requireSize(header.count, where);
+}
+
+void readDatatype(const HeaderBytes& bytes, const std::string& where, NiftiHeader& header) {
+  // NIfTI's numbers: uint8, int16, int32, float32, float64, int8, uint16, uint32
+  constexpr std::array<std::pair<std::int16_t, std::size_t>, 8> kKnown{
+      {{2, 1}, {4, 2}, {8, 4}, {16, 4}, {64, 8}, {256, 1}, {512, 2}, {768, 4}}};
+  header.datatype = bytes.at<std::int16_t>(kDatatype);
+  const auto known = std::find_if(kKnown.begin(), kKnown.end(),
+                                  [&header](const auto& one) { return one.first == header.datatype; });
+  if (known == kKnown.end()) {
+    refuseHeader(Text::tr("N03 voxels of datatype %1 (colour, complex or 64-bit whole numbers) are not read",
+                          std::to_string(header.datatype)),
+                 where, Text::tr("Save the volume with 16-bit whole numbers"));
+  }
+  header.voxelBytes = known->second;
+  const auto bits = bytes.at<std::int16_t>(kBitpix);
+  if (bits != 0 && static_cast<std::size_t>(bits) != 8 * header.voxelBytes) {
+    refuseHeader(Text::tr("N03 datatype %1 with %2 bits a voxel contradicts itself",
+                          std::to_string(header.datatype), std::to_string(bits)),
+                 where, Text::tr("Export the scan again"));
+  }
+}
+
+void readOffset(const HeaderBytes& bytes, const std::string& where, NiftiHeader& header) {
+  const double offset = bytes.real(kVoxOffset);
+  const double least = header.twoFiles ? 0.0 : static_cast<double>(kNiftiHeaderBytes);
+  if (!(offset >= 0.0 && offset <= kMaxOffset) || (offset > 0.0 && offset < least)) {
+    refuseHeader(Text::tr("N04 the voxels are said to begin at byte %1", shortNumber(offset)), where,
+                 Text::tr("Export the scan again"));
+  }
+  // Some writers leave it 0, which means right behind the header and its four bytes of extensions.
+  header.offset =
+      offset > 0.0 || header.twoFiles ? static_cast<std::uint64_t>(offset) : kNiftiHeaderBytes + 4;
+}
+
+void readScale(const HeaderBytes& bytes, NiftiHeader& header) {
+  const double slope = bytes.real(kSlope);
+  const double intercept = bytes.real(kSlope + 4);
+  if (std::isfinite(slope) && slope != 0.0) {  // 0, or no number: not scaled
+    header.slope = slope;
+    header.intercept = std::isfinite(intercept) ? intercept : 0.0;
+  }
+}
+
+/// Millimetres in the file's unit of length.
+double unitOf(const HeaderBytes& bytes, const std::string& where, std::vector<ScanRemark>& remarks) {
+  switch (bytes.at<unsigned char>(kUnits) & 7U) {
+    case 1:
+      return 1000.0;
+    case 2:
+      return 1.0;
+    case 3:
+      return 0.001;
+    case 0:
+      remarks.push_back({"N06", true, Text::tr("the file names no unit of length; millimetres are assumed"),
+                         std::nullopt, Text::tr("Check the size of the organ")});
+      return 1.0;
+    default:
+      break;
+  }
+  refuseHeader(Text::tr("N06 the file's unit of length is unknown"), where,
+               Text::tr("Save the volume with lengths in millimetres"));
+}
+
+/// Columns of the rotation that NIfTI keeps as three parts of a unit quaternion.
+std::array<Vec3, 3> rotationOf(const HeaderBytes& bytes, const std::string& where) {
+  double b = bytes.real(kQuaternion);
+  double c = bytes.real(kQuaternion + 4);
+  double d = bytes.real(kQuaternion + 8);
+  const double rest = b * b + c * c + d * d;
+  if (!(rest <= 1.01)) {
+    refuseHeader(Text::tr("N05 the rotation of the file is none: its quaternion is %1 long",
+                          shortNumber(std::sqrt(rest))),
+                 where, Text::tr("Export the scan again"));
+  }
+  double a = std::sqrt(std::max(0.0, 1.0 - rest));
+  if (rest > 1.0) {
+    const double length = std::sqrt(rest);
+    b /= length, c /= length, d /= length, a = 0.0;
+  }
+  return {Vec3{a * a + b * b - c * c - d * d, 2.0 * (b * c + a * d), 2.0 * (b * d - a * c)},
+          Vec3{2.0 * (b * c - a * d), a * a + c * c - b * b - d * d, 2.0 * (c * d + a * b)},
+          Vec3{2.0 * (b * d + a * c), 2.0 * (c * d - a * b), a * a + d * d - c * c - b * b}};
+}
+
+/// Geometry in the file's own axes, RAS, in its unit.
+void readPlace(const HeaderBytes& bytes, const std::string& where, NiftiHeader& header,
+               std::vector<ScanRemark>& remarks) {
+  if (bytes.at<std::int16_t>(kSformCode) > 0) {
+    const auto row = [&bytes](std::size_t r, std::size_t column) {
+      return bytes.real(kSrow + 16 * r + 4 * column);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      header.step_mm[axis] = {row(0, axis), row(1, axis), row(2, axis)};
+    }
+    header.origin_mm = {row(0, 3), row(1, 3), row(2, 3)};
+    return;
+  }
+  header.step_mm = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  if (bytes.at<std::int16_t>(kQformCode) > 0) {
+    header.step_mm = rotationOf(bytes, where);
+    header.origin_mm = {bytes.real(kQoffset), bytes.real(kQoffset + 4), bytes.real(kQoffset + 8)};
+    header.step_mm[2] *= bytes.pixdim(0) < 0.0 ? -1.0 : 1.0;
+  } else {
+    remarks.push_back({"N06", true,
+                       Text::tr("the file does not say how the patient lay: left and right may be exchanged"),
+                       std::nullopt, Text::tr("Convert the scan again from its DICOM files")});
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    header.step_mm[axis] *= std::abs(bytes.pixdim(axis + 1));
+  }
+}
+
+void checkPlace(const NiftiHeader& header, const std::string& where) {
+  const Text again = Text::tr("Resample the volume to voxels with right angles, or export it again");
+  if (!isFinite(header.origin_mm) || norm(header.origin_mm) > kFarthest_mm) {
+    refuseHeader(Text::tr("N05 the file lies nowhere: its origin is out of range"), where, again);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double side_mm = norm(header.step_mm[axis]);
+    if (!(side_mm >= kThinnestVoxel_mm && side_mm <= kThickestVoxel_mm)) {
+      refuseHeader(
+          Text::tr("N05 voxels are %1 mm along axis %2, they must have %3 to %4 mm", shortNumber(side_mm),
+                   std::to_string(axis + 1), shortNumber(kThinnestVoxel_mm), shortNumber(kThickestVoxel_mm)),
+          where, again);
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double shear = dot(normalized(header.step_mm[axis]), normalized(header.step_mm[(axis + 1) % 3]));
+    if (std::abs(shear) > kMaxShear) {
+      refuseHeader(Text::tr("N05 the volume is sheared: two of its axes are %1 degrees off a right angle",
+                            shortNumber(std::abs(std::asin(std::clamp(shear, -1.0, 1.0))) * 57.29577951)),
+                   where, again);
+    }
+  }
+}
 
 constexpr std::size_t kVoxelsAtOnce = 65'536;
 
@@ -157,6 +398,27 @@ bool isNamed(const fs::path& file, const std::string& ending) {
 }
 
 }  // namespace
+
+NiftiHeader niftiHeader(std::span<const unsigned char, kNiftiHeaderBytes> bytes, const std::string& where,
+                        std::vector<ScanRemark>& remarks) {
+  NiftiHeader header;
+  header.swapped = headerIsSwapped(bytes, where);
+  const HeaderBytes numbers(bytes, header.swapped);
+  header.twoFiles = hasTwoFiles(numbers, where);
+  readDimensions(numbers, where, header);
+  readDatatype(numbers, where, header);
+  readOffset(numbers, where, header);
+  readScale(numbers, header);
+  const double unit_mm = unitOf(numbers, where, remarks);
+  readPlace(numbers, where, header, remarks);
+  for (Vec3* const v : {&header.origin_mm, &header.step_mm[0], &header.step_mm[1], &header.step_mm[2]}) {
+    *v = {-unit_mm * v->x, -unit_mm * v->y, unit_mm * v->z};  // RAS to LPS
+  }
+  checkPlace(header, where);
+  return header;
+}
+
+namespace fs = std::filesystem;
 
 bool isNiftiFile(const fs::path& file) {
   return isNamed(file, ".nii") || isNamed(file, ".hdr") || isNamed(file, ".img");

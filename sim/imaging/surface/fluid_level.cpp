@@ -192,19 +192,10 @@ FluidRange fluidRange(const Columns& columns, const GasEnds& ends, const VoxelMa
 VoxelMask mayHold(const Columns& columns, const GasEnds& ends, const WorkGrid& grid,
                   const FluidRange& range) {
   const std::vector<float> mean = smoothed(grid.volume);
-  VoxelMask within(grid.volume.count);
-  const auto [x1, y1, z1] = grid.high();
-  for (std::size_t z = WorkGrid::kMargin; z < z1; ++z) {
-    for (std::size_t y = WorkGrid::kMargin; y < y1; ++y) {
-      for (std::size_t x = WorkGrid::kMargin; x < x1; ++x) {
-        if (columns.depthOf({x, y, z}) >= ends.level + kLevelAway &&
-            range.holds(static_cast<double>(mean[grid.volume.index(x, y, z)]))) {
-          within.set(x, y, z);
-        }
-      }
-    }
-  }
-  return within;
+  return scannedWhere(grid, [&](std::size_t x, std::size_t y, std::size_t z) {
+    return columns.depthOf({x, y, z}) >= ends.level + kLevelAway &&
+           range.holds(static_cast<double>(mean[grid.volume.index(x, y, z)]));
+  });
 }
 
 /// The piece of the fluid below most of the level, with what lies between it and the gas.

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "sim/imaging/surface/organ_voxels.h"
+#include "sim/imaging/surface/scan_surface.h"
 
 namespace torsio {
 

@@ -19,10 +19,9 @@
 #include "sim/imaging/scan/dicom_series.h"
 #include "sim/imaging/scan/nifti_file.h"
 #include "sim/imaging/surface/fluid_level.h"
-#include "sim/imaging/surface/mask_brush.h"
 #include "sim/imaging/surface/mask_surface.h"
-#include "sim/imaging/surface/organ_voxels.h"
 #include "sim/imaging/surface/segmentation.h"
+#include "sim/imaging/surface/voxel_mask.h"
 #include "sim/imaging/surface/wall_thickness.h"
 
 namespace torsio {

@@ -11,6 +11,22 @@
 
 namespace torsio {
 
+/// Where the table begins on which a patient lies.
+struct TablePlane {
+  std::size_t axis = 0;    ///< of the grid
+  std::size_t first = 0;   ///< its first layer of voxels along it
+  bool backwards = false;  ///< what lies at smaller numbers is the table
+  double at_mm = 0.0;      ///< of its top along the patient's back
+};
+
+/// Finds a flat table among what is denser than air: the first layer, from the middle of the patient towards
+/// the back or, else, the front, that is full from one side of the scan to the other in nearly every slice,
+/// and behind which air follows within 60 mm. None where there is no such layer.
+[[nodiscard]] std::optional<TablePlane> tableIn(const WorkGrid& grid, const VoxelMask& within);
+
+/// Takes the table and all that lies behind it away.
+void removeTable(const WorkGrid& grid, const TablePlane& table, VoxelMask& within);
+
 /// Shares of a label that a voxel covers are kept in thousandths.
 inline constexpr float kWholeVoxel = 1000.0F;
 
@@ -46,7 +62,24 @@ struct FoundPiece {
                                     const std::optional<Vec3>& seed_mm, const std::string& where,
                                     std::vector<ScanRemark>& remarks);
 
-/// The voxels of the scan, without the margin.
+/// The voxels of the scan, without the margin, for which `holds(x, y, z)`.
+template <typename Holds>
+[[nodiscard]] VoxelMask scannedWhere(const WorkGrid& grid, const Holds& holds) {
+  VoxelMask mask(grid.volume.count);
+  const auto [x1, y1, z1] = grid.high();
+  for (std::size_t z = WorkGrid::kMargin; z < z1; ++z) {
+    for (std::size_t y = WorkGrid::kMargin; y < y1; ++y) {
+      for (std::size_t x = WorkGrid::kMargin; x < x1; ++x) {
+        if (holds(x, y, z)) {
+          mask.set(x, y, z);
+        }
+      }
+    }
+  }
+  return mask;
+}
+
+/// All of them.
 [[nodiscard]] VoxelMask scannedVoxels(const WorkGrid& grid);
 
 /// Makes a whole of a piece: gaps of up to twice `closing` voxels close, ends that the scan cuts get lids,

@@ -14,7 +14,7 @@
 #include "sim/geometry/mesh/mesh_repair.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/imaging/surface/mask_surface.h"
-#include "sim/imaging/surface/organ_voxels.h"
+#include "sim/imaging/surface/scan_surface.h"
 #include "sim/imaging/surface/segmentation.h"
 
 namespace torsio {

@@ -158,14 +158,9 @@ class Painter {
   void gather(std::uint32_t t) {
     std::vector<std::uint32_t> near;
     const TriangleMesh::Triangle& corner = mesh_.triangles[t];
-    Vec3 low = mesh_.vertices_m[corner[0]];
-    Vec3 high = low;
-    for (const std::uint32_t v : corner) {
-      const Vec3& p = mesh_.vertices_m[v];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    cellsOf(low, high, [&](std::uint64_t key) {
+    const BoundingBox box = boxOf(
+        std::array{mesh_.vertices_m[corner[0]], mesh_.vertices_m[corner[1]], mesh_.vertices_m[corner[2]]});
+    cellsOf(box.low, box.high, [&](std::uint64_t key) {
       const auto found = cells_.find(key);
       if (found == cells_.end()) {
         return;
@@ -176,8 +171,8 @@ class Painter {
         }
       }
     });
-    const Vec3 middle_m = (low + high) * 0.5;
-    const double span_m = 0.5 * norm(high - low);
+    const Vec3 middle_m = (box.low + box.high) * 0.5;
+    const double span_m = 0.5 * norm(box.high - box.low);
     std::erase_if(near, [&](std::uint32_t i) { return farFrom(vessels_[i], middle_m, span_m); });
     flatten(corner, near);
   }

@@ -9,7 +9,7 @@
 
 #include "sim/core/angle.h"
 #include "sim/core/random.h"
-#include "sim/scene/skin/surface_walk.h"
+#include "sim/scene/skin/skin_charts.h"
 
 namespace torsio {
 

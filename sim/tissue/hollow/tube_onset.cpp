@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/tissue/hollow/relaxed_wall.h"
-
 namespace torsio {
 
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/tissue/hollow/relaxed_wall.h"
+#include "sim/tissue/hollow/tube_onset.h"
 
 namespace torsio {
 

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "sim/tissue/rod/grip.h"
 #include "sim/tissue/rod/rod.h"
 
 namespace torsio {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "sim/core/organ_pose.h"
-#include "sim/tissue/rod/grip.h"
+#include "sim/tissue/rod/rod.h"
 #include "sim/tissue/rod/rod_system.h"
 
 namespace torsio {

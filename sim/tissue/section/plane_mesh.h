@@ -32,6 +32,9 @@ struct PlaneMesh {
 /// outline, holes.
 int addLoop(PlaneMesh& mesh, const BoundaryLoop& boundary);
 
+/// Makes `now` the neighbour of triangle `t` where `old` was; none for t = -1, outside the boundary.
+void relink(PlaneMesh& mesh, int t, int old, int now);
+
 /// Fills `neighbours` from `triangles`.
 void linkNeighbours(PlaneMesh& mesh);
 

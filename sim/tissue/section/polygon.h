@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <utility>
@@ -47,5 +48,12 @@ struct PolygonMoments {
 /// positive exactly when the anticlockwise polygon is star-shaped about `centre`, small when a ray grazes
 /// an edge.
 [[nodiscard]] double grazingSine(std::span<const Point2> polygon, const Point2& centre);
+
+/// Reads the outline of a section: one point a line, `x,y` (comma, semicolon or blanks between; a decimal
+/// point, whatever the locale), in any unit. Empty lines and lines that start with # are passed over, and so
+/// is one line of column names before the first point. A last point that repeats the first is dropped. Throws
+/// Error{kFileMissing, kFileUnreadable} when it cannot be read, Error{kBadData} that names the line for
+/// anything but two finite numbers, and for fewer than 3 points.
+[[nodiscard]] std::vector<Point2> readOutline(const std::filesystem::path& file);
 
 }  // namespace torsio

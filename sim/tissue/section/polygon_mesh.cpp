@@ -226,21 +226,9 @@ class Flipping {
     mesh_.neighbours[at(t)] = {farFromB, other, besideA};
     mesh_.triangles[at(other)] = {apex, far, b};
     mesh_.neighbours[at(other)] = {farFromA, besideB, t};
-    relink(farFromB, other, t);
-    relink(besideB, t, other);
+    relink(mesh_, farFromB, other, t);
+    relink(mesh_, besideB, t, other);
     return true;
-  }
-
-  void relink(int t, int old, int now) {
-    if (t < 0) {
-      return;
-    }
-    for (int& n : mesh_.neighbours[at(t)]) {
-      if (n == old) {
-        n = now;
-        return;
-      }
-    }
   }
 
   PlaneMesh& mesh_;

@@ -11,9 +11,6 @@ namespace torsio {
 
 namespace {
 
-constexpr int kInverseSteps = 12;
-constexpr double kInverseTolerance = 1e-14;  // of the organ's length
-constexpr double kLargestStep = 0.1;         // of the organ's length
 constexpr double kSmallestRadius_m = 1e-9;
 
 }  // namespace
@@ -137,34 +134,14 @@ double TwistMap::miss(const Vec3& deformed_m, double arc_m) const noexcept {
   return tables_.arcs.arcAt(lattice_, unwound(deformed_m, arc_m)) - arc_m;
 }
 
-// Secant steps on `miss` from the nearest point of the centreline, which a turn about it leaves alone; the
-// best arc length met counts.
+// From the nearest point of the centreline, which a turn about it leaves alone.
 Vec3 TwistMap::backward(const Vec3& deformed_m) const noexcept {
   if (identity_) {
     return deformed_m;
   }
-  const double length = lattice_.length_m();
-  double before = lattice_.nearestArc_m(deformed_m);
-  double missBefore = miss(deformed_m, before);
-  double best = before;
-  double least = std::abs(missBefore);
-  double arc = std::clamp(before + missBefore, 0.0, length);
-  for (int i = 0; i < kInverseSteps && least > kInverseTolerance * length; ++i) {
-    const double here = miss(deformed_m, arc);
-    if (std::abs(here) < least) {
-      best = arc;
-      least = std::abs(here);
-    }
-    const double change = here - missBefore;
-    double next = change != 0.0 ? arc - here * (arc - before) / change : arc + here;
-    if (!(std::abs(next - arc) <= kLargestStep * length)) {
-      next = arc + 0.5 * here;
-    }
-    before = arc;
-    missBefore = here;
-    arc = std::clamp(next, 0.0, length);
-  }
-  return unwound(deformed_m, best);
+  const ArcFound found = secantSteps([&](double arc_m) { return miss(deformed_m, arc_m); },
+                                     lattice_.nearestArc_m(deformed_m), lattice_.length_m());
+  return unwound(deformed_m, found.arc_m);
 }
 
 // A sum with 0 makes 0 of a negative zero, for those who print it.

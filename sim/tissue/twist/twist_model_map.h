@@ -1,12 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/tissue/twist/twist_model_tables.h"
 
 namespace torsio {
 
 /// Width over which the twist rate changes about the grasp, in radii of the section there.
 inline constexpr double kBlendPerRadius = 0.5;
+
+/// An arc length, and by how much it misses.
+struct ArcFound {
+  double arc_m = 0.0;
+  double miss_m = 0.0;
+};
+
+/// Looks for the arc length whose signed `miss(arc_m)` is 0 by secant steps from `from_m`, within an organ of
+/// this length; the best arc length met counts. In the tick.
+template <typename Miss>
+[[nodiscard]] ArcFound secantSteps(const Miss& miss, double from_m, double length_m) noexcept {
+  constexpr int kSteps = 12;
+  constexpr double kTolerance = 1e-14;  // of the length
+  constexpr double kLargestStep = 0.1;  // of the length
+  double before_m = from_m;
+  double missBefore_m = miss(before_m);
+  ArcFound best{before_m, std::abs(missBefore_m)};
+  double arc_m = std::clamp(before_m + missBefore_m, 0.0, length_m);
+  for (int i = 0; i < kSteps && best.miss_m > kTolerance * length_m; ++i) {
+    const double here_m = miss(arc_m);
+    if (std::abs(here_m) < best.miss_m) {
+      best = {arc_m, std::abs(here_m)};
+    }
+    const double change_m = here_m - missBefore_m;
+    double next_m = change_m != 0.0 ? arc_m - here_m * (arc_m - before_m) / change_m : arc_m + here_m;
+    if (!(std::abs(next_m - arc_m) <= kLargestStep * length_m)) {
+      next_m = arc_m + 0.5 * here_m;
+    }
+    before_m = arc_m;
+    missBefore_m = here_m;
+    arc_m = std::clamp(next_m, 0.0, length_m);
+  }
+  return best;
+}
 
 /// One state of a twist as a map of space; values common to all points are computed on construction. Lives
 /// on the stack of a query; noexcept, allocation-free, portable arithmetic only.

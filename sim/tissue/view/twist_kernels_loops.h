@@ -122,6 +122,15 @@ inline Across tangentCrossRadius(const float* v, int i) {
           v[96 + i] * v[64 + i] - v[112 + i] * v[48 + i]};
 }
 
+// A vertex turned about its foot by an angle and moved along the tangent by its warping.
+inline void putTurned(const float* __restrict v, const SineCosine& r, float warp, int i,
+                      float* __restrict o) {
+  const Across a = tangentCrossRadius(v, i);
+  o[i] = v[i] + r.cosine * v[48 + i] + r.sine * a.x + warp * v[96 + i];
+  o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * a.y + warp * v[112 + i];
+  o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * a.z + warp * v[128 + i];
+}
+
 void curvedWarp(const float* __restrict in, int blocks, const TwistFrame& frame, float* __restrict out) {
   const PreparedFrame f = prepared(frame);
   for (int block = 0; block < blocks; ++block) {
@@ -133,10 +142,7 @@ void curvedWarp(const float* __restrict in, int blocks, const TwistFrame& frame,
       const SineCosine r = turnAt(f, c);
       const float t = f.blendFrom - f.blendSlope * larger(f.blendFirst, smaller(f.blendLast, c));
       const float warp = (f.farRate + t * t * (f.rise3 - f.rise2 * t)) * v[160 + i];
-      const Across a = tangentCrossRadius(v, i);
-      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * a.x + warp * v[96 + i];
-      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * a.y + warp * v[112 + i];
-      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * a.z + warp * v[128 + i];
+      putTurned(v, r, warp, i, o);
     }
   }
 }
@@ -168,10 +174,7 @@ void givenAngles(const float* __restrict in, const float* __restrict anglesAndRa
     for (int i = 0; i < 16; ++i) {
       const SineCosine r = sineCosine(given[i]);
       const float warp = given[16 + i] * v[160 + i];
-      const Across a = tangentCrossRadius(v, i);
-      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * a.x + warp * v[96 + i];
-      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * a.y + warp * v[112 + i];
-      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * a.z + warp * v[128 + i];
+      putTurned(v, r, warp, i, o);
     }
   }
 }
@@ -417,30 +420,14 @@ void hollowWound(const float* __restrict in, const int* __restrict firstRows, in
   }
 }
 
-void lattice(const float* __restrict in, int sections, int blocksPerSection, const float* __restrict motions,
-             float* __restrict out) {
+template <typename Real>
+void latticeOf(const Real* __restrict in, int sections, int blocksPerSection, const Real* __restrict motions,
+               Real* __restrict out) {
   for (int j = 0; j < sections; ++j) {
-    const float* __restrict m = motions + 12LL * j;
+    const Real* __restrict m = motions + 12LL * j;
     for (int block = 0; block < blocksPerSection; ++block) {
-      const float* __restrict v = in + (static_cast<long long>(j) * blocksPerSection + block) * 48;
-      float* __restrict o = out + (static_cast<long long>(j) * blocksPerSection + block) * 48;
-      TORSIO_VECTOR_LOOP
-      for (int i = 0; i < 16; ++i) {
-        o[i] = m[9] + m[0] * v[i] + m[1] * v[16 + i] + m[2] * v[32 + i];
-        o[16 + i] = m[10] + m[3] * v[i] + m[4] * v[16 + i] + m[5] * v[32 + i];
-        o[32 + i] = m[11] + m[6] * v[i] + m[7] * v[16 + i] + m[8] * v[32 + i];
-      }
-    }
-  }
-}
-
-void latticeDouble(const double* __restrict in, int sections, int blocksPerSection,
-                   const double* __restrict motions, double* __restrict out) {
-  for (int j = 0; j < sections; ++j) {
-    const double* __restrict m = motions + 12LL * j;
-    for (int block = 0; block < blocksPerSection; ++block) {
-      const double* __restrict v = in + (static_cast<long long>(j) * blocksPerSection + block) * 48;
-      double* __restrict o = out + (static_cast<long long>(j) * blocksPerSection + block) * 48;
+      const Real* __restrict v = in + (static_cast<long long>(j) * blocksPerSection + block) * 48;
+      Real* __restrict o = out + (static_cast<long long>(j) * blocksPerSection + block) * 48;
       TORSIO_VECTOR_LOOP
       for (int i = 0; i < 16; ++i) {
         o[i] = m[9] + m[0] * v[i] + m[1] * v[16 + i] + m[2] * v[32 + i];
@@ -490,6 +477,6 @@ void triad(const float* __restrict a, const float* __restrict b, float factor, i
   }
 }
 
-const TwistKernels kKernels{curvedWarp,       curved,     givenAngles, paperLinear, hollowPlaces,
-                            hollowCells,      hollowOwn,  hollowWound, lattice,     latticeDouble,
+const TwistKernels kKernels{curvedWarp,       curved,     givenAngles, paperLinear,      hollowPlaces,
+                            hollowCells,      hollowOwn,  hollowWound, latticeOf<float>, latticeOf<double>,
                             componentKriging, interleave, triad};

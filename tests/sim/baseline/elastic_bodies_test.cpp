@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/baseline/corotational_tetrahedra.h"
+#include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/neo_hookean_elements.h"
 #include "sim/baseline/spring_lattice.h"
 #include "sim/core/error.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/baseline/corotational_tetrahedra.h"
+#include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/neo_hookean_elements.h"
 #include "sim/baseline/reference_solid.h"
 #include "sim/core/angle.h"

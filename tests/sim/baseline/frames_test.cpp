@@ -5,7 +5,7 @@
 
 #include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
-#include "sim/baseline/xpbd_frames.h"
+#include "sim/baseline/spring_lattice.h"
 #include "sim/core/error.h"
 #include "tests/sim/baseline/bars.h"
 

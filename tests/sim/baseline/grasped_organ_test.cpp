@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/baseline/corotational_tetrahedra.h"
+#include "sim/baseline/corotational_frames.h"
 #include "sim/baseline/equilibrium.h"
 #include "sim/core/error.h"
 #include "tests/support/procedural_mesh.h"

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/baseline/corotational_tetrahedra.h"
+#include "sim/baseline/corotational_frames.h"
 #include "sim/core/error.h"
 #include "sim/tissue/rod/rod_solve.h"
 #include "tests/sim/baseline/bars.h"

@@ -11,6 +11,7 @@
 
 #include "sim/core/error.h"
 #include "tests/sim/baseline/bars.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -133,13 +134,9 @@ TEST(SweptSolid, RefusesAnOutlineThatIsNotStarShaped) {
         {{0, 0, z}, {10, 0, z}, {10, 10, z}, {9, 10, z}, {9, 1, z}, {1, 1, z}, {1, 10, z}, {0, 10, z}});
   }
 
-  try {
-    static_cast<void>(sweptSolid(outlines, {0.0, 0.0, 1.0}, 2));
-    FAIL() << "nothing was refused";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadMesh);
-    EXPECT_EQ(error.where(), "section 1 to the next");
-  }
+  const Error error = testing::refusal([&] { return sweptSolid(outlines, {0.0, 0.0, 1.0}, 2); });
+  EXPECT_EQ(error.code(), ErrorCode::kBadMesh);
+  EXPECT_EQ(error.where(), "section 1 to the next");
 }
 
 TEST(SweptSolid, RefusesNumbersWithoutMeaning) {

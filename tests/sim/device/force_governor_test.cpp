@@ -11,6 +11,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/random.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -365,12 +366,7 @@ TEST(ForceGovernor, RefusesLimitsOutOfOrder) {
   emptyBox.workspaceMax_m = emptyBox.workspaceMin_m;
 
   for (const GovernorLimits& bad : {continuousAboveMaximum, notANumber, emptyBox}) {
-    try {
-      ForceGovernor governor(bad);
-      FAIL() << "accepted";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-    }
+    EXPECT_EQ(testing::refusal([&] { ForceGovernor governor(bad); }).code(), ErrorCode::kBadParameter);
   }
 }
 

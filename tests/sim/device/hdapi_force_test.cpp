@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/device/safety/passivity.h"
-#include "sim/servo/servo_watchdog.h"
+#include "sim/servo/servo_thread.h"
 #include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {

@@ -4,6 +4,7 @@
 
 #include "sim/core/error.h"
 #include "tests/sim/device/hdapi_bench.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -36,13 +37,9 @@ TEST_F(HdapiServes, S1_TearsDownInOrderWhenTheSchedulerDoesNotStart) {
   fake.fault("hdStartScheduler", 0, 1, hd::kTimerError, 0);
   const int begin = fake.log_count();
 
-  try {
-    device->start({&testing::FakeLoop::tick, &loop});
-    FAIL() << "started";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kDevice);
-    EXPECT_NE(std::string(error.what()).find("servo timer"), std::string::npos) << error.what();
-  }
+  const Error error = testing::refusal([&] { device->start({&testing::FakeLoop::tick, &loop}); });
+  EXPECT_EQ(error.code(), ErrorCode::kDevice);
+  EXPECT_NE(std::string(error.what()).find("servo timer"), std::string::npos) << error.what();
 
   EXPECT_EQ(fake.callbacks(), 0);
   EXPECT_EQ(fake.errors_pending(), 0);

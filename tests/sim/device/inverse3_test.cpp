@@ -19,7 +19,6 @@
 #include "sim/core/deadline.h"
 #include "sim/core/error.h"
 #include "sim/device/inverse3/inverse3_device.h"
-#include "sim/device/inverse3/inverse3_driver.h"
 #include "sim/device/process/device_process.h"
 #include "tests/sim/device/inverse_service.h"
 #include "tests/support/allocation_count.h"

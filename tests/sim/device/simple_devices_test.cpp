@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/angle.h"
-#include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/pointer_device.h"
-#include "sim/device/virtual/replay_device.h"
+#include "sim/device/virtual/virtual_drivers.h"
 
 namespace torsio {
 namespace {

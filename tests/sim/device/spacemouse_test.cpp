@@ -25,7 +25,7 @@
 #include <spnav.h>
 
 #include "sim/core/error.h"
-#include "sim/device/steering/rate_steering.h"
+#include "sim/device/steering/steered_device.h"
 #include "tests/support/eventually.h"
 
 namespace torsio {

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The shipped stomach against published dimensions (docs/organ-dimensions.md) and against its own data.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "sim/anatomy/curves.h"
 #include "sim/anatomy/forearm.h"
 #include "sim/anatomy/remesh.h"
 #include "sim/anatomy/stomach.h"
 #include "sim/anatomy/tube.h"
+#include "sim/core/angle.h"
+#include "sim/core/file_io.h"
 #include "sim/core/portable_math.h"
 #include "sim/core/random.h"
+#include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_import.h"
 #include "sim/geometry/query/collision_mesh.h"
 #include "tests/sim/geometry/shapes.h"
 
@@ -189,6 +198,193 @@ TEST(MakeArm, HasTheWristThatItIsGiven) {
   ArmMeasures usual;
   EXPECT_NEAR(slim.girth_mm[2] / usual.girth_mm[2], slim.girth_mm[8] / usual.girth_mm[8], 1e-12);
   EXPECT_EQ(slim.widthToDepth[0], usual.widthToDepth[0]);
+}
+
+const std::filesystem::path kStomachAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+
+nlohmann::json jsonOf(const char* file) {
+  return nlohmann::json::parse(readFile(kStomachAssets / file));
+}
+
+Vec3 metres(const nlohmann::json& mm) {
+  return 0.001 * Vec3{mm.at(0).get<double>(), mm.at(1).get<double>(), mm.at(2).get<double>()};
+}
+
+std::vector<Vec3> lineOf(const nlohmann::json& list) {
+  std::vector<Vec3> line;
+  for (const auto& point : list) {
+    line.push_back(metres(point));
+  }
+  return line;
+}
+
+double lengthOf_mm(const std::vector<Vec3>& line) {
+  double length_m = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    length_m += norm(line[k] - line[k - 1]);
+  }
+  return 1000.0 * length_m;
+}
+
+/// The stomach as its scene cuts it.
+struct CutStomach {
+  TriangleMesh mesh = importMesh(kStomachAssets / "organs/stomach.ply");
+  nlohmann::json data = jsonOf("organs/stomach_markers.json");
+  SectionLattice lattice{mesh, options()};
+
+  static LatticeOptions options() {
+    const nlohmann::json cut = jsonOf("scenes/stomach.json").at("lattice");
+    LatticeOptions options;
+    options.fixedEnd_m = metres(cut.at("fixed_end_mm"));
+    options.freeEnd_m = metres(cut.at("free_end_mm"));
+    options.fixedCut = 1000.0 * metres(cut.at("fixed_cut"));
+    options.branchRoot_m = metres(cut.at("branch_root_mm"));
+    options.branchCut = 1000.0 * metres(cut.at("branch_cut"));
+    options.ridgeZero = 1000.0 * metres(cut.at("ridge_zero"));
+    options.ridgeZeroFraction = cut.at("ridge_zero_fraction").get<double>();
+    return options;
+  }
+};
+
+const CutStomach& stomach() {
+  static const CutStomach cut;
+  return cut;
+}
+
+double widthAt_mm(double share) {
+  const SectionLattice& lattice = stomach().lattice;
+  const std::vector<double> arcs{share * lattice.length_m()};
+  const LatticeOutline outline = lattice.outlinesAt(arcs).front();
+  double twice_m2 = 0.0;
+  for (std::size_t k = 0; k < outline.points_m.size(); ++k) {
+    const auto [x0, y0] = outline.points_m[k];
+    const auto [x1, y1] = outline.points_m[(k + 1) % outline.points_m.size()];
+    twice_m2 += x0 * y1 - x1 * y0;
+  }
+  return 2000.0 * std::sqrt(0.5 * twice_m2 / kPi);
+}
+
+TEST(StomachAnatomy, HasTheSizeOfAFedLivingStomach) {
+  const MeshReport report = checkMesh(stomach().mesh);
+
+  // MRI of fed adults: 0.36 to 1.10 l, largest diameter 65 to 102 mm.
+  EXPECT_GT(report.volume_m3, 0.36e-3);
+  EXPECT_LT(report.volume_m3, 1.10e-3);
+  double widest_mm = 0.0;
+  for (double share = 0.1; share < 0.95; share += 0.05) {
+    widest_mm = std::max(widest_mm, widthAt_mm(share));
+  }
+  EXPECT_GT(widest_mm, 65.0);
+  EXPECT_LT(widest_mm, 102.0);
+  // 50 cadavers: 171 +- 20 mm (women), 190 +- 25 mm (men).
+  const Vec3 pylorus = metres(stomach().data.at("fixed_end_mm"));
+  double longest_m = 0.0;
+  for (std::size_t v = 0; v < stomach().mesh.vertices_m.size(); ++v) {
+    if (stomach().lattice.vertexParts()[v] == LatticePart::kFreeCap) {
+      longest_m = std::max(longest_m, norm(stomach().mesh.vertices_m[v] - pylorus));
+    }
+  }
+  EXPECT_NEAR(1000.0 * longest_m, 180.0, 25.0);
+}
+
+TEST(StomachAnatomy, HasCurvaturesBetweenFixedAndDistendedStomachs) {
+  const std::vector<Vec3> lesser = lineOf(stomach().data.at("zero_line_mm"));
+  std::vector<Vec3> greater = lineOf(stomach().data.at("greater_omentum_mm"));
+  greater.push_back(metres(stomach().data.at("free_end_mm")));
+
+  // 851 gastrectomies, fixed: lesser 163 +- 26 mm, greater 222 +- 31 mm; distended, the greater about 400.
+  EXPECT_NEAR(lengthOf_mm(lesser), 163.0, 26.0);
+  EXPECT_GT(lengthOf_mm(greater), 222.0);
+  EXPECT_LT(lengthOf_mm(greater), 400.0);
+}
+
+TEST(StomachAnatomy, IsNarrowAtThePylorusAndWideInBodyAndBulb) {
+  // Outer diameter of the pylorus 20 to 25 mm; BodyParts3D 23 mm.
+  const double pylorus_mm = widthAt_mm(0.004);
+  EXPECT_GT(pylorus_mm, 20.0);
+  EXPECT_LT(pylorus_mm, 25.0);
+  // BodyParts3D: equivalent diameters at shares of 195 mm from the fundus.
+  EXPECT_NEAR(widthAt_mm(0.75), 87.0, 17.0);
+  EXPECT_NEAR(widthAt_mm(0.50), 71.0, 12.0);
+  EXPECT_NEAR(widthAt_mm(0.25), 51.0, 8.0);
+  // The bulb, beyond the pylorus.
+  double widest_m = 0.0;
+  const Vec3 pylorus = metres(stomach().data.at("fixed_end_mm"));
+  const Vec3 along = -1.0 * stomach().lattice.frameAt(0.0).tangent;
+  for (std::size_t v = 0; v < stomach().mesh.vertices_m.size(); ++v) {
+    const Vec3 from = stomach().mesh.vertices_m[v] - pylorus;
+    if (stomach().lattice.vertexParts()[v] == LatticePart::kFixedCap && dot(from, along) > 0.006) {
+      widest_m = std::max(widest_m, norm(from - dot(from, along) * along));
+    }
+  }
+  EXPECT_GT(2000.0 * widest_m, pylorus_mm + 4.0);
+}
+
+TEST(StomachAnatomy, HasAnOesophagusThatMeetsTheFundusAtAnAcuteAngle) {
+  const TriangleMesh& mesh = stomach().mesh;
+  const Vec3 cardia = metres(stomach().data.at("cardia_mm"));
+  const Vec3 up = normalized(metres(stomach().data.at("oesophagus")));
+  const CollisionMesh surface(mesh);
+
+  // The stub: 20 mm wide, 3 to 4 cm long, inside the surface on its axis and not beside it.
+  EXPECT_LT(surface.closest(cardia + 0.030 * up).distance_m, -0.008);
+  EXPECT_GT(surface.closest(cardia + 0.030 * up).distance_m, -0.0115);
+  EXPECT_GT(surface.closest(cardia + 0.055 * up).distance_m, 0.005);
+  EXPECT_LT(up.x, 0.0);  // it comes from the right, down to the left
+  EXPECT_GT(up.z, 0.5);
+  // The fundus rises above the cardia, and its wall towards the oesophagus leans away from it.
+  double top_m = -1.0;
+  for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
+    if (stomach().lattice.vertexParts()[v] == LatticePart::kFreeCap) {
+      top_m = std::max(top_m, mesh.vertices_m[v].z);
+    }
+  }
+  EXPECT_GT(top_m, cardia.z + 0.03);
+  const auto angle =
+      std::find_if(stomach().data.at("landmarks").begin(), stomach().data.at("landmarks").end(),
+                   [](const auto& mark) { return mark.at("name") == "angle of His"; });
+  ASSERT_NE(angle, stomach().data.at("landmarks").end());
+  const Vec3 notch = metres(angle->at("position_mm"));
+  const Vec3 fundus = metres(stomach().data.at("free_end_mm")) - notch;
+  const double his_deg = degrees(std::acos(dot(normalized(fundus), up)));
+  EXPECT_GT(his_deg, 20.0);
+  EXPECT_LT(his_deg, 90.0);
+}
+
+TEST(StomachAnatomy, PlacesTenMarkersAndItsLandmarksOnTheSkinWhereTheyAreSaidToBe) {
+  const CollisionMesh surface(stomach().mesh);
+  ASSERT_EQ(stomach().data.at("markers").size(), 10U);
+  const double length_mm = stomach().data.at("length_mm").get<double>();
+  EXPECT_NEAR(1000.0 * stomach().lattice.length_m(), length_mm, 6.0);
+  for (const char* list : {"markers", "landmarks"}) {
+    for (const auto& mark : stomach().data.at(list)) {
+      const Vec3 p = metres(mark.at("position_mm"));
+      // Written in hundredths of a millimetre, from the body that the triangles were cut from.
+      const SurfacePoint nearest = surface.closest(p);
+      EXPECT_LT(std::abs(nearest.distance_m), 4e-4) << mark;
+      const LatticeCoordinate& at =
+          stomach().lattice.vertexCoordinates()[stomach().mesh.triangles[nearest.triangle].front()];
+      EXPECT_NEAR(1000.0 * at.arc_m, mark.at("arc_mm").get<double>(), 22.0) << mark;
+      const double away =
+          std::remainder(at.angle_rad - radians(mark.at("angle_deg").get<double>()), 2.0 * kPi);
+      EXPECT_LT(std::abs(degrees(away)), 30.0) << mark;
+    }
+  }
+  // Front is towards -y.
+  EXPECT_LT(metres(stomach().data.at("markers").at(5).at("position_mm")).y,
+            metres(stomach().data.at("markers").at(6).at("position_mm")).y);
+}
+
+TEST(StomachAnatomy, HasOneMapOfItsWall) {
+  const nlohmann::json& wall = stomach().data.at("wall_mm");
+  // Pickhardt and Asher 2003: antrum 5.1 +- 1.6 mm over its last 46 mm, body 2.0 +- 0.4 mm.
+  EXPECT_NEAR(wall.front().at(1).get<double>(), 5.1, 0.2);
+  EXPECT_NEAR(wall.back().at(1).get<double>(), 2.0, 0.4);
+  EXPECT_GT(wall.at(1).at(0).get<double>() * stomach().data.at("length_mm").get<double>(), 46.0);
+  for (const char* scene : {"scenes/gastric-organo-axial.json", "scenes/gastric-mesentero-axial.json"}) {
+    EXPECT_EQ(jsonOf(scene).at("patterns").at(0).at("detorsion").at("wall").at("thickness_mm"), wall)
+        << scene;
+  }
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"
-#include "sim/scene/organ_reconstruction.h"
+#include "sim/scene/organ_import.h"
 #include "sim/scene/scene.h"
 #include "tests/support/dicom_files.h"
 #include "tests/support/scan_files.h"

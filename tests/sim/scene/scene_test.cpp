@@ -80,7 +80,7 @@ TEST(Scene, TwistsEveryPatternToItsTargetWithinItsTorque) {
     for (const std::string& pattern : patternIds(kShippedAssets, id)) {
       const Scene scene = loadScene(shipped(id, pattern));
       if (scene.hollow) {
-        continue;  // comes twisted, and its content widens it: hollow_skin_test.cpp
+        continue;  // comes twisted, and its content widens it: hollow_view_test.cpp
       }
       const OrganState target = scene.stateAt(scene.pattern.targetAngle_rad);
 

@@ -14,7 +14,6 @@
 #include "sim/servo/pose_track.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
-#include "sim/servo/trial_rerun.h"
 #include "tests/sim/servo/hollow_bar.h"
 
 namespace torsio {

@@ -10,7 +10,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/random.h"
-#include "sim/servo/indentation.h"
+#include "sim/servo/contact_coupling.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is felt of an asynchronous model.
-#include "sim/servo/grasped_async.h"
-
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "sim/core/async_model.h"
 #include "sim/device/virtual/scripted_hand.h"
+#include "sim/servo/grasped_bar.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
 #include "tests/sim/servo/bar_scene.h"

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/scripted_hand.h"
+#include "sim/device/virtual/virtual_drivers.h"
 #include "sim/record/recorder.h"
 #include "sim/record/trial.h"
 #include "sim/servo/hand_task.h"

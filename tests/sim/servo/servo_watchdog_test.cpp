@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The logic on a manual clock; its thread is tested with real threads (servo_thread_test.cpp).
-#include "sim/servo/servo_watchdog.h"
-
 #include <gtest/gtest.h>
+
+#include "sim/servo/servo_thread.h"
 
 namespace torsio {
 namespace {

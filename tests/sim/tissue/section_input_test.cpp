@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/error.h"
-#include "sim/tissue/section/outline_file.h"
+#include "sim/tissue/section/polygon.h"
 #include "sim/tissue/section/section_solver.h"
 #include "tests/sim/tissue/section_shapes.h"
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/device/hdapi/dynamic_library.h"
+#include "sim/device/hdapi/hdapi_library.h"
 #include "tests/support/fakehd/fakehd.h"
 
 namespace torsio::testing {

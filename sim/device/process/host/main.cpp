@@ -17,9 +17,8 @@
 #include "sim/core/deadline.h"
 #include "sim/core/error.h"
 #include "sim/device/hdapi/hdapi_device.h"
-#include "sim/device/inverse3/inverse3_driver.h"
+#include "sim/device/inverse3/inverse3_device.h"
 #include "sim/device/process/device_channel.h"
-#include "sim/device/process/device_relay.h"
 
 namespace torsio {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "sim/core/error.h"
-#include "sim/geometry/apart/helper_host.h"
+#include "sim/geometry/apart/helper_process.h"
 #include "sim/geometry/apart/mesh_mail.h"
-#include "sim/geometry/mesh/mesh_reader.h"
+#include "sim/geometry/mesh/mesh_import.h"
 
 namespace torsio {
 namespace {

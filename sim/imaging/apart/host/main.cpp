@@ -10,7 +10,7 @@
 #include <string>
 
 #include "sim/core/error.h"
-#include "sim/geometry/apart/helper_host.h"
+#include "sim/geometry/apart/helper_process.h"
 #include "sim/geometry/apart/mesh_mail.h"
 #include "sim/imaging/apart/scan_mail.h"
 #include "sim/imaging/surface/scan_surface.h"

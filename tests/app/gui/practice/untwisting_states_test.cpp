@@ -15,7 +15,7 @@
 #include "app/gui/simulator/exercise_panel.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
-#include "sim/tissue/hollow/tissue_colour.h"
+#include "sim/tissue/hollow/perfusion.h"
 
 namespace torsio::gui {
 namespace {

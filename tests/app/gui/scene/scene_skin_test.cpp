@@ -22,7 +22,7 @@
 #include "app/gui/scene/stress_legend.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/angle.h"
-#include "sim/scene/skin/surface_walk.h"
+#include "sim/scene/skin/skin_charts.h"
 #include "sim/scene/skin/tissue_skin.h"
 #include "sim/scene/skin/vessels.h"
 #include "tests/app/gui/support/bar_view.h"

@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/angle.h"
-#include "sim/tissue/rod/rod_contact.h"
 #include "sim/tissue/rod/rod_energy.h"
 #include "sim/tissue/rod/rod_solve.h"
 #include "tests/sim/tissue/rod/rod_organs.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/servo/indentation.h"
+#include "sim/servo/contact_coupling.h"
 
 #include <algorithm>
 #include <cstddef>

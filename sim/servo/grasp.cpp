@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/servo/jaw_motion.h"
+#include "sim/servo/grasp.h"
 
 #include "sim/core/portable_math.h"
 

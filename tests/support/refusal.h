@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "sim/core/error.h"
+
+namespace torsio::testing {
+
+/// The Error that `action` throws; none when it is accepted.
+template <typename Action>
+[[nodiscard]] std::optional<Error> errorOf(const Action& action) {
+  try {
+    static_cast<void>(action());
+  } catch (const Error& error) {
+    return error;
+  }
+  return std::nullopt;
+}
+
+/// The Error that `action` throws, which it must.
+template <typename Action>
+[[nodiscard]] Error refusal(const Action& action) {
+  if (std::optional<Error> error = errorOf(action)) {
+    return *error;
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return {ErrorCode::kInternal, "", "", ""};
+}
+
+/// The code of the Error that `action` throws; kInternal when it is accepted.
+template <typename Action>
+[[nodiscard]] ErrorCode refusalCode(const Action& action) {
+  const std::optional<Error> error = errorOf(action);
+  return error ? error->code() : ErrorCode::kInternal;
+}
+
+/// What the Error that `action` throws says, with a remedy; "accepted" when there is none.
+template <typename Action>
+[[nodiscard]] std::string refusalText(const Action& action) {
+  const std::optional<Error> error = errorOf(action);
+  EXPECT_TRUE(!error || !error->remedy().empty()) << error->happened();
+  return error ? error->happened() : "accepted";
+}
+
+}  // namespace torsio::testing
