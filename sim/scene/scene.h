@@ -60,40 +60,40 @@ inline constexpr const char* kOwnOrganScene = "own-organ";
 
 /// Request for a scene: a scene file of assets/scenes, possibly with another organ.
 struct SceneRequest {
-  std::filesystem::path assets;  ///< the assets folder
-  std::string id = "forearm";    ///< assets/scenes/<id>.json
+  std::filesystem::path assets{};  ///< the assets folder
+  std::string id = "forearm";      ///< assets/scenes/<id>.json
   /// The user's organ instead (--organ FILE): an organ file (organ_file.h), or a mesh, which is judged
   /// (organ_judgement.h).
-  std::optional<std::filesystem::path> organFile;
+  std::optional<std::filesystem::path> organFile{};
   double organScale_m = 0.001;  ///< one file unit of organFile in metres
   /// Id of the pattern; empty: the first of the scene. With organFile and none the scene is that of the
   /// organ's anatomy, else kOwnOrganScene. A mesh may be given a pattern of any scene, which then is the
   /// scene: who asks for it says that its anatomy is there. An organ file has the patterns of its anatomy
   /// only.
-  std::string pattern;
-  std::optional<Formulation> formulation;
-  std::optional<int> ridges;
-  std::optional<int> sections;
-  std::string material;                    ///< id in assets/scenes/materials.json; empty: the scene's
-  std::optional<LatticeMode> latticeMode;  ///< none: the scene's; for organFile kAutomatic
-  bool noRod = false;              ///< leave every organ to the twist model, also where a pattern has a task
-  std::optional<Vec3> fixedEnd_m;  ///< of organFile, with freeEnd_m; none: found
-  std::optional<Vec3> freeEnd_m;
-  Vec3 fixedCut;  ///< of organFile, as LatticeOptions::fixedCut
-  Vec3 freeCut;
+  std::string pattern{};
+  std::optional<Formulation> formulation{};
+  std::optional<int> ridges{};
+  std::optional<int> sections{};
+  std::string material{};                    ///< id in assets/scenes/materials.json; empty: the scene's
+  std::optional<LatticeMode> latticeMode{};  ///< none: the scene's; for organFile kAutomatic
+  bool noRod = false;  ///< leave every organ to the twist model, also where a pattern has a task
+  std::optional<Vec3> fixedEnd_m{};  ///< of organFile, with freeEnd_m; none: found
+  std::optional<Vec3> freeEnd_m{};
+  Vec3 fixedCut{};  ///< of organFile, as LatticeOptions::fixedCut
+  Vec3 freeCut{};
   double capRadius_m = 0.0;  ///< of organFile, as OrganEnds has them
-  Vec3 branchRoot_m;
-  Vec3 branchCut;
+  Vec3 branchRoot_m{};
+  Vec3 branchCut{};
   bool tellOnly = false;    ///< take a mesh of the user's that is refused, its faults as warnings
   bool asRecorded = false;  ///< of a recording: the organ is taken as it was then, with organWarnings
-  std::vector<OrganWarning> organWarnings;  ///< with asRecorded
-  ModelChoice model;  ///< of an engineer, in place of the scene's own: no scene to record
+  std::vector<OrganWarning> organWarnings{};  ///< with asRecorded
+  ModelChoice model{};  ///< of an engineer, in place of the scene's own: no scene to record
   /// The model that answers the hand. One that runs asynchronously knows no tasks of a curved organ: it
   /// twists the organ about its own axis.
   TissueModel tissue = TissueModel::kTwist;
   /// Parameters of a recording (TrialHeader::parametersJson): where they are not those of the scene but of
   /// its former state, that is loaded. Empty: no recording.
-  std::string recorded;
+  std::string recorded{};
   bool former = false;  ///< load the former state of the scene, assets/scenes/former
 };
 

@@ -70,9 +70,7 @@ ScanVolume trunk() {
 }
 
 void time(const std::filesystem::path& folder, torsio::ScanTissue tissue, const std::string& name) {
-  torsio::ScanRequest request;
-  request.source = folder;
-  request.tissue = tissue;
+  torsio::ScanRequest request{.source = folder, .tissue = tissue};
   if (tissue != torsio::ScanTissue::kSkin) {
     request.seed_mm = Vec3{70.0, -30.0, 130.0};
   }

@@ -49,12 +49,8 @@ void add(const std::string& name, int in, int out, const Kernel& kernel) {
 }
 
 void addAll() {
-  TwistFrame twist;
-  twist.torque = 1.3F;
-  twist.farBase = 0.5F;
-  twist.graspCompliance = 0.5F;
-  twist.inverseBlend = 10.0F;
-  twist.nearRate = 1.3F;
+  TwistFrame twist{
+      .torque = 1.3F, .farBase = 0.5F, .graspCompliance = 0.5F, .inverseBlend = 10.0F, .nearRate = 1.3F};
   add("triad", 2, 1, [](const TwistKernels& k, const float* in, float* out) {
     const int count = kBlocks * kKernelBlock;
     k.triad(in, in + count, 0.5F, count, out);
@@ -63,9 +59,7 @@ void addAll() {
       [=](const TwistKernels& k, const float* in, float* out) { k.curvedWarp(in, kBlocks, twist, out); });
   add("curved", 10, 3,
       [=](const TwistKernels& k, const float* in, float* out) { k.curved(in, kBlocks, twist, out); });
-  PaperFrame paper;
-  paper.torque = 1.3F;
-  paper.graspArc = 0.5F;
+  PaperFrame paper{.torque = 1.3F, .graspArc = 0.5F};
   add("paper_linear", 11, 3,
       [=](const TwistKernels& k, const float* in, float* out) { k.paperLinear(in, kBlocks, paper, out); });
   add("interleave", 3, 3,

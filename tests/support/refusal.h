@@ -38,12 +38,17 @@ template <typename Action>
   return error ? error->code() : ErrorCode::kInternal;
 }
 
-/// What the Error that `action` throws says, with a remedy; "accepted" when there is none.
+/// What the Error that `action` throws says, which has a remedy and the code, where one is asked for;
+/// "accepted" when there is none.
 template <typename Action>
-[[nodiscard]] std::string refusalText(const Action& action) {
+[[nodiscard]] std::string refusalText(const Action& action, std::optional<ErrorCode> code = {}) {
   const std::optional<Error> error = errorOf(action);
-  EXPECT_TRUE(!error || !error->remedy().empty()) << error->happened();
-  return error ? error->happened() : "accepted";
+  if (!error) {
+    return "accepted";
+  }
+  EXPECT_FALSE(error->remedy().empty()) << error->happened();
+  EXPECT_EQ(error->code(), code.value_or(error->code())) << error->happened();
+  return error->happened();
 }
 
 }  // namespace torsio::testing

@@ -57,22 +57,22 @@ struct LatticeOptions {
   /// Some point near the middle of each end cap; when both are equal the caps are found automatically, and
   /// the lower one (smaller z, then y, then x) is the fixed end, as in the paper's cylinder. A lattice with
   /// caps that were found also ends where the organ branches, as at the thumb: the rest is free cap.
-  Vec3 fixedEnd_m;
-  Vec3 freeEnd_m;
+  Vec3 fixedEnd_m{};
+  Vec3 freeEnd_m{};
   /// Outward direction of a cut through an end point: everything beyond that plane belongs to the cap and
   /// follows the end section rigidly (the hand beyond the wrist). Zero: the flat face at the end point, or
   /// the rounded tip. Straight mode always cuts at right angles to the axis.
-  Vec3 fixedCut;
-  Vec3 freeCut;
+  Vec3 fixedCut{};
+  Vec3 freeCut{};
   double capRadius_m = 0.0;  ///< > 0: a disc on the surface about the end point instead of the rounded tip
   /// Ridge 0 starts nearest to this direction (world frame); zero: the frame's e1.
-  Vec3 ridgeZero;
+  Vec3 ridgeZero{};
   double ridgeZeroFraction = 0.0;  ///< where along the length `ridgeZero` is meant, 0..1
   /// What hangs on the side of the organ, as the oesophagus on the stomach: the piece beyond the plane
   /// through `branchRoot_m` with the outward direction `branchCut`. It belongs to the surface but to no
   /// section, and follows the places of the organ that it stands on. Zero: none.
-  Vec3 branchRoot_m;
-  Vec3 branchCut;
+  Vec3 branchRoot_m{};
+  Vec3 branchCut{};
 };
 
 /// A point of the organ's surface at rest, as a point of one of its triangles.

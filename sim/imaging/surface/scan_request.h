@@ -41,16 +41,16 @@ inline constexpr double kMaxDab_mm = 100.0;
 
 /// What is to be made of a scan.
 struct ScanRequest {
-  std::filesystem::path source;  ///< a NIfTI file, or a folder of DICOM files
+  std::filesystem::path source{};  ///< a NIfTI file, or a folder of DICOM files
   ScanTissue tissue = ScanTissue::kSkin;
-  int label = 0;                  ///< 1 to 32767, of kLabel
-  std::optional<Vec3> seed_mm;    ///< a point inside, LPS
-  std::optional<ScanBox> box_mm;  ///< what to look at
-  std::optional<double> wall_mm;  ///< its thickness, where it is known
-  int series = 0;                 ///< which of several series, from 1; 0: the one with the most slices
-  bool resample = false;          ///< take slices at uneven distances
-  bool fluid = false;             ///< of a lumen: with the fluid that stands below the gas
-  std::vector<BrushDab> brush{};  ///< mends the organ's voxels, in this order
+  int label = 0;                    ///< 1 to 32767, of kLabel
+  std::optional<Vec3> seed_mm{};    ///< a point inside, LPS
+  std::optional<ScanBox> box_mm{};  ///< what to look at
+  std::optional<double> wall_mm{};  ///< its thickness, where it is known
+  int series = 0;                   ///< which of several series, from 1; 0: the one with the most slices
+  bool resample = false;            ///< take slices at uneven distances
+  bool fluid = false;               ///< of a lumen: with the fluid that stands below the gas
+  std::vector<BrushDab> brush{};    ///< mends the organ's voxels, in this order
 };
 
 /// Checks a request before anything is read. Throws Error{kBadParameter}.

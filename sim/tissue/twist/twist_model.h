@@ -62,12 +62,12 @@ struct TwistModelOptions {
   EndCondition ends = EndCondition::kClampedFree;
   bool warping = true;  ///< dZ = theta psi (Saint-Venant only)
 
-  KrigingOptions kriging;  ///< along the organ: C(s), section properties, the paper's components
+  KrigingOptions kriging{};  ///< along the organ: C(s), section properties, the paper's components
   TwistCentre centre = TwistCentre::kCentreline;
   /// sqrt(G J / k) of an elastic foundation (mesentery, skin on fascia) in organ lengths; 0: none. Sensible:
   /// 0.3-2.
   double foundationLengths = 0.0;
-  TorsionCorrections corrections;
+  TorsionCorrections corrections{};
   /// Whether a bar with free ends stretches axially by (1 + theta^2 Ip / (2 A))^(1/3). Clamped-free,
   /// Saint-Venant only.
   bool poynting = false;
@@ -75,7 +75,7 @@ struct TwistModelOptions {
   /// this)^2); 0: linear.
   double stiffeningStrain = 0.0;
   double stiffnessCap_N_per_m = kStiffnessCap_N_per_m;
-  PaperOptions paper;
+  PaperOptions paper{};
   PaperInterpolation paperInterpolation = PaperInterpolation::kAngle;
   /// Number of membrane problems solved at equal steps along the organ, whatever sections the lattice has;
   /// the properties between them are kriged. 97 is within 0.1 % of 193 on every organ shipped, whose rounded

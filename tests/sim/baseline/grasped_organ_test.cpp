@@ -26,12 +26,11 @@ struct Bar {
 
   Bar() : lattice(mesh, options()), model(mesh, lattice, material(), {}) {}
   static LatticeOptions options() {
-    LatticeOptions wanted;
-    wanted.ridges = 12;
-    wanted.sections = 11;
-    wanted.mode = LatticeMode::kStraightAxis;
-    wanted.freeEnd_m = {0.0, 0.0, kGraspedLength_m};
-    wanted.ridgeZero = {1.0, 0.0, 0.0};
+    LatticeOptions wanted{.ridges = 12,
+                          .sections = 11,
+                          .mode = LatticeMode::kStraightAxis,
+                          .freeEnd_m = {0.0, 0.0, kGraspedLength_m},
+                          .ridgeZero = {1.0, 0.0, 0.0}};
     return wanted;
   }
   static Material material() {

@@ -103,13 +103,12 @@ struct Forearm {
   TriangleMesh mesh = importMesh(
       std::filesystem::path(TORSIO_SOURCE_DIR) / "assets" / "organs" / "forearm.ply", {.scale_m = 1e-3});
   SectionLattice lattice{mesh, [] {
-                           LatticeOptions options;
-                           options.ridges = 36;
-                           options.sections = 37;
-                           options.mode = LatticeMode::kStraightAxis;
-                           options.freeEnd_m = {0.0, 0.0, 0.262};
-                           options.freeCut = {0.0, 0.0, 1.0};
-                           options.ridgeZero = {1.0, 0.0, 0.0};
+                           LatticeOptions options{.ridges = 36,
+                                                  .sections = 37,
+                                                  .mode = LatticeMode::kStraightAxis,
+                                                  .freeEnd_m = {0.0, 0.0, 0.262},
+                                                  .freeCut = {0.0, 0.0, 1.0},
+                                                  .ridgeZero = {1.0, 0.0, 0.0}};
                            return options;
                          }()};
 };

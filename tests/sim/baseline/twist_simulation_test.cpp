@@ -29,13 +29,12 @@ class Comparison : public ::testing::Test {
   ComparedOrgan organ_ = compared();
 
   static LatticeOptions options() {
-    LatticeOptions options;
-    options.ridges = 24;
-    options.sections = 25;
-    options.mode = LatticeMode::kStraightAxis;
-    options.spacing = RidgeSpacing::kAngle;
-    options.fixedEnd_m = {0.0, 0.0, 0.0};
-    options.freeEnd_m = {0.0, 0.0, kTwistLength_m};
+    LatticeOptions options{.ridges = 24,
+                           .sections = 25,
+                           .mode = LatticeMode::kStraightAxis,
+                           .spacing = RidgeSpacing::kAngle,
+                           .fixedEnd_m = {0.0, 0.0, 0.0},
+                           .freeEnd_m = {0.0, 0.0, kTwistLength_m}};
     return options;
   }
   [[nodiscard]] ComparedOrgan compared() const {
@@ -145,12 +144,11 @@ struct ComparedTube {
   }
 
   static LatticeOptions options(double bend_rad) {
-    LatticeOptions o;
-    o.ridges = 24;
-    o.sections = 41;
-    o.mode = bend_rad > 0.0 ? LatticeMode::kHarmonic : LatticeMode::kStraightAxis;
-    o.fixedEnd_m = {0.0, 0.0, 0.0};
-    o.freeEnd_m = {0.0, 0.0, kRodLength_m};
+    LatticeOptions o{.ridges = 24,
+                     .sections = 41,
+                     .mode = bend_rad > 0.0 ? LatticeMode::kHarmonic : LatticeMode::kStraightAxis,
+                     .fixedEnd_m = {0.0, 0.0, 0.0},
+                     .freeEnd_m = {0.0, 0.0, kRodLength_m}};
     if (bend_rad > 0.0) {
       const double radius_m = kRodLength_m / bend_rad;
       o.freeEnd_m = {radius_m * (1.0 - std::cos(bend_rad)), 0.0, radius_m * std::sin(bend_rad)};

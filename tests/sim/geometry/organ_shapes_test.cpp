@@ -234,14 +234,13 @@ struct CutStomach {
 
   static LatticeOptions options() {
     const nlohmann::json cut = jsonOf("scenes/stomach.json").at("lattice");
-    LatticeOptions options;
-    options.fixedEnd_m = metres(cut.at("fixed_end_mm"));
-    options.freeEnd_m = metres(cut.at("free_end_mm"));
-    options.fixedCut = 1000.0 * metres(cut.at("fixed_cut"));
-    options.branchRoot_m = metres(cut.at("branch_root_mm"));
-    options.branchCut = 1000.0 * metres(cut.at("branch_cut"));
-    options.ridgeZero = 1000.0 * metres(cut.at("ridge_zero"));
-    options.ridgeZeroFraction = cut.at("ridge_zero_fraction").get<double>();
+    LatticeOptions options{.fixedEnd_m = metres(cut.at("fixed_end_mm")),
+                           .freeEnd_m = metres(cut.at("free_end_mm")),
+                           .fixedCut = 1000.0 * metres(cut.at("fixed_cut")),
+                           .ridgeZero = 1000.0 * metres(cut.at("ridge_zero")),
+                           .ridgeZeroFraction = cut.at("ridge_zero_fraction").get<double>(),
+                           .branchRoot_m = metres(cut.at("branch_root_mm")),
+                           .branchCut = 1000.0 * metres(cut.at("branch_cut"))};
     return options;
   }
 };

@@ -40,8 +40,7 @@ double distanceFromMesh(const TriangleMesh& mesh, const Vec3& p) {
 TEST(CurvedLattice, FollowsTheAxisOfABentTube) {
   constexpr double kBend_m = 0.06;
   const TriangleMesh mesh = testing::bentTube(0.02, kBend_m, kPi / 2, 48, 80);
-  LatticeOptions options;
-  options.ridgeZero = {0, 1, 0};
+  LatticeOptions options{.ridgeZero = {0, 1, 0}};
 
   const SectionLattice lattice(mesh, options);
 
@@ -74,8 +73,7 @@ TEST(CurvedLattice, KeepsTheAreaOfASectionRoundTheBend) {
 
 TEST(CurvedLattice, MeetsEverySectionOnceWithEveryRidge) {
   const TriangleMesh mesh = testing::jTube(0.02, 0.12, 0.04, 48, 80);
-  LatticeOptions options;
-  options.ridges = 36;
+  LatticeOptions options{.ridges = 36};
   for (const RidgeSpacing spacing : {RidgeSpacing::kArcLength, RidgeSpacing::kAngle}) {
     options.spacing = spacing;
 
@@ -161,10 +159,7 @@ TEST(CurvedLattice, FindsTheTipsOfADomedOrgan) {
 
 TEST(CurvedLattice, TakesTheCapRadiusThatIsGiven) {
   const TriangleMesh mesh = testing::capsule(0.03, 0.15, 48, 80);
-  LatticeOptions options;
-  options.fixedEnd_m = {0, 0, -0.03};
-  options.freeEnd_m = {0, 0, 0.18};
-  options.capRadius_m = 0.008;
+  LatticeOptions options{.fixedEnd_m = {0, 0, -0.03}, .freeEnd_m = {0, 0, 0.18}, .capRadius_m = 0.008};
 
   const SectionLattice lattice(mesh, options);
 
@@ -197,8 +192,7 @@ TEST(CurvedLattice, KnowsWhichVertexIsTwistedAndWhichFollows) {
 }
 
 TEST(AutomaticLattice, CutsBarsByPlanesAndTheRestByTheField) {
-  LatticeOptions options;
-  options.mode = LatticeMode::kAutomatic;
+  LatticeOptions options{.mode = LatticeMode::kAutomatic};
   const auto straight = [&](const TriangleMesh& mesh) { return SectionLattice(mesh, options).straight(); };
 
   EXPECT_TRUE(straight(testing::prism(testing::circleOutline(0.03, 48), 0.2, 20)));
@@ -220,9 +214,7 @@ class ShippedOrgan : public ::testing::TestWithParam<const char*> {
 
 TEST_P(ShippedOrgan, HasALatticeOnItsSurface) {
   const TriangleMesh organ = mesh();
-  LatticeOptions options;
-  options.ridges = 24;
-  options.sections = 33;
+  LatticeOptions options{.ridges = 24, .sections = 33};
 
   // Throws unless every level is one loop and no section crosses itself.
   const SectionLattice lattice(organ, options);
@@ -261,9 +253,7 @@ TEST_P(ShippedOrgan, FindsItsVerticesAgain) {
 
 TEST_P(ShippedOrgan, IsCutWithoutDelay) {
   const TriangleMesh organ = mesh();
-  LatticeOptions options;
-  options.ridges = 36;
-  options.sections = 25;
+  LatticeOptions options{.ridges = 36, .sections = 25};
   const auto start = std::chrono::steady_clock::now();
 
   const SectionLattice lattice(organ, options);

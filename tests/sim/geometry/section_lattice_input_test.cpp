@@ -12,6 +12,7 @@
 #include "sim/core/error.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "tests/support/procedural_mesh.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -26,18 +27,11 @@ TriangleMesh bar() {
 }
 
 Error refusal(const TriangleMesh& mesh, const LatticeOptions& options) {
-  try {
-    const SectionLattice lattice(mesh, options);
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {ErrorCode::kInternal, "", "", ""};
+  return testing::refusal([&] { const SectionLattice lattice(mesh, options); });
 }
 
 TEST(LatticeInput, RefusesTwoRidgesBecauseTheyBoundNoArea) {
-  LatticeOptions options;
-  options.ridges = 2;
+  LatticeOptions options{.ridges = 2};
 
   const Error error = refusal(bar(), options);
 
@@ -49,15 +43,13 @@ TEST(LatticeInput, RefusesTwoRidgesBecauseTheyBoundNoArea) {
 
 TEST(LatticeInput, RefusesCountsOutOfRange) {
   for (const int ridges : {-1, 0, 361}) {
-    LatticeOptions options;
-    options.ridges = ridges;
+    LatticeOptions options{.ridges = ridges};
     const Error error = refusal(bar(), options);
     EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
     EXPECT_THAT(error.what(), HasSubstr(std::to_string(ridges) + " ridges"));
   }
   for (const int sections : {-1, 1, 361}) {
-    LatticeOptions options;
-    options.sections = sections;
+    LatticeOptions options{.sections = sections};
     const Error error = refusal(bar(), options);
     EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
     EXPECT_THAT(error.what(), HasSubstr(std::to_string(sections) + " sections"));
@@ -105,8 +97,7 @@ TEST(LatticeInput, RefusesAMeshThatIsNotClosedOrNotFinite) {
 }
 
 TEST(LatticeInput, NamesTheFirstPlaneThatCutsTwoLoopsAndTheWayOut) {
-  LatticeOptions options;
-  options.mode = LatticeMode::kStraightAxis;
+  LatticeOptions options{.mode = LatticeMode::kStraightAxis};
 
   const Error error = refusal(testing::jTube(0.02, 0.12, 0.04, 32, 60), options);
 
@@ -136,10 +127,7 @@ TEST(LatticeInput, TakesABendThatIsNoKink) {
 }
 
 TEST(LatticeInput, RefusesCapsThatTouch) {
-  LatticeOptions options;
-  options.fixedEnd_m = {0, 0, -0.03};
-  options.freeEnd_m = {0, 0, 0.18};
-  options.capRadius_m = 0.2;
+  LatticeOptions options{.fixedEnd_m = {0, 0, -0.03}, .freeEnd_m = {0, 0, 0.18}, .capRadius_m = 0.2};
 
   const Error error = refusal(testing::capsule(0.03, 0.15, 24, 40), options);
 
@@ -148,9 +136,7 @@ TEST(LatticeInput, RefusesCapsThatTouch) {
 }
 
 TEST(LatticeInput, RefusesACutBeyondTheOrgan) {
-  LatticeOptions options;
-  options.freeEnd_m = {0, 0, 0.5};
-  options.freeCut = {0, 0, 1};
+  LatticeOptions options{.freeEnd_m = {0, 0, 0.5}, .freeCut = {0, 0, 1}};
 
   const Error error = refusal(bar(), options);
 
@@ -160,15 +146,13 @@ TEST(LatticeInput, RefusesACutBeyondTheOrgan) {
 }
 
 TEST(LatticeInput, RefusesACutWithoutEndPoints) {
-  LatticeOptions options;
-  options.freeCut = {0, 0, 1};
+  LatticeOptions options{.freeCut = {0, 0, 1}};
 
   EXPECT_EQ(refusal(bar(), options).code(), ErrorCode::kBadParameter);
 }
 
 TEST(LatticeInput, RefusesABallAlongItsPrincipalAxis) {
-  LatticeOptions options;
-  options.mode = LatticeMode::kStraightAxis;
+  LatticeOptions options{.mode = LatticeMode::kStraightAxis};
 
   const Error error = refusal(testing::capsule(0.05, 0.001, 32, 40), options);
 
@@ -177,10 +161,8 @@ TEST(LatticeInput, RefusesABallAlongItsPrincipalAxis) {
 }
 
 TEST(LatticeInput, RefusesPlanesOutsideTheOrgan) {
-  LatticeOptions options;
-  options.mode = LatticeMode::kStraightAxis;
-  options.fixedEnd_m = {0, 0, 0.5};
-  options.freeEnd_m = {0, 0, 0.7};
+  LatticeOptions options{
+      .mode = LatticeMode::kStraightAxis, .fixedEnd_m = {0, 0, 0.5}, .freeEnd_m = {0, 0, 0.7}};
 
   EXPECT_THAT(refusal(bar(), options).what(), Not(HasSubstr("nothing was refused")));
 }

@@ -80,10 +80,7 @@ class StraightBar : public ::testing::TestWithParam<LatticeMode> {
     return GetParam() == LatticeMode::kHarmonic && bar.name == "tapered square";
   }
   static LatticeOptions options() {
-    LatticeOptions options;
-    options.mode = GetParam();
-    options.ridges = 24;
-    options.sections = 17;
+    LatticeOptions options{.ridges = 24, .sections = 17, .mode = GetParam()};
     return options;
   }
 };
@@ -332,9 +329,7 @@ INSTANTIATE_TEST_SUITE_P(BothModes, StraightBar,
 
 TEST(SectionLattice, CountsPatchesAsInEquation13) {
   const TriangleMesh mesh = testing::prism(testing::circleOutline(0.03, 24), kHeight_m, 10);
-  LatticeOptions options;
-  options.ridges = 7;
-  options.sections = 5;
+  LatticeOptions options{.ridges = 7, .sections = 5};
 
   const SectionLattice lattice(mesh, options);
 
@@ -345,9 +340,7 @@ TEST(SectionLattice, CountsPatchesAsInEquation13) {
 
 TEST(SectionLattice, CountsSectionsFromTheClampToTheFreeEnd) {
   const TriangleMesh mesh = testing::prism(testing::circleOutline(0.03, 24), kHeight_m, 10);
-  LatticeOptions options;
-  options.ridges = 12;
-  options.sections = 9;
+  LatticeOptions options{.ridges = 12, .sections = 9};
 
   const SectionLattice lattice(mesh, options);
 
@@ -359,9 +352,7 @@ TEST(SectionLattice, TakesTheSmallestAndTheLargestCounts) {
   const TriangleMesh mesh = testing::prism(testing::ellipseOutline(0.04, 0.02, 48), kHeight_m, 20);
   for (const int ridges : {kMinRidges, kMaxRidges}) {
     for (const int sections : {kMinSections, kMaxSections}) {
-      LatticeOptions options;
-      options.ridges = ridges;
-      options.sections = sections;
+      LatticeOptions options{.ridges = ridges, .sections = sections};
 
       const SectionLattice lattice(mesh, options);
 
@@ -374,8 +365,7 @@ TEST(SectionLattice, TakesTheSmallestAndTheLargestCounts) {
 
 TEST(SectionLattice, FallsBackToEqualWayForTheWholeOrganWhenASectionIsNotStarShaped) {
   const TriangleMesh mesh = testing::prism(testing::letterC(0.03, 0.012, 24), kHeight_m, 20);
-  LatticeOptions options;
-  options.spacing = RidgeSpacing::kAngle;
+  LatticeOptions options{.spacing = RidgeSpacing::kAngle};
   for (const LatticeMode mode : {LatticeMode::kHarmonic, LatticeMode::kStraightAxis}) {
     options.mode = mode;
 
@@ -388,8 +378,7 @@ TEST(SectionLattice, FallsBackToEqualWayForTheWholeOrganWhenASectionIsNotStarSha
 
 TEST(SectionLattice, TurnsMirroredWhenTheOrganIsMirrored) {
   const TriangleMesh mesh = testing::prism(testing::letterC(0.03, 0.012, 24), kHeight_m, 20, 0.8);
-  LatticeOptions options;
-  options.ridgeZero = {0, 1, 0};
+  LatticeOptions options{.ridgeZero = {0, 1, 0}};
 
   const SectionLattice right(mesh, options);
   const SectionLattice left(testing::mirroredX(mesh), options);
@@ -406,10 +395,8 @@ TEST(SectionLattice, TurnsMirroredWhenTheOrganIsMirrored) {
 TEST(SectionLattice, CutsAnOrganBetweenTheGivenPlanes) {
   // The upper half of the bar is to follow the last section, as a hand follows the wrist.
   const TriangleMesh mesh = testing::prism(testing::circleOutline(0.03, 48), kHeight_m, 40);
-  LatticeOptions options;
-  options.mode = LatticeMode::kStraightAxis;
-  options.fixedEnd_m = {0.001, 0, 0};
-  options.freeEnd_m = {0, 0.002, 0.1};
+  LatticeOptions options{
+      .mode = LatticeMode::kStraightAxis, .fixedEnd_m = {0.001, 0, 0}, .freeEnd_m = {0, 0.002, 0.1}};
 
   const SectionLattice lattice(mesh, options);
 
@@ -427,10 +414,7 @@ TEST(SectionLattice, CutsAnOrganBetweenTheGivenPlanes) {
 
 TEST(SectionLattice, CutsACurvedOrganWhereAsked) {
   const TriangleMesh mesh = testing::prism(testing::circleOutline(0.03, 48), kHeight_m, 40);
-  LatticeOptions options;
-  options.fixedEnd_m = {0, 0, 0};
-  options.freeEnd_m = {0, 0, 0.1};
-  options.freeCut = {0, 0, 1};
+  LatticeOptions options{.fixedEnd_m = {0, 0, 0}, .freeEnd_m = {0, 0, 0.1}, .freeCut = {0, 0, 1}};
 
   const SectionLattice lattice(mesh, options);
 

@@ -33,13 +33,12 @@ TriangleMesh barWithStub() {
 }
 
 LatticeOptions withBranch() {
-  LatticeOptions options;
-  options.fixedEnd_m = {0, 0, -0.1};
-  options.freeEnd_m = {0, 0, 0.1};
-  options.ridgeZero = {1, 0, 0};
-  options.ridgeZeroFraction = 0.3;
-  options.branchRoot_m = {0.021, 0, 0};
-  options.branchCut = {1, 0, 0};
+  LatticeOptions options{.fixedEnd_m = {0, 0, -0.1},
+                         .freeEnd_m = {0, 0, 0.1},
+                         .ridgeZero = {1, 0, 0},
+                         .ridgeZeroFraction = 0.3,
+                         .branchRoot_m = {0.021, 0, 0},
+                         .branchCut = {1, 0, 0}};
   return options;
 }
 

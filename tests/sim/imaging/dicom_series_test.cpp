@@ -21,6 +21,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "tests/support/dicom_files.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scan_files.h"
 
 namespace torsio {
@@ -56,14 +57,8 @@ ScanRead readFolder(const fs::path& folder, bool resample = false, int series = 
 }
 
 std::string refusalOfFolder(const fs::path& folder, bool resample = false, int series = 0) {
-  try {
-    static_cast<void>(readFolder(folder, resample, series));
-  } catch (const Error& error) {
-    EXPECT_FALSE(error.remedy().empty()) << error.happened();
-    EXPECT_EQ(error.code(), ErrorCode::kFileUnreadable);
-    return error.happened();
-  }
-  return "accepted";
+  return testing::refusalText([&] { return readFolder(folder, resample, series); },
+                              ErrorCode::kFileUnreadable);
 }
 
 std::string refusalOfSeries(const std::string& name, const DicomStyle& style, std::size_t slices = 12) {

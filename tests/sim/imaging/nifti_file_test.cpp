@@ -20,6 +20,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scan_files.h"
 
 namespace torsio {
@@ -49,13 +50,7 @@ ScanRead readBytes(const std::string& bytes, const std::string& name = "one.nii"
 }
 
 std::string refusalOf(const std::string& bytes, const std::string& name = "bad.nii") {
-  try {
-    static_cast<void>(readBytes(bytes, name));
-  } catch (const Error& error) {
-    EXPECT_FALSE(error.remedy().empty()) << error.happened();
-    return error.happened();
-  }
-  return "accepted";
+  return testing::refusalText([&] { return readBytes(bytes, name); });
 }
 
 /// The bytes with a number of the header replaced.

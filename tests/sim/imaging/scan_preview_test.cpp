@@ -112,8 +112,7 @@ TEST(ScanPreview, BrushesTheMaskAndTheSurface) {
 
 TEST(ScanPreview, RefusesABrushThatLeavesNothingOrIsOutOfRange) {
   const ScanRead read = uprightBar();
-  ScanRequest request;
-  request.brush = {{{0, 0, 0}, 90.0, false}};
+  ScanRequest request{.brush = {{{0, 0, 0}, 90.0, false}}};
   EXPECT_THROW(static_cast<void>(surfaceOfScan(read, request, "scan")), Error);
   request.brush = {{{std::numeric_limits<double>::quiet_NaN(), 0, 0}, 5.0, true}};
   EXPECT_THROW(requireScanRequest(request), Error);

@@ -20,6 +20,7 @@
 #include "sim/geometry/query/collision_mesh.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "tests/support/procedural_mesh.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scan_files.h"
 
 namespace torsio {
@@ -117,14 +118,8 @@ TEST(ToolSurface, FindsTheTipAtTheOtherEndWhenThatIsSaid) {
 
 TEST(ToolSurface, SaysWhyThereIsNoInstrument) {
   const ScanRead scan = grasperScan();
-  const auto refusal = [&scan](const ToolRequest& request) -> std::string {
-    try {
-      static_cast<void>(toolOfScan(scan, request, "scan"));
-    } catch (const Error& error) {
-      EXPECT_FALSE(error.remedy().empty());
-      return error.happened();
-    }
-    return "accepted";
+  const auto refusal = [&scan](const ToolRequest& request) {
+    return testing::refusalText([&] { return toolOfScan(scan, request, "scan"); });
   };
   ToolRequest request = grasperRequest();
   request.threshold_HU = 2999.5;

@@ -183,14 +183,8 @@ TEST(SampleCodec, RefusesToEncodeNothing) {
   EXPECT_THROW((void)encodeChunk(0, {}), ContractError);
 }
 
-/// The code of the refusal; kInternal when the chunk was taken.
 ErrorCode refusal(const TrialChunk& chunk) {
-  try {
-    (void)decodeChunk(chunk);
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return ErrorCode::kInternal;
+  return testing::refusalCode([&] { return decodeChunk(chunk); });
 }
 
 TEST(SampleCodec, RefusesAChunkWhoseBytesDoNotMatchItsDigest) {

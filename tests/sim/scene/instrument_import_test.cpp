@@ -84,13 +84,7 @@ InstrumentImportRequest ofMesh() {
 }
 
 std::string refusalOf(const TriangleMesh& mesh, const InstrumentImportRequest& request) {
-  try {
-    static_cast<void>(toolOfMesh({mesh, {}}, request));
-  } catch (const Error& error) {
-    EXPECT_FALSE(error.remedy().empty());
-    return error.happened();
-  }
-  return "accepted";
+  return testing::refusalText([&] { return toolOfMesh({mesh, {}}, request); });
 }
 
 /// The largest distance of the vertices of `a` from `b`.

@@ -77,9 +77,7 @@ ScanVolume tubeInFat(bool neighbour) {
 
 OrganImport importOfCt(const ScanVolume& scan, ScanTissue tissue, const std::string& anatomy,
                        const std::string& name) {
-  ScanRequest request;
-  request.source = std::filesystem::path(::testing::TempDir()) / name;
-  request.tissue = tissue;
+  ScanRequest request{.source = std::filesystem::path(::testing::TempDir()) / name, .tissue = tissue};
   std::filesystem::remove_all(request.source);
   testing::writeDicomSeries(request.source, scan);
   OrganImportRequest wanted;

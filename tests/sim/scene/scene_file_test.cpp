@@ -39,13 +39,7 @@ class SceneFile : public testing::CopiedSceneFiles {
   }
 
   Error refusal(const std::string& id = "stomach") {
-    try {
-      static_cast<void>(readSceneFile(assets_, id));
-    } catch (const Error& error) {
-      return error;
-    }
-    ADD_FAILURE() << "nothing was refused";
-    return {ErrorCode::kInternal, "", "", ""};
+    return testing::refusal([&] { return readSceneFile(assets_, id); });
   }
 
   void expectBadField(const std::function<void(Json&)>& edit, const std::string& field) {

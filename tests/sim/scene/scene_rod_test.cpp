@@ -255,8 +255,7 @@ SceneRequest withSections(const std::string& id, int sections) {
 /// One elastic twist about the centreline of the organ that the request names, held at the fixed end.
 TwistModel plainTwist(const SceneRequest& request, int solvedSections) {
   const Scene scene = loadScene(request);
-  TwistModelOptions options;
-  options.solvedSections = solvedSections;
+  TwistModelOptions options{.solvedSections = solvedSections};
   return {scene.mesh, scene.lattice(), scene.model.material(), options};
 }
 

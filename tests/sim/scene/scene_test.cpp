@@ -21,6 +21,7 @@
 #include "sim/scene/scene_parameters.h"
 #include "sim/tissue/rod/fold_check.h"
 #include "tests/support/procedural_mesh.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -31,10 +32,7 @@ using ::testing::HasSubstr;
 const std::filesystem::path kShippedAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 
 SceneRequest shipped(const std::string& id, const std::string& pattern = "") {
-  SceneRequest request;
-  request.assets = kShippedAssets;
-  request.id = id;
-  request.pattern = pattern;
+  SceneRequest request{.assets = kShippedAssets, .id = id, .pattern = pattern};
   return request;
 }
 
@@ -42,20 +40,12 @@ SceneRequest shipped(const std::string& id, const std::string& pattern = "") {
 SceneRequest usersMesh(const TriangleMesh& mesh, const std::string& name) {
   const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / (name + ".obj");
   writeObj(file, mesh);
-  SceneRequest request;
-  request.assets = kShippedAssets;
-  request.organFile = file;
+  SceneRequest request{.assets = kShippedAssets, .organFile = file};
   return request;
 }
 
 Error refusal(const SceneRequest& request) {
-  try {
-    const Scene scene = loadScene(request);
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {ErrorCode::kInternal, "", "", ""};
+  return testing::refusal([&] { return loadScene(request); });
 }
 
 TEST(Scene, LoadsEveryShippedSceneWithEveryPattern) {
@@ -334,12 +324,7 @@ TEST(Scene, IsRebuiltFromItsParametersAndTheUsersMesh) {
 
 TEST(Scene, RefusesParametersThatItDidNotWrite) {
   for (const char* text : {"", "{}", "not json", R"({"formulation":"paper","ridges":"many"})"}) {
-    try {
-      static_cast<void>(sceneRequestFor(text));
-      ADD_FAILURE() << text;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::kBadData) << text;
-    }
+    EXPECT_EQ(testing::refusal([&] { return sceneRequestFor(text); }).code(), ErrorCode::kBadData) << text;
   }
 }
 

@@ -20,13 +20,12 @@ inline double barStiffness_Nm(double arc_m) {
 /// A scene around an upright round bar that is fixed at z = 0.
 inline Scene barScene(TriangleMesh mesh = testing::prism(testing::circleOutline(kBarRadius_m, 72),
                                                          kBarLength_m, 40)) {
-  LatticeOptions lattice;
-  lattice.ridges = 24;
-  lattice.sections = 13;
-  lattice.mode = LatticeMode::kStraightAxis;
-  lattice.fixedEnd_m = {0.0, 0.0, 0.0};
-  lattice.freeEnd_m = {0.0, 0.0, kBarLength_m};
-  lattice.ridgeZero = {1.0, 0.0, 0.0};
+  LatticeOptions lattice{.ridges = 24,
+                         .sections = 13,
+                         .mode = LatticeMode::kStraightAxis,
+                         .fixedEnd_m = {0.0, 0.0, 0.0},
+                         .freeEnd_m = {0.0, 0.0, kBarLength_m},
+                         .ridgeZero = {1.0, 0.0, 0.0}};
   TwistPattern pattern;
   pattern.id = "quarter";
   pattern.graspArc = 0.8;

@@ -52,9 +52,7 @@ class SceneModel : public ::testing::Test {
   }
 
   [[nodiscard]] SceneRequest request(const std::string& id) const {
-    SceneRequest wanted;
-    wanted.assets = assets_;
-    wanted.id = id;
+    SceneRequest wanted{.assets = assets_, .id = id};
     return wanted;
   }
 

@@ -82,15 +82,14 @@ TEST_P(KernelDispatch, CurvedWarpIsTheFiniteRotationPlusTheRateTimesWarp) {
   // Given random feet, radii and compliances in [-1, 1], and a twist of up to two turns held in the middle.
   const auto in = randomBlocks(11, 11);
   auto out = aligned<float>(kVertices * 3);
-  TwistFrame frame;
-  frame.torque = 9.0F;
-  frame.nearSlope = 0.75F;
-  frame.farBase = 0.3F;
-  frame.farSlope = -0.25F;
-  frame.graspCompliance = 0.3F;
-  frame.inverseBlend = 4.0F;
-  frame.nearRate = 1.5F;
-  frame.farRate = -0.5F;
+  TwistFrame frame{.torque = 9.0F,
+                   .nearSlope = 0.75F,
+                   .farBase = 0.3F,
+                   .farSlope = -0.25F,
+                   .graspCompliance = 0.3F,
+                   .inverseBlend = 4.0F,
+                   .nearRate = 1.5F,
+                   .farRate = -0.5F};
 
   kernels_.curvedWarp(in.data(), kBlocks, frame, out.data());
 
@@ -119,9 +118,7 @@ TEST_P(KernelDispatch, SineAndCosineHoldToTheLastFloatBitsOverAFullTurn) {
     at[8 * kKernelBlock] = 1.0F;  // tangent along z: the radius turns from x to y
     at[9 * kKernelBlock] = static_cast<float>(2.0 * (2.0 * v / (kVertices - 1) - 1.0));
   }
-  TwistFrame frame;
-  frame.torque = static_cast<float>(kPi);
-  frame.farBase = 100.0F;
+  TwistFrame frame{.torque = static_cast<float>(kPi), .farBase = 100.0F};
 
   kernels_.curved(in.data(), kBlocks, frame, out.data());
 
@@ -154,10 +151,7 @@ TEST_P(KernelDispatch, GivenAnglesAgreeWithTheFormulaPerVertex) {
 TEST_P(KernelDispatch, PaperLinearTurnsRigidlyBeyondTheGraspAndLiftsBelowIt) {
   const auto in = randomBlocks(11, 14);
   auto out = aligned<float>(kVertices * 3);
-  PaperFrame frame;
-  frame.torque = 2.0F;
-  frame.graspArc = 0.25F;
-  frame.graspAngle = 0.5F;
+  PaperFrame frame{.torque = 2.0F, .graspArc = 0.25F, .graspAngle = 0.5F};
 
   kernels_.paperLinear(in.data(), kBlocks, frame, out.data());
 
@@ -218,13 +212,12 @@ TEST_P(KernelDispatch, ComponentKrigingIsTheWeightedSumOverBothRidges) {
   const std::vector<int> firstNext{10, 12};
   const std::vector<float> share{0.25F, 1.0F};
   const std::vector<float> rest{1, 2, 3, 4, 5, 6};
-  KrigedComponents components;
-  components.weights = weights.data();
-  components.first = first.data();
-  components.firstNext = firstNext.data();
-  components.share = share.data();
-  components.displacements = displacements.data();
-  components.rest = rest.data();
+  KrigedComponents components{.weights = weights.data(),
+                              .first = first.data(),
+                              .firstNext = firstNext.data(),
+                              .share = share.data(),
+                              .displacements = displacements.data(),
+                              .rest = rest.data()};
   std::vector<float> out(6);
 
   kernels_.componentKriging(components, 2, out.data());

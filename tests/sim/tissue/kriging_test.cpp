@@ -18,6 +18,7 @@
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
 #include "sim/core/random.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -476,13 +477,9 @@ TEST(Kriging1d, RefusesBadSamplesAndOptions) {
   using ::testing::HasSubstr;
   const auto message = [](const std::vector<double>& samples,
                           const KrigingOptions& options = {}) -> std::string {
-    try {
-      const Kriging1d kriging(samples, options);
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-      return error.happened() + " | " + error.where();
-    }
-    return "nothing was refused";
+    const Error error = testing::refusal([&] { const Kriging1d kriging(samples, options); });
+    EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
+    return error.happened() + " | " + error.where();
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(message({0.0}), HasSubstr("at least 2 samples, there are 1"));

@@ -14,22 +14,14 @@
 #include "sim/tissue/section/polygon.h"
 #include "sim/tissue/section/section_solver.h"
 #include "tests/sim/tissue/section_shapes.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
 
 using ::testing::HasSubstr;
 
-/// Runs `action`, which must throw an Error, and hands it back.
-Error refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {ErrorCode::kInternal, "", "", ""};
-}
+using testing::refusal;
 
 Error refusalOf(const shapes::Outline& outline, const std::vector<shapes::Outline>& holes = {}) {
   const Error error = refusal([&] { static_cast<void>(solveSection(outline, {}, holes)); });

@@ -25,13 +25,12 @@ inline Material barMaterial() {
 }
 
 inline LatticeOptions straightLattice(int sections = 26, int ridges = 24) {
-  LatticeOptions options;
-  options.ridges = ridges;
-  options.sections = sections;
-  options.mode = LatticeMode::kStraightAxis;
-  options.fixedEnd_m = {0.0, 0.0, 0.0};
-  options.freeEnd_m = {0.0, 0.0, kBarLength_m};
-  options.ridgeZero = {1.0, 0.0, 0.0};
+  LatticeOptions options{.ridges = ridges,
+                         .sections = sections,
+                         .mode = LatticeMode::kStraightAxis,
+                         .fixedEnd_m = {0.0, 0.0, 0.0},
+                         .freeEnd_m = {0.0, 0.0, kBarLength_m},
+                         .ridgeZero = {1.0, 0.0, 0.0}};
   return options;
 }
 
@@ -76,11 +75,11 @@ inline testing::Outline2 irregularOutline() {
 /// A bent tube of radius 30 mm about an arc of radius 90 mm (curvature times radius 1/3).
 inline Bar bentBar(const TwistModelOptions& options = {}, double angle_rad = 2.5) {
   TriangleMesh mesh = testing::bentTube(0.030, 0.090, angle_rad, 64, 60);
-  LatticeOptions lattice;
-  lattice.ridges = 24;
-  lattice.sections = 25;
-  lattice.fixedEnd_m = {0.0, 0.0, 0.0};
-  lattice.freeEnd_m = {0.090 * (1.0 - std::cos(angle_rad)), 0.0, 0.090 * std::sin(angle_rad)};
+  LatticeOptions lattice{
+      .ridges = 24,
+      .sections = 25,
+      .fixedEnd_m = {0.0, 0.0, 0.0},
+      .freeEnd_m = {0.090 * (1.0 - std::cos(angle_rad)), 0.0, 0.090 * std::sin(angle_rad)}};
   TwistModel model(mesh, SectionLattice(mesh, lattice), barMaterial(), fewSections(options));
   return {std::move(mesh), std::move(model)};
 }

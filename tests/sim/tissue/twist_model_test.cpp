@@ -15,6 +15,7 @@
 #include "sim/core/error.h"
 #include "tests/sim/tissue/twist_bars.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -197,8 +198,7 @@ TEST(TwistModel, ATaperedBarTurnsByTheClosedForm) {
 }
 
 TEST(TwistModel, BothEndsHeldGivesASymmetricProfile) {
-  TwistModelOptions options;
-  options.ends = EndCondition::kBothHeld;
+  TwistModelOptions options{.ends = EndCondition::kBothHeld};
   const Bar bar = roundBar(options);
   const double l = bar.length_m();
   const TwistState state{0.5 * l, 1.2};
@@ -215,10 +215,8 @@ TEST(TwistModel, BothEndsHeldGivesASymmetricProfile) {
 }
 
 TEST(TwistModel, ToRestUndoesToDeformed) {
-  TwistModelOptions held;
-  held.ends = EndCondition::kBothHeld;
-  TwistModelOptions shear;
-  shear.centre = TwistCentre::kShearCentre;
+  TwistModelOptions held{.ends = EndCondition::kBothHeld};
+  TwistModelOptions shear{.centre = TwistCentre::kShearCentre};
   const auto worst = [](const Bar& bar, double degrees) {
     double error = 0.0;
     const TwistState state{0.6 * bar.length_m(), radians(degrees)};
@@ -251,8 +249,7 @@ TEST(TwistModel, AboutTheCentrelineOfABentOrganTheVolumeChangesWithTheOffset) {
 }
 
 TEST(TwistModel, WhatAToolTouchesLiesWhereAViewDrawsIt) {
-  TwistModelOptions options;
-  options.warping = false;
+  TwistModelOptions options{.warping = false};
   const auto worst = [](const Bar& bar) {
     double error = 0.0;
     const TwistState state{0.6 * bar.length_m(), kPi};
@@ -352,8 +349,7 @@ TEST(TwistModel, TheLargestDisplacementIsTheChordOfTheTurn) {
 }
 
 TEST(TwistModel, StiffeningTissueDoublesItsTorqueAtTheStatedStrain) {
-  TwistModelOptions options;
-  options.stiffeningStrain = 0.2;
+  TwistModelOptions options{.stiffeningStrain = 0.2};
   const Bar bar = roundBar(options);
   const Bar linear = roundBar();
   const double l = kBarLength_m;
@@ -408,8 +404,7 @@ TEST(TwistModel, AnEllipticBarIsStressedMostAtTheEndOfItsShortAxis) {
 }
 
 TEST(TwistModel, AFoundationKeepsTheTwistNearTheGrasp) {
-  TwistModelOptions options;
-  options.foundationLengths = 0.2;
+  TwistModelOptions options{.foundationLengths = 0.2};
   const Bar bar = roundBar(options);
   const double l = bar.length_m();
 
@@ -419,9 +414,7 @@ TEST(TwistModel, AFoundationKeepsTheTwistNearTheGrasp) {
 }
 
 TEST(TwistModel, AFreeBarGrowsLongerAndThinnerWhenAskedTo) {
-  TwistModelOptions options;
-  options.poynting = true;
-  options.warping = false;
+  TwistModelOptions options{.warping = false, .poynting = true};
   const Bar bar = roundBar(options);
   // psi R = 0.5: lambda = (1 + 0.25 / 4)^(1/3) = 1.020414 (neo-Hookean cylinder, ends free).
   const double phi = 0.5 * kBarLength_m / kBarRadius_m;
@@ -469,9 +462,7 @@ TEST(TwistModel, RestrainedEndsShortenABarThatWarps) {
 
 TEST(TwistModel, AboutTheShearCentreOnlyTheTiltOfTheSectionChanges) {
   const TriangleMesh mesh = testing::prism(testing::letterC(0.03, 0.012, 40), kBarLength_m, 20);
-  TwistModelOptions options;
-  options.centre = TwistCentre::kShearCentre;
-  options.sectionPoints = 400;
+  TwistModelOptions options{.centre = TwistCentre::kShearCentre, .sectionPoints = 400};
   const Bar about = straightBar(mesh, options, 5);
   options.centre = TwistCentre::kCentreline;
   const Bar usual = straightBar(mesh, options, 5);
@@ -495,8 +486,7 @@ TEST(TwistModel, AboutTheShearCentreOnlyTheTiltOfTheSectionChanges) {
 }
 
 TEST(TwistModel, ThePapersFormulationTurnsARoundBarOneAndAHalfTimesAsFar) {
-  TwistModelOptions options;
-  options.formulation = Formulation::kPaper;
+  TwistModelOptions options{.formulation = Formulation::kPaper};
   const Bar paper = roundBar(options);
   const Bar usual = roundBar();
 
@@ -512,8 +502,7 @@ TEST(TwistModel, ThePapersFormulationTurnsARoundBarOneAndAHalfTimesAsFar) {
 }
 
 TEST(TwistModel, ThePapersRuleOverstatesTheEndAngleOfATaper) {
-  TwistModelOptions options;
-  options.formulation = Formulation::kPaper;
+  TwistModelOptions options{.formulation = Formulation::kPaper};
 
   const Bar paper = roundBar(options, 0.5, 51);
 
@@ -524,9 +513,8 @@ TEST(TwistModel, ThePapersRuleOverstatesTheEndAngleOfATaper) {
 }
 
 TEST(TwistModel, ComponentKrigingIsExactAtKeyPointsAndLeavesTheCircleBetweenThem) {
-  TwistModelOptions options;
-  options.formulation = Formulation::kPaper;
-  options.paperInterpolation = PaperInterpolation::kComponents;
+  TwistModelOptions options{.formulation = Formulation::kPaper,
+                            .paperInterpolation = PaperInterpolation::kComponents};
   // Eleven sections, fifty rings of vertices: every fifth ring is a section.
   const Bar components = roundBar(options, 0.6, 11);
   options.paperInterpolation = PaperInterpolation::kAngle;
@@ -581,14 +569,10 @@ TEST(TwistModel, RefusesParametersWithoutMeaning) {
   const TriangleMesh mesh = testing::prism(testing::circleOutline(kBarRadius_m, 48), kBarLength_m, 20);
   const SectionLattice lattice(mesh, straightLattice(5));
   const auto refusal = [&](const Material& material, const TwistModelOptions& options) {
-    try {
-      const TwistModel model(mesh, lattice, material, options);
-    } catch (const Error& error) {
-      EXPECT_FALSE(error.happened().empty());
-      EXPECT_FALSE(error.remedy().empty());
-      return error.code();
-    }
-    return ErrorCode::kInternal;
+    const Error error = testing::refusal([&] { const TwistModel model(mesh, lattice, material, options); });
+    EXPECT_FALSE(error.happened().empty());
+    EXPECT_FALSE(error.remedy().empty());
+    return error.code();
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto with = [](auto&& change) {

@@ -9,6 +9,7 @@
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
 #include "sim/tissue/twist/paper_formulation.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -185,13 +186,9 @@ TEST(PaperFormulation, TheLiftOfARoundBarVanishesAsTheMeshGrowsFiner) {
 
 TEST(PaperFormulation, RefusesWhatHasNoMeaning) {
   const auto code = [](auto&& call) {
-    try {
-      call();
-    } catch (const Error& error) {
-      EXPECT_FALSE(error.remedy().empty());
-      return error.code();
-    }
-    return ErrorCode::kInternal;
+    const Error error = testing::refusal(call);
+    EXPECT_FALSE(error.remedy().empty());
+    return error.code();
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   PaperOptions tooSmallBeta;

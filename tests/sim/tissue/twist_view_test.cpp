@@ -144,8 +144,7 @@ TEST_P(TwistViewOf, AFrameAllocatesNothingAndRespectsTheStride) {
 
 // Test H.7: kriging in every frame and kriging once give the same picture.
 TEST_P(TwistViewOf, LiveKrigingAndPrecomputedKrigingAgreeToAMillionthOfTheRadius) {
-  TwistModelOptions options;
-  options.warping = false;
+  TwistModelOptions options{.warping = false};
   const Bar bar = roundBar(options, 0.6);
   const SectionLattice& lattice = bar.model.lattice();
   std::vector<double> arcs;

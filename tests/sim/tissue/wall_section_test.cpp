@@ -132,11 +132,7 @@ TEST(WallSection, TakesAThicknessForEachPoint) {
 TEST(WallSection, RefusesAWallThatLeavesNoTube) {
   const std::vector<Point2> outline = outlineOf(shapes()[0].curve);
   const auto refused = [&](std::vector<double> thickness) {
-    try {
-      return wallSection(outline, thickness).radius < 0.0;
-    } catch (const Error& error) {
-      return error.code() == ErrorCode::kBadParameter;
-    }
+    return testing::refusalCode([&] { return wallSection(outline, thickness); }) == ErrorCode::kBadParameter;
   };
 
   EXPECT_TRUE(refused({0.0}));

@@ -11,6 +11,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "tests/support/allocation_count.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -184,12 +185,7 @@ TEST(Perfusion, ATickTakesNoMemoryAndHardlyAnyTime) {
 
 TEST(Perfusion, NumbersThatNoVesselHasAreRefused) {
   const auto refused = [](const PerfusionParameters& parameters) {
-    try {
-      const Perfusion vessels(parameters);
-    } catch (const Error& error) {
-      return error.code() == ErrorCode::kBadParameter;
-    }
-    return false;
+    return testing::refusalCode([&] { return Perfusion(parameters); }) == ErrorCode::kBadParameter;
   };
 
   EXPECT_TRUE(refused({.arterial_mmHg = 4.0}));

@@ -13,9 +13,7 @@ namespace torsio {
 namespace {
 
 LatticeOptions nineSections() {
-  LatticeOptions options;
-  options.sections = 9;
-  options.mode = LatticeMode::kAutomatic;
+  LatticeOptions options{.sections = 9, .mode = LatticeMode::kAutomatic};
   return options;
 }
 

@@ -11,6 +11,7 @@
 #include "sim/core/portable_math.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "tests/support/procedural_mesh.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -18,9 +19,7 @@ namespace {
 constexpr double kLength_m = 0.24;
 
 SectionLattice latticeOf(const TriangleMesh& mesh) {
-  LatticeOptions options;
-  options.sections = 13;
-  options.mode = LatticeMode::kAutomatic;
+  LatticeOptions options{.sections = 13, .mode = LatticeMode::kAutomatic};
   return {mesh, options};
 }
 
@@ -137,12 +136,8 @@ TEST(RodOfOrgan, RefusesMaterialsAndDivisionsWithoutMeaning) {
   const SectionLattice lattice = latticeOf(testing::prism(testing::circleOutline(0.030, 48), kLength_m, 24));
   const SolvedSections sections = SolvedSections::solve(lattice, {});
   const auto code = [&](const RodMaterial& material, int elements) {
-    try {
-      (void)rodOfOrgan(lattice, sections, material, {.elements = elements});
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return ErrorCode::kInternal;
+    return testing::refusalCode(
+        [&] { return rodOfOrgan(lattice, sections, material, {.elements = elements}); });
   };
   EXPECT_EQ(code({0.0, 0.5}, 31), ErrorCode::kBadParameter);
   EXPECT_EQ(code({std::nan(""), 0.5}, 31), ErrorCode::kBadParameter);

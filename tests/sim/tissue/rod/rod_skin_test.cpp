@@ -29,9 +29,7 @@ struct SkinnedOrgan {
         skin(organ, lattice, sections, mesh) {}
 
   static LatticeOptions automatic() {
-    LatticeOptions options;
-    options.sections = 13;
-    options.mode = LatticeMode::kAutomatic;
+    LatticeOptions options{.sections = 13, .mode = LatticeMode::kAutomatic};
     return options;
   }
   [[nodiscard]] RodPose turned(double angle_deg) const {
