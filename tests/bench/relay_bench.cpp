@@ -35,11 +35,7 @@ double processorNow_us() {
 class NoDriver final : public HapticDevice {
  public:
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
-  [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override {
-    DeviceSample sample;
-    sample.time_us = time_us;
-    return sample;
-  }
+  [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override { return {.time_us = time_us}; }
   void write(const ForceCommand& command) noexcept override { taken_N = command.force_N.x; }
 
   double taken_N = 0.0;

@@ -13,17 +13,15 @@
 #include <vector>
 
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/content_hash.h"
-#include "sim/record/sample_codec.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/sim/servo/recorded_trial.h"
 #include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {
 
-constexpr std::int64_t kTicksPerSecond = 1000;
 constexpr std::uint64_t kSeed = 3;
 
 Scene shipped(const std::string& id) {
@@ -36,30 +34,13 @@ Trial recorded(const Scene& scene, std::int64_t seconds) {
                      .task = handTask(scene),
                      .profile = {.initialSkill = 0.6, .finalSkill = 0.6},
                      .duration_s = static_cast<double>(seconds)});
-  Trial trial;
-  TrialHeader& header = trial.header;
+  TrialHeader header = headerOf(scene, hand);
   header.trialId = "00000000-0000-4000-8000-000000000003";
-  header.sceneId = scene.id;
   header.patternId = scene.pattern.id;
-  header.organHash = scene.organHash;
-  header.parameterHash = scene.parameterHash;
-  header.parametersJson = scene.parametersJson;
   header.deviceModel = hand.capabilities().model;
-  header.deviceLimits = deviceLimits(hand.capabilities());
   header.targetAngle_rad = scene.pattern.targetAngle_rad;
   ServoLoop loop({.device = &hand, .scene = &scene}, servoOptions(header));
-  std::int64_t tick = 0;
-  for (std::int64_t second = 0; second < seconds; ++second) {
-    std::vector<Sample> samples;
-    for (std::int64_t i = 0; i < kTicksPerSecond; ++i) {
-      loop.tick(tick++ * header.tickPeriod_us);
-      samples.push_back(loop.lastSample());
-    }
-    trial.chunks.push_back(encodeChunk(second, samples));
-  }
-  trial.summary = {tick, 0, loop.lateTicks(), TrialOutcome::kCompleted, {}};
-  trial.summary.contentHash = contentHash(trial);
-  return trial;
+  return recordedTrial(loop, header, seconds);
 }
 
 double processor_s() {

@@ -5,12 +5,11 @@
 // 100,000 doubles.
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <vector>
 
 #include "sim/core/angle.h"
-#include "tests/sim/tissue/rod/rod_organs.h"
+#include "tests/bench/times.h"
 #include "tests/sim/tissue/rod/rod_scenes.h"
 
 namespace torsio {
@@ -18,34 +17,6 @@ namespace {
 
 constexpr double kP999Target_us = 60.0;
 constexpr int kRepeats = 7;
-
-double threadTime_us() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
-}
-
-double quantile(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
-
-double triad_us() {
-  std::vector<double> a(100'000, 0.0);
-  const std::vector<double> b(a.size(), 1.0);
-  const std::vector<double> c(a.size(), 2.0);
-  std::vector<double> times_us;
-  double scale = 0.5;
-  for (std::size_t repeat = 0; repeat < 201; ++repeat) {
-    const double begun = threadTime_us();
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      a[i] = b[i] + scale * c[i];
-    }
-    times_us.push_back(threadTime_us() - begun);
-    scale = a[repeat] * 0.25;  // each pass depends on the previous one
-  }
-  std::sort(times_us.begin(), times_us.end());
-  return quantile(times_us, 0.5);
-}
 
 /// A wide loop of bowel turned upside down and further, its limbs touching in 43 places. Not among the scenes
 /// with fixed bits.
@@ -74,9 +45,9 @@ void measure(const RodScene& scene, double triad) {
     double best_us = 1e9;
     for (int repeat = 0; repeat < kRepeats; ++repeat) {
       run.setPose(before);
-      const double begun = threadTime_us();
+      const double begun = processor_us();
       const RodStepResult step = run.step();
-      best_us = std::min(best_us, threadTime_us() - begun);
+      best_us = std::min(best_us, processor_us() - begun);
       steps += repeat == 0 ? step.newtonSteps : 0;
     }
     times_us.push_back(best_us);
@@ -93,7 +64,7 @@ void measure(const RodScene& scene, double triad) {
 }  // namespace torsio
 
 int main() {
-  const double triad = torsio::triad_us();
+  const double triad = torsio::triad_us(100'000, 201, torsio::processor_us);
   std::printf("rod of 32 nodes, target of 99.9 %%: %.0f us; one triad: %.1f us\n%-44s %8s %8s %8s\n",
               torsio::kP999Target_us, triad, "scene", "50 %", "99 %", "99.9 %");
   for (const torsio::RodScene& scene : torsio::rodScenes()) {

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -23,6 +22,7 @@
 #include "sim/servo/timing_histogram.h"
 #include "sim/servo/tool_touch.h"
 #include "tests/bench/relay_bench.h"
+#include "tests/bench/times.h"
 #include "tests/sim/servo/bar_scene.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/lock_count.h"
@@ -48,40 +48,12 @@ Quantiles quantiles(std::vector<double> values_us) {
     return {};
   }
   std::sort(values_us.begin(), values_us.end());
-  const auto at = [&](double share) {
-    return values_us[static_cast<std::size_t>(share * static_cast<double>(values_us.size() - 1))];
-  };
-  return {at(0.5), at(0.99), at(0.999), values_us.back()};
+  return {quantile(values_us, 0.5), quantile(values_us, 0.99), quantile(values_us, 0.999), values_us.back()};
 }
 
-/// Returns the processor time of this thread, in ns resolution if supported.
-double processor_us() {
-#ifdef CLOCK_THREAD_CPUTIME_ID
-  std::timespec spent{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &spent);
-  return 1e6 * static_cast<double>(spent.tv_sec) + 1e-3 * static_cast<double>(spent.tv_nsec);
-#else
-  return static_cast<double>(std::clock()) * (1e6 / CLOCKS_PER_SEC);
-#endif
-}
-
-/// Returns the median time of a[i] = b[i] + s c[i] over as many doubles as the organ has coordinates.
-double triad_us(std::size_t vertices) {
-  std::vector<double> a(3 * vertices, 0.0);
-  const std::vector<double> b(a.size(), 1.0);
-  const std::vector<double> c(a.size(), 2.0);
-  std::vector<double> times_us;
-  double scale = 0.5;
-  for (int repeat = 0; repeat < 401; ++repeat) {
-    const auto begun = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      a[i] = b[i] + scale * c[i];
-    }
-    times_us.push_back(
-        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count());
-    scale = a[static_cast<std::size_t>(repeat)] * 0.25;  // each pass depends on the previous one
-  }
-  return quantiles(std::move(times_us)).median_us;
+double clock_us() {
+  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
 }
 
 void print(const char* name, const std::vector<double>& values_us) {
@@ -132,7 +104,7 @@ void measure(const Scene& scene, double seconds) {
   for (std::size_t p = 0; p < kPhases.size(); ++p) {
     print(kPhases[p], byPhase_us[p]);
   }
-  const double triad = triad_us(scene.mesh.vertices_m.size());
+  const double triad = triad_us(3 * scene.mesh.vertices_m.size(), 401, clock_us);
   const Quantiles q = quantiles(wall_us);
   const Quantiles deformed = quantiles(byPhase_us[2]);
   const Quantiles spent = quantiles(processor);

@@ -249,4 +249,15 @@ TriangleMesh mirroredX(TriangleMesh mesh) {
   return mesh;
 }
 
+TriangleMesh together(TriangleMesh first, const TriangleMesh& second, const Vec3& offset_m) {
+  const auto start = static_cast<std::uint32_t>(first.vertices_m.size());
+  for (const Vec3& v : second.vertices_m) {
+    first.vertices_m.push_back(v + offset_m);
+  }
+  for (const TriangleMesh::Triangle& t : second.triangles) {
+    first.triangles.push_back({t[0] + start, t[1] + start, t[2] + start});
+  }
+  return first;
+}
+
 }  // namespace torsio::testing

@@ -56,5 +56,8 @@ struct SweepFrame {
 [[nodiscard]] TriangleMesh turned(TriangleMesh mesh, const Vec3& axis, double angle_rad);
 [[nodiscard]] TriangleMesh shifted(TriangleMesh mesh, const Vec3& by_m);
 [[nodiscard]] TriangleMesh mirroredX(TriangleMesh mesh);
+/// Both surfaces in one mesh, the second moved by `offset_m`.
+[[nodiscard]] TriangleMesh together(TriangleMesh first, const TriangleMesh& second,
+                                    const Vec3& offset_m = {});
 
 }  // namespace torsio::testing

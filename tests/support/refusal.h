@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,14 @@ template <typename Action>
   }
   ADD_FAILURE() << "nothing was refused";
   return {ErrorCode::kInternal, "", "", ""};
+}
+
+/// Expects the code of an error, and each of `said` in its message.
+inline void expectError(const Error& error, ErrorCode code, const std::vector<std::string>& said) {
+  EXPECT_EQ(error.code(), code);
+  for (const std::string& part : said) {
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what() << " lacks " << part;
+  }
 }
 
 /// The code of the Error that `action` throws; kInternal when it is accepted.

@@ -149,8 +149,6 @@ class OrganEnd {
   HarmonicField heights_;  // only the levels mean something
 };
 
-using Index = std::uint32_t;
-
 constexpr double kCapShare = 0.3;   // radius of a disc as a share of the organ's mean radius
 constexpr double kFarEnough = 0.3;  // a flat end keeps this share of the organ's length from the other
 constexpr double kAtTip = 0.95;     // a flat end reaches this share of the largest distance

@@ -55,8 +55,6 @@ std::vector<std::uint8_t> branchOf(const TriangleMesh& mesh, const Vec3& root_m,
   return branch;
 }
 
-using Index = std::uint32_t;
-
 constexpr double kMaxArea = 0.1;           // of the organ's surface
 constexpr double kLeastSlenderness = 0.4;  // area over squared girth: 0.16 of a hemisphere, more of a stub
 constexpr double kSaddle = 0.7;            // of the slenderness at the root: beyond it the organ opens out

@@ -21,6 +21,14 @@ LatticePlaces bar(int ridges, int layers, double radius_m, double length_m) {
   return places;
 }
 
+template <typename Move>
+LatticePlaces mapped(LatticePlaces places, const Move& move) {
+  for (Vec3& p : places.places_m) {
+    p = move(p);
+  }
+  return places;
+}
+
 TEST(LatticePlaces, EncloseTheVolumeOfTheirPolygon) {
   // Area of the 12-gon: 3 R^2.
   EXPECT_NEAR(latticeVolume_m3(bar(12, 5, 0.02, 0.1)), 3.0 * 0.02 * 0.02 * 0.1, 1e-18);
@@ -28,20 +36,16 @@ TEST(LatticePlaces, EncloseTheVolumeOfTheirPolygon) {
 
 TEST(LatticePlaces, RootMeanSquareDistanceOfAShiftIsTheShift) {
   const LatticePlaces rest = bar(8, 3, 0.02, 0.1);
-  LatticePlaces moved = rest;
-  for (Vec3& p : moved.places_m) {
-    p += {0.003, 0.0, 0.004};
-  }
+  const LatticePlaces moved = mapped(rest, [](const Vec3& p) { return p + Vec3{0.003, 0.0, 0.004}; });
 
   EXPECT_NEAR(rootMeanSquareDistance_m(rest, moved), 0.005, 1e-15);
 }
 
 TEST(LatticePlaces, ARigidMotionIsNeitherRoughNorSwollen) {
   const LatticePlaces rest = bar(8, 3, 0.02, 0.1);
-  LatticePlaces moved = rest;
-  for (Vec3& p : moved.places_m) {
-    p = Vec3{-p.y, p.x, p.z} + Vec3{0.1, 0.2, 0.3};
-  }
+  const LatticePlaces moved = mapped(rest, [](const Vec3& p) {
+    return Vec3{-p.y, p.x, p.z} + Vec3{0.1, 0.2, 0.3};
+  });
 
   EXPECT_NEAR(largestRadiusChange(rest, moved), 0.0, 1e-12);
   EXPECT_NEAR(roughness_m(rest, moved), 0.0, 1e-15);
@@ -49,11 +53,7 @@ TEST(LatticePlaces, ARigidMotionIsNeitherRoughNorSwollen) {
 
 TEST(LatticePlaces, EvenSwellingIsARadiusChangeAndNotRough) {
   const LatticePlaces rest = bar(8, 4, 0.02, 0.1);
-  LatticePlaces swollen = rest;
-  for (Vec3& p : swollen.places_m) {
-    p.x *= 1.1;
-    p.y *= 1.1;
-  }
+  const LatticePlaces swollen = mapped(rest, [](const Vec3& p) { return Vec3{1.1 * p.x, 1.1 * p.y, p.z}; });
 
   EXPECT_NEAR(largestRadiusChange(rest, swollen), 0.1, 1e-12);
   EXPECT_NEAR(roughness_m(rest, swollen), 0.0, 1e-15);
@@ -76,10 +76,7 @@ TEST(MarkerAnchor, FollowsItsThreeKeyPoints) {
   const LatticePlaces rest = bar(8, 4, 0.02, 0.1);
   LatticePlaces now = rest;
   now.places_m[3] += {0.0, 0.0, 0.006};
-  MarkerAnchor marker;
-  marker.rest_m = {0.02, 0.0, 0.05};
-  marker.points = {3, 4, 11};
-  marker.weights = {0.5, 0.25, 0.25};
+  MarkerAnchor marker{.rest_m = {0.02, 0.0, 0.05}, .points = {3, 4, 11}, .weights = {0.5, 0.25, 0.25}};
 
   const Vec3 place = markerPlace_m(marker, rest, now, {}, 0.0);
 
@@ -89,9 +86,7 @@ TEST(MarkerAnchor, FollowsItsThreeKeyPoints) {
 TEST(MarkerAnchor, BeyondTheFreeEndTurnsWithItAndBeyondTheFixedEndStays) {
   const LatticePlaces rest = bar(8, 4, 0.02, 0.1);
   const AxisFrame end{{0.0, 0.0, 0.1}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
-  MarkerAnchor marker;
-  marker.rest_m = {0.03, 0.0, 0.15};
-  marker.part = LatticePart::kFreeCap;
+  MarkerAnchor marker{.part = LatticePart::kFreeCap, .rest_m = {0.03, 0.0, 0.15}};
 
   EXPECT_NEAR(norm(markerPlace_m(marker, rest, rest, end, kPi / 2.0) - Vec3{0.0, 0.03, 0.15}), 0.0, 1e-12);
   marker.part = LatticePart::kFixedCap;
@@ -103,13 +98,12 @@ struct Forearm {
   TriangleMesh mesh = importMesh(
       std::filesystem::path(TORSIO_SOURCE_DIR) / "assets" / "organs" / "forearm.ply", {.scale_m = 1e-3});
   SectionLattice lattice{mesh, [] {
-                           LatticeOptions options{.ridges = 36,
-                                                  .sections = 37,
-                                                  .mode = LatticeMode::kStraightAxis,
-                                                  .freeEnd_m = {0.0, 0.0, 0.262},
-                                                  .freeCut = {0.0, 0.0, 1.0},
-                                                  .ridgeZero = {1.0, 0.0, 0.0}};
-                           return options;
+                           return {.ridges = 36,
+                                   .sections = 37,
+                                   .mode = LatticeMode::kStraightAxis,
+                                   .freeEnd_m = {0.0, 0.0, 0.262},
+                                   .freeCut = {0.0, 0.0, 1.0},
+                                   .ridgeZero = {1.0, 0.0, 0.0}};
                          }()};
 };
 

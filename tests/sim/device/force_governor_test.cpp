@@ -265,9 +265,7 @@ TEST(ForceGovernor, F6NeverTouchesAForceBelowTheContinuousOne) {
 }
 
 TEST(ForceGovernor, F7FadesTheForceOutsideTheUsableWorkspace) {
-  GovernorLimits limits;
-  limits.workspaceMin_m = {-0.08, -0.06, -0.035};
-  limits.workspaceMax_m = {0.08, 0.06, 0.035};
+  GovernorLimits limits{.workspaceMin_m = {-0.08, -0.06, -0.035}, .workspaceMax_m = {0.08, 0.06, 0.035}};
   Bench bench(limits);
   bench.run(600, {1.0, 0.0, 0.0});
 
@@ -358,10 +356,8 @@ TEST(ForceGovernor, RepeatsItselfFromACopyOfItsState) {
 }
 
 TEST(ForceGovernor, RefusesLimitsOutOfOrder) {
-  GovernorLimits continuousAboveMaximum;
-  continuousAboveMaximum.continuousForce_N = 5.0;
-  GovernorLimits notANumber;
-  notANumber.maxForce_N = std::numeric_limits<double>::quiet_NaN();
+  GovernorLimits continuousAboveMaximum{.continuousForce_N = 5.0};
+  GovernorLimits notANumber{.maxForce_N = std::numeric_limits<double>::quiet_NaN()};
   GovernorLimits emptyBox;
   emptyBox.workspaceMax_m = emptyBox.workspaceMin_m;
 

@@ -82,6 +82,24 @@ class HdapiBench : public ::testing::Test {
     start();
     fake.run(1'500);
   }
+  /// Serves the device over mailboxes until it renders half a newton.
+  void serveHalfNewton() {
+    open();
+    device->enableForce(true);
+    device->serve();
+    for (int i = 0; i < 700; ++i) {
+      device->write({{0.5, 0.0, 0.0}, 0});
+      fake.run(1);
+    }
+    ASSERT_NEAR(rendered_N().x, 0.5, 1e-9);
+  }
+  void engageAtOneNewton() {
+    const FakePose pose{{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
+    fake.set_pose(&pose);
+    loop.wanted_N = {1.0, 0.0, 0.0};
+    engage();
+    ASSERT_NEAR(rendered_N().x, 1.0, 1e-9);
+  }
   GovernorLimits limits() {
     const DeviceCapabilities& c = device->capabilities();
     return {c.maxForce_N, c.continuousForce_N, c.workspaceMin_m, c.workspaceMax_m, 1000};

@@ -136,8 +136,7 @@ TEST_F(HdapiGives, K1_AgreesWithTheFakesOwnGeometryEverywhere) {
     fake.set_pose(&pose);
     fake.run(1);
 
-    HdapiFrame frame;
-    frame.transform_mm = touchTransform_mm(joints, gimbal);
+    HdapiFrame frame{.transform_mm = touchTransform_mm(joints, gimbal)};
     DevicePlacement placement;
     const std::optional<Pose> expected = worldPose(frame, placement);
     ASSERT_TRUE(expected);

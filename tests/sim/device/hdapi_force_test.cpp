@@ -167,14 +167,7 @@ TEST_F(HdapiForces, F5_SendsNoForceFromATickThatHungAndRampsAfterwards) {
 }
 
 TEST_F(HdapiForces, F5_DropsTheForceOfAThreadThatHangsBeforeItWouldExpire) {
-  open();
-  device->enableForce(true);
-  device->serve();
-  for (int i = 0; i < 700; ++i) {
-    device->write({{0.5, 0.0, 0.0}, 0});
-    fake.run(1);
-  }
-  ASSERT_NEAR(rendered_N().x, 0.5, kRounding_N);
+  serveHalfNewton();
 
   device->dropForce();
   fake.run(1);

@@ -12,6 +12,7 @@
 #include "sim/core/error.h"
 #include "sim/device/hdapi/hdapi_device.h"
 #include "tests/sim/device/hdapi_bench.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -130,13 +131,9 @@ class HdapiOpen : public testing::HdapiBench {
  protected:
   /// The refusal, or "" when the device opened.
   std::string refusal() {
-    try {
-      open();
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::kDevice);
-      return error.what();
-    }
-    return "";
+    const std::optional<Error> error = testing::errorOf([this] { open(); });
+    EXPECT_TRUE(!error || error->code() == ErrorCode::kDevice);
+    return error ? error->what() : "";
   }
   bool assumed(const std::string& what) {
     const std::vector<Text>& list = device->identity().assumed;

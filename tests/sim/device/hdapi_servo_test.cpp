@@ -13,13 +13,6 @@ constexpr double kServoRounding_N = 1e-9;
 
 class HdapiServes : public testing::HdapiBench {
  protected:
-  void engageAtOneNewton() {
-    const FakePose pose{{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
-    fake.set_pose(&pose);
-    loop.wanted_N = {1.0, 0.0, 0.0};
-    engage();
-    ASSERT_NEAR(rendered_N().x, 1.0, kServoRounding_N);
-  }
   /// Runs until the full force is back; fails when it ever steps up by more than the slew limit.
   void expectRampedReturn() {
     double before_N = rendered_N().x;
@@ -222,14 +215,7 @@ TEST_F(HdapiServes, E2_MarksMailboxReadingsStaleAndThenLostWhenNothingNewComes) 
 TEST_F(HdapiServes, E2_SendsNoMailboxForceThatIsNotRenewed) {
   const FakePose pose{{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
   fake.set_pose(&pose);
-  open();
-  device->enableForce(true);
-  device->serve();
-  for (int i = 0; i < 700; ++i) {
-    device->write({{0.5, 0.0, 0.0}, 0});
-    fake.run(1);
-  }
-  ASSERT_NEAR(rendered_N().x, 0.5, kServoRounding_N);
+  serveHalfNewton();
 
   fake.run(kForceExpires_us / 1'000);
   EXPECT_NEAR(rendered_N().x, 0.5, kServoRounding_N);

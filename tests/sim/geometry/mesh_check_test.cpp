@@ -306,16 +306,6 @@ INSTANTIATE_TEST_SUITE_P(
         UnitCase{0.0002, 0.001,
                  "M09 largest side 0.0002 mm is no organ (30 mm to 2000 mm). Scale the mesh"}));
 
-/// Both meshes as one, corners renumbered.
-TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
-  const auto offset = static_cast<std::uint32_t>(a.vertices_m.size());
-  a.vertices_m.insert(a.vertices_m.end(), b.vertices_m.begin(), b.vertices_m.end());
-  for (const TriangleMesh::Triangle& t : b.triangles) {
-    a.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-  }
-  return a;
-}
-
 TriangleMesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {{a, b, c}, {{0, 1, 2}}};
 }

@@ -153,8 +153,7 @@ TEST(Remeshed, KeepsShapeAndTopologyAndEvensTheEdges) {
 
 TEST(MakeArm, FollowsThePersonsMeasures) {
   // A woman of ANSUR II: forearm, palm, breadth and fingers shorter (finger lengths scaled by 72.4 / 76.8).
-  ArmMeasures woman;
-  woman.forearmLength_mm = 236.0;
+  ArmMeasures woman{.forearmLength_mm = 236.0};
   for (double& girth : woman.girth_mm) {
     girth *= 155.0 / 176.0;
   }
@@ -234,14 +233,13 @@ struct CutStomach {
 
   static LatticeOptions options() {
     const nlohmann::json cut = jsonOf("scenes/stomach.json").at("lattice");
-    LatticeOptions options{.fixedEnd_m = metres(cut.at("fixed_end_mm")),
-                           .freeEnd_m = metres(cut.at("free_end_mm")),
-                           .fixedCut = 1000.0 * metres(cut.at("fixed_cut")),
-                           .ridgeZero = 1000.0 * metres(cut.at("ridge_zero")),
-                           .ridgeZeroFraction = cut.at("ridge_zero_fraction").get<double>(),
-                           .branchRoot_m = metres(cut.at("branch_root_mm")),
-                           .branchCut = 1000.0 * metres(cut.at("branch_cut"))};
-    return options;
+    return {.fixedEnd_m = metres(cut.at("fixed_end_mm")),
+            .freeEnd_m = metres(cut.at("free_end_mm")),
+            .fixedCut = 1000.0 * metres(cut.at("fixed_cut")),
+            .ridgeZero = 1000.0 * metres(cut.at("ridge_zero")),
+            .ridgeZeroFraction = cut.at("ridge_zero_fraction").get<double>(),
+            .branchRoot_m = metres(cut.at("branch_root_mm")),
+            .branchCut = 1000.0 * metres(cut.at("branch_cut"))};
   }
 };
 

@@ -40,9 +40,8 @@ double distanceFromMesh(const TriangleMesh& mesh, const Vec3& p) {
 TEST(CurvedLattice, FollowsTheAxisOfABentTube) {
   constexpr double kBend_m = 0.06;
   const TriangleMesh mesh = testing::bentTube(0.02, kBend_m, kPi / 2, 48, 80);
-  LatticeOptions options{.ridgeZero = {0, 1, 0}};
 
-  const SectionLattice lattice(mesh, options);
+  const SectionLattice lattice(mesh, LatticeOptions{.ridgeZero = {0, 1, 0}});
 
   // Chords of 80 rings and the smoothing of the axis take less than a ten-thousandth.
   EXPECT_NEAR(lattice.length_m(), kBend_m * kPi / 2, 1e-5);
@@ -214,10 +213,9 @@ class ShippedOrgan : public ::testing::TestWithParam<const char*> {
 
 TEST_P(ShippedOrgan, HasALatticeOnItsSurface) {
   const TriangleMesh organ = mesh();
-  LatticeOptions options{.ridges = 24, .sections = 33};
 
   // Throws unless every level is one loop and no section crosses itself.
-  const SectionLattice lattice(organ, options);
+  const SectionLattice lattice(organ, LatticeOptions{.ridges = 24, .sections = 33});
 
   EXPECT_GT(lattice.length_m(), 0.15);
   for (int j = 0; j < lattice.sections(); ++j) {
@@ -253,10 +251,9 @@ TEST_P(ShippedOrgan, FindsItsVerticesAgain) {
 
 TEST_P(ShippedOrgan, IsCutWithoutDelay) {
   const TriangleMesh organ = mesh();
-  LatticeOptions options{.ridges = 36, .sections = 25};
   const auto start = std::chrono::steady_clock::now();
 
-  const SectionLattice lattice(organ, options);
+  const SectionLattice lattice(organ, LatticeOptions{.ridges = 36, .sections = 25});
 
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   // 0.05 to 0.1 s on one core of 2023; the limit leaves room for a loaded machine and sanitizers.

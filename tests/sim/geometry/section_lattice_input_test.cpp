@@ -31,29 +31,18 @@ Error refusal(const TriangleMesh& mesh, const LatticeOptions& options) {
 }
 
 TEST(LatticeInput, RefusesTwoRidgesBecauseTheyBoundNoArea) {
-  LatticeOptions options{.ridges = 2};
-
-  const Error error = refusal(bar(), options);
-
-  EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-  EXPECT_THAT(error.what(), HasSubstr("2 ridges"));
-  EXPECT_THAT(error.what(), HasSubstr("3 to 360"));
-  EXPECT_THAT(error.what(), HasSubstr("cannot bound an area"));
+  testing::expectError(refusal(bar(), LatticeOptions{.ridges = 2}), ErrorCode::kBadParameter,
+                       {"2 ridges", "3 to 360", "cannot bound an area"});
 }
 
 TEST(LatticeInput, RefusesCountsOutOfRange) {
   for (const int ridges : {-1, 0, 361}) {
-    LatticeOptions options{.ridges = ridges};
-    const Error error = refusal(bar(), options);
-    EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-    EXPECT_THAT(error.what(), HasSubstr(std::to_string(ridges) + " ridges"));
+    testing::expectError(refusal(bar(), LatticeOptions{.ridges = ridges}), ErrorCode::kBadParameter,
+                         {std::to_string(ridges) + " ridges"});
   }
   for (const int sections : {-1, 1, 361}) {
-    LatticeOptions options{.sections = sections};
-    const Error error = refusal(bar(), options);
-    EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-    EXPECT_THAT(error.what(), HasSubstr(std::to_string(sections) + " sections"));
-    EXPECT_THAT(error.what(), HasSubstr("2 to 360"));
+    testing::expectError(refusal(bar(), LatticeOptions{.sections = sections}), ErrorCode::kBadParameter,
+                         {std::to_string(sections) + " sections", "2 to 360"});
   }
 }
 
@@ -99,24 +88,15 @@ TEST(LatticeInput, RefusesAMeshThatIsNotClosedOrNotFinite) {
 TEST(LatticeInput, NamesTheFirstPlaneThatCutsTwoLoopsAndTheWayOut) {
   LatticeOptions options{.mode = LatticeMode::kStraightAxis};
 
-  const Error error = refusal(testing::jTube(0.02, 0.12, 0.04, 32, 60), options);
-
-  EXPECT_EQ(error.code(), ErrorCode::kBadMesh);
-  EXPECT_THAT(error.what(), HasSubstr("section "));
-  EXPECT_THAT(error.what(), HasSubstr(" of 25"));
-  EXPECT_THAT(error.what(), HasSubstr("2 loops, exactly one is needed"));
-  EXPECT_THAT(error.what(), HasSubstr("harmonic mode"));
+  testing::expectError(refusal(testing::jTube(0.02, 0.12, 0.04, 32, 60), options), ErrorCode::kBadMesh,
+                       {"section ", " of 25", "2 loops, exactly one is needed", "harmonic mode"});
 }
 
 TEST(LatticeInput, NamesAKinkWithItsTurnAndItsLimit) {
   constexpr double kTurn_rad = 2.6;  // 149 degrees
 
-  const Error error = refusal(testing::kinkedTube(0.02, 0.1, kTurn_rad, 48, 40), {});
-
-  EXPECT_EQ(error.code(), ErrorCode::kBadMesh);
-  EXPECT_THAT(error.what(), HasSubstr("kink"));
-  EXPECT_THAT(error.what(), HasSubstr("degrees within one radius"));
-  EXPECT_THAT(error.what(), HasSubstr("at most 90 degrees"));
+  testing::expectError(refusal(testing::kinkedTube(0.02, 0.1, kTurn_rad, 48, 40), {}), ErrorCode::kBadMesh,
+                       {"kink", "degrees within one radius", "at most 90 degrees"});
 }
 
 TEST(LatticeInput, TakesABendThatIsNoKink) {
@@ -129,35 +109,24 @@ TEST(LatticeInput, TakesABendThatIsNoKink) {
 TEST(LatticeInput, RefusesCapsThatTouch) {
   LatticeOptions options{.fixedEnd_m = {0, 0, -0.03}, .freeEnd_m = {0, 0, 0.18}, .capRadius_m = 0.2};
 
-  const Error error = refusal(testing::capsule(0.03, 0.15, 24, 40), options);
-
-  EXPECT_EQ(error.code(), ErrorCode::kBadMesh);
-  EXPECT_THAT(error.what(), HasSubstr("caps of the organ touch"));
+  testing::expectError(refusal(testing::capsule(0.03, 0.15, 24, 40), options), ErrorCode::kBadMesh,
+                       {"caps of the organ touch"});
 }
 
 TEST(LatticeInput, RefusesACutBeyondTheOrgan) {
-  LatticeOptions options{.freeEnd_m = {0, 0, 0.5}, .freeCut = {0, 0, 1}};
-
-  const Error error = refusal(bar(), options);
-
-  EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-  EXPECT_THAT(error.what(), HasSubstr("free end"));
-  EXPECT_THAT(error.what(), HasSubstr("nothing of the organ lies beyond"));
+  testing::expectError(refusal(bar(), LatticeOptions{.freeEnd_m = {0, 0, 0.5}, .freeCut = {0, 0, 1}}),
+                       ErrorCode::kBadParameter, {"free end", "nothing of the organ lies beyond"});
 }
 
 TEST(LatticeInput, RefusesACutWithoutEndPoints) {
-  LatticeOptions options{.freeCut = {0, 0, 1}};
-
-  EXPECT_EQ(refusal(bar(), options).code(), ErrorCode::kBadParameter);
+  EXPECT_EQ(refusal(bar(), LatticeOptions{.freeCut = {0, 0, 1}}).code(), ErrorCode::kBadParameter);
 }
 
 TEST(LatticeInput, RefusesABallAlongItsPrincipalAxis) {
   LatticeOptions options{.mode = LatticeMode::kStraightAxis};
 
-  const Error error = refusal(testing::capsule(0.05, 0.001, 32, 40), options);
-
-  EXPECT_EQ(error.code(), ErrorCode::kBadMesh);
-  EXPECT_THAT(error.what(), HasSubstr("no longest direction"));
+  testing::expectError(refusal(testing::capsule(0.05, 0.001, 32, 40), options), ErrorCode::kBadMesh,
+                       {"no longest direction"});
 }
 
 TEST(LatticeInput, RefusesPlanesOutsideTheOrgan) {

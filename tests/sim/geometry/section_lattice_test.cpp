@@ -79,10 +79,7 @@ class StraightBar : public ::testing::TestWithParam<LatticeMode> {
   static bool bowed(const Bar& bar) {
     return GetParam() == LatticeMode::kHarmonic && bar.name == "tapered square";
   }
-  static LatticeOptions options() {
-    LatticeOptions options{.ridges = 24, .sections = 17, .mode = GetParam()};
-    return options;
-  }
+  static LatticeOptions options() { return {.ridges = 24, .sections = 17, .mode = GetParam()}; }
 };
 
 TEST_P(StraightBar, HasItsExactLengthAndParallelFrames) {
@@ -329,9 +326,8 @@ INSTANTIATE_TEST_SUITE_P(BothModes, StraightBar,
 
 TEST(SectionLattice, CountsPatchesAsInEquation13) {
   const TriangleMesh mesh = testing::prism(testing::circleOutline(0.03, 24), kHeight_m, 10);
-  LatticeOptions options{.ridges = 7, .sections = 5};
 
-  const SectionLattice lattice(mesh, options);
+  const SectionLattice lattice(mesh, LatticeOptions{.ridges = 7, .sections = 5});
 
   EXPECT_EQ(lattice.patches(), 28);  // (5 - 1) 7
   EXPECT_EQ(lattice.ridges(), 7);
@@ -340,9 +336,8 @@ TEST(SectionLattice, CountsPatchesAsInEquation13) {
 
 TEST(SectionLattice, CountsSectionsFromTheClampToTheFreeEnd) {
   const TriangleMesh mesh = testing::prism(testing::circleOutline(0.03, 24), kHeight_m, 10);
-  LatticeOptions options{.ridges = 12, .sections = 9};
 
-  const SectionLattice lattice(mesh, options);
+  const SectionLattice lattice(mesh, LatticeOptions{.ridges = 12, .sections = 9});
 
   EXPECT_NEAR(lattice.keyPoint_m(6, 0).z, 0.0, kExact_m);
   EXPECT_NEAR(lattice.keyPoint_m(0, 8).z, kHeight_m, kExact_m);
@@ -352,9 +347,7 @@ TEST(SectionLattice, TakesTheSmallestAndTheLargestCounts) {
   const TriangleMesh mesh = testing::prism(testing::ellipseOutline(0.04, 0.02, 48), kHeight_m, 20);
   for (const int ridges : {kMinRidges, kMaxRidges}) {
     for (const int sections : {kMinSections, kMaxSections}) {
-      LatticeOptions options{.ridges = ridges, .sections = sections};
-
-      const SectionLattice lattice(mesh, options);
+      const SectionLattice lattice(mesh, LatticeOptions{.ridges = ridges, .sections = sections});
 
       EXPECT_EQ(lattice.patches(), (sections - 1) * ridges);
       EXPECT_NEAR(lattice.keyPoint_m(ridges - 1, sections - 1).z, kHeight_m, kExact_m);

@@ -57,16 +57,4 @@ inline TriangleMesh torus(double ring_m, double tube_m, std::uint32_t around = 2
   return mesh;
 }
 
-/// Both surfaces in one mesh, the second moved by `offset_m`.
-inline TriangleMesh together(TriangleMesh first, const TriangleMesh& second, const Vec3& offset_m) {
-  const auto start = static_cast<std::uint32_t>(first.vertices_m.size());
-  for (const Vec3& v : second.vertices_m) {
-    first.vertices_m.push_back(v + offset_m);
-  }
-  for (const TriangleMesh::Triangle& t : second.triangles) {
-    first.triangles.push_back({t[0] + start, t[1] + start, t[2] + start});
-  }
-  return first;
-}
-
 }  // namespace torsio::testing

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scans in a process of their own: what it answers, and what becomes of one that does not.
+// A scan that is looked at: turned to the patient's axes, made small, with the organ's mask; and the brush.
 #include "sim/imaging/apart/scan_process.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -14,7 +17,10 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/geometry/mesh/mesh_check.h"
 #include "sim/imaging/apart/scan_mail.h"
+#include "sim/imaging/surface/scan_preview.h"
+#include "tests/support/other_program.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scan_files.h"
@@ -39,21 +45,10 @@ ScanRequest barRequest() {
   return request;
 }
 
-/// Puts another program in the place of the one that reads scans.
-class OtherScanReader {
- public:
-  explicit OtherScanReader(const std::string& script) : before_(std::getenv("TORSIO_SCAN_PROGRAM")) {
-    const std::filesystem::path file = apartFile("reader.sh");
-    std::ofstream(file) << "#!/bin/sh\n" << script << '\n';
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-    setenv("TORSIO_SCAN_PROGRAM", file.c_str(), 1);
-  }
-  ~OtherScanReader() { setenv("TORSIO_SCAN_PROGRAM", before_.c_str(), 1); }
-  OtherScanReader(const OtherScanReader&) = delete;
-  OtherScanReader& operator=(const OtherScanReader&) = delete;
-
- private:
-  std::string before_;
+/// Another program in the place of the one that reads scans.
+struct OtherScanReader : testing::OtherProgram {
+  explicit OtherScanReader(const std::string& script)
+      : OtherProgram("TORSIO_SCAN_PROGRAM", apartFile("reader.sh"), script) {}
 };
 
 std::string refusalApart(const ScanRequest& request, const HelperLimits& limits = kScanLimits) {
@@ -149,6 +144,143 @@ TEST(ScanApart, CarriesARequestInWords) {
   EXPECT_TRUE(read->fluid);
   bare.pop_back();
   EXPECT_FALSE(requestOfWords(bare).has_value());
+}
+
+/// A bar of 40 HU in air, upright, 40 mm thick and 120 mm long, its middle at the origin.
+ScanRead uprightBar() {
+  const TriangleMesh bar = testing::shifted(testing::capsule(0.02, 0.08, 32, 16), {0, 0, -0.04});
+  ScanRead read;
+  read.volume = testing::blankScanAround(bar, {2, 2, 3}, 16.0);
+  testing::fillWith(read.volume, bar, 40);
+  return read;
+}
+
+std::int16_t valueAt(const ScanVolume& volume, const Vec3& place_mm) {
+  const Vec3 at = volume.voxelAt(place_mm);
+  return volume
+      .values[volume.index(static_cast<std::size_t>(at.x + 0.5), static_cast<std::size_t>(at.y + 0.5),
+                           static_cast<std::size_t>(at.z + 0.5))];
+}
+
+double maskVolume_ml(const ScanPreview& preview) {
+  return 0.001 * preview.volume.voxel_mm3() *
+         static_cast<double>(std::count(preview.within.begin(), preview.within.end(), 1));
+}
+
+TEST(ScanPreview, TurnsAnyScanToThePatientsAxes) {
+  // A cube of its own value to the left, at the back, at the head; the scan runs the other way along each.
+  ScanRead read;
+  read.volume.count = {30, 20, 40};
+  read.volume.step_mm = {Vec3{0, 0, -2}, Vec3{-3, 0, 0}, Vec3{0, -1.5, 0}};
+  read.volume.origin_mm = {30, 30, 30};
+  read.volume.values.assign(30U * 20U * 40U, -1000);
+  for (std::size_t k = 0; k < 40; ++k) {
+    for (std::size_t j = 0; j < 20; ++j) {
+      for (std::size_t i = 0; i < 30; ++i) {
+        const Vec3 at =
+            read.volume.place_mm({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
+        if (at.x > 5 && at.x < 20 && at.y > 8 && at.y < 24 && at.z > 10 && at.z < 26) {
+          read.volume.values[read.volume.index(i, j, k)] = 70;
+        }
+      }
+    }
+  }
+  const ScanPreview preview = previewOfScan(read, {}, false);
+  EXPECT_GT(preview.volume.step_mm[0].x, 0.0);
+  EXPECT_GT(preview.volume.step_mm[1].y, 0.0);
+  EXPECT_GT(preview.volume.step_mm[2].z, 0.0);
+  EXPECT_TRUE(preview.within.empty());
+  for (const Vec3& place_mm : {Vec3{12, 16, 18}, Vec3{-12, 16, 18}, Vec3{12, -16, 18}, Vec3{12, 16, -18}}) {
+    EXPECT_EQ(valueAt(preview.volume, place_mm), valueAt(read.volume, place_mm)) << place_mm.x;
+  }
+  EXPECT_EQ(valueAt(preview.volume, {12, 16, 18}), 70);
+}
+
+TEST(ScanPreview, KeepsToSoManyVoxelsAndShowsTheOrganWhereItIs) {
+  const ScanRead read = uprightBar();
+  constexpr double kMost = 5000.0;
+  const ScanPreview preview = previewOfScan(read, {}, true, kMost);
+  EXPECT_LE(static_cast<double>(preview.volume.values.size()), kMost);
+  ASSERT_EQ(preview.within.size(), preview.volume.values.size());
+  const double bar_ml = 134.0;  // 0.02^2 pi 0.08 + 4/3 0.02^3 pi
+  EXPECT_NEAR(preview.volume_ml.value(), bar_ml, 5.0);
+  EXPECT_NEAR(maskVolume_ml(preview), bar_ml, 12.0);
+}
+
+TEST(ScanPreview, BrushesTheMaskAndTheSurface) {
+  const ScanRead read = uprightBar();
+  ScanRequest request;
+  const double whole_m3 = signedVolume_m3(surfaceOfScan(read, request, "scan").mesh);
+  // A knob of 20 mm that sticks out to the left by half; then the upper end is cut off.
+  request.brush = {{{20, 0, 0}, 10.0, true}, {{0, 0, 50}, 30.0, false}};
+  const ScanSurface mended = surfaceOfScan(read, request, "scan");
+  EXPECT_EQ(checkMesh(mended.mesh).euler, 2);
+  const auto [left, right] = std::minmax_element(mended.mesh.vertices_m.begin(), mended.mesh.vertices_m.end(),
+                                                 [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
+  EXPECT_NEAR(right->x, 0.030, 0.0015);
+  EXPECT_NEAR(left->x, -0.020, 0.001);
+  const auto top = std::max_element(mended.mesh.vertices_m.begin(), mended.mesh.vertices_m.end(),
+                                    [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+  EXPECT_LT(top->z, 0.033);
+  EXPECT_LT(signedVolume_m3(mended.mesh), 0.8 * whole_m3);
+  const auto told = std::find_if(mended.remarks.begin(), mended.remarks.end(),
+                                 [](const ScanRemark& remark) { return remark.code == "D19"; });
+  ASSERT_NE(told, mended.remarks.end());
+  EXPECT_THAT(told->what.str(), HasSubstr("corrected by hand"));
+  // The preview of the other process shows the same.
+  EXPECT_NEAR(previewOfScan(read, request, true).volume_ml.value(), 1e6 * signedVolume_m3(mended.mesh), 3.0);
+}
+
+TEST(ScanPreview, RefusesABrushThatLeavesNothingOrIsOutOfRange) {
+  const ScanRead read = uprightBar();
+  ScanRequest request{.brush = {{{0, 0, 0}, 90.0, false}}};
+  EXPECT_THROW(static_cast<void>(surfaceOfScan(read, request, "scan")), Error);
+  request.brush = {{{std::numeric_limits<double>::quiet_NaN(), 0, 0}, 5.0, true}};
+  EXPECT_THROW(requireScanRequest(request), Error);
+  request.brush = {{{0, 0, 0}, 500.0, true}};
+  EXPECT_THROW(requireScanRequest(request), Error);
+}
+
+/// The bar as a file.
+ScanRequest barFileRequest() {
+  ScanRequest request;
+  request.source =
+      std::filesystem::path(::testing::TempDir()) / ("preview-" + std::to_string(getpid()) + "-bar.nii");
+  writeFileAtomically(request.source, testing::niftiBytes(uprightBar().volume));
+  return request;
+}
+
+TEST(ScanPreview, ComesFromAnotherProcessAsItIs) {
+  ScanRequest request = barFileRequest();
+  for (int n = 0; n < 2500; ++n) {  // more than one word holds
+    request.brush.push_back({{20.0 + 1e-3 * n, 0, 0}, 8.0, true});
+  }
+  const ScanPreview apart = previewApart(request, true);
+  const ScanPreview here = previewOfScan(request, true);
+  EXPECT_EQ(apart.kind, "NIfTI");
+  EXPECT_EQ(apart.volume.count, here.volume.count);
+  EXPECT_EQ(apart.volume.values, here.volume.values);
+  EXPECT_EQ(apart.within, here.within);
+  EXPECT_EQ(apart.volume_ml, here.volume_ml);
+  EXPECT_TRUE(previewApart(request, false).within.empty());
+}
+
+TEST(ScanPreview, IsGivenUpWhenNobodyWantsItAnyMore) {
+  struct GivenUp {};
+  const ScanRequest request = barFileRequest();
+  EXPECT_THROW(static_cast<void>(previewApart(request, true, [](ScanStep, double) { throw GivenUp{}; })),
+               GivenUp);
+}
+
+TEST(ScanPreview, TrustsNoBytesOfAnotherProcess) {
+  ScanPreview preview = previewOfScan(uprightBar(), {}, false, 1000.0);
+  const std::string mail = mailOf(preview);
+  EXPECT_EQ(previewOfMail(mail, "scan").volume.values, preview.volume.values);
+  for (const std::size_t cut : {std::size_t{0}, std::size_t{5}, mail.size() / 2, mail.size() - 1}) {
+    EXPECT_THROW(static_cast<void>(previewOfMail(std::string_view(mail).substr(0, cut), "scan")), Error);
+  }
+  preview.volume.count = {100'000, 100'000, 100'000};
+  EXPECT_THROW(static_cast<void>(previewOfMail(mailOf(preview), "scan")), Error);
 }
 
 }  // namespace

@@ -195,8 +195,7 @@ TEST(ScanSurface, AssumesAWallThatTheScanDoesNotShowAndWarns) {
   ScanVolume scan = testing::blankScanAround(lumen, {3, 3, 4}, 20.0);
   std::fill(scan.values.begin(), scan.values.end(), kTissue_HU);
   testing::fillWith(scan, lumen, kGas_HU);
-  ScanRequest request{.tissue = ScanTissue::kWall};
-  const ScanSurface made = reconstructed(scan, request);
+  const ScanSurface made = reconstructed(scan, ScanRequest{.tissue = ScanTissue::kWall});
   ASSERT_NE(remark(made, "D18"), nullptr);
   EXPECT_TRUE(remark(made, "D18")->warning);
   EXPECT_DOUBLE_EQ(made.ownWall_mm.value(), 3.0);
@@ -310,8 +309,7 @@ ScanRead halfFull(std::int16_t fluid_HU, double level_mm) {
 const double kLumen_ml = 1e6 * signedVolume_m3(testing::capsule(0.020, 0.06, 48, 12));
 
 ScanSurface drawnWith(const ScanRead& scan, ScanTissue tissue, bool fluid) {
-  ScanRequest request{.tissue = tissue, .fluid = fluid};
-  return surfaceOfScan(scan, request, "scan");
+  return surfaceOfScan(scan, ScanRequest{.tissue = tissue, .fluid = fluid}, "scan");
 }
 
 std::string refusalWithFluid(const ScanRead& scan) {
@@ -343,8 +341,7 @@ TEST(ScanFluid, TakesTheWallRoundGasAndFluid) {
 TEST(ScanFluid, RefusesFluidThatCannotBeToldFromTheWallOrIsNotThere) {
   EXPECT_THAT(refusalWithFluid(halfFull(40, 3.0)), HasSubstr("as dense as the wall"));
   EXPECT_THAT(refusalWithFluid(halfFull(5, 100.0)), HasSubstr("D16"));  // full of gas: no level
-  ScanRequest skin{.fluid = true};
-  EXPECT_THROW(requireScanRequest(skin), Error);
+  EXPECT_THROW(requireScanRequest(ScanRequest{.fluid = true}), Error);
 }
 
 /// A trunk that lies broadly on a table which goes from side to side of the scan.

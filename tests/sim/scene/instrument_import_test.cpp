@@ -53,14 +53,6 @@ Vec3 inFile(const Vec3& direction) {
   return rotateAbout(direction, kLieAbout, kLie_rad);
 }
 
-void addTo(TriangleMesh& whole, const TriangleMesh& piece) {
-  const auto first = static_cast<std::uint32_t>(whole.vertices_m.size());
-  whole.vertices_m.insert(whole.vertices_m.end(), piece.vertices_m.begin(), piece.vertices_m.end());
-  for (const TriangleMesh::Triangle& t : piece.triangles) {
-    whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-}
-
 /// The jaw of the grasper opened by an angle about its hinge.
 TriangleMesh opened(TriangleMesh jaw, double angle_deg) {
   const Vec3 pivot_m{0, 0, 0.02};
@@ -72,8 +64,8 @@ TriangleMesh opened(TriangleMesh jaw, double angle_deg) {
 
 TriangleMesh grasperInFile(double opening_deg = 0.0) {
   TriangleMesh whole = inFile(grasperPiece("shaft"));
-  addTo(whole, inFile(opened(grasperPiece("jaw_upper"), opening_deg)));
-  addTo(whole, inFile(opened(grasperPiece("jaw_lower"), -opening_deg)));
+  whole = testing::together(whole, inFile(opened(grasperPiece("jaw_upper"), opening_deg)));
+  whole = testing::together(whole, inFile(opened(grasperPiece("jaw_lower"), -opening_deg)));
   return whole;
 }
 
@@ -161,7 +153,7 @@ TEST(InstrumentImport, CutsABodyOfOnePieceAndClosesTheCuts) {
 TEST(InstrumentImport, FindsTheShaftBesideALargeHandle) {
   TriangleMesh whole = grasperInFile();
   TriangleMesh handle = testing::prism(testing::rectangleOutline(0.012, 0.11, 6), 0.06, 6);
-  addTo(whole, inFile(testing::shifted(handle, {0.0, -0.05, 0.245})));
+  whole = testing::together(whole, inFile(testing::shifted(handle, {0.0, -0.05, 0.245})));
   InstrumentImportRequest request = ofMesh();
   request.jawAxis = inFile(Vec3{1, 0, 0});
 
@@ -212,9 +204,8 @@ TEST(InstrumentImport, SaysWhyAMeshIsNoInstrument) {
   EXPECT_THAT(refusalOf(far, ofMesh()), ::testing::AnyOf(HasSubstr("M07"), HasSubstr("M09")));
   far.vertices_m[7].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(refusalOf(far, ofMesh()), HasSubstr("M07"));
-  TriangleMesh sheet;
-  sheet.vertices_m = {{0, 0, 0}, {0.01, 0, 0}, {0.01, 0, 0.2}, {0, 0, 0.2}};
-  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  TriangleMesh sheet{.vertices_m = {{0, 0, 0}, {0.01, 0, 0}, {0.01, 0, 0.2}, {0, 0, 0.2}},
+                     .triangles = {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_THAT(refusalOf(sheet, ofMesh()), HasSubstr("M18"));
   InstrumentImportRequest request = ofMesh();
   request.pivot_mm = std::numeric_limits<double>::quiet_NaN();

@@ -18,6 +18,7 @@
 #include "sim/scene/organ_file.h"
 #include "sim/scene/scene.h"
 #include "tests/support/organ_like_shapes.h"
+#include "tests/support/other_program.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/refusal.h"
 
@@ -56,21 +57,10 @@ Error refusalOfFile(const std::filesystem::path& file) {
   return testing::refusal([&] { return readOrganFile(file); });
 }
 
-/// Puts another program in the place of the one that reads meshes.
-class OtherReader {
- public:
-  explicit OtherReader(const std::string& script) : before_(std::getenv("TORSIO_MESH_PROGRAM")) {
-    const std::filesystem::path file = ownFile("reader.sh");
-    std::ofstream(file) << "#!/bin/sh\n" << script << '\n';
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-    setenv("TORSIO_MESH_PROGRAM", file.c_str(), 1);
-  }
-  ~OtherReader() { setenv("TORSIO_MESH_PROGRAM", before_.c_str(), 1); }
-  OtherReader(const OtherReader&) = delete;
-  OtherReader& operator=(const OtherReader&) = delete;
-
- private:
-  std::string before_;
+/// Another program in the place of the one that reads meshes.
+struct OtherReader : testing::OtherProgram {
+  explicit OtherReader(const std::string& script)
+      : OtherProgram("TORSIO_MESH_PROGRAM", ownFile("reader.sh"), script) {}
 };
 
 TEST(OrganImport, AcceptsAGoodMeshAsItIs) {
@@ -91,14 +81,7 @@ TEST(OrganImport, ReportsWhatItMends) {
   for (TriangleMesh::Triangle& t : mesh.triangles) {
     std::swap(t[1], t[2]);
   }
-  const TriangleMesh inner = testing::prism(testing::circleOutline(0.02, 36), 0.15, 12);
-  const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
-  for (const Vec3& v : inner.vertices_m) {
-    mesh.vertices_m.push_back(v + Vec3{0, 0, 0.02});
-  }
-  for (const TriangleMesh::Triangle& t : inner.triangles) {
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
+  mesh = testing::together(mesh, testing::prism(testing::circleOutline(0.02, 36), 0.15, 12), {0, 0, 0.02});
 
   const OrganImport import = importOrgan(importOf(mesh, "mended.ply"));
 

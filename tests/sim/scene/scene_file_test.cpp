@@ -25,6 +25,11 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
+void expectFieldNamed(const Error& error, const std::string& file, const std::string& field) {
+  testing::expectError(error, ErrorCode::kBadData, {file, "'" + field + "'"});
+  EXPECT_FALSE(error.remedy().empty()) << field;
+}
+
 /// A copy of the shipped data files (not of the organs) in which one file can be changed.
 class SceneFile : public testing::CopiedSceneFiles {
  protected:
@@ -45,10 +50,7 @@ class SceneFile : public testing::CopiedSceneFiles {
   void expectBadField(const std::function<void(Json&)>& edit, const std::string& field) {
     const std::string before = readFile(assets_ / "scenes/stomach.json");
     change("scenes/stomach.json", edit);
-    const Error error = refusal();
-    EXPECT_EQ(error.code(), ErrorCode::kBadData) << field;
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("stomach.json"), HasSubstr("'" + field + "'"))) << field;
-    EXPECT_FALSE(error.remedy().empty()) << field;
+    expectFieldNamed(refusal(), "stomach.json", field);
     writeFileAtomically(assets_ / "scenes/stomach.json", before);
   }
 };
@@ -229,8 +231,6 @@ TEST_F(SceneFile, RefusesAFolderWithoutScenes) {
   EXPECT_EQ(testing::refusal([&] { return sceneIds(assets_ / "nowhere"); }).code(), ErrorCode::kFileMissing);
 }
 
-using Json = nlohmann::json;
-
 /// A copy of the sigmoid's scene file in which one thing can be changed.
 class DetorsionFile : public testing::CopiedSceneFiles {
  protected:
@@ -247,10 +247,7 @@ class DetorsionFile : public testing::CopiedSceneFiles {
   }
 
   void expectRefusal(const std::string& field, const std::function<void(Json& pattern)>& edit) {
-    const Error error = testing::refusal([&] { return changed(edit); });
-    EXPECT_EQ(error.code(), ErrorCode::kBadData) << field;
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("sigmoid.json"), HasSubstr("'" + field + "'"))) << field;
-    EXPECT_FALSE(error.remedy().empty()) << field;
+    expectFieldNamed(testing::refusal([&] { return changed(edit); }), "sigmoid.json", field);
   }
 
   std::string parameters(const std::function<void(Json& pattern)>& edit) {

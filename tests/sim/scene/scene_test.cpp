@@ -32,16 +32,14 @@ using ::testing::HasSubstr;
 const std::filesystem::path kShippedAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
 
 SceneRequest shipped(const std::string& id, const std::string& pattern = "") {
-  SceneRequest request{.assets = kShippedAssets, .id = id, .pattern = pattern};
-  return request;
+  return {.assets = kShippedAssets, .id = id, .pattern = pattern};
 }
 
 /// A request for a mesh of the user's, written to a file first.
 SceneRequest usersMesh(const TriangleMesh& mesh, const std::string& name) {
   const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / (name + ".obj");
   writeObj(file, mesh);
-  SceneRequest request{.assets = kShippedAssets, .organFile = file};
-  return request;
+  return {.assets = kShippedAssets, .organFile = file};
 }
 
 Error refusal(const SceneRequest& request) {
@@ -329,30 +327,21 @@ TEST(Scene, RefusesParametersThatItDidNotWrite) {
 }
 
 TEST(Scene, NamesTheScenesThereAreWhenAskedForAnother) {
-  const Error error = refusal(shipped("liver"));
-
-  EXPECT_EQ(error.code(), ErrorCode::kFileMissing);
-  EXPECT_THAT(error.what(), HasSubstr("'liver'"));
-  EXPECT_THAT(error.what(), HasSubstr("forearm, gastric-mesentero-axial, gastric-organo-axial, intestine"));
+  testing::expectError(refusal(shipped("liver")), ErrorCode::kFileMissing,
+                       {"'liver'", "forearm, gastric-mesentero-axial, gastric-organo-axial, intestine"});
 }
 
 TEST(Scene, NamesThePatternsThereAreWhenAskedForAnother) {
-  const Error error = refusal(shipped("forearm", "flexion"));
-
-  EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-  EXPECT_THAT(error.what(), HasSubstr("'flexion'"));
-  EXPECT_THAT(error.what(), HasSubstr("pronation, supination"));
+  testing::expectError(refusal(shipped("forearm", "flexion")), ErrorCode::kBadParameter,
+                       {"'flexion'", "pronation, supination"});
 }
 
 TEST(Scene, NamesTheMaterialsThereAreWhenAskedForAnother) {
   SceneRequest request = shipped("forearm");
   request.material = "steel";
 
-  const Error error = refusal(request);
-
-  EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-  EXPECT_THAT(error.what(), HasSubstr("'steel'"));
-  EXPECT_THAT(error.what(), HasSubstr("forearm-soft-tissue, stomach-filled, intestine-filled"));
+  testing::expectError(refusal(request), ErrorCode::kBadParameter,
+                       {"'steel'", "forearm-soft-tissue, stomach-filled, intestine-filled"});
 }
 
 TEST(Scene, RefusesCountsThatTheLatticeCannotHave) {
@@ -405,10 +394,7 @@ TEST(UsersOrgan, TakesPatternsOfEveryScene) {
   EXPECT_EQ(scene.id, "stomach");
   EXPECT_EQ(scene.pattern.id, "combined");
   request.pattern = "somersault";
-  const Error error = refusal(request);
-  EXPECT_EQ(error.code(), ErrorCode::kBadParameter);
-  EXPECT_THAT(error.what(), HasSubstr("pronation"));
-  EXPECT_THAT(error.what(), HasSubstr("mesentero-axial"));
+  testing::expectError(refusal(request), ErrorCode::kBadParameter, {"pronation", "mesentero-axial"});
 }
 
 TEST(UsersOrgan, HasItsOwnAxes) {

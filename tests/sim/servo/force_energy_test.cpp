@@ -42,9 +42,7 @@ class LedHand final : public HapticDevice {
 
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
   [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override {
-    DeviceReading reading;
-    reading.time_us = time_us;
-    reading.pose = {at_m_, facing_};
+    DeviceReading reading{.time_us = time_us, .pose = {at_m_, facing_}};
     const bool closed = hand_.jawEvery_us > 0 && (time_us / hand_.jawEvery_us) % 2 == 1;
     reading.grip = closed ? 1.0 : 0.0;
     reading.buttons = closed ? static_cast<std::uint32_t>(kButtonGrip) : 0U;

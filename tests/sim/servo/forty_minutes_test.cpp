@@ -13,6 +13,7 @@
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
+#include "tests/sim/servo/recorded_trial.h"
 #include "tests/support/shipped_scene.h"
 
 namespace torsio {
@@ -66,10 +67,7 @@ TEST(ServoLoop, LosesNoSampleInFortyMinutesOnAManualClock) {
   SpscRing<ExerciseMoment> events(64);
   LatestValue<LiveState> live;
   CountingSink sink;
-  TrialHeader header;
-  header.organHash = scene.organHash;
-  header.parameterHash = scene.parameterHash;
-  header.deviceLimits = deviceLimits(hand.capabilities());
+  const TrialHeader header = headerOf(scene, hand);
   ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring, .live = &live, .events = &events},
                  {});
   Recorder recorder(ring, sink, header);

@@ -281,10 +281,7 @@ const Overdone& overdone() {
     MemoryTrialSink sink;
     ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring, .live = &live, .events = &events},
                    {});
-    TrialHeader header;
-    header.organHash = scene.organHash;
-    header.parameterHash = scene.parameterHash;
-    header.deviceLimits = deviceLimits(hand.capabilities());
+    const TrialHeader header = headerOf(scene, hand);
     Recorder recorder(ring, sink, header);
     Overdone run;
     for (int i = 0; i < kFoldTicks; ++i) {

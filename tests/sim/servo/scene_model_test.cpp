@@ -51,10 +51,7 @@ class SceneModel : public ::testing::Test {
     writeFileAtomically(file, json.dump());
   }
 
-  [[nodiscard]] SceneRequest request(const std::string& id) const {
-    SceneRequest wanted{.assets = assets_, .id = id};
-    return wanted;
-  }
+  [[nodiscard]] SceneRequest request(const std::string& id) const { return {.assets = assets_, .id = id}; }
 
   fs::path assets_;
 };

@@ -16,6 +16,7 @@
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "tests/sim/servo/bar_scene.h"
+#include "tests/sim/servo/recorded_trial.h"
 
 namespace torsio {
 namespace {
@@ -69,21 +70,30 @@ TEST(ServoThread, StopsTwiceAndStartsAgain) {
   }
 }
 
-/// Takes far longer than a tick now and then.
-class SlowDevice final : public HapticDevice {
+/// A device that does something before every reading.
+class BusyDevice : public HapticDevice {
  public:
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
   [[nodiscard]] DeviceSample read(std::int64_t) noexcept override {
-    if (++reads_ % 20 == 0) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+    before(++reads_);
     return {};
   }
   void write(const ForceCommand&) noexcept override {}
 
  private:
+  virtual void before(int read) noexcept = 0;
+
   DeviceCapabilities capabilities_;
   int reads_ = 0;
+};
+
+/// Takes far longer than a tick now and then.
+class SlowDevice final : public BusyDevice {
+  void before(int read) noexcept override {
+    if (read % 20 == 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
 };
 
 TEST(ServoThread, SkipsMissedDeadlinesInsteadOfCatchingUpInABurst) {
@@ -120,24 +130,17 @@ TEST(ServoThread, SkipsMissedDeadlinesInsteadOfCatchingUpInABurst) {
 }
 
 /// Hangs in one read until it is told to let go of the hand.
-class HangingDevice final : public HapticDevice {
+class HangingDevice final : public BusyDevice {
  public:
-  [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
-  [[nodiscard]] DeviceSample read(std::int64_t) noexcept override {
-    if (++reads_ == 50) {
-      while (!dropped.load()) {
-        std::this_thread::yield();
-      }
-    }
-    return {};
-  }
-  void write(const ForceCommand&) noexcept override {}
   void dropForce() noexcept override { dropped.store(true); }
   std::atomic<bool> dropped{false};
 
  private:
-  DeviceCapabilities capabilities_;
-  int reads_ = 0;
+  void before(int read) noexcept override {
+    while (read == 50 && !dropped.load()) {
+      std::this_thread::yield();
+    }
+  }
 };
 
 TEST(ServoThread, LetsGoOfTheHandWhenATickHangs) {
@@ -173,10 +176,7 @@ TEST(ServoThread, LosesNoSampleInAMinuteOfRealTime) {
   SpscRing<Sample> ring(kRecordingRing);
   LatestValue<LiveState> live;
   MemoryTrialSink sink;
-  TrialHeader header;
-  header.organHash = scene.organHash;
-  header.parameterHash = scene.parameterHash;
-  header.deviceLimits = deviceLimits(hand.capabilities());
+  const TrialHeader header = headerOf(scene, hand);
   ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring, .live = &live}, {});
   Recorder recorder(ring, sink, header);
   ServoThread thread(loop, 1000);

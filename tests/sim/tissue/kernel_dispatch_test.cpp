@@ -56,13 +56,14 @@ class KernelDispatch : public ::testing::TestWithParam<Isa> {
   }
 };
 
-/// Coordinate `axis` of foot + cos radius + sin tangent x radius in blocks of eleven streams.
-double curvedPlace(const Aligned<float>& in, int v, int axis, double angle) {
+/// Coordinate `axis` of foot + cos radius + sin tangent x radius + rate psiRate tangent in blocks of eleven
+/// streams.
+double curvedPlace(const Aligned<float>& in, int v, int axis, double angle, double rate) {
   const auto at = [&](int which) { return static_cast<double>(in[lane(11, v, which)]); };
   const int next = (axis + 1) % 3;
   const int last = (axis + 2) % 3;
   const double across = at(6 + next) * at(3 + last) - at(6 + last) * at(3 + next);
-  return at(axis) + std::cos(angle) * at(3 + axis) + std::sin(angle) * across;
+  return at(axis) + std::cos(angle) * at(3 + axis) + std::sin(angle) * across + rate * at(10) * at(6 + axis);
 }
 
 std::string isaTestName(const ::testing::TestParamInfo<Isa>& info) {
@@ -99,8 +100,7 @@ TEST_P(KernelDispatch, CurvedWarpIsTheFiniteRotationPlusTheRateTimesWarp) {
     const double t = std::clamp(0.5 + (static_cast<double>(0.3F) - c) * 4.0, 0.0, 1.0);
     const double rate = -0.5 + 2.0 * (t * t * (3.0 - 2.0 * t));
     for (int axis = 0; axis < 3; ++axis) {
-      const double expected =
-          curvedPlace(in, v, axis, angle) + rate * stream(in, 11, v, 10) * stream(in, 11, v, 6 + axis);
+      const double expected = curvedPlace(in, v, axis, angle, rate);
       // The angle itself is rounded to float: 9 rad carry an error of 5e-7.
       EXPECT_NEAR(stream(out, 3, v, axis), expected, 3.0 * kFloatTolerance) << "vertex " << v;
     }
@@ -141,8 +141,7 @@ TEST_P(KernelDispatch, GivenAnglesAgreeWithTheFormulaPerVertex) {
     const double angle = stream(anglesAndRates, 2, v, 0);
     const double rate = stream(anglesAndRates, 2, v, 1);
     for (int axis = 0; axis < 3; ++axis) {
-      const double expected =
-          curvedPlace(in, v, axis, angle) + rate * stream(in, 11, v, 10) * stream(in, 11, v, 6 + axis);
+      const double expected = curvedPlace(in, v, axis, angle, rate);
       EXPECT_NEAR(stream(out, 3, v, axis), expected, kFloatTolerance);
     }
   }
@@ -262,11 +261,7 @@ TEST_P(KernelDispatch, TriadIsOneProductAndOneSum) {
 
 TEST(TissueBench, MeasuresEveryTargetOfTheModelInOneRun) {
   // A small run: what is checked is that everything is measured, not how fast this machine is just now.
-  TissueBenchOptions options;
-  options.repeats = 3;
-  options.vertices = 4000;
-  options.ridges = 36;
-  options.sections = 20;
+  TissueBenchOptions options{.repeats = 3, .vertices = 4000, .ridges = 36, .sections = 20};
 
   const TissueBenchResult result = runTissueBench(options);
 

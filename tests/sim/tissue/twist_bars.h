@@ -25,13 +25,12 @@ inline Material barMaterial() {
 }
 
 inline LatticeOptions straightLattice(int sections = 26, int ridges = 24) {
-  LatticeOptions options{.ridges = ridges,
-                         .sections = sections,
-                         .mode = LatticeMode::kStraightAxis,
-                         .fixedEnd_m = {0.0, 0.0, 0.0},
-                         .freeEnd_m = {0.0, 0.0, kBarLength_m},
-                         .ridgeZero = {1.0, 0.0, 0.0}};
-  return options;
+  return {.ridges = ridges,
+          .sections = sections,
+          .mode = LatticeMode::kStraightAxis,
+          .fixedEnd_m = {0.0, 0.0, 0.0},
+          .freeEnd_m = {0.0, 0.0, kBarLength_m},
+          .ridgeZero = {1.0, 0.0, 0.0}};
 }
 
 /// Membrane problems of a test bar: its sections are scaled copies of one another, so that a few say it all.

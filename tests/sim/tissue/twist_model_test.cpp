@@ -198,8 +198,7 @@ TEST(TwistModel, ATaperedBarTurnsByTheClosedForm) {
 }
 
 TEST(TwistModel, BothEndsHeldGivesASymmetricProfile) {
-  TwistModelOptions options{.ends = EndCondition::kBothHeld};
-  const Bar bar = roundBar(options);
+  const Bar bar = roundBar(TwistModelOptions{.ends = EndCondition::kBothHeld});
   const double l = bar.length_m();
   const TwistState state{0.5 * l, 1.2};
 
@@ -349,8 +348,7 @@ TEST(TwistModel, TheLargestDisplacementIsTheChordOfTheTurn) {
 }
 
 TEST(TwistModel, StiffeningTissueDoublesItsTorqueAtTheStatedStrain) {
-  TwistModelOptions options{.stiffeningStrain = 0.2};
-  const Bar bar = roundBar(options);
+  const Bar bar = roundBar(TwistModelOptions{.stiffeningStrain = 0.2});
   const Bar linear = roundBar();
   const double l = kBarLength_m;
   // Strain at the surface: theta R = phi R / L; 20 % at phi = 1.25 rad.
@@ -404,8 +402,7 @@ TEST(TwistModel, AnEllipticBarIsStressedMostAtTheEndOfItsShortAxis) {
 }
 
 TEST(TwistModel, AFoundationKeepsTheTwistNearTheGrasp) {
-  TwistModelOptions options{.foundationLengths = 0.2};
-  const Bar bar = roundBar(options);
+  const Bar bar = roundBar(TwistModelOptions{.foundationLengths = 0.2});
   const double l = bar.length_m();
 
   // sinh(H / l) / sinh(H_end / l) at half length: 0.0815 for l = 0.2 lengths.
@@ -414,8 +411,7 @@ TEST(TwistModel, AFoundationKeepsTheTwistNearTheGrasp) {
 }
 
 TEST(TwistModel, AFreeBarGrowsLongerAndThinnerWhenAskedTo) {
-  TwistModelOptions options{.warping = false, .poynting = true};
-  const Bar bar = roundBar(options);
+  const Bar bar = roundBar(TwistModelOptions{.warping = false, .poynting = true});
   // psi R = 0.5: lambda = (1 + 0.25 / 4)^(1/3) = 1.020414 (neo-Hookean cylinder, ends free).
   const double phi = 0.5 * kBarLength_m / kBarRadius_m;
   const TwistState state{kBarLength_m, phi};
@@ -486,8 +482,7 @@ TEST(TwistModel, AboutTheShearCentreOnlyTheTiltOfTheSectionChanges) {
 }
 
 TEST(TwistModel, ThePapersFormulationTurnsARoundBarOneAndAHalfTimesAsFar) {
-  TwistModelOptions options{.formulation = Formulation::kPaper};
-  const Bar paper = roundBar(options);
+  const Bar paper = roundBar(TwistModelOptions{.formulation = Formulation::kPaper});
   const Bar usual = roundBar();
 
   EXPECT_NEAR(paper.model.graspCompliance(kBarLength_m) / usual.model.graspCompliance(kBarLength_m), 1.5,
@@ -502,9 +497,7 @@ TEST(TwistModel, ThePapersFormulationTurnsARoundBarOneAndAHalfTimesAsFar) {
 }
 
 TEST(TwistModel, ThePapersRuleOverstatesTheEndAngleOfATaper) {
-  TwistModelOptions options{.formulation = Formulation::kPaper};
-
-  const Bar paper = roundBar(options, 0.5, 51);
+  const Bar paper = roundBar(TwistModelOptions{.formulation = Formulation::kPaper}, 0.5, 51);
 
   // H theta(H) instead of the integral: 3.43 times too far at r1/r0 = 0.5, on top of the cone's 1.5.
   const double ratio =

@@ -29,9 +29,7 @@ std::vector<PaperSection> cylinder(int sections) {
 }
 
 PaperOptions withBeta(double beta, int sections) {
-  PaperOptions options;
-  options.rateExponent = (sections - 1) / beta;
-  return options;
+  return {.rateExponent = (sections - 1) / beta};
 }
 
 bool rises(const std::vector<double>& values) {
@@ -137,8 +135,7 @@ TEST(PaperFormulation, PressureOverTensionCancelsWhenTheSagFollowsIt) {
 }
 
 TEST(PaperFormulation, KappaZeroChangesNothing) {
-  PaperOptions options;
-  options.pressureOverTension_per_m = 37.0;
+  PaperOptions options{.pressureOverTension_per_m = 37.0};
 
   const PaperTwist twist = paperTwist(cylinder(7), kLength, kShearModulus, options);
 
@@ -191,8 +188,7 @@ TEST(PaperFormulation, RefusesWhatHasNoMeaning) {
     return error.code();
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  PaperOptions tooSmallBeta;
-  tooSmallBeta.rateExponent = 1.01;
+  PaperOptions tooSmallBeta{.rateExponent = 1.01};
 
   EXPECT_EQ(code([] { (void)paperTwist(cylinder(5), kLength, 0.0); }), ErrorCode::kBadParameter);
   EXPECT_EQ(code([] { (void)paperTwist(cylinder(5), kLength, -1.0); }), ErrorCode::kBadParameter);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wrung tubes beyond the onset of their folds against CalculiX (tests/data/hollow): an independent solver with
-// solid elements, so that neither the folds nor their bending are put in.
+// Wrung tubes beyond the onset of their folds against CalculiX (tests/data/hollow): an independent solver
+// with solid elements, so that neither the folds nor their bending are put in.
 #include "sim/tissue/hollow/wrung_tube.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace torsio {
 namespace {
 
-constexpr double kNeverLocks = 1e9;
+constexpr double kNeverLocks = 1e9;  // J_m of a neo-Hookean wall
 
 TubeWall uniform(double thinness, double slenderness, double gentLimit, int nodes = 41) {
   TubeWall wall;
@@ -52,20 +52,29 @@ struct MembraneRun {
   double thinness, pressure, gentLimit, waves, angle_deg, torque, lumen;
 };
 
-std::vector<MembraneRun> membraneRuns() {
-  std::ifstream file(std::string(TORSIO_TEST_DATA) + "/hollow/membrane_3d.csv");
-  std::vector<MembraneRun> runs;
+/// The rows of a table of numbers in tests/data/hollow.
+std::vector<std::vector<double>> rowsOf(const std::string& name) {
+  std::ifstream file(std::string(TORSIO_TEST_DATA) + "/hollow/" + name);
+  std::vector<std::vector<double>> rows;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] == '#' || line[0] == 't') {
       continue;
     }
     std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream words(line);
-    MembraneRun run{};
-    words >> run.thinness >> run.pressure >> run.gentLimit >> run.waves >> run.angle_deg >> run.torque >>
-        run.lumen;
-    run.gentLimit = run.gentLimit > 0.0 ? run.gentLimit : kNeverLocks;
-    runs.push_back(run);
+    std::vector<double>& row = rows.emplace_back();
+    for (double number = 0.0; words >> number;) {
+      row.push_back(number);
+    }
+  }
+  return rows;
+}
+
+std::vector<MembraneRun> membraneRuns() {
+  std::vector<MembraneRun> runs;
+  for (const std::vector<double>& row : rowsOf("membrane_3d.csv")) {
+    const double gentLimit = row.at(2) > 0.0 ? row.at(2) : kNeverLocks;
+    runs.push_back({row.at(0), row.at(1), gentLimit, row.at(3), row.at(4), row.at(5), row.at(6)});
   }
   return runs;
 }
@@ -312,7 +321,6 @@ TEST(WrungTube, RefusesAWallWithoutThickness) {
   EXPECT_THROW(WrungTube(uniform(0.05, 6.0, 1.0, 4), 3), Error);
 }
 
-constexpr double kLocksNever = 1e9;  // J_m of a neo-Hookean wall
 constexpr double kCalculixLength = 6.0;
 
 struct CalculixRun {
@@ -320,17 +328,9 @@ struct CalculixRun {
 };
 
 std::vector<CalculixRun> calculixRuns(const std::string& name) {
-  std::ifstream file(std::string(TORSIO_TEST_DATA) + "/hollow/" + name);
   std::vector<CalculixRun> runs;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#' || line[0] == 't') {
-      continue;
-    }
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream words(line);
-    CalculixRun run{};
-    words >> run.thinness >> run.pressure >> run.waves >> run.angle_deg >> run.torque >> run.lumen;
-    runs.push_back(run);
+  for (const std::vector<double>& row : rowsOf(name)) {
+    runs.push_back({row.at(0), row.at(1), row.at(2), row.at(3), row.at(4), row.at(5)});
   }
   return runs;
 }
@@ -342,18 +342,9 @@ struct WrungNumbers {
 
 // The tube as the product computes it, with the folds that it expects.
 WrungNumbers wrungNumbers(const CalculixRun& run) {
-  TubeWall wall;
-  wall.radius.assign(41, 1.0);
-  wall.thickness.assign(41, run.thinness);
-  wall.length = kCalculixLength;
-  wall.gentLimit = kLocksNever;
-  const int waves = foldWaves({run.thinness, kCalculixLength, run.pressure, kLocksNever});
-  const WrungTube tube(wall, waves);
-  WrungShape shape = tube.start();
-  const int steps = static_cast<int>(run.angle_deg / 10.0) + 1;
-  for (int k = 0; k <= steps; ++k) {
-    tube.solve(radians(run.angle_deg * k / steps), run.pressure * run.thinness, shape);
-  }
+  const int waves = foldWaves({run.thinness, kCalculixLength, run.pressure, kNeverLocks});
+  const WrungTube tube(uniform(run.thinness, kCalculixLength, kNeverLocks), waves);
+  const WrungShape shape = turned(tube, run.angle_deg, run.pressure * run.thinness);
   const double packed = 2.0 * run.thinness;
   const double open = wrungState(tube.wall(), shape, waves).patency;
   return {shape.torque / (kTurn * run.thinness), std::sqrt(open * (1.0 - packed) + packed)};

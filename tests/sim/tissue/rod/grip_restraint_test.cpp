@@ -10,7 +10,7 @@
 #include "sim/tissue/rod/landmark_turn.h"
 #include "sim/tissue/rod/rod_energy.h"
 #include "sim/tissue/rod/rod_solve.h"
-#include "tests/sim/tissue/rod/rod_organs.h"
+#include "tests/sim/tissue/rod/rod_scenes.h"
 #include "tests/sim/tissue/rod/rod_shapes.h"
 
 namespace torsio {
@@ -34,6 +34,12 @@ TEST(NodesAround, AreThoseWithinHalfTheWidth) {
   EXPECT_EQ(few.last, 6);
 }
 
+/// A thin rod of ten elements, 100 mm long.
+Rod heldRod(const RodPose& rest, const RodRestraints& held) {
+  return {std::vector<RodElement>(10, straightElement({0.01, 0.01, 9e3, 3e3}, 0.01)), rest,
+          std::vector<double>(11, 0.0), held};
+}
+
 TEST(PatchSpring, PullsAtItsPointWithItsWholeStiffness) {
   const RodPose rest = straightPose(0.1, 10);
   RodRestraints held;
@@ -44,8 +50,7 @@ TEST(PatchSpring, PullsAtItsPointWithItsWholeStiffness) {
                   .slack_m = 0.01,
                   .stiffness_N_per_m = 50},
                  rest, held);
-  const Rod rod(std::vector<RodElement>(10, straightElement({0.01, 0.01, 9e3, 3e3}, 0.01)), rest,
-                std::vector<double>(11, 0.0), held);
+  const Rod rod = heldRod(rest, held);
 
   const double energy_J = storedEnergy_J(rod, rest, nullptr, {});
 
@@ -62,8 +67,7 @@ TEST(PatchSpring, IsSlackUntilItIsStretched) {
                   .slack_m = 0.01,
                   .stiffness_N_per_m = 50},
                  rest, held);
-  const Rod rod(std::vector<RodElement>(10, straightElement({0.01, 0.01, 9e3, 3e3}, 0.01)), rest,
-                std::vector<double>(11, 0.0), held);
+  const Rod rod = heldRod(rest, held);
 
   const double energy_J = storedEnergy_J(rod, rest, nullptr, {});
 
@@ -74,8 +78,7 @@ TEST(PatchTurn, ResistsATurnOfItsNodes) {
   const RodPose rest = straightPose(0.1, 10);
   RodRestraints held;
   addPatchTurn({.first = 0, .last = 4}, 0.010, rest, held);
-  const Rod rod(std::vector<RodElement>(10, straightElement({0.01, 0.01, 9e3, 3e3}, 0.01)), rest,
-                std::vector<double>(11, 0.0), held);
+  const Rod rod = heldRod(rest, held);
   RodPose turned = rest;
 
   for (Pose& node : turned.nodes) {

@@ -235,8 +235,7 @@ TEST(RodStability, OfATwistedRingIsMichells) {
   const std::vector<HeldNode> held{heldAt(0), heldAt(kRing),
                                    heldAt(kRing / 2, {false, true, false, false, false, false})};
   const auto leavesItsPlane = [&](double twist_rad) {
-    RodPose pose;
-    pose.count = kRing + 1;
+    RodPose pose{.count = kRing + 1};
     for (int i = 0; i <= kRing; ++i) {
       const double a = 2.0 * kPi * i / kRing;
       const double out_m = 1e-3 * kRadius_m * (1.0 - std::cos(2.0 * a));  // a small fixed disturbance

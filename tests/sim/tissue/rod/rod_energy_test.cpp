@@ -14,7 +14,6 @@
 #include "sim/tissue/rod/rod_solve.h"
 #include "sim/tissue/rod/rod_step.h"
 #include "sim/tissue/rod/rod_system.h"
-#include "tests/sim/tissue/rod/rod_organs.h"
 #include "tests/sim/tissue/rod/rod_scenes.h"
 #include "tests/sim/tissue/rod/rod_shapes.h"
 
@@ -77,8 +76,7 @@ struct OddRod {
     return from;
   }
   RodElement element() {
-    RodElement e;
-    e.length_m = 1.0 + 0.1 * draw();
+    RodElement e{.length_m = 1.0 + 0.1 * draw()};
     for (const std::size_t k : {0U, 4U, 8U}) {
       e.stretch_N[k] = 2.0 + draw();
       e.bend_Nm2[k] = 2.0 + draw();

@@ -31,10 +31,9 @@ struct EllipticSection {
 /// Stiffness of an element of a rod that is straight at rest.
 inline RodElement straightElement(const EllipticSection& s, double length_m) {
   const double shear_N = 0.9 * s.shear_Pa * s.area_m2();
-  RodElement e;
-  e.length_m = length_m;
-  e.stretch_N = {shear_N, 0, 0, 0, shear_N, 0, 0, 0, s.young_Pa * s.area_m2()};
-  e.bend_Nm2 = {s.bending1_Nm2(), 0, 0, 0, s.bending2_Nm2(), 0, 0, 0, s.torsion_Nm2()};
+  RodElement e{.length_m = length_m,
+               .stretch_N = {shear_N, 0, 0, 0, shear_N, 0, 0, 0, s.young_Pa * s.area_m2()},
+               .bend_Nm2 = {s.bending1_Nm2(), 0, 0, 0, s.bending2_Nm2(), 0, 0, 0, s.torsion_Nm2()}};
   return e;
 }
 
@@ -79,8 +78,7 @@ inline void restAt(const RodPose& pose, std::vector<RodElement>& elements) {
 
 /// Nodes along z, axes as the world's.
 inline RodPose straightPose(double length_m, int elements) {
-  RodPose pose;
-  pose.count = elements + 1;
+  RodPose pose{.count = elements + 1};
   for (int i = 0; i <= elements; ++i) {
     pose.nodes[static_cast<std::size_t>(i)].position_m = {0, 0, length_m * i / elements};
   }
@@ -90,8 +88,7 @@ inline RodPose straightPose(double length_m, int elements) {
 /// Nodes on an arc in the plane y = 0 that leaves the origin along z and turns towards x by `angle_rad` in
 /// all: tests/data/calculix.
 inline RodPose bentPose(double length_m, double angle_rad, int elements) {
-  RodPose pose;
-  pose.count = elements + 1;
+  RodPose pose{.count = elements + 1};
   const double radius_m = length_m / angle_rad;
   for (int i = 0; i <= elements; ++i) {
     const double at = angle_rad * i / elements;

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/tissue/rod/rod_system.h"
-#include "tests/sim/tissue/rod/rod_organs.h"
+#include "tests/sim/tissue/rod/rod_scenes.h"
 #include "tests/sim/tissue/rod/rod_shapes.h"
 
 namespace torsio {

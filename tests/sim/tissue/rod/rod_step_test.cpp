@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/angle.h"
+#include "sim/tissue/rod/rod_bench.h"
 #include "sim/tissue/rod/rod_energy.h"
 #include "sim/tissue/rod/rod_solve.h"
-#include "tests/sim/tissue/rod/rod_organs.h"
 #include "tests/sim/tissue/rod/rod_scenes.h"
 #include "tests/support/allocation_count.h"
 
@@ -195,6 +195,15 @@ TEST(RodTick, AllocatesNothingAndThrowsNothing) {
   }
 
   EXPECT_EQ(taken, 0);
+}
+
+TEST(RodBench, TimesTicksThatTurnTheRod) {
+  const RodBenchResult result = runRodBench(500);
+
+  EXPECT_GT(result.median_us, 0.0);
+  EXPECT_GE(result.p999_us, result.median_us);
+  EXPECT_GT(result.turn_rad, radians(30.0));  // the hand turns by 90 degrees, the rod lags behind and gives
+  EXPECT_LT(result.turn_rad, radians(100.0));
 }
 
 }  // namespace

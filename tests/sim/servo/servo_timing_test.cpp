@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The histogram of a thread's times, and the logic of its watchdog on a manual clock; its thread is tested
+// with real threads (servo_thread_test.cpp).
 #include "sim/servo/timing_histogram.h"
 
 #include <gtest/gtest.h>
+
+#include "sim/servo/servo_thread.h"
 
 namespace torsio {
 namespace {
@@ -51,6 +55,43 @@ TEST(TimingHistogram, TakesValuesBelowAndAboveItsRange) {
   EXPECT_EQ(histogram.summary().count, 3);
   EXPECT_EQ(histogram.summary().max_us, 3.6e9);
   EXPECT_LE(histogram.summary().median_us, 0.256);
+}
+
+constexpr std::int64_t kMillisecond_ns = 1'000'000;
+
+TEST(ServoWatchdog, LetsGoOnceForEachStall) {
+  int dropped = 0;
+  ServoWatchdog dog([&dropped] { ++dropped; });
+  dog.beat(0);
+
+  for (int ms = 0; ms < 25; ++ms) {
+    dog.check(ms * kMillisecond_ns);
+  }
+  EXPECT_EQ(dropped, 0);
+  for (int ms = 25; ms < 200; ++ms) {
+    dog.check(ms * kMillisecond_ns);
+  }
+  EXPECT_EQ(dropped, 1);
+  dog.beat(200 * kMillisecond_ns);
+  dog.check(224 * kMillisecond_ns);
+  EXPECT_EQ(dropped, 1);
+  dog.check(225 * kMillisecond_ns);
+
+  EXPECT_EQ(dropped, 2);
+  EXPECT_EQ(dog.stalls(), 2);
+}
+
+TEST(ServoWatchdog, WatchesNothingBeforeTheFirstTickAndNeverBitesALivelyOne) {
+  int dropped = 0;
+  ServoWatchdog dog([&dropped] { ++dropped; });
+  for (int ms = 0; ms < 100; ++ms) {
+    dog.check(ms * kMillisecond_ns);
+  }
+  for (int ms = 100; ms < 10'000; ++ms) {
+    dog.beat(ms * kMillisecond_ns);
+    dog.check(ms * kMillisecond_ns + 999'999);
+  }
+  EXPECT_EQ(dropped, 0);
 }
 
 }  // namespace
