@@ -19,10 +19,8 @@
 #include "app/services/organs/person_arm.h"
 #include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_import.h"
-#include "sim/imaging/surface/scan_steps.h"
 #include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/organ_import.h"
-#include "sim/scene/organ_reconstruction.h"
 
 namespace torsio::cli {
 

@@ -97,14 +97,12 @@ TEST(MarkerAnchor, BeyondTheFreeEndTurnsWithItAndBeyondTheFixedEndStays) {
 struct Forearm {
   TriangleMesh mesh = importMesh(
       std::filesystem::path(TORSIO_SOURCE_DIR) / "assets" / "organs" / "forearm.ply", {.scale_m = 1e-3});
-  SectionLattice lattice{mesh, [] {
-                           return {.ridges = 36,
-                                   .sections = 37,
-                                   .mode = LatticeMode::kStraightAxis,
-                                   .freeEnd_m = {0.0, 0.0, 0.262},
-                                   .freeCut = {0.0, 0.0, 1.0},
-                                   .ridgeZero = {1.0, 0.0, 0.0}};
-                         }()};
+  SectionLattice lattice{mesh, LatticeOptions{.ridges = 36,
+                                              .sections = 37,
+                                              .mode = LatticeMode::kStraightAxis,
+                                              .freeEnd_m = {0.0, 0.0, 0.262},
+                                              .freeCut = {0.0, 0.0, 1.0},
+                                              .ridgeZero = {1.0, 0.0, 0.0}}};
 };
 
 TEST(LatticeSkin, FollowsKeyPointsThatTurnAsOneAndTurnsTheHandWithThem) {

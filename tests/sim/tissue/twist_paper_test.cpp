@@ -14,7 +14,7 @@
 namespace torsio {
 namespace {
 
-constexpr double kRounding = 1e-12;  // a handful of double roundings, relative
+constexpr double kPaperRounding = 1e-12;  // a handful of double roundings, relative
 constexpr double kRadius = 0.03;
 constexpr double kLength = 0.25;
 constexpr double kShearModulus = 5000.0;
@@ -51,9 +51,9 @@ TEST(PaperFormulation, WithInfiniteBetaEqualsTheHandFormula) {
   for (int j = 0; j < kSections; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const double height = kLength * j / (kSections - 1);
-    EXPECT_NEAR(twist.rate_per_m[at], rate, kRounding * rate);
-    EXPECT_NEAR(twist.height_m[at], height, kRounding * kLength);
-    EXPECT_NEAR(twist.angle_rad[at], height * rate, kRounding * rate * kLength);
+    EXPECT_NEAR(twist.rate_per_m[at], rate, kPaperRounding * rate);
+    EXPECT_NEAR(twist.height_m[at], height, kPaperRounding * kLength);
+    EXPECT_NEAR(twist.angle_rad[at], height * rate, kPaperRounding * rate * kLength);
   }
 }
 
@@ -63,7 +63,7 @@ TEST(PaperFormulation, ItsConeVolumeMakesARoundBarOneAndAHalfTimesTooSoft) {
   // Exact: phi = M_T H / (G J) with J = pi R^4 / 2. A sagging membrane over a circle holds L S_c / 2, not L
   // S_c / 3.
   const double exact = kLength / (kShearModulus * kPi * std::pow(kRadius, 4) / 2.0);
-  EXPECT_NEAR(twist.angle_rad.back() / exact, 1.5, kRounding);
+  EXPECT_NEAR(twist.angle_rad.back() / exact, 1.5, kPaperRounding);
 }
 
 TEST(PaperFormulation, TheClampNeverTurns) {
@@ -73,7 +73,7 @@ TEST(PaperFormulation, TheClampNeverTurns) {
     EXPECT_EQ(twist.height_m.front(), 0.0);
     EXPECT_EQ(twist.angle_rad.front(), 0.0);
     EXPECT_EQ(twist.lift_m2.front(), 0.0);
-    EXPECT_NEAR(twist.height_m.back(), kLength, kRounding * kLength);
+    EXPECT_NEAR(twist.height_m.back(), kLength, kPaperRounding * kLength);
   }
 }
 
@@ -129,8 +129,8 @@ TEST(PaperFormulation, PressureOverTensionCancelsWhenTheSagFollowsIt) {
   const PaperTwist twist = paperTwist(cylinder(kSections), kLength, kShearModulus, options);
 
   for (std::size_t j = 0; j < kSections; ++j) {
-    EXPECT_NEAR(twist.angle_rad[j], uniform.angle_rad[j], kRounding * uniform.angle_rad.back());
-    EXPECT_NEAR(twist.lift_m2[j], uniform.lift_m2[j], kRounding * uniform.lift_m2.back());
+    EXPECT_NEAR(twist.angle_rad[j], uniform.angle_rad[j], kPaperRounding * uniform.angle_rad.back());
+    EXPECT_NEAR(twist.lift_m2[j], uniform.lift_m2[j], kPaperRounding * uniform.lift_m2.back());
   }
 }
 
@@ -141,8 +141,8 @@ TEST(PaperFormulation, KappaZeroChangesNothing) {
 
   const PaperTwist usual = paperTwist(cylinder(7), kLength, kShearModulus);
   for (std::size_t j = 0; j < 7; ++j) {
-    EXPECT_NEAR(twist.angle_rad[j], usual.angle_rad[j], kRounding * usual.angle_rad.back());
-    EXPECT_NEAR(twist.lift_m2[j], usual.lift_m2[j], kRounding * usual.lift_m2.back());
+    EXPECT_NEAR(twist.angle_rad[j], usual.angle_rad[j], kPaperRounding * usual.angle_rad.back());
+    EXPECT_NEAR(twist.lift_m2[j], usual.lift_m2[j], kPaperRounding * usual.lift_m2.back());
   }
 }
 
@@ -159,7 +159,7 @@ TEST(PaperFormulation, TheRadiusGrowsByTheRootOfOnePlusPhiSquared) {
     const Vec3 move = paperDisplacement(x, y, phi, 0.0, 0.01);
 
     const double radius = std::hypot(x + move.x, y + move.y);
-    EXPECT_NEAR(radius, kRadius * std::sqrt(1.0 + phi * phi), kRounding * radius);
+    EXPECT_NEAR(radius, kRadius * std::sqrt(1.0 + phi * phi), kPaperRounding * radius);
     EXPECT_NEAR(radius / kRadius, growth, 6e-4) << degrees;
     EXPECT_EQ(move.z, 0.0);
   }
