@@ -3,19 +3,33 @@
 // for a slow line.
 #include "app/web/case_picture.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <map>
 #include <string>
 #include <vector>
 
+#include <QByteArray>
+#include <QImage>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/services/base/assets.h"
 #include "app/services/review/blinded_case.h"
+#include "app/web/organ_shelf.h"
+#include "sim/scene/blood_map.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/skin/tissue_skin.h"
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/web_client.h"
+#include "tests/sim/servo/hollow_bar.h"
 
 namespace torsio::web {
+
 namespace {
 
 using torsio::testing::ReviewCentre;
@@ -104,5 +118,174 @@ INSTANTIATE_TEST_SUITE_P(Shipped, CasePictureOf,
                            return name;
                          });
 
+// Colours of organs in pages compared with the window's.
+
+/// Like container.js: arrays as numbers, with differences and multiples resolved.
+struct ReadContainer {
+  nlohmann::json meta;
+  std::map<std::string, std::vector<double>> arrays;
+};
+
+template <typename Value>
+std::vector<double> numbersAt(const std::string& bytes, std::size_t offset, std::size_t count,
+                              std::size_t stride) {
+  std::vector<Value> values(count);
+  std::memcpy(values.data(), bytes.data() + offset, count * sizeof(Value));
+  for (std::size_t i = stride; stride > 0 && i < count; ++i) {
+    values[i] = static_cast<Value>(values[i] + values[i - stride]);
+  }
+  return {values.begin(), values.end()};
+}
+
+ReadContainer readContainer(const std::string& bytes) {
+  constexpr std::size_t kHead = 8;
+  std::uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 4, sizeof length);
+  const nlohmann::json head = nlohmann::json::parse(bytes.substr(kHead, length));
+  ReadContainer read{head.at("meta"), {}};
+  for (const nlohmann::json& one : head.at("arrays")) {
+    const std::string type = one.at("type");
+    const std::size_t offset = kHead + length + one.at("offset").get<std::size_t>();
+    const std::size_t count = one.at("count");
+    const std::size_t stride = one.value("delta", std::size_t{0});
+    std::vector<double> values;
+    if (type == "u8") {
+      values = numbersAt<std::uint8_t>(bytes, offset, count, stride);
+    } else if (type == "i16") {
+      values = numbersAt<std::int16_t>(bytes, offset, count, stride);
+    } else if (type == "u32") {
+      values = numbersAt<std::uint32_t>(bytes, offset, count, stride);
+    } else {
+      values = numbersAt<float>(bytes, offset, count, stride);
+    }
+    for (double& value : values) {
+      value *= one.value("scale", 1.0);
+    }
+    read.arrays.emplace(one.at("name"), std::move(values));
+  }
+  return read;
+}
+
+QImage pictureOf(const std::vector<double>& bytes) {
+  QByteArray file;
+  for (const double byte : bytes) {
+    file.append(static_cast<char>(static_cast<unsigned char>(byte)));
+  }
+  return QImage::fromData(file);
+}
+
+TEST(SkinPicture, HasTheColoursAndPositionsOfTheWindowsSkin) {
+  SceneRequest request;
+  request.assets = assetsFolder();
+  request.id = "stomach";
+  const Scene scene = loadScene(request);
+  const TissueSkin painted = paintSkin(scene, tissueLook(scene.id));
+  OrganShelf shelf;
+
+  const std::string name = shelf.putSkin(scene);
+
+  EXPECT_EQ(shelf.putSkin(scene), name);
+  EXPECT_EQ(shelf.find("0123456789abcdef0123456789abcdef"), nullptr);
+  ASSERT_NE(shelf.find(name), nullptr);
+  RecordProperty("skin_bytes", static_cast<int>(shelf.find(name)->size()));
+  EXPECT_LE(shelf.find(name)->size(), 650'000U);
+  const ReadContainer read = readContainer(torsio::testing::unpackedGzip(*shelf.find(name)));
+  const QImage colour = pictureOf(read.arrays.at("colour"));
+  const QImage relief = pictureOf(read.arrays.at("relief"));
+  const SkinCharts& charts = painted.charts;
+  ASSERT_EQ(colour.size(), QSize(charts.width, charts.height));
+  ASSERT_EQ(relief.size(), QSize(charts.width / 2, charts.height / 2));
+  ASSERT_EQ(read.arrays.at("corner").size(), charts.corners.size());
+  ASSERT_EQ(read.arrays.at("index").size(), 3 * charts.triangles.size());
+  double away = 0.0;
+  std::size_t far = 0;
+  double height = 0.0;
+  for (std::size_t i = 0; i < charts.corners.size(); ++i) {
+    ASSERT_EQ(read.arrays.at("corner")[i], charts.corners[i].vertex);
+    ASSERT_NEAR(read.arrays.at("place")[2 * i], static_cast<double>(charts.corners[i].place[0]), 0.04);
+    ASSERT_NEAR(read.arrays.at("place")[2 * i + 1], static_cast<double>(charts.corners[i].place[1]), 0.04);
+    const auto x = static_cast<int>(charts.corners[i].place[0]);
+    const auto y = static_cast<int>(charts.corners[i].place[1]);
+    const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(charts.width) +
+                                static_cast<std::size_t>(x));
+    const QRgb shown = colour.pixel(x, y);
+    const int worst =
+        std::max({std::abs(qRed(shown) - painted.rgba[at]), std::abs(qGreen(shown) - painted.rgba[at + 1]),
+                  std::abs(qBlue(shown) - painted.rgba[at + 2])});
+    away += worst;
+    far += worst > 20 ? 1 : 0;
+    height += std::abs(
+        qGray(relief.pixel(std::min(x / 2, relief.width() - 1), std::min(y / 2, relief.height() - 1))) -
+        painted.rgba[at + 3]);
+  }
+  const auto corners = static_cast<double>(charts.corners.size());
+  EXPECT_LT(away / corners, 4.0) << "of 255";
+  EXPECT_LT(static_cast<double>(far) / corners, 0.01);
+  EXPECT_LT(height / corners, 6.0);
+  for (std::size_t t = 0; t < charts.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_EQ(read.arrays.at("index")[3 * t + k], charts.triangles[t][k]);
+    }
+  }
+}
+
+TEST(BloodPaint, MixesToTheWindowsColours) {
+  const auto scene = std::make_shared<const Scene>(hollowScene(twistedTube()));
+  const BloodMap map(scene);
+  OrganState sound = scene->stateAt(0.0);
+  sound.hollow.saturation = 0.78;
+  OrganState bruised = sound;
+  bruised.hollow.congestion = 0.8;
+  bruised.hollow.reading.flow = 0.3;
+  bruised.hollow.marks[0] = {.arc_m = 0.30, .round_rad = 1.0, .tick = 10, .torn = false};
+  bruised.hollow.markCount = 1;
+  OrganState clipped = bruised;
+  clipped.hollow.marks[1] = {.arc_m = 0.302, .round_rad = 1.1, .tick = 20, .torn = true};
+  clipped.hollow.markCount = 2;
+  clipped.hollow.clipped = true;
+  OrganState released = clipped;
+  released.hollow.clipped = false;
+  const std::vector<OrganState> states{sound, bruised, clipped, released};
+  const std::vector<std::size_t> frames{0, 1, 1, 2, 3};
+  BinaryContainer container;
+
+  addBloodPaint(container, map, states, frames);
+
+  const ReadContainer read = readContainer(container.bytes());
+  ASSERT_EQ(read.meta.at("paints").size(), 3U);
+  const std::size_t vertices = scene->mesh.vertices_m.size();
+  std::size_t bruises = 0;
+  for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+    std::vector<std::array<float, 3>> drawn(vertices);
+    map.evaluate(states[frames[frame]], drawn);
+    for (std::size_t v = 0; v < vertices; ++v) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        double mixed = 1.0;
+        mixed += read.arrays.at("fed")[v] / 255.0 * (read.arrays.at("blood")[3 * frame + k] - mixed);
+        std::size_t layer = 0;
+        for (const nlohmann::json& paint : read.meta.at("paints")) {
+          if (frame >= paint.at("from") && frame < paint.at("to")) {
+            const double share = read.arrays.at("paint")[layer * vertices + v] / 255.0;
+            bruises += share > 0.5 ? 1 : 0;
+            mixed += share * (paint.at("factor").at(k).get<double>() - mixed);
+          }
+          ++layer;
+        }
+        ASSERT_NEAR(mixed, static_cast<double>(drawn[v][k]), 0.006) << "frame " << frame << " vertex " << v;
+      }
+    }
+  }
+  EXPECT_GT(bruises, 20U) << "something was painted at all";
+}
+
+TEST(BloodPaint, DoesNotChangeAnOrganWithoutBlood) {
+  BinaryContainer container;
+
+  addBloodPaint(container, BloodMap(std::make_shared<const Scene>(barScene())), {}, {});
+
+  EXPECT_TRUE(readContainer(container.bytes()).arrays.empty());
+}
+
 }  // namespace
+
 }  // namespace torsio::web

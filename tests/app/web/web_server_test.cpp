@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // HTTP: limits, contradictory requests, noise, and shutdown with pending requests.
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -14,9 +16,11 @@
 #include "app/web/http_server.h"
 #include "sim/core/error.h"
 #include "sim/core/random.h"
+#include "tests/app/web/served_desk.h"
 #include "tests/app/web/web_client.h"
 
 namespace torsio::web {
+
 namespace {
 
 using torsio::testing::WebAnswer;
@@ -132,5 +136,193 @@ TEST(HttpServer, ReportsAnAddressInUse) {
   EXPECT_THROW(HttpServer(anyPort(), {"no certificate", "no key"}, {}, echo), Error);
 }
 
+// Attacks on web servers: each is refused, none crashes the program or causes an internal error. Includes a
+// random run (TORSIO_SOAK=1: 10,000 requests).
+
+using torsio::testing::firstCase;
+using torsio::testing::ServedDesk;
+
+std::string headOf(const WebClient& client, const std::string& line) {
+  return line +
+         " HTTP/1.1\r\nHost: h\r\nConnection: close\r\nOrigin: http://h\r\nContent-Type: "
+         "application/json\r\n" +
+         "Cookie: " + client.cookie + "\r\nX-Torsio-Token: " + client.token + "\r\n";
+}
+
+WebAnswer posted(const WebClient& client, const std::string& path, const std::string& body) {
+  return client.raw(headOf(client, "POST " + path) + "Content-Length: " + std::to_string(body.size()) +
+                    "\r\n\r\n" + body);
+}
+
+std::string nested(const std::string& open, const std::string& close, std::size_t depth) {
+  std::string text;
+  for (std::size_t i = 0; i < depth; ++i) {
+    text += open;
+  }
+  text += "1";
+  for (std::size_t i = 0; i < depth; ++i) {
+    text += close;
+  }
+  return text;
+}
+
+TEST(WebAttacks, PathTraversalIsRefused) {
+  const ServedDesk served;
+  const WebClient client = served.physician(0);
+  for (const char* path : {"/../../etc/passwd",
+                           "/..%2f..%2fetc%2fpasswd",
+                           "/%2e%2e/%2e%2e/etc/passwd",
+                           "/....//....//etc/passwd",
+                           "/app.js%00.html",
+                           "/app.js/",
+                           "//etc/passwd",
+                           "/\\..\\..\\windows\\win.ini",
+                           "/.git/config",
+                           "/.env",
+                           "/api/../app.js",
+                           "/api/cases/../../queue",
+                           "/api/cases/%2e%2e/sheet",
+                           "/api/cases//sheet",
+                           "/%",
+                           "/%zz",
+                           "/%u002e%u002e/",
+                           "/api/queue?x=' OR '1'='1",
+                           "/api/cases/' OR '1'='1",
+                           "/api/cases/1;DROP TABLE person",
+                           "/api/cases/${jndi:ldap://x}",
+                           "/cgi-bin/test.cgi",
+                           "/wp-login.php",
+                           "/server-status",
+                           "http://evil.example/",
+                           "*",
+                           "/api/cases/<script>alert(1)</script>"}) {
+    const WebAnswer answer = client.raw(headOf(client, std::string("GET ") + path) + "\r\n");
+    const bool query = std::string(path).find('?') != std::string::npos;
+    EXPECT_TRUE(query || answer.status != 200) << path;
+    EXPECT_LT(answer.status, 500) << path;
+    EXPECT_EQ(answer.body.find("root:"), std::string::npos) << path;
+    EXPECT_EQ(answer.body.find("<script>"), std::string::npos) << path;
+  }
+}
+
+TEST(WebAttacks, ContradictoryRequestsAreRefused) {
+  const ServedDesk served;
+  const WebClient client = served.physician(0);
+  const std::string host = "Host: h\r\nConnection: close\r\n";
+  const std::vector<std::string> requests = {
+      "GET / HTTP/0.9\r\n" + host + "\r\n",
+      "GET / HTTP/9.9\r\n" + host + "\r\n",
+      "TRACE / HTTP/1.1\r\n" + host + "\r\n",
+      "CONNECT evil.example:443 HTTP/1.1\r\n" + host + "\r\n",
+      "PROPFIND / HTTP/1.1\r\n" + host + "\r\n",
+      "POST /api/sign-in HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked, chunked\r\n\r\n0\r\n\r\n",
+      "POST /api/sign-in HTTP/1.1\r\n" + host +
+          "Transfer-Encoding: xchunked\r\nContent-Length: 4\r\n\r\nabcd",
+      "POST /api/sign-in HTTP/1.1\r\n" + host + "Content-Length: 0x10\r\n\r\nabcdabcdabcdabcd",
+      "POST /api/sign-in HTTP/1.1\r\n" + host + "Content-Length: 99999999999999999999\r\n\r\n",
+      "POST /api/sign-in HTTP/1.1\r\n" + host + "Content-Length: -1\r\n\r\n",
+      "GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\nConnection: close\r\n\r\n",
+      "GET / HTTP/1.1\r\n" + host + "X: a\r\n b\r\n\tc\r\n\r\n",
+      "GET / HTTP/1.1\r\n" + host + "Cookie: " + std::string(20'000, ';') + "\r\n\r\n",
+      "GET / HTTP/1.1\r\n" + host + "Range: bytes=0-0,1-1,2-2,0-18446744073709551615\r\n\r\n",
+      "GET /api/me HTTP/1.1\r\n" + host + "Cookie: __Host-torsio=" + std::string(9'000, 'a') + "\r\n\r\n",
+      "GET /api/me HTTP/1.1\r\n" + host + "X-Forwarded-For: 127.0.0.1\r\nREMOTE_ADDR: 127.0.0.1\r\n\r\n",
+      "GET / HTTP/1.1\r\n" + host + "Accept-Language: " + std::string(8'000, 'z') + "\r\n\r\n",
+      "GET / HTTP/1.1\r\n" + host + "X-Torsio-Language: ../../zh_CN\r\n\r\n"};
+  for (const std::string& request : requests) {
+    WebClient noisy(served.server->port());
+    noisy.patience_ms = 200;  // nobody answers half a request
+    const WebAnswer answer = noisy.raw(request);
+    EXPECT_NE(answer.status, 500) << request.substr(0, 120);
+    EXPECT_EQ(answer.headers.count("set-cookie"), 0U) << request.substr(0, 120);
+  }
+  WebClient alive(served.server->port());
+  EXPECT_EQ(alive.get("/").status, 200);
+}
+
+TEST(WebAttacks, MaliciousBodiesAreRefused) {
+  const ServedDesk served;
+  WebClient client = served.physician(0);
+  const std::string path = "/api/cases/" + firstCase(client) + "/submit";
+  constexpr std::size_t kDeep = 40'000;  // the depth that fits 256 KB, and more than a thread's stack allows
+  const std::vector<std::string> bodies = {
+      "{\"sheet\":" + nested("[", "]", kDeep) + "}",
+      nested("{\"sheet\":", "}", 20'000),
+      "{\"sheet\":" + nested("[", "", kDeep),
+      "{\"sheet\":{\"rows\":" + nested("[", "]", 5) + "}}",
+      "{\"__proto__\":{\"sheet\":1},\"constructor\":{\"prototype\":1}}",
+      "{\"sheet\":1,\"sheet\":{\"rows\":[]},\"sheet\":null}",
+      "{\"sheet\":{\"rows\":1e999}}",
+      "{\"sheet\":{\"rows\":[],\"revision\":1e308,\"comment\":\"\\u0000\\ud800\"}}",
+      "\xEF\xBB\xBF{}",
+      "{\"sheet\":\"\xff\xfe\"}",
+      "<?xml version=\"1.0\"?><!DOCTYPE x [<!ENTITY y SYSTEM \"file:///etc/passwd\">]><x>&y;</x>",
+      "a=b&c=d",
+      "",
+      "null",
+      std::string(250'000, ' '),
+      std::string(1, '\0')};
+  for (const std::string& body : bodies) {
+    const WebAnswer answer = posted(client, path, body);
+    EXPECT_EQ(answer.status, 400) << body.substr(0, 60);
+  }
+  EXPECT_EQ(client.get("/api/me").status, 200);
+}
+
+/// Changes some bytes of a valid request.
+std::string spoiled(std::string request, Random& random) {
+  const std::uint64_t times = 1 + random.bounded(8);
+  for (std::uint64_t i = 0; i < times && !request.empty(); ++i) {
+    const std::size_t at = random.bounded(request.size());
+    switch (random.bounded(4)) {
+      case 0:
+        request[at] = static_cast<char>(random.bounded(256));
+        break;
+      case 1:
+        request.erase(at, 1 + random.bounded(12));
+        break;
+      case 2:
+        request.insert(at, request.substr(random.bounded(request.size()), 1 + random.bounded(40)));
+        break;
+      default:
+        request.insert(at, std::string(1 + random.bounded(30), static_cast<char>(random.bounded(256))));
+    }
+  }
+  return request;
+}
+
+TEST(WebAttacks, CorruptedRequestsAreRefusedOrUnderstood) {
+  const ServedDesk served;
+  WebClient client = served.physician(0);
+  const std::string handle = firstCase(client);
+  std::vector<std::string> right;
+  for (const Route& route : served.desk->router().routes()) {
+    if (route.path == "/api/sign-out") {
+      continue;
+    }
+    const std::string body = testing::sheetBody(0, 70, 80, 75).dump();
+    const std::string line = headOf(client, route.method + " " + testing::pathOf(route, handle));
+    right.push_back(route.method == "GET"
+                        ? line + "\r\n"
+                        : line + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body);
+  }
+  const bool soak = std::getenv("TORSIO_SOAK") != nullptr;
+  const int times = soak ? 10'000 : 150;
+  int answered = 0;
+  Random random(29);
+  for (int i = 0; i < times; ++i) {
+    const std::string request = spoiled(right[random.bounded(right.size())], random);
+    WebClient noisy(served.server->port());
+    noisy.patience_ms = 20;  // nobody answers half a request
+    const int status = noisy.raw(request).status;
+    EXPECT_NE(status, 500) << i << ": " << request;
+    answered += status == 0 ? 0 : 1;
+  }
+  EXPECT_GT(answered, 0);
+  RecordProperty("answered", answered);
+  EXPECT_EQ(client.get("/api/texts").status, 200);
+}
+
 }  // namespace
+
 }  // namespace torsio::web

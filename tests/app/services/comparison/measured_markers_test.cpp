@@ -10,6 +10,7 @@
 
 #include "app/services/comparison/organ_markers.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio {
 namespace {
@@ -78,6 +79,72 @@ TEST(MeasuredMarkers, ReportInvalidTablesWithTheirPlace) {
   EXPECT_NE(refusedAt("1,0,1,2,3,mm,A\n"), "");
   EXPECT_NE(refusedAt(""), "");
   EXPECT_THROW(static_cast<void>(readMeasuredMarkers(kSynthetic, {})), Error);
+}
+
+const fs::path kTracks = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.trc";
+
+/// The organ's markers by number and name; positions do not matter here.
+std::vector<OrganMarker> namedMarkers() {
+  std::vector<OrganMarker> markers(10);
+  for (int k = 0; k < 10; ++k) {
+    markers[static_cast<std::size_t>(k)].number = k + 1;
+    markers[static_cast<std::size_t>(k)].name = k == 2 ? "radial styloid" : "point " + std::to_string(k + 1);
+  }
+  return markers;
+}
+
+/// Returns where the synthetic file is rejected after replacing `from` by `to`; "" if it is not.
+std::string refusedWith(const std::string& from, const std::string& to) {
+  std::string text = readFile(kTracks);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  const fs::path file = fs::temp_directory_path() / "torsio_camera_markers_test.trc";
+  std::ofstream(file) << text;
+  try {
+    static_cast<void>(readMeasuredMarkers(file, namedMarkers()));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadData);
+    EXPECT_FALSE(error.remedy().empty());
+    return fs::path(error.where()).filename().string();
+  }
+  return "";
+}
+
+TEST(CameraMarkers, AreReadInMetresByNumberAndByName) {
+  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kTracks, namedMarkers());
+
+  ASSERT_EQ(subjects.size(), 1U);
+  EXPECT_EQ(subjects[0].name, "markers_synthetic");
+  ASSERT_EQ(subjects[0].markers.size(), 3U);
+  EXPECT_EQ(subjects[0].markers.at(1).size(), 5U);
+  EXPECT_EQ(subjects[0].markers.at(3).size(), 4U) << "lost in one frame";
+  EXPECT_NEAR(norm(subjects[0].markers.at(8)[0].place_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-9);
+  EXPECT_DOUBLE_EQ(subjects[0].markers.at(8)[4].time_s, 0.04);
+  // 39.21 mm off the axis, rotated by 60 degrees: the chord equals the radius.
+  EXPECT_NEAR(finalDisplacement(subjects, 8).mean_m, 39.21e-3, 2e-5);
+  EXPECT_EQ(finalDisplacement(subjects, 1).mean_m, 0.0);
+}
+
+TEST(CameraMarkers, ReportInvalidFilesWithLineAndField) {
+  const std::string file = "torsio_camera_markers_test.trc, line ";
+  const auto at = [&](int line, const std::string& field) {
+    return file + std::to_string(line) + ", field \"" + field + "\"";
+  };
+
+  EXPECT_EQ(refusedWith("(X/Y/Z)", "(X/Y)"), at(1, "PathFileType"));
+  EXPECT_EQ(refusedWith("NumMarkers", "Markers"), at(2, "NumMarkers"));
+  EXPECT_EQ(refusedWith("\tmm\t", "\tinch\t"), at(3, "Units"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5", "0\t100.00\t5"), at(3, "DataRate"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5", "100.00\t100.00\t6"), at(3, "NumFrames"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5\t3", "100.00\t100.00\t5\t2"), at(4, "NumMarkers"));
+  EXPECT_EQ(refusedWith("M1", "LASI"), at(4, "LASI"));
+  EXPECT_EQ(refusedWith("Marker8", "marker1"), at(4, "marker1"));
+  EXPECT_EQ(refusedWith("Y2", "Y3"), at(5, "Y2"));
+  EXPECT_EQ(refusedWith("24.590", "nan"), at(7, "Y1"));
+  EXPECT_EQ(refusedWith("\n2\t0.010\t", "\n2\t0.000\t"), at(8, "Time"));
+  EXPECT_EQ(refusedWith("\n2\t0.010\t", "\n2\tnow\t"), at(8, "Time"));
+  EXPECT_EQ(refusedWith("PathFileType\t4\t(X/Y/Z)\t", "PathFileType\t4\t(X/Y/Z)\tother "), "");
 }
 
 }  // namespace

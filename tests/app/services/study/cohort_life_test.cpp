@@ -1,18 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A cohort from draft to archive, and what is allowed at each stage.
+#include <algorithm>
 #include <array>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "app/outputs/report/report_data.h"
+#include "app/services/recording/trial_digests.h"
+#include "app/services/scoring/scoring_service.h"
 #include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
+#include "app/services/study/curriculum_service.h"
+#include "app/services/study/day_board.h"
 #include "app/services/study/day_plan.h"
 #include "app/services/study/reassignment.h"
 #include "app/services/study/scoring_plan.h"
+#include "assessment/domain/ids.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 #include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/curriculum.h"
+#include "assessment/results/cohort_csv.h"
+#include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/support/cohort_rows.h"
 
 namespace torsio {
 namespace {
@@ -166,6 +187,205 @@ TEST(CohortLife, ItsNameIsUnique) {
 
   EXPECT_EQ(life.cohort().name, "Autumn 2026");
   EXPECT_EQ(life.centre.audited("cohort.rename"), 1);
+}
+
+// A study with four occasions, from the curriculum through the scoring plan to report and export.
+
+/// Returns the paper's protocol with additional training in every arm and a fourth occasion after it.
+CurriculumVersion longerPaperProtocol(StudyCentre& centre, const Occasion& fourth,
+                                      std::int64_t longer_us = 20 * kMinute_us) {
+  const auto templates = curriculumTemplates(centre.assets());
+  const auto paper = std::find_if(templates.begin(), templates.end(),
+                                  [](const CurriculumTemplate& one) { return one.id == "paper-three-arms"; });
+  CurriculumVersion content = paper->content;
+  for (StudyArm& arm : content.arms) {
+    arm.phases.back().duration_us += longer_us;
+  }
+  content.plannedOccasions.push_back({fourth.code, 40 * kMinute_us + longer_us});
+  return content;
+}
+
+/// Three trainees, two chiefs, a cohort that follows the longer protocol.
+struct StudyOfFour {
+  StudyCentre centre;
+  Occasion fourth;
+  std::vector<RaterId> chiefs;
+  std::string rubric;
+  CohortId cohortId;
+
+  /// `longer_us`: training between the third and fourth occasion; 0: only time passes.
+  explicit StudyOfFour(const std::string& label = "after another 20 minutes",
+                       std::int64_t longer_us = 20 * kMinute_us) {
+    const std::vector<TraineeId> trainees = centre.addTrainees(3);
+    chiefs = centre.addChiefs(2);
+    rubric = centre.addPaperRubric();
+    SessionContext& office = centre.as("administrator");
+    fourth = addOccasion(office, label);
+    const CurriculumId curriculum =
+        addCurriculum(office, "Longer", "", longerPaperProtocol(centre, fourth, longer_us));
+    const CurriculumVersionId version = publishCurriculum(office, curriculum, "", centre.assets());
+    runCurriculum(office, version);
+    cohortId = addCohort(office, {.name = "Four", .curriculumVersionId = version});
+    enrolTrainees(office, cohortId, trainees);
+    AllocationPlan plan;
+    plan.cohortId = cohortId;
+    lockAllocation(centre.as("allocator"), plan);
+    allocateAll(centre.as("allocator"), cohortId);
+  }
+  /// Assigns the chiefs a sheet of every trainee at every occasion.
+  ScoringPlanOutcome askAll() {
+    return createAssignments(centre.as("administrator"),
+                             {.cohortId = cohortId,
+                              .occasionCodes = {"pre", "mid", "post", fourth.code},
+                              .raterIds = chiefs,
+                              .rubricRevisionId = rubric,
+                              .seed = 3});
+  }
+  /// Submits the sheets of an occasion, or of all: 5, 6, 7 and 8 points at the four occasions.
+  void submitAll(const std::string& occasionCode = {}) {
+    SheetRepository sheets(centre.connection());
+    const RubricRevision revision = RubricRepository(centre.connection()).revision(rubric).value();
+    const Occasions occasions = occasionsOfCohort(centre.connection(), cohortId);
+    for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
+      if (!occasionCode.empty() && status.assignment.occasionCode != occasionCode) {
+        continue;
+      }
+      const std::size_t at = occasions.positionOf(status.assignment.occasionCode).value();
+      const std::int64_t steps = 50 + 10 * static_cast<std::int64_t>(at);
+      Sheet sheet{.overall_steps = steps};
+      for (const RubricLine& row : revision.rows) {
+        sheet.rows.push_back({row.code, steps, ""});
+      }
+      sheets.submit(status.assignment.id, centre.session().ids().newUuid(), sheet, "",
+                    centre.session().now_us());
+    }
+  }
+};
+
+TEST(Occasions, AFourthOneIsSupportedByPlanReleaseReportAndExport) {
+  StudyOfFour study;
+  SessionContext& office = study.centre.as("administrator");
+
+  const ScoringPlanOutcome asked = study.askAll();
+  study.submitAll();
+  const ScoringMatrix matrix = scoringMatrix(office, study.cohortId);
+  const std::vector<ReleaseState> releases = releaseStates(office, study.cohortId);
+  releaseMarks(office, study.cohortId, study.fourth.code);
+  TrialDigests digests(study.centre.assets());
+  const CohortInputs inputs =
+      reportInputs(study.centre.as("statistician"), {.cohortId = study.cohortId}, digests);
+  std::set<std::string> exported;
+  for (const CohortCsvRow& row : cohortCsvRows(inputs)) {
+    exported.insert(row.occasion);
+  }
+
+  EXPECT_EQ(asked.created, 4U * 3U * 2U);  // occasions, trainees, chiefs
+  ASSERT_EQ(matrix.lines.size(), 12U);
+  EXPECT_EQ(matrix.lines.back().occasion.label, "after another 20 minutes");
+  ASSERT_EQ(releases.size(), 4U);
+  EXPECT_EQ(releases.back().occasion.code, study.fourth.code);
+  EXPECT_EQ(releases.back().sheets, 6U);
+  EXPECT_TRUE(SheetRepository(study.centre.connection()).isReleased(study.cohortId, study.fourth.code));
+  EXPECT_EQ(inputs.occasions,
+            (std::vector<Text>{Text::verbatim("before"), Text::verbatim("after 20 min"),
+                               Text::verbatim("after 40 min"), Text::verbatim("after 60 min")}));
+  ASSERT_EQ(inputs.scores.size(), 12U);
+  for (const TraineeScore& score : inputs.scores) {
+    EXPECT_DOUBLE_EQ(score.score, 5.0 + static_cast<double>(score.occasion));
+  }
+  EXPECT_TRUE(exported.contains("after 60 min"));
+}
+
+TEST(Occasions, AFollowUpAfterTheSameTrainingIsSeparateInReportAndExport) {
+  StudyOfFour study("six weeks later", 0);
+  study.askAll();
+  study.submitAll();
+
+  TrialDigests digests(study.centre.assets());
+  const CohortInputs inputs =
+      reportInputs(study.centre.as("statistician"), {.cohortId = study.cohortId}, digests);
+  const std::vector<CohortCsvRow> exported = cohortCsvRows(inputs);
+
+  EXPECT_EQ(inputs.occasions, (std::vector<Text>{Text::verbatim("before"), Text::verbatim("after 20 min"),
+                                                 Text::verbatim("after 40 min"),
+                                                 Text::verbatim("%1 (%2)", Text::verbatim("after %1 min", 40),
+                                                                std::string("six weeks later"))}));
+  const auto scoresAt = [&](const std::string& occasion) {
+    return std::count_if(exported.begin(), exported.end(), [&](const CohortCsvRow& row) {
+      return row.occasion == occasion && row.statistic == "score";
+    });
+  };
+  EXPECT_EQ(scoresAt("after 40 min"), 3);  // one per trainee
+  EXPECT_EQ(scoresAt("after 40 min (six weeks later)"), 3);
+}
+
+TEST(Occasions, AFollowUpIsDueWhenTheOccasionAfterTheSameTrainingIsComplete) {
+  StudyOfFour study("six weeks later", 0);
+  SessionContext& office = study.centre.as("administrator");
+  study.askAll();
+  const std::string first = dayBoard(office, study.cohortId).rows.front().enrolmentId;
+  recordExposure(office, {study.cohortId, first, "", ExposureKind::kVirtual, 0, 40 * kMinute_us, "both"});
+  recordExposure(office, {study.cohortId, first, "", ExposureKind::kReal, 0, 40 * kMinute_us, "both"});
+
+  const DayBoardRow trained = dayBoard(office, study.cohortId).rows.front();
+  study.submitAll("post");
+  const DayBoardRow scored = dayBoard(office, study.cohortId).rows.front();
+
+  EXPECT_EQ(trained.occasionDue.code, "post");
+  EXPECT_EQ(trained.sheetsMissing, 2U);  // of two chiefs
+  EXPECT_EQ(scored.occasionDue.code, study.fourth.code);
+  EXPECT_EQ(scored.sheetsMissing, 2U);
+}
+
+TEST(Occasions, OfACurriculumKeepTheirOrderAfterTheSameTraining) {
+  StudyOfFour study("six weeks later", 0);
+
+  const auto version =
+      CurriculumRepository(study.centre.connection())
+          .version(StudyRepository(study.centre.connection()).cohort(study.cohortId).curriculumVersionId);
+
+  // Sorted by code, "occasion-4" would come before "post".
+  ASSERT_EQ(version->plannedOccasions.size(), 4U);
+  EXPECT_EQ(version->plannedOccasions[2].code, "post");
+  EXPECT_EQ(version->plannedOccasions[3].code, study.fourth.code);
+}
+
+TEST(Occasions, OfAnotherStudyAreNotRequiredByThePapersProtocol) {
+  StudyCentre centre;
+  centre.addTrainees(1);
+  const std::string version = centre.runPaperCurriculum();
+  SessionContext& office = centre.as("administrator");
+  const CohortId cohort = addCohort(office, {.name = "Paper", .curriculumVersionId = version});
+
+  addOccasion(office, "six months later");
+
+  EXPECT_EQ(knownOccasions(office).size(), 4U);
+  EXPECT_EQ(occasionsOfCohort(centre.connection(), cohort).size(), 3U);
+  EXPECT_EQ(releaseStates(office, cohort).size(), 3U);
+}
+
+TEST(Occasions, NeedAUniqueNameAndAreAudited) {
+  StudyCentre centre;
+  SessionContext& office = centre.as("administrator");
+
+  const Occasion added = addOccasion(office, "six months later");
+
+  EXPECT_EQ(added.code, "occasion-4");
+  EXPECT_EQ(centre.audited("occasion.add"), 1);
+  EXPECT_THROW(addOccasion(office, "six months later"), Error);
+  EXPECT_THROW(addOccasion(office, ""), Error);
+  EXPECT_EQ(addOccasion(office, "a year later").code, "occasion-5");
+}
+
+TEST(Occasions, OfACurriculumMustExistInTheRecord) {
+  StudyCentre centre;
+  const Occasions known = OccasionRepository(centre.connection()).all();
+  const CurriculumVersion content = longerPaperProtocol(centre, {"never heard of", "", {}});
+
+  const std::vector<CurriculumProblem> problems = curriculumProblems(content, centre.assets(), known);
+
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems.front().where, Text::verbatim("occasion \"%1\"", Text::verbatim("never heard of")));
 }
 
 }  // namespace

@@ -2,13 +2,22 @@
 #include "app/services/training/detorsion_story.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "app/services/recording/pipeline.h"
+#include "app/services/training/next_steps.h"
+#include "app/services/training/trend.h"
+#include "app/services/training/untwisting_findings.h"
 #include "assessment/attempt/recorded_twists.h"
+#include "assessment/catalogue/quantity.h"
+#include "sim/core/angle.h"
 #include "sim/record/sample_codec.h"
+#include "tests/app/support/training_centre.h"
 #include "tests/sim/servo/hollow_bar.h"
 
 namespace torsio {
@@ -197,6 +206,150 @@ TEST(DetorsionMishaps, AHandThatIsPulledAlongTheOrganSlipsOff) {
   const double grip_s = timesOf(story, DetorsionMoment::kGrip).front();
   ASSERT_FALSE(timesOf(story, DetorsionMoment::kSlip).empty());
   EXPECT_NEAR(timesOf(story, DetorsionMoment::kSlip).front(), grip_s + 0.1, 0.002);
+}
+
+DetorsionStory storyWith(std::initializer_list<std::pair<Quantity, double>> measures) {
+  DetorsionStory story;
+  story.mishapsKnown = true;
+  for (const auto& [quantity, value] : measures) {
+    story.metrics.set(quantity, value);
+  }
+  return story;
+}
+
+std::string toldOf(const DetorsionStory& story) {
+  std::string all;
+  for (const UntwistingFinding& finding : findingsOf(story)) {
+    all += finding.text().str() + "\n";
+  }
+  return all;
+}
+
+bool isSaid(const DetorsionStory& story, const std::string& words) {
+  return toldOf(story).find(words) != std::string::npos;
+}
+
+TEST(UntwistingFindings, DescribeTheMeasuresInSentences) {
+  const DetorsionStory story = storyWith({{Quantity::kFirstDirection, 0.0}, {Quantity::kDose, 1.2}});
+
+  EXPECT_EQ(toldOf(story),
+            "The first turn went the wrong way.\n"
+            "Blood flow did not return in this run.\n"
+            "The ischaemic dose reached 1.20: from 1 the tissue is lost.\n");
+}
+
+TEST(UntwistingFindings, FormatTimesInMinutesAndSeconds) {
+  const DetorsionStory story = storyWith({{Quantity::kTimeToFlow, 65.12}, {Quantity::kOverloadTime, 5.1}});
+
+  // 65.12 s of the hand are 65 minutes of the tissue.
+  EXPECT_TRUE(isSaid(story, "Blood flow returned after 1:05.1; 1:05 h for the tissue.")) << toldOf(story);
+  EXPECT_TRUE(isSaid(story, "For 0:05.1, jaw pressure")) << toldOf(story);
+  EXPECT_EQ(findingsOf(story).front().at_s, 65.12);
+}
+
+TEST(UntwistingFindings, DoNotReportThatFlowReturnedIfItNeverStopped) {
+  const DetorsionStory story = storyWith({{Quantity::kTimeToFlow, 0.0}});
+
+  EXPECT_TRUE(isSaid(story, "Blood flow was sufficient from the start."));
+  EXPECT_FALSE(isSaid(story, "returned"));
+}
+
+TEST(UntwistingFindings, OmitInvisibleTurns) {
+  EXPECT_FALSE(isSaid(storyWith({{Quantity::kWrongWay, 0.01}, {Quantity::kSlipBack, 0.01}}), "\u00b0"));
+  const DetorsionStory seen =
+      storyWith({{Quantity::kWrongWay, radians(30.0)}, {Quantity::kSlipBack, radians(12.0)}});
+  EXPECT_TRUE(isSaid(seen, "The organ was twisted 30\u00b0 further than at the start."));
+  EXPECT_TRUE(isSaid(seen, "12\u00b0 were lost again between grips"));
+}
+
+TEST(UntwistingFindings, CountMishapsAndSayIfTheyAreUnknown) {
+  DetorsionStory known = storyWith({});
+  known.events = {
+      {1.0, DetorsionMoment::kBruise}, {2.0, DetorsionMoment::kTear}, {3.0, DetorsionMoment::kBruise}};
+  DetorsionStory unknown;
+
+  EXPECT_TRUE(isSaid(known, "Bruises from the jaw: 2."));
+  EXPECT_TRUE(isSaid(known, "Tears in the wall: 1."));
+  EXPECT_FALSE(isSaid(known, "Slips of"));
+  EXPECT_FALSE(isSaid(known, "not marked"));
+  EXPECT_TRUE(isSaid(unknown, "not marked: the organ of this run is not on this machine"));
+  const std::vector<UntwistingFinding> found = findingsOf(known);
+  const auto tears = std::find_if(found.begin(), found.end(), [](const UntwistingFinding& finding) {
+    return finding.kind == UntwistingFinding::Kind::kTears;
+  });
+  EXPECT_EQ(tears->at_s, 2.0);
+}
+
+// Progress of a trainee in untwisting: metrics, units, and what passes.
+
+using testing::TrainingCentre;
+
+TrainingCentre::Setup undone(std::vector<MasteryCriterion> rules) {
+  TrainingCentre::Setup setup;
+  setup.sceneId = "testis";
+  setup.patternId = "detorse";
+  setup.mastery = std::move(rules);
+  return setup;
+}
+
+const MasteryCriterion kUndone{.metric = idOf(Quantity::kUntwisted), .threshold = 1.0, .unit = "1"};
+const MasteryCriterion kSmallDose{
+    .metric = idOf(Quantity::kDose), .comparison = "at_most", .threshold = 0.9, .unit = "1"};
+
+TEST(UntwistingTrend, FollowsTheDoseAndPassesByAllRulesOfTheModule) {
+  TrainingCentre centre(undone({kUndone, kSmallDose}));
+  centre.untwist("first", "practice");
+  centre.untwist("first", "practice", 1);  // one turn of the hand is left
+
+  const Trend way = trend(centre.session(), centre.person(), centre.module("first"));
+
+  EXPECT_TRUE(way.untwisting);
+  EXPECT_EQ(way.quantity, Quantity::kDose);  // the first rule that has a scale
+  EXPECT_TRUE(way.lowerIsBetter);
+  EXPECT_EQ(way.threshold, 0.9);
+  ASSERT_EQ(way.points.size(), 2U);
+  ASSERT_TRUE(way.points[0].value);
+  ASSERT_TRUE(way.points[1].value);
+  EXPECT_LT(*way.points[1].value, 0.9);  // the dose alone would pass
+  EXPECT_EQ(way.points[0].outcome, RunOutcome::kPassed);
+  EXPECT_EQ(way.points[1].outcome, RunOutcome::kNotPassed);
+}
+
+TEST(UntwistingTrend, ShowsOnlySuccessIfNoRuleHasAScale) {
+  TrainingCentre centre(undone({kUndone}));
+  centre.untwist("first", "practice", 1);
+
+  const Trend way = trend(centre.session(), centre.person(), centre.module("first"));
+  const Trend residual =
+      trend(centre.session(), centre.person(), centre.module("first"), Quantity::kResidual);
+
+  EXPECT_EQ(way.quantity, Quantity::kUntwisted);
+  EXPECT_FALSE(way.lowerIsBetter);
+  ASSERT_TRUE(way.distance);
+  EXPECT_EQ(*way.distance, 1.0);  // wanted 1, was 0
+  EXPECT_TRUE(way.curve.empty());
+  EXPECT_FALSE(way.noCurveReason.empty());
+  ASSERT_TRUE(residual.points.at(0).value);
+  EXPECT_GT(*residual.points[0].value, 1.57);  // omitted: at least 360 degrees / 3 turns; some slips back
+}
+
+TEST(UntwistingTrend, KnowsBeforeTheFirstAttemptThatTheModuleIsAboutUntwisting) {
+  TrainingCentre centre(undone({kUndone}));
+
+  const Trend way = trend(centre.session(), centre.person(), centre.module("first"));
+
+  EXPECT_TRUE(way.untwisting);
+  EXPECT_TRUE(way.points.empty());
+}
+
+TEST(UntwistingTrend, MastersAModuleByItsRules) {
+  TrainingCentre centre(undone({kUndone, kSmallDose}));
+  centre.untwist("first", "practice", 1);
+  EXPECT_EQ(nextSteps(centre.session(), centre.person()).modules.at(0).state, StepState::kOpen);
+
+  centre.untwist("first", "practice");
+
+  EXPECT_EQ(nextSteps(centre.session(), centre.person()).modules.at(0).state, StepState::kMastered);
 }
 
 }  // namespace
