@@ -31,9 +31,6 @@
 #include "tests/app/web/web_client.h"
 
 namespace {
-
-using torsio::testing::WebAnswer;
-using torsio::testing::WebClient;
 using Clock = std::chrono::steady_clock;
 
 double processor_s() {
@@ -90,8 +87,8 @@ void score(Rater& rater, Times& times, int seconds, int first_ms) {
     }
     if (second % 3 == 0) {
       const auto saved = Clock::now();
-      const WebAnswer answer = rater.client.send(
-          "PUT", rater.path + "/sheet", torsio::testing::sheetBody(rater.revision, 70, 80, 10 + second));
+      const WebAnswer answer = rater.client.send("PUT", rater.path + "/sheet",
+                                                 torsio::sheetBody(rater.revision, 70, 80, 10 + second));
       rater.revision += answer.status == 200 ? 1 : 0;
       times.add(answer, saved);
     }
@@ -127,7 +124,7 @@ int main(int argc, char** argv) {
     rater->client.cookie = std::string(web::kCookie) + "=" + cookie;
     rater->client.token = desk.sessions().find(cookie, Clock::now())->token;
     const auto begun = Clock::now();
-    rater->path = "/api/cases/" + torsio::testing::firstCase(rater->client);
+    rater->path = "/api/cases/" + torsio::firstCase(rater->client);
     opened.add(rater->client.get(rater->path), begun);
     raters.push_back(std::move(rater));
   }
@@ -135,8 +132,8 @@ int main(int argc, char** argv) {
   constexpr int kSaves = 100;
   for (int i = 0; i < kSaves; ++i) {
     Rater& one = *raters.front();
-    const WebAnswer answer = one.client.send("PUT", one.path + "/sheet",
-                                             torsio::testing::sheetBody(one.revision, 70, 80, 10 + i % 80));
+    const WebAnswer answer =
+        one.client.send("PUT", one.path + "/sheet", torsio::sheetBody(one.revision, 70, 80, 10 + i % 80));
     one.revision += answer.status == 200 ? 1 : 0;
   }
   std::cout << "a sheet's save: " << 1000.0 * (processor_s() - before_s) / kSaves << " ms of the processor\n";

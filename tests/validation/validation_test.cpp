@@ -53,14 +53,14 @@ std::string withFolder(std::string command) {
 }
 
 TEST(Validation, EveryStatisticOfTheCommandsMatchesR) {
-  const std::filesystem::path scratch = test::emptyFolder("validation");
+  const std::filesystem::path scratch = emptyFolder("validation");
   std::map<std::string, nlohmann::json> answers;
   const std::vector<Case> all = cases();
   ASSERT_GE(all.size(), 439U);
   for (const Case& one : all) {
     SCOPED_TRACE(one.statistic + ": torsio " + one.command);
     if (!answers.contains(one.command)) {
-      const test::ProgramRun run = test::runTorsio(withFolder(one.command), scratch);
+      const ProgramRun run = runTorsio(withFolder(one.command), scratch);
       ASSERT_EQ(run.code, 0) << run.err;
       answers[one.command] = nlohmann::json::parse(run.out);
     }

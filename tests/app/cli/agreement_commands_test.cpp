@@ -13,15 +13,10 @@ namespace torsio {
 namespace {
 
 using nlohmann::json;
-using test::addRow;
-using test::expectMatch;
-using test::named;
 using test::numbers;
-using test::occasions;
-using test::ratings;
 using test::ReferenceCase;
 using test::referenceCase;
-using AgreementCommands = test::TableCommands;
+using AgreementCommands = TableCommands;
 
 TEST_F(AgreementCommands, AgreementByRaschGivesAbilitiesSeveritiesAndThresholds) {
   const ReferenceCase c = referenceCase("rasch", "mfrm_jml_12x4");

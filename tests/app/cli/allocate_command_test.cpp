@@ -17,11 +17,9 @@ namespace torsio {
 namespace {
 
 using nlohmann::json;
-using test::ProgramRun;
-using test::runTorsio;
 
 /// Commands of a station without settings.
-class AllocateCommand : public test::TableCommands {
+class AllocateCommand : public TableCommands {
  protected:
   void SetUp() override { setenv("XDG_CONFIG_HOME", (folder_ / "settings").c_str(), 1); }
   void TearDown() override { unsetenv("XDG_CONFIG_HOME"); }

@@ -22,10 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using test::ProgramRun;
-using test::runTorsio;
 
-using AssessmentCommands = test::TableCommands;
+using AssessmentCommands = TableCommands;
 
 constexpr double kPublished = 1e-8;  // the sources below print eight or nine digits
 

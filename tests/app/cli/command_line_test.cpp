@@ -19,9 +19,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::ProgramRun;
-using test::runTorsio;
 
 void write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;

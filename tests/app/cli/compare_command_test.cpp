@@ -14,9 +14,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::ProgramRun;
-using test::runTorsio;
 
 /// A lattice so coarse that a run takes seconds.
 const std::string kCoarse = "compare --ridges 12 --sections 9 --rings 2 --substeps 4 --ramp 0.2 --out ";
@@ -103,11 +100,7 @@ TEST(CompareCommand, FailsWithTheDocumentedCodes) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
-}  // namespace
-}  // namespace torsio
-
-namespace torsio::test {
-namespace {
+// A scripted twist with each model, recorded and replayed by the program.
 
 class RecordCommand : public ::testing::TestWithParam<std::string> {};
 
@@ -143,11 +136,7 @@ TEST(RecordCommandLine, RejectsAnUnknownModel) {
   EXPECT_NE(run.err.find("cloth"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace torsio::test
-
-namespace torsio {
-namespace {
+// The demonstration as a user starts it, but shortened further.
 
 constexpr const char* kShort = " --shorten 150 --seed 7";  // eight seconds per phase: one or two twists
 

@@ -14,14 +14,10 @@ namespace torsio {
 namespace {
 
 using nlohmann::json;
-using test::addRow;
-using test::expectMatch;
-using test::named;
 using test::numbers;
-using test::occasions;
 using test::ReferenceCase;
 using test::referenceCase;
-using ComparisonCommands = test::TableCommands;
+using ComparisonCommands = TableCommands;
 
 TEST_F(ComparisonCommands, PairedSignedRankAgreesWithHollanderAndWolfe) {
   const ReferenceCase c = referenceCase("groups", "signed_rank_hollander_wolfe");
@@ -173,7 +169,7 @@ TEST_F(ComparisonCommands, PairsOfThreeGroupsHaveTheRequestedAdjustment) {
 
 // Sample sizes, standards and proficiency against the reference cases of tests/data/assessment.
 
-using PlanningCommands = test::TableCommands;
+using PlanningCommands = TableCommands;
 
 TEST_F(PlanningCommands, PowerComputesTheThirdOfSizeEffectAndPower) {
   const ReferenceCase c = referenceCase("groups", "power");

@@ -17,9 +17,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::ProgramRun;
-using test::runTorsio;
 
 /// The address for the command line; the password comes from the environment.
 std::string withoutPassword(const std::string& address) {

@@ -19,8 +19,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::ProgramRun;
 
 class DeviceCommand : public ::testing::Test {
  protected:
@@ -40,7 +38,7 @@ class DeviceCommand : public ::testing::Test {
       setenv(word.substr(0, equals).c_str(), word.substr(equals + 1).c_str(), 1);
       begin = end + 1;
     }
-    return test::runTorsio("device " + arguments, folder_);
+    return runTorsio("device " + arguments, folder_);
   }
   ProgramRun check(const std::string& story, const std::string& more = "--seconds 0.4") const {
     return run("check --library " TORSIO_FAKEHD " " + more, story);

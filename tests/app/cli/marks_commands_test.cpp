@@ -11,7 +11,7 @@ namespace torsio {
 namespace {
 
 using nlohmann::json;
-using MarksCommands = test::TableCommands;
+using MarksCommands = TableCommands;
 
 /// Two groups of six, three raters; `holes`: rows left empty.
 std::string marks(const std::vector<std::string>& holes = {}) {
@@ -104,9 +104,9 @@ TEST_F(MarksCommands, PrintsResidualsOfEachSubjectForPlots) {
 
 TEST_F(MarksCommands, NamesTheCovariateOccasion) {
   const std::string file = write("marks.csv", marks());
-  const test::ProgramRun silent = test::runTorsio("compare-groups " + file, folder_);
+  const ProgramRun silent = runTorsio("compare-groups " + file, folder_);
   EXPECT_NE(silent.err.find("\"after\" is adjusted for \"before\""), std::string::npos) << silent.err;
-  const test::ProgramRun named = test::runTorsio("compare-groups --covariate before " + file, folder_);
+  const ProgramRun named = runTorsio("compare-groups --covariate before " + file, folder_);
   EXPECT_EQ(named.err, "");
   EXPECT_EQ(silent.out, named.out);
   const json reversed = answer("compare-groups --occasion before --covariate after " + file);

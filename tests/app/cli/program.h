@@ -8,7 +8,7 @@
 
 #include "sim/core/file_io.h"
 
-namespace torsio::test {
+namespace torsio {
 
 struct ProgramRun {
   int code = -1;
@@ -60,4 +60,4 @@ inline ProgramRun runTorsio(const std::string& arguments, const std::filesystem:
   return runProgram(TORSIO_PROGRAM, arguments, scratch, under);
 }
 
-}  // namespace torsio::test
+}  // namespace torsio

@@ -34,10 +34,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using test::CohortNumbers;
-using test::emptyFolder;
-using test::ProgramRun;
-using test::runTorsio;
 
 void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
   const CohortNumbers report(folder / "out" / "cohort.csv");

@@ -24,9 +24,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::ProgramRun;
-using test::runTorsio;
 
 constexpr double kLength_m = 0.240;
 

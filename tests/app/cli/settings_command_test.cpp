@@ -16,13 +16,13 @@ namespace torsio {
 namespace {
 
 TEST(SettingsCommand, ListsAndSetsWhatTheCentreChooses) {
-  testing::StudyCentre centre;
-  const std::filesystem::path folder = test::emptyFolder("settings");
-  writeFileAtomically(folder / "password", std::string(testing::kStudyPassword) + "\n");
+  StudyCentre centre;
+  const std::filesystem::path folder = emptyFolder("settings");
+  writeFileAtomically(folder / "password", std::string(kStudyPassword) + "\n");
   const auto run = [&](const std::string& command, const std::string& login) {
-    return test::runTorsio("settings " + command + " --database " + centre.session().key().locator +
-                               " --as " + login + " --password-fd 3 3<" + (folder / "password").string(),
-                           folder);
+    return runTorsio("settings " + command + " --database " + centre.session().key().locator + " --as " +
+                         login + " --password-fd 3 3<" + (folder / "password").string(),
+                     folder);
   };
 
   EXPECT_EQ(run("set review.minimum_watched_percent 60", "administrator").code, 0);
@@ -33,7 +33,7 @@ TEST(SettingsCommand, ListsAndSetsWhatTheCentreChooses) {
             static_cast<int>(ErrorCode::kPermission));
 
   EXPECT_DOUBLE_EQ(centreSetting<kMinimumWatched_percent>(centre.connection()), 60.0);
-  const test::ProgramRun listed = run("list --json", "administrator");
+  const ProgramRun listed = run("list --json", "administrator");
   const nlohmann::json all = nlohmann::json::parse(listed.out, nullptr, false);
   ASSERT_TRUE(all.is_array()) << listed.err;
   EXPECT_EQ(all[2]["name"], "review.speeds");

@@ -14,7 +14,7 @@
 #include "tests/app/cli/program.h"
 #include "tests/assessment/reference_case.h"
 
-namespace torsio::test {
+namespace torsio {
 
 /// Tables in a temporary folder, and the commands that read them.
 class TableCommands : public ::testing::Test {
@@ -85,4 +85,4 @@ inline void expectMatch(const nlohmann::json& got, const nlohmann::json& expecte
   EXPECT_TRUE(matches(got.get<double>(), expected.get<double>(), tolerance)) << what;
 }
 
-}  // namespace torsio::test
+}  // namespace torsio

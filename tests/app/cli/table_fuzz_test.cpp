@@ -228,7 +228,7 @@ class HangWatch {
 };
 
 /// Runs a command in this process: starting the program takes a hundred times longer than a small table.
-test::ProgramRun runHere(const std::string& arguments) {
+ProgramRun runHere(const std::string& arguments) {
   static int count = 1;
   static std::array<char, 7> name{"torsio"};
   static std::array<char*, 2> names{name.data(), nullptr};
@@ -265,7 +265,7 @@ int numberFrom(const char* variable, int otherwise) {
   return given == nullptr ? otherwise : std::atoi(given);
 }
 
-using TableFuzz = test::TableCommands;
+using TableFuzz = TableCommands;
 
 TEST_F(TableFuzz, EveryTableGivesNumbersAndReasonsOrOneErrorLine) {
   const int tables = numberFrom("TORSIO_FUZZ_TABLES", kDefaultTables);
@@ -278,7 +278,7 @@ TEST_F(TableFuzz, EveryTableGivesNumbersAndReasonsOrOneErrorLine) {
     command.arguments.replace(command.arguments.find("%1"), 2, write("table.csv", table));
     SCOPED_TRACE("table " + std::to_string(seed) + ", torsio " + command.arguments + "\n" + table);
     const HangWatch watch(seed);
-    const test::ProgramRun run = runHere(command.arguments);
+    const ProgramRun run = runHere(command.arguments);
     EXPECT_NE(run.code, kInternalError) << run.err;
     if (run.code == 0) {
       ++answered;

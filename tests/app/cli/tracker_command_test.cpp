@@ -14,17 +14,15 @@
 namespace torsio {
 namespace {
 
-using test::ProgramRun;
 using testing::FakeTracker;
 
 class TrackerCommand : public ::testing::Test {
  protected:
   ProgramRun run(const std::string& arguments) {
-    return test::runTorsio("tracker " + arguments, folder_,
-                           "XDG_CONFIG_HOME=" + (folder_ / "settings").string());
+    return runTorsio("tracker " + arguments, folder_, "XDG_CONFIG_HOME=" + (folder_ / "settings").string());
   }
 
-  std::filesystem::path folder_ = test::emptyFolder("tracker");
+  std::filesystem::path folder_ = emptyFolder("tracker");
 };
 
 TEST_F(TrackerCommand, WatchShowsATrackersPoses) {
@@ -76,7 +74,7 @@ TEST_F(TrackerCommand, RemembersTrackerAndServiceUntilCleared) {
 
 TEST_F(TrackerCommand, SendStreamsARecordedRunToItsClient) {
   const std::string record = (folder_ / "r.sqlite").string();
-  const ProgramRun recorded = test::runTorsio("record --duration 1 --json --database " + record, folder_);
+  const ProgramRun recorded = runTorsio("record --duration 1 --json --database " + record, folder_);
   ASSERT_EQ(recorded.code, 0) << recorded.err;
   const std::string trial = nlohmann::json::parse(recorded.out)["trial"];
   std::uint16_t port = 0;

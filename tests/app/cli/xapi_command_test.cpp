@@ -17,9 +17,7 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::ProgramRun;
 using testing::TestLrs;
-using testing::XapiCentre;
 
 class XapiCommand : public ::testing::Test {
  protected:
@@ -34,8 +32,7 @@ class XapiCommand : public ::testing::Test {
   }
 
   ProgramRun run(const std::string& arguments) {
-    return test::runTorsio("xapi " + arguments, folder_,
-                           "XDG_CONFIG_HOME=" + (folder_ / "settings").string());
+    return runTorsio("xapi " + arguments, folder_, "XDG_CONFIG_HOME=" + (folder_ / "settings").string());
   }
   [[nodiscard]] std::string record() { return " --database " + centre_.centre().session().key().locator; }
   [[nodiscard]] std::string signedIn(const std::string& password = "password") {
@@ -55,7 +52,7 @@ class XapiCommand : public ::testing::Test {
     return nlohmann::json::parse(shown.out, nullptr, false);
   }
 
-  fs::path folder_ = test::emptyFolder("xapi");
+  fs::path folder_ = emptyFolder("xapi");
   XapiCentre centre_;
 };
 

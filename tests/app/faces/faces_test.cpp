@@ -183,8 +183,8 @@ class Faces : public ::testing::Test {
     }
     return chosen;
   }
-  static testing::WebClient browser(const std::string& language) {
-    testing::WebClient client(world_->server->port());
+  static WebClient browser(const std::string& language) {
+    WebClient client(world_->server->port());
     EXPECT_TRUE(client.signIn("T-01", kPassword));
     client.headers = {{"x-torsio-language", language}};
     return client;
@@ -249,7 +249,7 @@ TEST_F(Faces, TrendAndTranscriptOfTheWindowSayTheVerdictOfEveryRun) {
 
 TEST_F(Faces, TheListsOfTheBrowserSayTheVerdictOfEveryRun) {
   inBothLanguages([&](const char* code) {
-    testing::WebClient client = browser(code);
+    WebClient client = browser(code);
     const json own = client.get("/api/own").json();
     const json transcript = client.get("/api/own/transcript").json();
 
@@ -274,7 +274,7 @@ TEST_F(Faces, TheDebriefSaysTheSameInWindowAndBrowser) {
   gui::Station station(world_->centre);
   station.desk().lastScene = borrowed(testing::trainingBar());
   inBothLanguages([&](const char* code) {
-    testing::WebClient client = browser(code);
+    WebClient client = browser(code);
     const json own = client.get("/api/own").json();
     for (const std::string& id : lookedAt()) {
       const RunVerdict& verdict = world_->truth.at(id);
@@ -345,8 +345,8 @@ TEST_F(Faces, TheCommandLineSaysTheVerdictAndTheNames) {
     if (std::exchange(asked[verdict.outcome], true)) {
       continue;
     }
-    const test::ProgramRun run = test::runTorsio(
-        "metrics " + id + " --cards --database " + world_->centre.locator(), world_->centre.folder());
+    const ProgramRun run = runTorsio("metrics " + id + " --cards --database " + world_->centre.locator(),
+                                     world_->centre.folder());
     ASSERT_EQ(run.code, 0) << run.err;
     const json told = json::parse(run.out);
     EXPECT_EQ(told.at("verdict").at("outcome"), storedText(verdict.outcome));

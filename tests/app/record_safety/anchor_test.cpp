@@ -17,9 +17,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::ProgramRun;
-using test::runTorsio;
 
 /// A record, a key, and a witness with one signed head.
 class Anchor : public ::testing::Test {

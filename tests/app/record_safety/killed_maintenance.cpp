@@ -20,8 +20,6 @@
 namespace torsio {
 
 namespace fs = std::filesystem;
-using test::FaultyRun;
-using test::ProgramRun;
 
 namespace {
 
@@ -72,8 +70,8 @@ void CutOffMaintenance::SetUp() {
     return;
   }
   const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = test::emptyFolder(std::string(test.test_suite_name()) + "-" + test.name() +
-                              (onPostgresql() ? "-server" : ""));
+  folder_ = emptyFolder(std::string(test.test_suite_name()) + "-" + test.name() +
+                        (onPostgresql() ? "-server" : ""));
   makeRecord("record.sqlite", "real");
 }
 
@@ -83,25 +81,25 @@ void CutOffMaintenance::makeRecord(const std::string& name, const std::string& p
 }
 
 ProgramRun CutOffMaintenance::run(const std::vector<std::string>& arguments, const char* program) const {
-  return test::runProgram(program, lineOf(arguments), folder_);
+  return runProgram(program, lineOf(arguments), folder_);
 }
 
 void CutOffMaintenance::cutOffEverywhere(const CutOff& cut, const char* fault, const char* variable,
                                          const std::function<void(const FaultyRun&)>& judge) const {
   cut.before();
   int code = -1;
-  const long all = test::countInstants(cut.arguments, folder_, code, cut.program);
+  const long all = countInstants(cut.arguments, folder_, code, cut.program);
   ASSERT_EQ(code, 0) << run(cut.arguments, cut.program).err;
   ASSERT_GT(all, 0) << "nothing of it can be cut off";
   cut.after();
-  const long wanted = std::min({all, cut.atMost, test::instantsOf(variable, kInstants)});
+  const long wanted = std::min({all, cut.atMost, instantsOf(variable, kInstants)});
   const long eachAgain = std::max(kEachAgain, wanted / kAgain);
   const Part part = partOfInstants();
   for (long i = part.first; i < wanted && !HasFailure(); i += part.of) {
     const long instant = 1 + i * all / wanted;
     SCOPED_TRACE("instant " + std::to_string(instant) + " of " + std::to_string(all));
     cut.before();
-    judge(test::runWithFault(cut.arguments, fault + std::to_string(instant), cut.program, file(".said")));
+    judge(runWithFault(cut.arguments, fault + std::to_string(instant), cut.program, file(".said")));
     cut.after();
     if (i % eachAgain == 0 && !HasFailure() && !cut.done()) {
       const ProgramRun again = run(cut.arguments, cut.program);
@@ -125,12 +123,12 @@ void CutOffMaintenance::killEverywhere(const CutOff& cut) const {
 void CutOffMaintenance::lookEverywhere(const CutOff& cut, const std::function<void()>& look) const {
   cut.before();
   int code = -1;
-  const long all = test::countInstants(cut.arguments, folder_, code, cut.program);
+  const long all = countInstants(cut.arguments, folder_, code, cut.program);
   ASSERT_EQ(code, 0) << run(cut.arguments, cut.program).err;
   cut.before();
-  const long every = std::max(1L, all / test::instantsOf("TORSIO_KILL_INSTANTS", kInstants));
+  const long every = std::max(1L, all / instantsOf("TORSIO_KILL_INSTANTS", kInstants));
   long looked = 0;
-  const FaultyRun ended = test::runWithStops(
+  const FaultyRun ended = runWithStops(
       cut.arguments, every,
       [&] {
         ++looked;

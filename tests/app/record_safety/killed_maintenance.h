@@ -33,8 +33,8 @@ class CutOffMaintenance : public DatabaseTest {
 
   [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
   void makeRecord(const std::string& name, const std::string& prefix) const;
-  [[nodiscard]] test::ProgramRun run(const std::vector<std::string>& arguments,
-                                     const char* program = TORSIO_PROGRAM) const;
+  [[nodiscard]] ProgramRun run(const std::vector<std::string>& arguments,
+                               const char* program = TORSIO_PROGRAM) const;
   /// Kills the command at instants spread over its whole run and checks each time; now and then the command
   /// must then succeed when repeated.
   void killEverywhere(const CutOff& cut) const;
@@ -59,7 +59,7 @@ class CutOffMaintenance : public DatabaseTest {
  private:
   /// `variable`: environment variable with the number of instants.
   void cutOffEverywhere(const CutOff& cut, const char* fault, const char* variable,
-                        const std::function<void(const test::FaultyRun&)>& judge) const;
+                        const std::function<void(const FaultyRun&)>& judge) const;
 };
 
 [[nodiscard]] std::string personIn(Connection& connection);

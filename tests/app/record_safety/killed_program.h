@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace torsio::test {
+namespace torsio {
 
 /// Returns the number of instants for interruptions, from an environment variable if set:
 /// TORSIO_KILL_INSTANTS, TORSIO_FULL_DISK_INSTANTS.
@@ -107,4 +107,4 @@ inline long countInstants(const std::vector<std::string>& arguments, const std::
   return count;
 }
 
-}  // namespace torsio::test
+}  // namespace torsio

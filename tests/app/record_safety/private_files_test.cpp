@@ -30,9 +30,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::runTorsio;
-using test::startSilent;
 
 constexpr auto kOthers = fs::perms::group_all | fs::perms::others_all;
 
@@ -165,7 +162,7 @@ TEST(PrivateFiles, AMaintenanceCommandClosesARecordAndCopiesReadableByOthers) {
 
   EXPECT_EQ(runTorsio("db check" + database, folder).code, 0);
   EXPECT_FALSE(isPrivate(record)) << "a check leaves the file as it is";
-  const test::ProgramRun backup =
+  const ProgramRun backup =
       runTorsio("db backup --as-system " + (folder / "second.backup").string() + database, folder);
 
   EXPECT_EQ(backup.code, 0) << backup.err;
@@ -176,7 +173,7 @@ TEST(PrivateFiles, AMaintenanceCommandClosesARecordAndCopiesReadableByOthers) {
         << backup.err;
   }
   open(record);
-  const test::ProgramRun again = runTorsio("record --duration 1" + database, folder);
+  const ProgramRun again = runTorsio("record --duration 1" + database, folder);
   EXPECT_TRUE(isPrivate(record));
   EXPECT_NE(again.err.find("now only yours can"), std::string::npos) << again.err;
 }

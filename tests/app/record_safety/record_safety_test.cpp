@@ -25,9 +25,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::ProgramRun;
-using test::runTorsio;
 
 constexpr const char* kShort = " --shorten 600 --seed 7";
 

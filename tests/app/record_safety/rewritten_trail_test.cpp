@@ -163,7 +163,7 @@ class MovedRecord : public CutOffMaintenance {
                    "four walls and a lamp");
   }
   [[nodiscard]] std::string record() const { return file("record.sqlite"); }
-  [[nodiscard]] test::ProgramRun copy(const std::string& to) const {
+  [[nodiscard]] ProgramRun copy(const std::string& to) const {
     return run({"db", "copy", "--as-system", record(), to});
   }
   [[nodiscard]] static std::vector<std::string> placesKnownAt(const std::string& locator) {
@@ -204,7 +204,7 @@ TEST_F(MovedRecord, EachEndNamesTheOtherAndNotItself) {
   EXPECT_EQ(placesKnownAt(target_), std::vector<std::string>{record()});
   EXPECT_TRUE(has(namedByErase(target_), record())) << "the record that was left behind holds everybody";
   EXPECT_TRUE(has(namedByErase(record()), there));
-  const test::ProgramRun listed = run({"db", "copies", "--database", target_});
+  const ProgramRun listed = run({"db", "copies", "--database", target_});
   EXPECT_NE(listed.out.find("record before or after a move"), std::string::npos) << listed.out << listed.err;
 
   EXPECT_EQ(copy(target_).code, static_cast<int>(ErrorCode::kBadData)) << "a record is there already";

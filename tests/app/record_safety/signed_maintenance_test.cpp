@@ -30,10 +30,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using test::emptyFolder;
-using test::ProgramRun;
-using test::runTorsio;
-using test::startSilent;
 
 constexpr const char* kPassword = "four walls and a lamp";
 constexpr int kPermission = static_cast<int>(ErrorCode::kPermission);

@@ -27,8 +27,6 @@
 namespace torsio {
 namespace {
 
-using testing::StudyCentre;
-
 constexpr std::size_t kRaters = 10;
 constexpr std::size_t kTrainees = 6;
 constexpr std::int64_t kPhase_us = 20 * 60'000'000LL;
@@ -42,21 +40,12 @@ class LiveSession : public DatabaseTest {
       return;
     }
     centre_ = std::make_unique<StudyCentre>(locator());
-    const std::vector<TraineeId> trainees = centre_->addTrainees(kTrainees);
-    chiefs_ = centre_->addChiefs(kRaters);
-    const std::string rubric = centre_->addPaperRubric();
-    const std::string version = centre_->runPaperCurriculum();
-    cohort_ = addCohort(centre_->session(), {.name = "Study", .curriculumVersionId = version});
-    enrolled_ = enrolTrainees(centre_->session(), cohort_, trainees);
-    createAssignments(centre_->session(), {.cohortId = cohort_,
-                                           .occasionCodes = {"pre", "mid", "post"},
-                                           .raterIds = chiefs_,
-                                           .rubricRevisionId = rubric,
-                                           .seed = 11});
-    AllocationPlan plan;
-    plan.cohortId = cohort_;
-    lockAllocation(centre_->as("allocator"), plan);
-    allocateAll(centre_->session(), cohort_);
+    const PaperStudy study = centre_->addStudy(kTrainees, kRaters);
+    chiefs_ = study.chiefs;
+    cohort_ = study.cohortId;
+    enrolled_ = study.enrolmentIds;
+    createAssignments(centre_->session(), study.plan(11));
+    centre_->allocate(cohort_);
     office_ = openAdministrator();
     for (std::size_t i = 0; i < kRaters; ++i) {
       raters_.push_back(openDesk(i));

@@ -10,7 +10,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 /// Runs a change and expects that the latest audit entry is `action` by `userId`.
 template <typename Change>
@@ -28,4 +28,4 @@ void expectAudited(Connection& connection, const UserId& userId, const std::stri
   EXPECT_EQ(newest.front().actor, userId) << action;
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

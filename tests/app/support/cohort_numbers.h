@@ -9,7 +9,7 @@
 
 #include "app/services/base/csv_table.h"
 
-namespace torsio::test {
+namespace torsio {
 
 /// The numbers of cohort.csv by section, group, model, index, occasion and statistic.
 class CohortNumbers {
@@ -51,4 +51,4 @@ class CohortNumbers {
   CsvTable table_;
 };
 
-}  // namespace torsio::test
+}  // namespace torsio

@@ -4,18 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "app/services/base/build_info.h"
 #include "app/services/recording/pipeline.h"
 #include "assessment/attempt/trial_listing.h"
-#include "assessment/domain/people/account.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/live_call.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/study/cohort.h"
-#include "db/migrations/migrations.h"
-#include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
@@ -25,7 +21,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "tests/sim/servo/bar_scene.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 namespace {
 
@@ -40,52 +36,14 @@ const Scene& bar() {
   return kBar;
 }
 
-Actor actorIn(Connection& connection, const std::string& login) {
-  Actor actor;
-  for (const UserAccount& user : AccessRepository(connection).users()) {
-    if (user.login == login) {
-      actor = {user.id, user.login, user.personId, user.roles, false, kReviewTime_us};
-    }
-  }
-  return actor;
-}
-
 std::string physicianLogin(std::size_t index) {
   return "physician" + std::to_string(index);
 }
 
 }  // namespace
 
-ReviewCentre::ReviewCentre(const Setup& setup) {
-  folder_ = std::filesystem::temp_directory_path() / ("torsio-" + SystemIdSource().newUuid());
-  std::filesystem::create_directories(folder_);
-  ids_ = std::make_unique<SeededIdSource>(20251121);
-  open();
-  fill(setup);
-}
-
-ReviewCentre::ReviewCentre(const std::filesystem::path& folder)
-    : folder_(folder), owner_(false), ids_(std::make_unique<SystemIdSource>()) {
-  open();
-}
-
-ReviewCentre::~ReviewCentre() {
-  connection_.reset();
-  std::error_code ignored;
-  if (owner_) {
-    std::filesystem::remove_all(folder_, ignored);
-  }
-}
-
-void ReviewCentre::open() {
-  MigrationOptions migration;
-  migration.softwareVersion = softwareVersion();
-  migration.now_us = kReviewTime_us;
-  connection_ = std::make_unique<Connection>(openRecord(locator(), OpenMode::kCreate, migration));
-}
-
-void ReviewCentre::fill(const Setup& setup) {
-  Transaction transaction(*connection_);
+ReviewCentre::ReviewCentre(const Setup& setup) : TestRecord(20251121) {
+  Transaction transaction(connection());
   addPeople(setup);
   addTrials(setup);
   addAssignments(setup);
@@ -95,54 +53,39 @@ void ReviewCentre::fill(const Setup& setup) {
   transaction.commit();
 }
 
+ReviewCentre::ReviewCentre(const std::filesystem::path& folder) : TestRecord(folder) {}
+
 void ReviewCentre::addPeople(const Setup& setup) {
-  PeopleRepository people(*connection_);
-  AccessRepository access(*connection_, PasswordCost::kTest);
-  people.addRaterClasses(std::vector<SeniorityClass>{{"chief", "chief physicians", 1}});
-  StudyRepository study(*connection_);
-  const Cohort cohort{ids_->newUuid(), "Autumn intake", "", kReviewTime_us, false, {}};
-  const StudyGroup group{ids_->newUuid(), cohort.id, 1, "G1", kGroupLabel, {}};
+  addChiefClass("chief physicians");
+  StudyRepository study(connection());
+  const Cohort cohort{ids().newUuid(), "Autumn intake", "", kReviewTime_us, false, {}};
+  const StudyGroup group{ids().newUuid(), cohort.id, 1, "G1", kGroupLabel, {}};
   study.addCohort(cohort, std::span(&group, 1));
   for (int i = 0; i < setup.trainees; ++i) {
-    Trainee trainee;
-    trainee.person.id = ids_->newUuid();
-    trainee.person.code = "TR-4" + std::to_string(100 + i);
-    trainee.person.createdUtc_us = kReviewTime_us;
-    people.addTrainees(std::span(&trainee, 1));
-    const Identity identity{trainee.person.id, kSurnames[i % 10],
-                            std::string(kSurnames[i % 10]) + "@example.org",
-                            "staff-" + std::to_string(7000 + i)};
-    people.setIdentity(identity);
+    traineeCodes_.push_back("TR-4" + std::to_string(100 + i));
     Enrolment enrolment;
-    enrolment.id = ids_->newUuid();
+    enrolment.traineeId = addTrainee(traineeCodes_.back());
+    PeopleRepository(connection())
+        .setIdentity({enrolment.traineeId, kSurnames[i % 10], std::string(kSurnames[i % 10]) + "@example.org",
+                      "staff-" + std::to_string(7000 + i)});
+    enrolment.id = ids().newUuid();
     enrolment.cohortId = cohort.id;
-    enrolment.traineeId = trainee.person.id;
     enrolment.enrolledUtc_us = kReviewTime_us;
     study.enrol(std::span(&enrolment, 1));
     enrolmentIds_.push_back(enrolment.id);
-    traineeCodes_.push_back(trainee.person.code);
   }
   for (int i = 0; i < setup.raters; ++i) {
-    Rater rater;
-    rater.person.id = ids_->newUuid();
-    rater.person.code = "CH-" + std::to_string(100 + i);
-    rater.person.createdUtc_us = kReviewTime_us;
-    rater.classCode = "chief";
-    people.addRaters(std::span(&rater, 1));
-    access.addUser({.id = ids_->newUuid(),
-                    .login = physicianLogin(static_cast<std::size_t>(i)),
-                    .personId = rater.person.id,
-                    .roles = {"rater"}},
-                   kPassword);
+    addUser(physicianLogin(static_cast<std::size_t>(i)), addChief("CH-" + std::to_string(100 + i)), "rater",
+            kPassword);
   }
-  access.addUser({.id = ids_->newUuid(), .login = "office", .roles = {"administrator"}}, kPassword);
+  addUser("office", {}, "administrator", kPassword);
 }
 
 void ReviewCentre::addTrials(const Setup& setup) {
   const Scene& scene = setup.scene != nullptr ? *setup.scene : bar();
   for (std::size_t i = 0; i < enrolmentIds_.size(); ++i) {
     ScriptedTrial trial;
-    trial.recording = {.trialId = ids_->newUuid(),
+    trial.recording = {.trialId = ids().newUuid(),
                        .traineeCode = traineeCodes_[i],
                        .phaseLabel = kPhase,
                        .startedUtc_us = kReviewTime_us,
@@ -150,7 +93,7 @@ void ReviewCentre::addTrials(const Setup& setup) {
     trial.personSeed = 40 + i;
     trial.trialSeed = 40 + i;
     trial.duration_s = setup.trial_s;
-    TrialRepository repository(*connection_, trial.recording.context);
+    TrialRepository repository(connection(), trial.recording.context);
     recordScriptedTrial(scene, trial, repository);
     trialIds_.push_back(trial.recording.trialId);
   }
@@ -161,17 +104,17 @@ void ReviewCentre::callAll() {
   for (const EnrolmentId& enrolmentId : enrolmentIds_) {
     const std::int64_t called_us = kReviewTime_us + static_cast<std::int64_t>(calls.size()) * 60'000'000;
     calls.push_back(
-        {ids_->newUuid(), enrolmentId, "post", "room 1", "office", called_us, called_us + 1, false});
+        {ids().newUuid(), enrolmentId, "post", "room 1", "office", called_us, called_us + 1, false});
   }
-  CallRepository(*connection_).add(calls);
+  CallRepository(connection()).add(calls);
 }
 
 void ReviewCentre::addAssignments(const Setup& setup) {
-  SheetRepository sheets(*connection_);
-  const std::string rubric = ids_->newUuid();
-  RubricRepository rubrics(*connection_);
+  SheetRepository sheets(connection());
+  const std::string rubric = ids().newUuid();
+  RubricRepository rubrics(connection());
   rubrics.addRubric(rubric, "Twist", kReviewTime_us, false);
-  RubricRevision revision{.id = ids_->newUuid(), .rubricId = rubric};
+  RubricRevision revision{.id = ids().newUuid(), .rubricId = rubric};
   revision.overall = {10, 100, 10};
   revision.rows = {
       {"time", "Training time", {10, 100, 10}, {{10, "very slow"}, {100, "as an expert"}}},
@@ -187,7 +130,7 @@ void ReviewCentre::addAssignments(const Setup& setup) {
       const bool live = k >= trainees;
       const std::size_t trainee = live ? k - trainees : (k + rater) % trainees;
       Assignment one;
-      one.id = ids_->newUuid();
+      one.id = ids().newUuid();
       one.raterId = raterId(rater);
       one.enrolmentId = enrolmentIds_[trainee];
       one.occasionCode = live ? "post" : "mid";
@@ -206,15 +149,11 @@ void ReviewCentre::addAssignments(const Setup& setup) {
 }
 
 std::unique_ptr<SessionContext> ReviewCentre::physician(std::size_t index) {
-  return std::make_unique<SessionContext>(
-      *connection_, *ids_, SessionKey{locator(), "desk-1", actorIn(*connection_, physicianLogin(index))},
-      [this] { return now_us_; });
+  return sessionOf("desk-1", actorOf(physicianLogin(index)));
 }
 
 std::unique_ptr<SessionContext> ReviewCentre::administrator() {
-  return std::make_unique<SessionContext>(*connection_, *ids_,
-                                          SessionKey{locator(), "office-1", actorIn(*connection_, "office")},
-                                          [this] { return now_us_; });
+  return sessionOf("office-1", actorOf("office"));
 }
 
 void ReviewCentre::addTwoModels(bool recorded, const std::vector<std::string>& orders) {
@@ -230,16 +169,16 @@ void ReviewCentre::addTwoModels(bool recorded, const std::vector<std::string>& o
   for (std::size_t i = 0; i < orders.size(); ++i) {
     campaign.raters.push_back({raterId(i), "chief", orders[i]});
   }
-  EvaluationRepository(*connection_).addCampaign(campaign);
+  EvaluationRepository(connection()).addCampaign(campaign);
 }
 
 RaterId ReviewCentre::raterId(std::size_t index) {
-  return actorIn(*connection_, physicianLogin(index)).personId;
+  return actorOf(physicianLogin(index)).personId;
 }
 
 std::vector<AssignmentId> ReviewCentre::cases(std::size_t index, bool live) {
   std::vector<AssignmentId> ids;
-  for (const QueueEntry& entry : SheetRepository(*connection_).queue(raterId(index))) {
+  for (const QueueEntry& entry : SheetRepository(connection()).queue(raterId(index))) {
     if (entry.trialId.empty() == live) {
       ids.push_back(entry.assignmentId);
     }
@@ -248,7 +187,7 @@ std::vector<AssignmentId> ReviewCentre::cases(std::size_t index, bool live) {
 }
 
 AssignmentId ReviewCentre::caseAbout(std::size_t index, std::size_t trainee) {
-  DeskRepository desk(*connection_);
+  DeskRepository desk(connection());
   for (const AssignmentId& id : cases(index)) {
     if (desk.assignment(id)->trialId == trialIds_.at(trainee)) {
       return id;
@@ -260,14 +199,14 @@ AssignmentId ReviewCentre::caseAbout(std::size_t index, std::size_t trainee) {
 std::vector<std::string> ReviewCentre::secrets() {
   std::vector<std::string> found{kPhase,         kGroupLabel, "Autumn intake", "20-40",
                                  "after 20 min", "station-7", "staff-70"};
-  for (const Trainee& trainee : PeopleRepository(*connection_).trainees()) {
+  for (const Trainee& trainee : PeopleRepository(connection()).trainees()) {
     found.push_back(trainee.person.code);
     found.push_back(trainee.person.id);
-    if (const auto identity = PeopleRepository(*connection_).identity(trainee.person.id)) {
+    if (const auto identity = PeopleRepository(connection()).identity(trainee.person.id)) {
       found.push_back(identity->fullName);
     }
   }
-  for (const TrialListing& trial : TrialRepository(*connection_).list()) {
+  for (const TrialListing& trial : TrialRepository(connection()).list()) {
     found.push_back(trial.trialId);
     found.push_back(trial.trialId.text().substr(0, 8));
     if (trial.summary) {
@@ -288,4 +227,4 @@ Sheet reviewSheet(double time, double accuracy, double overall) {
   return sheet;
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -10,20 +10,19 @@
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/sheet.h"
-#include "db/connection/connection.h"
-#include "db/repository/base/id_source.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/scene/scene.h"
+#include "tests/app/support/test_record.h"
 
-namespace torsio::testing {
+namespace torsio {
 
-inline constexpr std::int64_t kReviewTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
+inline constexpr std::int64_t kReviewTime_us = kRecordTime_us;
 inline constexpr std::int64_t kReviewDay_us = 86'400'000'000;
 
 /// A centre with physicians who score, in a temporary SQLite file: named trainees in named groups, each with
 /// a recording at the occasion "mid" and a live case at "post"; the rubric has the rows "time" and "accuracy"
 /// (1 to 10 in tenths) and an overall mark.
-class ReviewCentre {
+class ReviewCentre : public TestRecord {
  public:
   struct Setup {
     int raters = 2;
@@ -38,18 +37,12 @@ class ReviewCentre {
   explicit ReviewCentre(const Setup& setup);
   /// Opens an existing centre in `folder`, like another program.
   explicit ReviewCentre(const std::filesystem::path& folder);
-  ~ReviewCentre();
-  ReviewCentre(const ReviewCentre&) = delete;
-  ReviewCentre& operator=(const ReviewCentre&) = delete;
 
   /// Calls every live case to the real arm and ends the call, one per minute.
   void callAll();
   /// Signs in physician `index` (0 ..) in a separate session on the shared connection.
   [[nodiscard]] std::unique_ptr<SessionContext> physician(std::size_t index);
   [[nodiscard]] std::unique_ptr<SessionContext> administrator();
-  [[nodiscard]] Connection& connection() { return *connection_; }
-  [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// Returns the assignments of physician `index` in the rater's order: recorded or live ones.
   [[nodiscard]] std::vector<AssignmentId> cases(std::size_t index, bool live = false);
   /// Returns the assignment of physician `index` for trainee `trainee`.
@@ -62,21 +55,12 @@ class ReviewCentre {
   void addTwoModels(bool recorded, const std::vector<std::string>& orders = {"FEM,PM"});
   /// Returns everything that raters must not see: names, pseudonyms, groups, stages, phases, trial ids.
   [[nodiscard]] std::vector<std::string> secrets();
-  void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
-  [[nodiscard]] std::int64_t now_us() const { return now_us_; }
 
  private:
-  void open();
-  void fill(const Setup& setup);
   void addPeople(const Setup& setup);
   void addTrials(const Setup& setup);
   void addAssignments(const Setup& setup);
 
-  std::filesystem::path folder_;
-  bool owner_ = true;
-  std::int64_t now_us_ = kReviewTime_us;
-  std::unique_ptr<Connection> connection_;
-  std::unique_ptr<IdSource> ids_;
   std::vector<EnrolmentId> enrolmentIds_;
   std::vector<std::string> traineeCodes_;
   std::vector<TrialId> trialIds_;
@@ -86,4 +70,11 @@ class ReviewCentre {
 /// Fills in a sheet of the centre's rubric: both rows and the overall mark, points.
 [[nodiscard]] Sheet reviewSheet(double time, double accuracy, double overall);
 
+}  // namespace torsio
+
+namespace torsio::testing {
+using torsio::kReviewDay_us;
+using torsio::kReviewTime_us;
+using torsio::ReviewCentre;
+using torsio::reviewSheet;
 }  // namespace torsio::testing

@@ -18,38 +18,14 @@
 #include "db/repository/study/curriculum_repository.h"
 #include "tests/app/support/study_centre.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 /// Six trainees in three groups with the paper's curriculum, three chiefs, the shipped rubric.
-struct SixTrainees {
+struct SixTrainees : PaperStudy {
   StudyCentre centre;
-  std::vector<RaterId> chiefs;
-  std::string rubric;
-  CohortId cohortId;
-  std::vector<EnrolmentId> enrolmentIds;
 
-  SixTrainees() {
-    const std::vector<TraineeId> trainees = centre.addTrainees(6);
-    chiefs = centre.addChiefs(3);
-    rubric = centre.addPaperRubric();
-    const std::string version = centre.runPaperCurriculum();
-    cohortId = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
-    enrolmentIds = enrolTrainees(centre.session(), cohortId, trainees);
-  }
-  void allocate() {
-    SessionContext& allocator = centre.as("allocator");
-    AllocationPlan plan;
-    plan.cohortId = cohortId;
-    lockAllocation(allocator, plan);
-    allocateAll(allocator, cohortId);
-  }
-  [[nodiscard]] ScoringPlan plan() const {
-    return {.cohortId = cohortId,
-            .occasionCodes = {"pre", "mid", "post"},
-            .raterIds = chiefs,
-            .rubricRevisionId = rubric,
-            .seed = 3};
-  }
+  SixTrainees() { PaperStudy::operator=(centre.addStudy(6, 3)); }
+  void allocate() { centre.allocate(cohortId); }
   [[nodiscard]] StudyArm armOf(const EnrolmentId& enrolmentId) {
     SessionContext& session = centre.as("administrator");
     const CohortRow cohort = cohorts(session).at(0);
@@ -87,4 +63,8 @@ struct SixTrainees {
   }
 };
 
+}  // namespace torsio
+
+namespace torsio::testing {
+using torsio::SixTrainees;
 }  // namespace torsio::testing

@@ -1,59 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/support/study_centre.h"
 
-#include <QTemporaryDir>
-
 #include "app/services/people/people_service.h"
+#include "app/services/study/allocation_service.h"
+#include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_service.h"
 #include "app/services/study/rubric_service.h"
-#include "assessment/domain/people/account.h"
-#include "db/migrations/migrations.h"
-#include "db/repository/people/access_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "tests/support/stored_rows.h"
 
-namespace torsio::testing {
+namespace torsio {
 
-StudyCentre::StudyCentre(const std::string& locator) {
-  QTemporaryDir folder;
-  folder.setAutoRemove(false);
-  folder_ = folder.path().toStdString();
-  const std::string record = locator.empty() ? (folder_ / "administrator.sqlite").string() : locator;
-  connection_ = std::make_unique<Connection>(
-      openRecord(record, OpenMode::kCreate, {.softwareVersion = "test", .now_us = kStudyTime_us}));
-  session_ = std::make_unique<SessionContext>(*connection_, ids_, SessionKey{record, "test station", {}},
-                                              [this] { return now_us_; });
-  session_->setPasswordCost(PasswordCost::kTest);
-  AccessRepository access(*connection_, PasswordCost::kTest);
-  for (const std::string& role : storedRoles(*connection_)) {
-    const std::string id = ids_.newUuid();
-    access.addUser({.id = id, .login = role, .createdUtc_us = now_us_, .roles = {role}}, kStudyPassword);
-    access.setPassword(id, access.sealPassword(role, kStudyPassword), false);
-    actors_[role] = {id, role, "", {role}, false};
-  }
-  SettingRepository(*connection_).set("two_people", "no", now_us_);  // one administrator may do everything
+ScoringPlan PaperStudy::plan(std::uint64_t seed) const {
+  return {.cohortId = cohortId,
+          .occasionCodes = {"pre", "mid", "post"},
+          .raterIds = chiefs,
+          .rubricRevisionId = rubric,
+          .seed = seed};
 }
 
-StudyCentre::~StudyCentre() {
-  session_.reset();
-  connection_.reset();
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
+StudyCentre::StudyCentre(const std::string& locator) : TestRecord(7, locator) {
+  session_->setPasswordCost(PasswordCost::kTest);
+  for (const std::string& role : storedRoles(connection())) {
+    addUser(role, {}, role, kStudyPassword);
+  }
+  SettingRepository(connection()).set("two_people", "no", now_us());  // one administrator may do everything
 }
 
 SessionContext& StudyCentre::as(const std::string& role) {
-  Actor actor = role.empty() ? Actor{} : actors_.at(role);
-  actor.passwordShownUtc_us = now_us_;
-  session_->setActor(actor);
+  session_->setActor(actorOf(role));
   return *session_;
 }
 
 SessionContext& StudyCentre::asRater(const RaterId& raterId) {
-  Actor actor = actors_.at("rater");
+  Actor actor = actorOf("rater");
   actor.personId = raterId;
-  actor.passwordShownUtc_us = now_us_;
   session_->setActor(actor);
   return *session_;
+}
+
+PaperStudy StudyCentre::addStudy(std::size_t trainees, std::size_t chiefs) {
+  PaperStudy study{.trainees = addTrainees(trainees)};
+  if (chiefs > 0) {
+    study.chiefs = addChiefs(chiefs);
+    study.rubric = addPaperRubric();
+  }
+  study.cohortId = addCohort(session(), {.name = "Study", .curriculumVersionId = runPaperCurriculum()});
+  study.enrolmentIds = enrolTrainees(session(), study.cohortId, study.trainees);
+  return study;
+}
+
+void StudyCentre::allocate(const CohortId& cohortId) {
+  AllocationPlan plan;
+  plan.cohortId = cohortId;
+  lockAllocation(as("allocator"), plan);
+  allocateAll(session(), cohortId);
 }
 
 std::vector<TraineeId> StudyCentre::addTrainees(std::size_t count) {
@@ -102,14 +103,14 @@ std::string StudyCentre::addPaperRubric() {
 
 std::map<std::string, std::int64_t> StudyCentre::rowCounts() {
   std::map<std::string, std::int64_t> counts;
-  Statement table = connection_->prepare("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name");
+  Statement table = connection().prepare("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name");
   table.execute();
   std::vector<std::string> names;
   while (table.step()) {
     names.push_back(table.text(0));
   }
   for (const std::string& name : names) {
-    Statement row = connection_->prepare("SELECT count(*) FROM " + name);
+    Statement row = connection().prepare("SELECT count(*) FROM " + name);
     row.execute();
     if (row.step()) {
       counts[name] = row.int64(0);
@@ -119,9 +120,9 @@ std::map<std::string, std::int64_t> StudyCentre::rowCounts() {
 }
 
 std::int64_t StudyCentre::audited(const std::string& action) {
-  Statement row = connection_->prepare("SELECT count(*) FROM audit_entry WHERE action = ?");
+  Statement row = connection().prepare("SELECT count(*) FROM audit_entry WHERE action = ?");
   row.execute({action});
   return row.step() ? row.int64(0) : 0;
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

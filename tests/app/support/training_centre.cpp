@@ -4,14 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/services/base/build_info.h"
 #include "app/services/recording/pipeline.h"
 #include "app/services/recording/recorded_run.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/people/account.h"
-#include "assessment/domain/people/person.h"
-#include "db/migrations/migrations.h"
-#include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/angle.h"
@@ -20,7 +15,7 @@
 #include "sim/servo/hand_task.h"
 #include "tests/sim/servo/bar_scene.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 namespace {
 
@@ -63,120 +58,73 @@ DeviceReadiness deviceWith(Light light) {
   return readiness;
 }
 
-TrainingCentre::TrainingCentre(const Setup& setup) {
-  folder_ = std::filesystem::temp_directory_path() / ("torsio-" + SystemIdSource().newUuid());
-  std::filesystem::create_directories(folder_);
-  ids_ = std::make_unique<SeededIdSource>(20251121);
-  open();
+TrainingCentre::TrainingCentre(const Setup& setup) : TestRecord(20251121) {
   fill(setup);
   become("T-01");
 }
 
-TrainingCentre::TrainingCentre(const std::filesystem::path& folder) : folder_(folder), owner_(false) {
-  ids_ = std::make_unique<SystemIdSource>();
-  open();
-}
-
-TrainingCentre::~TrainingCentre() {
-  session_.reset();
-  connection_.reset();
-  std::error_code ignored;
-  if (owner_) {
-    std::filesystem::remove_all(folder_, ignored);
-  }
-}
-
-void TrainingCentre::open() {
-  MigrationOptions options;
-  options.softwareVersion = softwareVersion();
-  options.now_us = now_us_;
-  connection_ = std::make_unique<Connection>(openRecord(locator(), OpenMode::kCreate, options));
-  session_ = std::make_unique<SessionContext>(*connection_, *ids_, SessionKey{locator(), "station 1", {}},
-                                              [this] { return now_us_; });
-}
+TrainingCentre::TrainingCentre(const std::filesystem::path& folder) : TestRecord(folder) {}
 
 void TrainingCentre::fill(const Setup& setup) {
-  PeopleRepository people(*connection_);
-  AccessRepository access(*connection_, PasswordCost::kTest);
-  StudyRepository studies(*connection_);
-  studies.setCentre({ids_->newUuid(), "Skills laboratory", now_us_, false});
-  const SeniorityClass chiefs{"chief", "chief physician", 1};
-  people.addRaterClasses({&chiefs, 1});
-  std::vector<Trainee> trainees;
-  for (const char* code : {"T-01", "T-02"}) {
-    Trainee trainee;
-    trainee.person.id = ids_->newUuid();
-    trainee.person.code = code;
-    trainee.person.createdUtc_us = now_us_;
-    trainee.person.demonstration = setup.simulated;
-    trainees.push_back(trainee);
-  }
-  people.addTrainees(trainees);
-  Rater chief;
-  chief.person.id = ids_->newUuid();
-  chief.person.code = "R-01";
-  chief.person.createdUtc_us = now_us_;
-  chief.classCode = "chief";
-  people.addRaters({&chief, 1});
-  const auto addUser = [&](const std::string& login, const PersonId& personId, const std::string& role) {
-    const std::string id = ids_->newUuid();
-    access.addUser(
-        {.id = id, .login = login, .personId = personId, .createdUtc_us = now_us_, .roles = {role}},
-        kPassword);
-    access.setPassword(id, access.sealPassword(login, kPassword), false);
-  };
-  addUser("T-01", trainees[0].person.id, "trainee");
-  addUser("T-02", trainees[1].person.id, "trainee");
-  addUser("chief", chief.person.id, "rater");
+  PeopleRepository people(connection());
+  StudyRepository studies(connection());
+  studies.setCentre({ids().newUuid(), "Skills laboratory", now_us(), false});
+  addChiefClass("chief physician");
+  const std::vector<TraineeId> trainees{addTrainee("T-01", setup.simulated),
+                                        addTrainee("T-02", setup.simulated)};
+  const RaterId chief = addChief("R-01");
+  addUser("T-01", trainees[0], "trainee", kPassword);
+  addUser("T-02", trainees[1], "trainee", kPassword);
+  addUser("chief", chief, "rater", kPassword);
 
   CurriculumVersion version;
-  version.id = ids_->newUuid();
-  version.curriculumId = ids_->newUuid();
-  version.createdUtc_us = now_us_;
-  version.modules.push_back(moduleOf(ids_->newUuid(), "first", "practice", 2, setup));
-  version.modules.push_back(moduleOf(ids_->newUuid(), "second", "graded", 1, setup));
-  version.modules.push_back(moduleOf(ids_->newUuid(), "third", "graded", 1, setup));
+  version.id = ids().newUuid();
+  version.curriculumId = ids().newUuid();
+  version.createdUtc_us = now_us();
+  version.modules.push_back(moduleOf(ids().newUuid(), "first", "practice", 2, setup));
+  version.modules.push_back(moduleOf(ids().newUuid(), "second", "graded", 1, setup));
+  version.modules.push_back(moduleOf(ids().newUuid(), "third", "graded", 1, setup));
   version.modules[1].requires_ = {version.modules[0].id};
   version.modules[1].attemptLimit = 3;
   version.modules[2].requires_ = {version.modules[1].id};
   StudyArm arm;
-  arm.id = ids_->newUuid();
+  arm.id = ids().newUuid();
   arm.code = "G1";
   arm.label = "virtual, then real arm";
   arm.restAllowance_us = setup.restAllowance_us;
   arm.restSplittable = setup.restSplittable;
   for (TrainingPhase phase : setup.phases) {
-    phase.id = ids_->newUuid();
+    phase.id = ids().newUuid();
     arm.phases.push_back(phase);
   }
   version.arms.push_back(arm);
-  CurriculumRepository curricula(*connection_);
-  curricula.addCurriculum({version.curriculumId, "Twist basics", "", now_us_, false});
+  CurriculumRepository curricula(connection());
+  curricula.addCurriculum({version.curriculumId, "Twist basics", "", now_us(), false});
   curricula.addVersion(version, "office");
-  curricula.moveTo(version.id, CurriculumState::kRunning, "office", now_us_);
+  curricula.moveTo(version.id, CurriculumState::kRunning, "office", now_us());
 
-  const CohortId cohortId = ids_->newUuid();
-  const StudyGroup group{ids_->newUuid(), cohortId, 1, "G1", arm.label};
-  studies.addCohort({cohortId, "Autumn course", "", now_us_, false}, {&group, 1});
+  const CohortId cohortId = ids().newUuid();
+  const StudyGroup group{ids().newUuid(), cohortId, 1, "G1", arm.label};
+  studies.addCohort({cohortId, "Autumn course", "", now_us(), false}, {&group, 1});
   curricula.assign(cohortId, version.id);
   std::vector<Enrolment> enrolments;
   for (std::size_t i = 0; i < trainees.size(); ++i) {
     Enrolment enrolment;
-    enrolment.id = ids_->newUuid();
+    enrolment.id = ids().newUuid();
     enrolment.cohortId = cohortId;
-    enrolment.traineeId = trainees[i].person.id;
-    enrolment.enrolledUtc_us = now_us_;
+    enrolment.traineeId = trainees[i];
+    enrolment.enrolledUtc_us = now_us();
     if (!setup.phases.empty()) {
       enrolment.groupId = group.id;
       enrolment.numberInGroup = static_cast<std::int64_t>(i) + 1;
     }
     enrolments.push_back(enrolment);
     if (setup.consent) {
-      people.recordConsent({.personId = trainees[i].person.id,
+      people.recordConsent({.personId = trainees[i],
                             .purpose = "training_record",
                             .granted = true,
                             .textVersion = "1",
-                            .decidedUtc_us = now_us_,
+                            .decidedUtc_us = now_us(),
                             .recordedBy = "office"});
     }
   }
@@ -184,19 +132,15 @@ void TrainingCentre::fill(const Setup& setup) {
 }
 
 void TrainingCentre::become(const std::string& who) {
-  for (const UserAccount& user : AccessRepository(*connection_, PasswordCost::kTest).users()) {
-    if (user.login == who) {
-      session_->setActor({user.id, user.login, user.personId, user.roles, false, now_us_});
-    }
-  }
+  session_->setActor(actorOf(who));
 }
 
 Cohort TrainingCentre::cohort() {
-  return StudyRepository(*connection_).cohorts().front();
+  return StudyRepository(connection()).cohorts().front();
 }
 
 std::string TrainingCentre::enrolment(const std::string& traineeCode) {
-  for (const Enrolment& enrolment : StudyRepository(*connection_).enrolments(cohort().id)) {
+  for (const Enrolment& enrolment : StudyRepository(connection()).enrolments(cohort().id)) {
     if (enrolment.traineeCode == traineeCode) {
       return enrolment.id;
     }
@@ -205,7 +149,7 @@ std::string TrainingCentre::enrolment(const std::string& traineeCode) {
 }
 
 std::string TrainingCentre::module(const std::string& code) {
-  const auto version = CurriculumRepository(*connection_).version(cohort().curriculumVersionId);
+  const auto version = CurriculumRepository(connection()).version(cohort().curriculumVersionId);
   for (const TrainingModule& module : version->modules) {
     if (module.code == code) {
       return module.id;
@@ -221,21 +165,21 @@ std::string TrainingCentre::attempt(const std::string& moduleCode, const std::st
   hand.task = handTask(scene);
   hand.profile = {.initialSkill = skill, .finalSkill = skill, .learningTime_min = 1.0};
   hand.duration_s = planned_s > 0.0 ? planned_s : duration_s;
-  hand.seed = static_cast<std::uint64_t>(now_us_);
+  hand.seed = static_cast<std::uint64_t>(now_us());
   const RecordingSpec spec = recording(moduleCode, mode, phaseId);
   RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), spec,
-                  std::make_shared<TrialRepository>(*connection_, spec.context));
+                  std::make_shared<TrialRepository>(connection(), spec.context));
   run.step(ticksIn(duration_s));
   static_cast<void>(run.finish(TrialOutcome::kCompleted));
-  now_us_ += ticksIn(duration_s) * kTickPeriod_us + kMinute_us;
+  passTime_us(ticksIn(duration_s) * kTickPeriod_us + kMinute_us);
   return spec.trialId;
 }
 
 RecordingSpec TrainingCentre::recording(const std::string& moduleCode, const std::string& mode,
                                         const PhaseId& phaseId) {
-  return {.trialId = ids_->newUuid(),
+  return {.trialId = ids().newUuid(),
           .traineeCode = session_->actor().login,
-          .startedUtc_us = now_us_,
+          .startedUtc_us = now_us(),
           .context = {.station = "station 1",
                       .enrolmentId = enrolment(session_->actor().login),
                       .moduleId = module(moduleCode),
@@ -247,15 +191,15 @@ std::string TrainingCentre::untwist(const std::string& moduleCode, const std::st
                                     std::size_t turnsLeftOut) {
   static const Scene kTestis = [] {
     SceneRequest request;
-    request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+    request.assets = assets();
     request.id = "testis";
     return loadScene(request);
   }();
   ScriptedTrial trial{.recording = recording(moduleCode, mode), .practisedBefore_min = 600.0};
   trial.turnsLeftOut = turnsLeftOut;
-  TrialRepository sink(*connection_, trial.recording.context);
+  TrialRepository sink(connection(), trial.recording.context);
   recordScriptedTrial(kTestis, trial, sink);
-  now_us_ += kMinute_us;
+  passTime_us(kMinute_us);
   return trial.recording.trialId;
 }
 
@@ -268,4 +212,4 @@ Attempt attemptOf(TrainingCentre& centre, const TrialId& trialId) {
   throw std::out_of_range(trialId.text());
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -14,18 +14,15 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"
-#include "db/connection/connection.h"
-#include "db/repository/base/id_source.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/time_units.h"
 #include "sim/scene/scene.h"
+#include "tests/app/support/test_record.h"
 
-namespace torsio::testing {
+namespace torsio {
 
-using torsio::kMinute_us;
-using torsio::kSecond_us;
-inline constexpr std::int64_t kCentreTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
+inline constexpr std::int64_t kCentreTime_us = kRecordTime_us;
 
 /// A small centre in a temporary SQLite file: trainees T-01 and T-02 with users, one chief, one cohort that
 /// follows a running curriculum of three modules on the bar of the servo tests.
@@ -35,7 +32,7 @@ inline constexpr std::int64_t kCentreTime_us = 1'763'712'000'000'000;  // 2025-1
 /// | first  | practice | -     | half the twists on target, twice  | any      |
 /// | second | graded   | first | half the twists on target, once   | 3        |
 /// | third  | graded   | second| half the twists on target, once   | any      |
-class TrainingCentre {
+class TrainingCentre : public TestRecord {
  public:
   struct Setup {
     /// Phases of the study's single arm; empty: no arm, modules at any time.
@@ -55,23 +52,16 @@ class TrainingCentre {
   explicit TrainingCentre(const Setup& setup);
   /// Opens an existing centre in `folder`, like another program.
   explicit TrainingCentre(const std::filesystem::path& folder);
-  ~TrainingCentre();
-  TrainingCentre(const TrainingCentre&) = delete;
-  TrainingCentre& operator=(const TrainingCentre&) = delete;
 
   [[nodiscard]] SessionContext& session() {
     session_->beginCall();
     return *session_;
   }
-  [[nodiscard]] Connection& connection() { return *connection_; }
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
   [[nodiscard]] std::string person() { return session_->actor().personId; }
   /// Returns the id of "first", "second" or "third".
   [[nodiscard]] std::string module(const std::string& code);
   /// Signs in "T-01", "T-02" or "chief".
   void become(const std::string& who);
-  void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
   [[nodiscard]] Cohort cohort();
   [[nodiscard]] std::string enrolment(const std::string& traineeCode = "T-01");
 
@@ -86,14 +76,8 @@ class TrainingCentre {
  private:
   [[nodiscard]] RecordingSpec recording(const std::string& moduleCode, const std::string& mode,
                                         const PhaseId& phaseId = {});
-  void open();
   void fill(const Setup& setup);
-  std::filesystem::path folder_;
-  bool owner_ = true;
-  std::int64_t now_us_ = kCentreTime_us;
-  std::unique_ptr<IdSource> ids_;
-  std::unique_ptr<Connection> connection_;
-  std::unique_ptr<SessionContext> session_;
+  std::unique_ptr<SessionContext> session_ = sessionOf("station 1", {});
 };
 
 /// Returns the bar of the servo tests, created once: target 90 degrees.
@@ -106,4 +90,14 @@ class TrainingCentre {
 /// std::out_of_range for a trial that is not theirs.
 [[nodiscard]] Attempt attemptOf(TrainingCentre& centre, const TrialId& trialId);
 
+}  // namespace torsio
+
+namespace torsio::testing {
+using torsio::attemptOf;
+using torsio::deviceWith;
+using torsio::kCentreTime_us;
+using torsio::kMinute_us;
+using torsio::kSecond_us;
+using torsio::trainingBar;
+using torsio::TrainingCentre;
 }  // namespace torsio::testing

@@ -32,8 +32,6 @@ namespace torsio::web {
 
 namespace {
 
-using torsio::testing::ReviewCentre;
-
 struct Organ {
   const char* scene;
   const char* pattern;
@@ -56,7 +54,7 @@ TEST_P(CasePictureOf, IsWithinAFifthOfAMillimetreAndSmall) {
 
   ASSERT_FALSE(picture.organ.empty());
   EXPECT_LE(picture.farthest_mm, kWithin_mm);
-  const std::string about = torsio::testing::unpackedGzip(picture.organ).substr(0, 4000);
+  const std::string about = unpackedGzip(picture.organ).substr(0, 4000);
   const std::size_t named = about.find("\"skin\":\"");
   ASSERT_NE(named, std::string::npos);
   const auto skin = shelf.find(about.substr(named + 8, 32));
@@ -67,14 +65,14 @@ TEST_P(CasePictureOf, IsWithinAFifthOfAMillimetreAndSmall) {
   // With 0.1 MB of pages: 1.5 MB until a first case is usable.
   EXPECT_LE(picture.organ.size() + picture.body->size() + picture.recording.size() + skin->size(),
             1'300'000U);
-  const std::string head = torsio::testing::unpackedGzip(picture.recording).substr(0, 4000);
+  const std::string head = unpackedGzip(picture.recording).substr(0, 4000);
   const bool undone = std::string(GetParam().pattern) == "detorse";
   for (const char* trace : {"flow_percent", "dose", "patency_percent", "pressure_mmHg"}) {
     EXPECT_EQ(head.find(trace) != std::string::npos, undone) << trace;
   }
   EXPECT_EQ(about.find("\"blood\"") != std::string::npos, undone) << "the colour of its blood";
   for (const std::string& packed : {picture.organ, *picture.body, picture.recording, *skin}) {
-    const std::string bytes = torsio::testing::unpackedGzip(packed);
+    const std::string bytes = unpackedGzip(packed);
     for (const std::string& secret : centre.secrets()) {
       EXPECT_EQ(bytes.find(secret), std::string::npos) << secret;
     }
@@ -103,7 +101,7 @@ TEST(CasePicture, RecordingsOfAnOrganShareItsBody) {
     const CasePicture other = casePicture(loadBlindedRecording(*physician, cases[1]), assetsFolder(), shelf);
     EXPECT_EQ(one.body, other.body);
     EXPECT_LT(other.organ.size(), other.body->size() / 3) << "what a second case still takes";
-    const std::string about = torsio::testing::unpackedGzip(other.organ).substr(0, 4000);
+    const std::string about = unpackedGzip(other.organ).substr(0, 4000);
     name = about.substr(about.find("\"body\":\"") + 8, 32);
   }
   EXPECT_EQ(shelf.find(name), one.body);
@@ -189,7 +187,7 @@ TEST(SkinPicture, HasTheColoursAndPositionsOfTheWindowsSkin) {
   ASSERT_NE(shelf.find(name), nullptr);
   RecordProperty("skin_bytes", static_cast<int>(shelf.find(name)->size()));
   EXPECT_LE(shelf.find(name)->size(), 650'000U);
-  const ReadContainer read = readContainer(torsio::testing::unpackedGzip(*shelf.find(name)));
+  const ReadContainer read = readContainer(unpackedGzip(*shelf.find(name)));
   const QImage colour = pictureOf(read.arrays.at("colour"));
   const QImage relief = pictureOf(read.arrays.at("relief"));
   const SkinCharts& charts = painted.charts;

@@ -29,11 +29,6 @@ namespace torsio::web {
 namespace {
 
 using nlohmann::json;
-using torsio::testing::firstCase;
-using torsio::testing::ReviewCentre;
-using torsio::testing::sheetBody;
-using torsio::testing::WebAnswer;
-using torsio::testing::WebClient;
 
 using namespace std::chrono_literals;
 
@@ -54,7 +49,7 @@ class ServingProgram {
  public:
   ServingProgram(const ReviewCentre& centre, const std::vector<std::string>& environment)
       : port_(freePort()), state_(centre.folder() / "desk.json") {
-    child_ = test::startSilent(
+    child_ = startSilent(
         {"serve", "--database", centre.locator(), "--listen", "127.0.0.1:" + std::to_string(port_),
          "--public-url", "https://desk.example.org", "--state", state_.string(), "--quiet"},
         TORSIO_PROGRAM, environment);
@@ -96,7 +91,7 @@ class ServingProgram {
 WebClient physicianAt(std::uint16_t port) {
   WebClient client(port);
   client.headers = {{"Sec-Fetch-Site", "same-origin"}};
-  EXPECT_TRUE(client.signIn("physician0", testing::kWebPassword));
+  EXPECT_TRUE(client.signIn("physician0", kWebPassword));
   return client;
 }
 
@@ -120,13 +115,13 @@ json savedAs(std::int64_t revision, int step) {
 
 TEST(KilledDesk, LosesNoAcknowledgedMarkAndDuplicatesNone) {
   ReviewCentre centre({.trial_s = 0.5});
-  testing::setWebPasswords(centre);
+  setWebPasswords(centre);
   Random random(20'26);
   std::int64_t revision = 0;
   int step = 0;
   int kept = 0;  // number of the save with this revision
 
-  for (long round = 0; round < test::instantsOf("TORSIO_KILL_INSTANTS", 5); ++round) {
+  for (long round = 0; round < instantsOf("TORSIO_KILL_INSTANTS", 5); ++round) {
     ServingProgram served(centre, {});
     const std::uint16_t port = served.port();
     ASSERT_NE(port, 0);
@@ -166,7 +161,7 @@ TEST(KilledDesk, LosesNoAcknowledgedMarkAndDuplicatesNone) {
 
 TEST(KilledDesk, FindsAndSealsADraftWithTheClockSetBack) {
   ReviewCentre centre({.trial_s = 0.5});
-  testing::setWebPasswords(centre);
+  setWebPasswords(centre);
   std::int64_t revision = 0;
   {
     ServingProgram served(centre, {});

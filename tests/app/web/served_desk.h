@@ -17,7 +17,7 @@
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/web_client.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 /// Password of everybody at a served desk.
 inline constexpr const char* kWebPassword = "correct horse battery";
@@ -83,4 +83,4 @@ inline std::string pathOf(const web::Route& route, const std::string& handle) {
   return path;
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -26,10 +26,6 @@ namespace torsio::web {
 namespace {
 
 using nlohmann::json;
-using torsio::testing::kWebPassword;
-using torsio::testing::ServedDesk;
-using torsio::testing::WebAnswer;
-using torsio::testing::WebClient;
 
 constexpr const char* kChosen = "seven kites above the bay";
 
@@ -249,7 +245,7 @@ TEST_F(WebAccess, EveryRouteAnswersOnlyPermittedRoles) {
         continue;  // asks for a secret; ends the session
       }
       const std::string name = route.method + " " + route.path;
-      const std::string path = torsio::testing::pathOf(route, "x");
+      const std::string path = pathOf(route, "x");
       const WebAnswer answer =
           route.method == "GET" ? client.get(path) : client.send(route.method, path, json::object());
       EXPECT_EQ(answer.status == 200, may.count(name) == 1) << role << ": " << name << " " << answer.status;

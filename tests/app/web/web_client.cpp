@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-namespace torsio::testing {
+namespace torsio {
 
 std::string unpackedGzip(const std::string& bytes) {
   constexpr std::size_t kPiece = 65'536;
@@ -131,4 +131,4 @@ bool WebClient::signIn(const std::string& login, const std::string& password) {
   return true;
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace torsio::testing {
+namespace torsio {
 
 /// Decompresses a gzip stream.
 [[nodiscard]] std::string unpackedGzip(const std::string& bytes);
@@ -45,4 +45,4 @@ class WebClient {
   std::uint16_t port_;
 };
 
-}  // namespace torsio::testing
+}  // namespace torsio

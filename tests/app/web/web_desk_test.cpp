@@ -27,17 +27,10 @@ namespace torsio::web {
 namespace {
 
 using nlohmann::json;
-using torsio::testing::ReviewCentre;
-using torsio::testing::reviewSheet;
-using torsio::testing::WebAnswer;
-using torsio::testing::WebClient;
 
-using torsio::testing::firstCase;
-using torsio::testing::pathOf;
-using Served = torsio::testing::ServedDesk;
-using torsio::testing::sheetBody;
+using Served = ServedDesk;
 
-constexpr const char* kPassword = torsio::testing::kWebPassword;
+constexpr const char* kPassword = kWebPassword;
 
 TEST(WebDesk, OnlyDeclaredRoutesAreOpen) {
   const Served served;

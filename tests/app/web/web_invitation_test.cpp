@@ -20,10 +20,6 @@ namespace {
 
 using nlohmann::json;
 using torsio::testing::FakeMailServer;
-using torsio::testing::kWebPassword;
-using torsio::testing::ServedDesk;
-using torsio::testing::WebAnswer;
-using torsio::testing::WebClient;
 
 constexpr const char* kChosen = "seven kites above the bay";
 

@@ -17,11 +17,6 @@ namespace torsio::web {
 namespace {
 
 using nlohmann::json;
-using torsio::testing::firstCase;
-using torsio::testing::kWebPassword;
-using torsio::testing::ServedDesk;
-using torsio::testing::WebAnswer;
-using torsio::testing::WebClient;
 
 TEST(WebPages, AnEvaluationIsScoredAndSubmittedUnderItsLetters) {
   ServedDesk served;
@@ -83,7 +78,7 @@ void sealFirst(const ServedDesk& served, int physician, int steps) {
   (void)client.send("POST", path + "/viewing",
                     {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}});
   const WebAnswer sealed =
-      client.send("POST", path + "/submit", {{"sheet", torsio::testing::sheetBody(0, steps, steps, steps)}});
+      client.send("POST", path + "/submit", {{"sheet", sheetBody(0, steps, steps, steps)}});
   EXPECT_EQ(sealed.status, 200) << sealed.body;
 }
 

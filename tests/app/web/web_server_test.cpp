@@ -23,9 +23,6 @@ namespace torsio::web {
 
 namespace {
 
-using torsio::testing::WebAnswer;
-using torsio::testing::WebClient;
-
 void echo(HttpRequest request, const HttpServer::Reply& reply) {
   reply({.body = request.method + " " + request.path + " " + request.body});
 }
@@ -138,9 +135,6 @@ TEST(HttpServer, ReportsAnAddressInUse) {
 
 // Attacks on web servers: each is refused, none crashes the program or causes an internal error. Includes a
 // random run (TORSIO_SOAK=1: 10,000 requests).
-
-using torsio::testing::firstCase;
-using torsio::testing::ServedDesk;
 
 std::string headOf(const WebClient& client, const std::string& line) {
   return line +
@@ -300,8 +294,8 @@ TEST(WebAttacks, CorruptedRequestsAreRefusedOrUnderstood) {
     if (route.path == "/api/sign-out") {
       continue;
     }
-    const std::string body = testing::sheetBody(0, 70, 80, 75).dump();
-    const std::string line = headOf(client, route.method + " " + testing::pathOf(route, handle));
+    const std::string body = sheetBody(0, 70, 80, 75).dump();
+    const std::string line = headOf(client, route.method + " " + pathOf(route, handle));
     right.push_back(route.method == "GET"
                         ? line + "\r\n"
                         : line + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body);

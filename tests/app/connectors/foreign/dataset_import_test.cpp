@@ -34,7 +34,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::OwnFolder;
-using testing::StudyCentre;
 
 /// Two seconds: grip, turn to 30 degrees, release.
 Trial twistedTrial(std::size_t number, const std::string& trainee, const TrainingModule& module) {
@@ -67,7 +66,7 @@ Trial twistedTrial(std::size_t number, const std::string& trainee, const Trainin
   header.softwareVersion = "0.1";
   header.phaseLabel = "virtual 0-20 min";
   header.targetAngle_rad = radians(22.0);
-  header.startedUtc_us = testing::kStudyTime_us + static_cast<std::int64_t>(number) * 1'000'000;
+  header.startedUtc_us = kStudyTime_us + static_cast<std::int64_t>(number) * 1'000'000;
   trial.chunks.push_back(encodeChunk(0, std::span(samples).first(1'000)));
   trial.chunks.push_back(encodeChunk(1, std::span(samples).subspan(1'000)));
   trial.summary.samples = 2'000;
@@ -84,17 +83,14 @@ CohortId studyIn(StudyCentre& centre) {
       addCohort(centre.session(),
                 {.name = "Study, \"first\"", .description = "of\ntwo lines", .curriculumVersionId = version});
   enrolTrainees(centre.session(), cohort, trainees);
-  AllocationPlan plan;
-  plan.cohortId = cohort;
-  lockAllocation(centre.as("allocator"), plan);
-  allocateAll(centre.session(), cohort);
+  centre.allocate(cohort);
   centre.as("administrator");
   const std::vector<Enrolment> enrolments = StudyRepository(centre.connection()).enrolments(cohort);
   reportDeviation(centre.session(), {.cohortId = cohort,
                                      .enrolmentId = enrolments[1].id,
                                      .kind = "late",
                                      .description = "by \"ten\" minutes",
-                                     .happenedUtc_us = testing::kStudyTime_us});
+                                     .happenedUtc_us = kStudyTime_us});
   const auto curriculum = CurriculumRepository(centre.connection()).version(version);
   std::vector<SubmittedMark> marks;
   std::size_t number = 0;
@@ -107,7 +103,7 @@ CohortId studyIn(StudyCentre& centre) {
         mark.raterId = rater;
         mark.occasionCode = occasion;
         mark.score_steps = 30 + static_cast<std::int64_t>(7 * number % 50);
-        mark.submittedUtc_us = testing::kStudyTime_us;
+        mark.submittedUtc_us = kStudyTime_us;
         marks.push_back(mark);
       }
     }

@@ -30,19 +30,16 @@
 #include "tests/app/connectors/foreign/foreign_samples.h"
 #include "tests/app/outputs/dataset/foreign_readers.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-using testing::foreignPose;
 using ::testing::HasSubstr;
-using testing::kForeignLines;
 using ::testing::Not;
 using testing::OwnFolder;
-using testing::StudyCentre;
-using testing::writeForeignStudy;
 
 std::vector<ForeignPose> posesOf(const fs::path& map, ForeignLayout layout) {
   const ForeignMap read = readForeignMap(map, layout);
@@ -99,7 +96,7 @@ TEST(ForeignMotion, IsTheSameFromEachLayout) {
       ASSERT_NEAR(std::abs(q.w * e.w + q.x * e.x + q.y * e.y + q.z * e.z), 1.0, 1e-12) << layout << i;
       ASSERT_GE(q.z * e.z, 0.0) << layout << i;  // the same rotation, not its inverse
       const bool jaw = std::string(layout) != "perktutor";
-      ASSERT_NEAR(poses[i].grip, jaw ? testing::foreignJaw(i) : 0.0, 1e-12) << layout << i;
+      ASSERT_NEAR(poses[i].grip, jaw ? foreignJaw(i) : 0.0, 1e-12) << layout << i;
     }
   }
 }
@@ -141,7 +138,7 @@ TEST(ForeignMotion, SkipsLinesWithoutAPoseIfTheMapAllowsIt) {
   EXPECT_EQ(poses.front().place, 1);
   EXPECT_EQ(poses.front().time_us, 20'000);
   EXPECT_EQ(poses[97].place, 99);  // the 98th pose is missing
-  EXPECT_NEAR(norm(poses[97].pose.position_m - testing::foreignPose(99).position_m), 0.0, 1e-12);
+  EXPECT_NEAR(norm(poses[97].pose.position_m - foreignPose(99).position_m), 0.0, 1e-12);
 }
 
 TEST(ForeignImport, IsStoredAsACohortWithRecordingsAndMarks) {
@@ -176,12 +173,8 @@ TEST(ForeignImport, IsStoredAsACohortWithRecordingsAndMarks) {
   EXPECT_NEAR(toolState(samples[100].device).pose.position_m.x, foreignPose(100).position_m.x,
               kPositionStep_m);
   EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
-  try {
-    (void)sceneRequestFor(trial.header.parametersJson);
-    FAIL() << "there is no organ";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.happened(), HasSubstr("other equipment made this recording"));
-  }
+  EXPECT_THAT(refusalOf([&] { (void)sceneRequestFor(trial.header.parametersJson); }).happened(),
+              HasSubstr("other equipment made this recording"));
 }
 
 TEST(ForeignImport, IsSupportedByMetricsReportAndTables) {
@@ -285,12 +278,9 @@ TEST(ForeignImport, ReadsTheGlobalRatingOfJigsaws) {
   EXPECT_EQ(read.marks[0].steps, 15);
   EXPECT_EQ(read.marks[3].recording, "S_C2.txt");
   writeFileAtomically(own.path() / "meta.txt", "S_B1 N 15\nS_B2 N 31\n");
-  try {
-    (void)readForeignMap(map, ForeignLayout::kJigsaws);
-    FAIL() << "31 is beyond the scale";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.where(), HasSubstr("meta.txt, line 2"));
-  }
+  EXPECT_THAT(refusalOf([&] { (void)readForeignMap(map, ForeignLayout::kJigsaws); }).where(),
+              HasSubstr("meta.txt, line 2"))
+      << "31 is beyond the scale";
 }
 
 /// Published sets may not be distributed: TORSIO_PUBLISHED_SETS names a folder with one folder per layout,

@@ -10,7 +10,7 @@
 
 #include "sim/core/file_io.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 namespace {
 
@@ -168,4 +168,4 @@ std::filesystem::path writeForeignStudy(const std::filesystem::path& folder, con
   return folder / "map.json";
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -7,7 +7,7 @@
 
 #include "sim/core/pose.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 inline constexpr double kForeignRate_Hz = 50.0;
 inline constexpr std::size_t kForeignLines = 201;  ///< four seconds
@@ -29,4 +29,4 @@ inline constexpr std::size_t kForeignLines = 201;  ///< four seconds
 std::filesystem::path writeForeignStudy(const std::filesystem::path& folder, const std::string& layout,
                                         bool marks = false);
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -16,6 +16,7 @@
 #include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/support/fake_mail_server.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
@@ -28,15 +29,6 @@ MailServer here(quint16 port) {
 
 std::string bodyOf(const std::string& text) {
   return QByteArray::fromBase64(QByteArray::fromStdString(text.substr(text.find("\n\n")))).toStdString();
-}
-
-ErrorCode refusalOf(const auto& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return ErrorCode::kInternal;
 }
 
 TEST(Mail, DeliversToKnownRecipientsAndReportsRejectedOnes) {
@@ -72,7 +64,7 @@ TEST(Mail, AWrongPasswordIsReportedAndNothingIsSent) {
   way.password = "a bad one";
   const MailMessage message{"office@example.org", "li@example.org", "Sheets", "case 7L"};
 
-  EXPECT_EQ(refusalOf([&] { (void)sendMail(way, {&message, 1}, kNoon_us); }), ErrorCode::kFileUnreadable);
+  EXPECT_EQ(refusedWith([&] { (void)sendMail(way, {&message, 1}, kNoon_us); }), ErrorCode::kFileUnreadable);
 
   EXPECT_TRUE(server.taken().empty());
 }
@@ -81,7 +73,7 @@ TEST(Mail, AddressesCannotInjectHeadersOrRecipients) {
   for (const char* address :
        {"", "li", "@example.org", "li@", "li@example.org\r\nBcc: all@example.org", "li@example.org>",
         "li wang@example.org", "li@a@b", "l\u00ef@example.org", (std::string(250, 'x') + "@a.b").c_str()}) {
-    EXPECT_EQ(refusalOf([&] { checkAddress(address); }), ErrorCode::kBadParameter) << address;
+    EXPECT_EQ(refusedWith([&] { checkAddress(address); }), ErrorCode::kBadParameter) << address;
   }
   EXPECT_NO_THROW(checkAddress("li.na+study@mail.example.org"));
   const std::string text = written({"a@b.c", "d@e.f", "Two\r\nBcc: all@example.org", "x"}, "id", kNoon_us);
@@ -92,13 +84,13 @@ TEST(Mail, AddressesCannotInjectHeadersOrRecipients) {
 
 TEST(Mail, NothingIsSentUnencryptedToAnotherComputerAndASilentServerIsReported) {
   const MailMessage message{"office@example.org", "li@example.org", "Sheets", "case 7L"};
-  EXPECT_EQ(refusalOf([&] {
+  EXPECT_EQ(refusedWith([&] {
               (void)sendMail({.host = "mail.example.org", .encryption = MailEncryption::kNone}, {&message, 1},
                              kNoon_us);
             }),
             ErrorCode::kBadParameter);
   for (const char* host : {"127.0.0.1.example.org", "127.example.org", "localhost.example.org"}) {
-    EXPECT_EQ(refusalOf([&] {
+    EXPECT_EQ(refusedWith([&] {
                 (void)sendMail({.host = host, .encryption = MailEncryption::kNone}, {&message, 1}, kNoon_us);
               }),
               ErrorCode::kBadParameter)
@@ -110,14 +102,14 @@ TEST(Mail, NothingIsSentUnencryptedToAnotherComputerAndASilentServerIsReported) 
     closed = server.port();
     (void)sendMail(here(closed), {}, kNoon_us);
   }
-  EXPECT_EQ(refusalOf([&] {
+  EXPECT_EQ(refusedWith([&] {
               (void)sendMail(here(closed), {&message, 1}, kNoon_us);
             }),
             ErrorCode::kFileUnreadable);
 }
 
 TEST(MailSettings, AreStoredWithoutAPasswordAndCanBeRemoved) {
-  testing::StudyCentre centre;
+  StudyCentre centre;
   EXPECT_FALSE(mailSettings(centre.as("administrator")));
   MailSettings settings{{"mail.example.org", 465, MailEncryption::kTls, "office", "secret"},
                         "office@example.org"};
@@ -134,7 +126,7 @@ TEST(MailSettings, AreStoredWithoutAPasswordAndCanBeRemoved) {
   EXPECT_TRUE(kept->server.password.empty());
   EXPECT_EQ(centre.audited("setting.change"), 1);
   settings.server.encryption = MailEncryption::kNone;
-  EXPECT_EQ(refusalOf([&] { setMailSettings(centre.as("administrator"), settings); }),
+  EXPECT_EQ(refusedWith([&] { setMailSettings(centre.as("administrator"), settings); }),
             ErrorCode::kBadParameter);
   setMailSettings(centre.as("administrator"), {});
   EXPECT_FALSE(mailSettings(centre.as("administrator")));
@@ -311,8 +303,6 @@ TEST_F(MailByTls, ALostConnectionIsReportedForTheRemainingMessages) {
 }
 
 // Reminders by mail and their audit entries.
-
-using testing::StudyCentre;
 
 /// Three raters with a missing sheet each; the second one's address is rejected.
 std::vector<MailedReminder> owedByThree(StudyCentre& centre) {

@@ -27,13 +27,12 @@ namespace torsio {
 namespace {
 
 using testing::TestLrs;
-using testing::XapiCentre;
 
 Exposure restOf(const std::string& enrolment, const std::string& id) {
   return {.id = id,
           .enrolmentId = enrolment,
           .kind = ExposureKind::kRest,
-          .startedUtc_us = testing::kCentreTime_us,
+          .startedUtc_us = kCentreTime_us,
           .duration_us = 3 * kMinute_us,
           .recordedBy = "office"};
 }
@@ -49,13 +48,13 @@ void remarkAndRead(XapiCentre& centre, const std::string& trial) {
                .authorPersonId = chief,
                .purpose = "remark",
                .text = "let go more gently",
-               .createdUtc_us = testing::kCentreTime_us});
+               .createdUtc_us = kCentreTime_us});
   for (const std::int64_t version : {1, 2}) {
     remarks.markRead({.remarkId = remark,
                       .version = version,
                       .reader = centre.centre().session().actor().userId,
                       .readerPersonId = centre.person("T-01"),
-                      .readUtc_us = testing::kCentreTime_us + version * kMinute_us});
+                      .readUtc_us = kCentreTime_us + version * kMinute_us});
   }
 }
 
@@ -209,7 +208,7 @@ TEST(LearningRecords, AnErasedPersonLeavesNothingInTheOutbox) {
   centre.deliver();
   centre.enrol("T-01");
   ASSERT_EQ(centre.outbox().size(), 2U);
-  erasePerson(centre.connection(), centre.person("T-01"), "office", "asked for it", testing::kCentreTime_us);
+  erasePerson(centre.connection(), centre.person("T-01"), "office", "asked for it", kCentreTime_us);
   EXPECT_TRUE(centre.outbox().empty());
 }
 

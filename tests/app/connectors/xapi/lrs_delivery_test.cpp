@@ -20,7 +20,6 @@ namespace torsio {
 namespace {
 
 using testing::TestLrs;
-using testing::XapiCentre;
 using Fault = TestLrs::Fault;
 
 constexpr std::chrono::milliseconds kShort{400};
@@ -192,10 +191,10 @@ TEST(LrsDelivery, RetryIntervalsGrowToSixHoursAndAreSpread) {
   }
   EXPECT_NE(waitBeforeNextTry_us(5, "one"), waitBeforeNextTry_us(5, "two"));
   EXPECT_EQ(retryAfter_us("120", 0), 2 * kMinute_us);
-  EXPECT_EQ(retryAfter_us("Fri, 21 Nov 2025 08:10:00 GMT", testing::kCentreTime_us), 10 * kMinute_us);
+  EXPECT_EQ(retryAfter_us("Fri, 21 Nov 2025 08:10:00 GMT", kCentreTime_us), 10 * kMinute_us);
   EXPECT_EQ(retryAfter_us("99999999", 0), 24 * 60 * kMinute_us);
   for (const char* none : {"", "soon", "-5", "Fri, 21 Nov 2024 08:10:00 GMT"}) {
-    EXPECT_EQ(retryAfter_us(none, testing::kCentreTime_us), 0) << none;
+    EXPECT_EQ(retryAfter_us(none, kCentreTime_us), 0) << none;
   }
 }
 

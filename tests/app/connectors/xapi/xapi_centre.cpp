@@ -16,7 +16,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/learning_repository.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 XapiCentre::XapiCentre() {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings_.path());
@@ -105,4 +105,4 @@ LrsDelivery XapiCentre::deliver(std::chrono::milliseconds patience) {
                                 [this] { return centre_.session().now_us(); });
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

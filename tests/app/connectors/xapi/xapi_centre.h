@@ -13,7 +13,7 @@
 #include "tests/app/support/training_centre.h"
 #include "tests/support/test_lrs.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 /// A small centre with a learning record store. T-01 consents to learning records, T-02 does not; the
 /// account's settings are in a temporary folder.
@@ -50,4 +50,4 @@ class XapiCentre {
   int cohorts_ = 0;
 };
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -40,7 +40,6 @@ namespace {
 
 using testing::AdministratorDesk;
 using testing::answer;
-using torsio::testing::commitRoster;
 
 void clickNamed(QWidget& page, const char* name) {
   auto* found = page.findChild<QPushButton*>(QLatin1String(name));

@@ -111,12 +111,11 @@ void submitEvaluationMarks(AdministratorDesk& office, const Crowd& crowd) {
 }
 
 void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, const fs::path& folder) {
-  const test::CohortNumbers report(table);
+  const CohortNumbers report(table);
   writeFileAtomically(folder / "ratings.csv", report.ratings());
-  const test::ProgramRun evaluated =
-      test::runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
-                          " --class-weights intern=0.2,deputy_chief=0.3,chief=0.5",
-                      folder);
+  const ProgramRun evaluated = runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
+                                             " --class-weights intern=0.2,deputy_chief=0.3,chief=0.5",
+                                         folder);
   ASSERT_EQ(evaluated.code, 0) << evaluated.err;
   const json evaluation = json::parse(evaluated.out);
   ASSERT_EQ(evaluation["models"].size(), 3U);
@@ -142,8 +141,7 @@ void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, co
              std::to_string(steps % 10) + "\n";
   }
   writeFileAtomically(folder / "marks.csv", marks);
-  const test::ProgramRun agreed =
-      test::runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
+  const ProgramRun agreed = runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
   ASSERT_EQ(agreed.code, 0) << agreed.err;
   const json agreement = json::parse(agreed.out);
   EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_1"),

@@ -25,7 +25,7 @@ using ::testing::Not;
 using testing::StudyCentre;
 
 /// A study with free text.
-struct SmallStudy : testing::SmallStudyFor<ExchangeRequest> {
+struct SmallStudy : SmallStudyFor<ExchangeRequest> {
   SmallStudy() {
     reportDeviation(centre.as("administrator"),
                     {.cohortId = request.cohortId, .kind = "late", .description = "by ten minutes"});

@@ -17,9 +17,6 @@
 namespace torsio {
 namespace {
 
-using testing::kStudyPassword;
-using testing::StudyCentre;
-
 constexpr const char* kStart = "a first word to begin";
 constexpr const char* kOwn = "own words, long enough";
 

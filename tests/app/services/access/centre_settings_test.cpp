@@ -13,8 +13,6 @@
 namespace torsio {
 namespace {
 
-using testing::StudyCentre;
-
 TEST(CentreSettings, InitialValuesAreValidAndNamesDiffer) {
   StudyCentre centre;
   centre.as("administrator");

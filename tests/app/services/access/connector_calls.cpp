@@ -6,7 +6,7 @@
 #include "app/connectors/xapi/learning_records.h"
 #include "tests/app/services/access/permission_calls.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 std::vector<ServiceCall> connectorCalls() {
   using O = Operation;
@@ -35,4 +35,4 @@ std::vector<ServiceCall> connectorCalls() {
   };
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

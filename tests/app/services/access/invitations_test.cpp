@@ -19,9 +19,6 @@
 namespace torsio {
 namespace {
 
-using testing::kStudyPassword;
-using testing::StudyCentre;
-
 constexpr const char* kChosen = "seven kites above the bay";
 
 class Invitations : public ::testing::Test {

@@ -2,10 +2,10 @@
 // For a build without a connector: the connectors' rights are tested in a build with all of them.
 #include "tests/app/services/access/permission_calls.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 std::vector<ServiceCall> connectorCalls() {
   return {};
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

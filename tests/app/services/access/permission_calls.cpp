@@ -63,7 +63,7 @@
 #include "app/services/training/trend.h"
 #include "sim/core/clock.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 namespace {
 using O = Operation;
@@ -519,4 +519,4 @@ std::vector<ServiceCall> trainingCalls() {
   };
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -8,7 +8,7 @@
 
 #include "app/services/access/session_context.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 /// One service function and the operation that it must require. Every service is listed here: .ci/rights
 /// finds functions that require a right and are not called. Its arguments refer to nothing that exists: with
@@ -32,4 +32,4 @@ inline constexpr const char* kNoSuch = "none";
 [[nodiscard]] std::vector<ServiceCall> reviewCalls();         ///< review
 [[nodiscard]] std::vector<ServiceCall> trainingCalls();       ///< training
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -129,10 +129,7 @@ struct ScoredCase {
     request.cohortId =
         addCohort(centre.session(), {.name = "Study", .curriculumVersionId = centre.runPaperCurriculum()});
     enrolTrainees(centre.session(), request.cohortId, centre.addTrainees(3));
-    AllocationPlan plan;
-    plan.cohortId = request.cohortId;
-    lockAllocation(centre.as("allocator"), plan);
-    allocateAll(centre.session(), request.cohortId);
+    centre.allocate(request.cohortId);
     createAssignments(centre.as("administrator"), {.cohortId = request.cohortId,
                                                    .occasionCodes = {"pre"},
                                                    .raterIds = raters,
@@ -200,7 +197,7 @@ TEST(PermissionMatrix, ARefusedCallDoesNotChangeTheRecord) {
     }
   }
   for (const auto& entry : std::filesystem::directory_iterator(centre.folder())) {
-    EXPECT_TRUE(entry.path().filename().string().starts_with("administrator.sqlite")) << entry.path();
+    EXPECT_TRUE(entry.path().filename().string().starts_with("centre.sqlite")) << entry.path();
   }
 }
 

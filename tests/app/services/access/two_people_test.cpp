@@ -15,12 +15,10 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
-
-using testing::kStudyPassword;
-using testing::StudyCentre;
 
 /// A centre that requires two people, with a second administrator "second".
 class TwoPeople : public ::testing::Test {
@@ -54,15 +52,6 @@ class TwoPeople : public ::testing::Test {
     }
     return {};
   }
-  static ErrorCode codeOf(const std::function<void()>& act) {
-    try {
-      act();
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return ErrorCode::kInternal;
-  }
-
   StudyCentre centre_;
   UserId second_;
 };
@@ -78,7 +67,8 @@ TEST_F(TwoPeople, NobodyResetsThePasswordOfARaterAlone) {
   EXPECT_TRUE(open[0].own);
   EXPECT_TRUE(open[0].request.detailJson.empty());
   EXPECT_EQ(open[0].shown, "rater");
-  EXPECT_EQ(codeOf([&] { (void)confirmRequest(asFirst(), open[0].request.id); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { (void)confirmRequest(asFirst(), open[0].request.id); }),
+            ErrorCode::kPermission);
   const std::string secondHalf = confirmRequest(asSecond(), open[0].request.id);
 
   SessionContext& session = centre_.as("");
@@ -88,7 +78,7 @@ TEST_F(TwoPeople, NobodyResetsThePasswordOfARaterAlone) {
   EXPECT_TRUE(openRequests(asFirst()).empty());
   EXPECT_EQ(centre_.audited("duty.request"), 1);
   EXPECT_EQ(centre_.audited("duty.confirm"), 1);
-  EXPECT_EQ(codeOf([&] { (void)confirmRequest(asSecond(), open[0].request.id); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { (void)confirmRequest(asSecond(), open[0].request.id); }), ErrorCode::kBadData);
 }
 
 TEST_F(TwoPeople, ATraineesPasswordNeedsOnlyOneAdministrator) {
@@ -133,7 +123,7 @@ TEST_F(TwoPeople, ANewRaterNeedsTheSecondPersonAndCannotSignInBefore) {
 }
 
 TEST_F(TwoPeople, NobodyConfirmsForThemselvesNotEvenWithASecondAccount) {
-  EXPECT_EQ(codeOf([&] {
+  EXPECT_EQ(refusedWith([&] {
               (void)askSecondPerson(asSecond(), {.act = DutyAct::kGrantRoles,
                                                  .subject = second_,
                                                  .roles = {"administrator", "rater"},
@@ -150,7 +140,7 @@ TEST_F(TwoPeople, NobodyConfirmsForThemselvesNotEvenWithASecondAccount) {
   ASSERT_EQ(signIn(centre_.as(""), "two", kStudyPassword).outcome, SignIn::kOk);
 
   const std::string id = openRequests(centre_.session()).at(0).request.id;
-  EXPECT_EQ(codeOf([&] { (void)confirmRequest(centre_.session(), id); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { (void)confirmRequest(centre_.session(), id); }), ErrorCode::kPermission);
   EXPECT_EQ(openRequests(centre_.session()).size(), 1U);
 }
 
@@ -172,10 +162,10 @@ TEST_F(TwoPeople, NobodyCreatesASecondAccountOfAnotherPerson) {
             {.login = login, .personId = trainee, .roles = {"trainee"}, .startPassword = kStudyPassword});
   };
   add("t-01");
-  EXPECT_EQ(codeOf([&] { add("shadow"); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { add("shadow"); }), ErrorCode::kBadData);
   setUserActive(asFirst(), user("t-01").id, false, "to make another");
-  EXPECT_EQ(codeOf([&] { add("shadow"); }), ErrorCode::kBadData);
-  EXPECT_EQ(codeOf([&] {
+  EXPECT_EQ(refusedWith([&] { add("shadow"); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] {
               (void)makeUser(asFirst(), {.login = "shadow", .personId = trainee, .roles = {"rater"}});
             }),
             ErrorCode::kBadData);
@@ -219,7 +209,7 @@ TEST_F(TwoPeople, ErasingNeedsTwoAndUsesUpTheRequest) {
 TEST_F(TwoPeople, ARequestExpiresAfterTwoWeeksAndCanBeDeclined) {
   const PersonId person = centre_.addTrainees(1).front();
   (void)askSecondPerson(asFirst(), {.act = DutyAct::kErase, .subject = person, .reason = "asked"});
-  EXPECT_EQ(codeOf([&] {
+  EXPECT_EQ(refusedWith([&] {
               (void)askSecondPerson(asSecond(), {.act = DutyAct::kErase, .subject = person, .reason = "too"});
             }),
             ErrorCode::kBadData);

@@ -363,7 +363,7 @@ TEST_F(MaintenanceTest, EveryChangeIsAuditedAndTheTrailVerifies) {
   due.person = {.id = "due", .code = "R-2", .createdUtc_us = kSampleTime_us};
   PeopleRepository(connection_).addTrainees({&due, 1});
   const auto audited = [&](const char* action, const std::function<void()>& change) {
-    testing::expectAudited(connection_, "u-administrator", action, change);
+    expectAudited(connection_, "u-administrator", action, change);
     EXPECT_TRUE(verifyAuditTrail(connection_).empty()) << action;
   };
 

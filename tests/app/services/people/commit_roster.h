@@ -5,7 +5,7 @@
 
 #include "app/services/people/roster_import.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 /// Imports the text of a roster with the suggested columns.
 inline RosterOutcome commitRoster(SessionContext& session, const std::string& text,
@@ -17,4 +17,4 @@ inline RosterOutcome commitRoster(SessionContext& session, const std::string& te
   return importRoster(session, file, kind, columns, preview.fingerprint, mode);
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

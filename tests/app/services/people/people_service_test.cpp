@@ -17,8 +17,6 @@
 namespace torsio {
 namespace {
 
-using testing::StudyCentre;
-
 TEST(PeopleService, NumbersAreUniqueAndCodesAreNeverReused) {
   StudyCentre centre;
   const std::string first = centre.addTrainees(1).front();
@@ -228,18 +226,16 @@ TEST(ConsentService, APaperDecisionKeepsTheDateOfTheSignature) {
   const std::string id = centre.addTrainees(1).front();
   SessionContext& session = centre.session();
 
-  recordConsent(session, id, "video", true, "2026-1", testing::kStudyTime_us - 3 * kDay_us);
+  recordConsent(session, id, "video", true, "2026-1", kStudyTime_us - 3 * kDay_us);
   recordConsent(session, id, "teaching", true, "2026-1");
 
   const std::vector<ConsentDecision> all = consentHistory(session, id);
   ASSERT_EQ(all.size(), 2U);
   for (const ConsentDecision& one : all) {
     EXPECT_EQ(one.form, ConsentForm::kPaper);
-    EXPECT_EQ(one.signedUtc_us,
-              one.purpose == "video" ? testing::kStudyTime_us - 3 * kDay_us : testing::kStudyTime_us);
+    EXPECT_EQ(one.signedUtc_us, one.purpose == "video" ? kStudyTime_us - 3 * kDay_us : kStudyTime_us);
   }
-  EXPECT_THROW(recordConsent(session, id, "video", true, "2026-1", testing::kStudyTime_us + 3 * kDay_us),
-               Error);
+  EXPECT_THROW(recordConsent(session, id, "video", true, "2026-1", kStudyTime_us + 3 * kDay_us), Error);
 }
 
 // What the consent promises: trainees can request a copy of their record, or its erasure.

@@ -10,12 +10,10 @@
 #include "sim/core/error.h"
 #include "tests/app/services/people/commit_roster.h"
 #include "tests/app/support/study_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
-
-using testing::commitRoster;
-using testing::StudyCentre;
 
 RosterPreview look(SessionContext& session, const std::string& text,
                    RosterKind kind = RosterKind::kTrainees) {
@@ -64,13 +62,9 @@ TEST(RosterFile, ReadsEncodingsOfOlderSpreadsheets) {
 TEST(RosterFile, RejectsFilesThatAreNotTextWithAPlainSentence) {
   for (const std::string& bytes :
        {std::string("\xFF\xFEi\0d\0\0", 7), std::string("id,name\nS-1,\x81\x8D\n")}) {
-    try {
-      (void)parseRoster(bytes, "roster.csv");
-      FAIL() << "was taken";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.where(), "roster.csv");
-      EXPECT_EQ(error.remedy(), "Save the table as UTF-8 CSV");
-    }
+    const Error refused = refusalOf([&] { (void)parseRoster(bytes, "roster.csv"); });
+    EXPECT_EQ(refused.where(), "roster.csv");
+    EXPECT_EQ(refused.remedy(), "Save the table as UTF-8 CSV");
   }
 }
 

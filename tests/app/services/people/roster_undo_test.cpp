@@ -29,11 +29,6 @@
 namespace torsio {
 namespace {
 
-using test::ProgramRun;
-using testing::commitRoster;
-using testing::kStudyPassword;
-using testing::StudyCentre;
-
 constexpr const char* kStationPassword = "the word of the stations";
 constexpr const char* kChiefsAsTrainees =
     "Staff ID,Name,E-mail\nC-1,Ann Chief,ann@example.org\nC-2,Bo Chief,bo@example.org\n";
@@ -58,8 +53,7 @@ class RosterUndo : public DatabaseTest, public ::testing::WithParamInterface<Acc
     }
     Actor administrator = centre_->as("administrator").actor();
     own_ = std::make_unique<SessionContext>(SessionKey{record_, "the desk", administrator});
-    folder_ =
-        test::emptyFolder(std::string("undo-") + (GetParam() == Account::kStation ? "s-" : "o-") +
+    folder_ = emptyFolder(std::string("undo-") + (GetParam() == Account::kStation ? "s-" : "o-") +
                           std::to_string(::testing::UnitTest::GetInstance()->current_test_info()->line()));
     std::ofstream(folder_ / "password") << kStudyPassword << "\n";
   }
@@ -110,9 +104,9 @@ class RosterUndo : public DatabaseTest, public ::testing::WithParamInterface<Acc
       server.password.clear();
       address = addressOf(server);
     }
-    return test::runTorsio("roster " + arguments + " --database '" + address + "' --as " + login +
-                               " --password-fd 3 3<" + (folder_ / "password").string(),
-                           folder_, environment);
+    return runTorsio("roster " + arguments + " --database '" + address + "' --as " + login +
+                         " --password-fd 3 3<" + (folder_ / "password").string(),
+                     folder_, environment);
   }
   [[nodiscard]] nlohmann::json listed() const {
     const ProgramRun shown = run("imports --json");

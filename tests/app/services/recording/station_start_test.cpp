@@ -41,11 +41,6 @@ namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::deviceWith;
-using testing::kCentreTime_us;
-using testing::kMinute_us;
-using testing::kSecond_us;
-using testing::TrainingCentre;
 
 /// A simulated machine: Linux with one graphics card.
 class Machine {
@@ -88,14 +83,14 @@ class StationStartTest : public ::testing::Test {
 
   static ScriptedHand hand() {
     ScriptedHandOptions options;
-    options.task = handTask(testing::trainingBar());
+    options.task = handTask(trainingBar());
     options.duration_s = 60.0;
     return ScriptedHand(options);
   }
 
   /// Returns the recorder's header for such a recording.
   static TrialHeader headerOf(const RecordingSpec& spec) {
-    return headerFor(testing::trainingBar(), hand().capabilities(), spec);
+    return headerFor(trainingBar(), hand().capabilities(), spec);
   }
 
   /// Records `seconds` of a scripted hand into `sink`, passing on each complete second. Without `finish`, the
@@ -105,7 +100,7 @@ class StationStartTest : public ::testing::Test {
     ScriptedHand device = hand();
     SpscRing<Sample> ring(kRecordingRing);
     Recorder recorder(ring, sink, headerOf(spec), {.attempts = 1, .spillFolder = folder()});
-    ServoLoop servo({.device = &device, .scene = &testing::trainingBar(), .recording = &ring}, {});
+    ServoLoop servo({.device = &device, .scene = &trainingBar(), .recording = &ring}, {});
     for (std::int64_t tick = 0; tick < seconds * 1000; ++tick) {
       servo.tick(tick * kTickPeriod_us);
       if (tick % 1000 == 999) {

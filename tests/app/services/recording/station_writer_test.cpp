@@ -34,9 +34,6 @@ namespace torsio {
 namespace {
 
 using namespace std::chrono_literals;
-using testing::deviceWith;
-using testing::kSecond_us;
-using testing::TrainingCentre;
 
 constexpr auto kLong = 20s;  // much longer than a busy machine needs
 constexpr LinePatience kQuick{.again = 20ms, .heartbeat = 20ms, .silence = 30ms, .farewell = 50ms};
@@ -347,7 +344,7 @@ double size_bytes(Connection& connection) {
 }
 
 TEST(RecordingSize, AnHourTakesAtMostSixtyMegabytes) {
-  testing::TrainingCentre centre;
+  TrainingCentre centre;
   SceneRequest request;
   request.assets = assetsFolder();
   request.id = "forearm";
@@ -355,7 +352,7 @@ TEST(RecordingSize, AnHourTakesAtMostSixtyMegabytes) {
   ScriptedTrial trial;
   trial.recording = {.trialId = centre.session().ids().newUuid(),
                      .traineeCode = "T-01",
-                     .startedUtc_us = testing::kCentreTime_us,
+                     .startedUtc_us = kCentreTime_us,
                      .context = {.station = "station 1"}};
   trial.duration_s = kStretch_s;
   const double before = size_bytes(centre.connection());

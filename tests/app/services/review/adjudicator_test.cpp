@@ -20,12 +20,10 @@
 #include "sim/core/error.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/review_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
-
-using testing::ReviewCentre;
-using testing::reviewSheet;
 
 constexpr std::int64_t kLater_us = 1'000'000;
 
@@ -33,17 +31,6 @@ WatchLog wholeLog() {
   WatchLog log(2'000'000);
   log.played(0, 2'000'000, 1.0);
   return log;
-}
-
-template <typename Action>
-ErrorCode refusalOf(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {};
 }
 
 /// Two physicians who disagree about trainee 0, a third one not assigned, and one of another class.
@@ -68,7 +55,7 @@ class Disagreement : public ::testing::Test {
     Rater rater;
     rater.person.id = "rater-" + code;
     rater.person.code = code;
-    rater.person.createdUtc_us = testing::kReviewTime_us;
+    rater.person.createdUtc_us = kReviewTime_us;
     rater.classCode = classCode;
     people.addRaters(std::span(&rater, 1));
     return rater.person.id;
@@ -100,12 +87,12 @@ TEST_F(Disagreement, IsAssignedToAnAdjudicatorUnderAnotherLabelAndIsThenDone) {
   askForAdjudicator(*centre_.physician(0), asked, "I cannot explain the distance");
   centre_.passTime_us(kLater_us);
   const auto office = centre_.administrator();
-  EXPECT_EQ(refusalOf([&] { assignAdjudicator(*office, cohortId_, asked, centre_.raterId(1)); }),
+  EXPECT_EQ(refusedWith([&] { assignAdjudicator(*office, cohortId_, asked, centre_.raterId(1)); }),
             ErrorCode::kBadData);
 
   std::string made;
-  testing::expectAudited(centre_.connection(), office->actor().userId, "assignment.third",
-                         [&] { made = assignAdjudicator(*office, cohortId_, asked, chiefId_); });
+  expectAudited(centre_.connection(), office->actor().userId, "assignment.third",
+                [&] { made = assignAdjudicator(*office, cohortId_, asked, chiefId_); });
 
   DeskRepository desk(centre_.connection());
   const Assignment before = desk.assignment(asked).value();
@@ -115,7 +102,8 @@ TEST_F(Disagreement, IsAssignedToAnAdjudicatorUnderAnotherLabelAndIsThenDone) {
   EXPECT_EQ(third.rubricRevisionId, before.rubricRevisionId);
   EXPECT_NE(third.caseLabel, before.caseLabel);
   EXPECT_TRUE(adjudicatorRequests(*office, cohortId_).empty());
-  EXPECT_EQ(refusalOf([&] { assignAdjudicator(*office, cohortId_, asked, internId_); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { assignAdjudicator(*office, cohortId_, asked, internId_); }),
+            ErrorCode::kBadData);
   // Until the third one has submitted, the others' marks are hidden again.
   EXPECT_TRUE(discrepancyCases(*centre_.physician(0)).empty());
 }
@@ -129,13 +117,13 @@ TEST_F(Disagreement, IsNoLongerARequestOnceThePhysicianDecidesOtherwise) {
 
 TEST_F(Disagreement, IsForTheAdministratorOnly) {
   const auto rater = centre_.physician(0);
-  EXPECT_EQ(refusalOf([&] { static_cast<void>(adjudicatorRequests(*rater, cohortId_)); }),
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(adjudicatorRequests(*rater, cohortId_)); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(refusalOf([&] { assignAdjudicator(*rater, cohortId_, centre_.caseAbout(0, 0), chiefId_); }),
+  EXPECT_EQ(refusedWith([&] { assignAdjudicator(*rater, cohortId_, centre_.caseAbout(0, 0), chiefId_); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(refusalOf([&] { static_cast<void>(referenceCandidates(*rater)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusalOf([&] { static_cast<void>(referenceRows(*rater)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusalOf([&] { addReferenceRuns(*rater, {}); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(referenceCandidates(*rater)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(referenceRows(*rater)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { addReferenceRuns(*rater, {}); }), ErrorCode::kPermission);
 }
 
 TEST(ReferenceRuns, AreOfferedFromRecordingsThatNobodyScores) {
@@ -174,7 +162,7 @@ TEST(ReferenceRuns, AreRejectedIfTheyCannotBeScored) {
   const auto office = centre.administrator();
   const auto add = [&](const std::string& trial, const std::string& rubric, double points,
                        std::int64_t raters) {
-    return refusalOf([&] { addReferenceRuns(*office, {{trial, rubric, points, raters, false}}); });
+    return refusedWith([&] { addReferenceRuns(*office, {{trial, rubric, points, raters, false}}); });
   };
   const std::string trial = centre.trialIds()[0];
   EXPECT_EQ(add("no such", centre.rubricRevisionId(), 6.0, 5), ErrorCode::kBadData);

@@ -26,23 +26,10 @@
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/review_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
-
-using testing::ReviewCentre;
-using testing::reviewSheet;
-
-template <typename Action>
-std::pair<ErrorCode, std::string> refusedWith(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return {error.code(), std::string(error.what()) + error.where() + error.remedy()};
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return {};
-}
 
 WatchLog watchedWhole() {
   WatchLog log(2'000'000);
@@ -93,30 +80,27 @@ TEST(BlindedRecording, IsForAssignedRatersOnlyAndOnlyWhileAssigned) {
   const auto desk = centre.physician(0);
   const auto other = centre.physician(1);
   const std::string id = centre.cases(0).front();
-  EXPECT_EQ(refusedWith([&] { static_cast<void>(loadBlindedRecording(*other, id)); }).first,
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(loadBlindedRecording(*other, id)); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(refusedWith([&] {
-              static_cast<void>(loadBlindedRecording(*desk, centre.cases(0, true).front()));
-            }).first,
-            ErrorCode::kBadData);
+  EXPECT_EQ(
+      refusedWith([&] { static_cast<void>(loadBlindedRecording(*desk, centre.cases(0, true).front())); }),
+      ErrorCode::kBadData);
 
-  SheetRepository(centre.connection()).withdraw(id, "on leave", "office", testing::kReviewTime_us);
+  SheetRepository(centre.connection()).withdraw(id, "on leave", "office", kReviewTime_us);
 
-  EXPECT_EQ(refusedWith([&] { static_cast<void>(loadBlindedRecording(*desk, id)); }).first,
-            ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(loadBlindedRecording(*desk, id)); }), ErrorCode::kPermission);
 }
 
 TEST(BlindedRecording, ItsErrorsNameOnlyTheCase) {
   ReviewCentre centre(ReviewCentre::Setup{});
-  try {
+  const Error error = refusalOf([&] {
     rethrowBlinded(std::make_exception_ptr(Error(ErrorCode::kVerifyFailed, "trial " + centre.trialIds()[0],
                                                  centre.trialIds()[0], Text::verbatim("ask TR-4100"))),
                    "7F");
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kVerifyFailed);
-    EXPECT_EQ(error.where(), "case 7F");
-    expectNoSecretIn(centre, std::string(error.what()) + error.where() + error.remedy());
-  }
+  });
+  EXPECT_EQ(error.code(), ErrorCode::kVerifyFailed);
+  EXPECT_EQ(error.where(), "case 7F");
+  expectNoSecretIn(centre, std::string(error.what()) + error.where() + error.remedy());
 }
 
 TEST(DiscrepancyReview, MarksOfOthersAreHiddenUntilAllHaveSubmitted) {
@@ -130,7 +114,7 @@ TEST(DiscrepancyReview, MarksOfOthersAreHiddenUntilAllHaveSubmitted) {
   EXPECT_TRUE(discrepancyCases(*first).empty());
   EXPECT_TRUE(ownSeverity(*first).cases.empty());
   EXPECT_EQ(ownSeverity(*first).waiting, 1U);
-  EXPECT_EQ(refusedWith([&] { keepMark(*first, centre.caseAbout(0, 0), ""); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { keepMark(*first, centre.caseAbout(0, 0), ""); }), ErrorCode::kBadData);
 
   submitSheet(*centre.physician(2), centre.caseAbout(2, 0), reviewSheet(7, 7, 7), watchedWhole());
 
@@ -159,7 +143,7 @@ TEST(DiscrepancyReview, ShowsOnlyDisagreementsAndRemembersDecisions) {
   ASSERT_EQ(discrepancyCases(*first).size(), 1U);
   const std::string id = discrepancyCases(*first)[0].shown.assignmentId;
   EXPECT_EQ(id, centre.caseAbout(0, 1));
-  EXPECT_EQ(refusedWith([&] { askForAdjudicator(*first, id, ""); }).first, ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { askForAdjudicator(*first, id, ""); }), ErrorCode::kBadParameter);
 
   askForAdjudicator(*first, id, "I cannot explain the distance");
   EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kThird);
@@ -171,7 +155,7 @@ TEST(DiscrepancyReview, ShowsOnlyDisagreementsAndRemembersDecisions) {
   setCentreSetting<kDiscrepancy_points>(*centre.administrator(), 0.1);
   EXPECT_FALSE(discrepancyCases(*first).empty());
   EXPECT_EQ(sheetVersions(*first, id).size(), 2U);
-  EXPECT_EQ(refusedWith([&] { keepMark(*centre.physician(1), id, ""); }).first, ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { keepMark(*centre.physician(1), id, ""); }), ErrorCode::kPermission);
 }
 
 TEST(CaseRemarks, AreVisibleOnlyToTheirRater) {
@@ -206,21 +190,20 @@ TEST(CaseRemarks, KeepEarlierVersionsWhenEdited) {
   ASSERT_EQ(now[1].earlier.size(), 1U);
   EXPECT_EQ(now[1].earlier[0].text, "second grip slips");
   const auto other = centre.physician(1);
-  EXPECT_EQ(refusedWith([&] { editCaseRemark(*other, centre.caseAbout(1, 0), now[1].id, "mine"); }).first,
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*other, centre.caseAbout(1, 0), now[1].id, "mine"); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, centre.caseAbout(0, 1), now[1].id, "there"); }).first,
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, centre.caseAbout(0, 1), now[1].id, "there"); }),
             ErrorCode::kBadParameter);
-  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }).first,
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }),
             ErrorCode::kBadParameter);
-  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[1].id, "  "); }).first,
-            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { editCaseRemark(*first, own, now[1].id, "  "); }), ErrorCode::kBadParameter);
 }
 
 TEST(RaterCalibration, ShowsThePanelOnlyAfterTheRatersMark) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
-  EXPECT_EQ(refusedWith([&] { addReferenceRuns(*desk, {}); }).first, ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { addReferenceRuns(*desk, {}); }), ErrorCode::kPermission);
   addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
                              {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
   const RaterCalibration before = raterCalibration(*desk);
@@ -241,8 +224,8 @@ TEST(RaterCalibration, ShowsThePanelOnlyAfterTheRatersMark) {
   EXPECT_NEAR(*after.runs[1].offset_points, -0.5, 1e-12);  // 2.5 - 3.0
   EXPECT_NEAR(*after.meanOffset_points(), 0.15, 1e-12);
   EXPECT_FALSE(reviewQueue(*desk).calibrationWaiting);
-  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 3, 50); }).first, ErrorCode::kBadData);
-  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 1, 101); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 3, 50); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 1, 101); }), ErrorCode::kBadData);
 }
 
 TEST(RaterCalibration, OmitsAWithdrawnRunAndKeepsItsScores) {
@@ -252,21 +235,20 @@ TEST(RaterCalibration, OmitsAWithdrawnRunAndKeepsItsScores) {
   addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
                              {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
   scoreReferenceRun(*desk, 1, 50);
-  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*desk, centre.trialIds()[0], "why"); }).first,
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*desk, centre.trialIds()[0], "why"); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, centre.trialIds()[0], ""); }).first,
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, centre.trialIds()[0], ""); }),
             ErrorCode::kBadParameter);
-  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, "none", "why"); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, "none", "why"); }), ErrorCode::kBadData);
 
-  testing::expectAudited(centre.connection(), office->actor().userId, "reference_run.withdraw", [&] {
-    withdrawReferenceRun(*office, centre.trialIds()[0], "the panel met only in part");
-  });
+  expectAudited(centre.connection(), office->actor().userId, "reference_run.withdraw",
+                [&] { withdrawReferenceRun(*office, centre.trialIds()[0], "the panel met only in part"); });
 
   const RaterCalibration left = raterCalibration(*desk);
   ASSERT_EQ(left.runs.size(), 1U);  // the second one is now the first
   EXPECT_FALSE(left.runs[0].own_steps.has_value());
   EXPECT_FALSE(left.complete());
-  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 2, 50); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { scoreReferenceRun(*desk, 2, 50); }), ErrorCode::kBadData);
   EXPECT_EQ(RemarkRepository(centre.connection()).calibrationScores(centre.raterId(0)).size(), 1U);
   const std::vector<ReferenceRow> rows = referenceRows(*office);
   ASSERT_EQ(rows.size(), 2U);
@@ -284,10 +266,10 @@ TEST(RaterCalibration, AWithdrawnRunCannotBeRestoredOrWithdrawnAgain) {
   addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
   withdrawReferenceRun(*office, trial, "wrong recording");
 
-  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, trial, "again"); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { withdrawReferenceRun(*office, trial, "again"); }), ErrorCode::kBadData);
   EXPECT_EQ(refusedWith([&] {
               addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
-            }).first,
+            }),
             ErrorCode::kBadData);
   addReferenceRuns(*office, {{centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
   EXPECT_EQ(referenceRows(*office)[0].trialId, centre.trialIds()[1]);
@@ -309,18 +291,16 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheRatersOrder) {
   for (std::size_t i = 0; i < 8; ++i) {
     saveEvaluationScore(*desk, campaignId, "M", i, 73);
   }
-  EXPECT_EQ(refusedWith([&] { submitEvaluation(*desk, campaignId, "M"); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { submitEvaluation(*desk, campaignId, "M"); }), ErrorCode::kBadData);
   saveEvaluationScore(*desk, campaignId, "M", 8, 100);
   EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on disk
-  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 8, 101); }).first,
-            ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 8, 101); }), ErrorCode::kBadData);
 
   submitEvaluation(*desk, campaignId, "M");
 
   EXPECT_TRUE(evaluationForms(*desk)[0].models[0].submitted);
   EXPECT_EQ(EvaluationRepository(centre.connection()).marks(campaignId).size(), 9U);
-  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 0, 10); }).first,
-            ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { saveEvaluationScore(*desk, campaignId, "M", 0, 10); }), ErrorCode::kBadData);
   EXPECT_TRUE(DeskRepository(centre.connection()).evaluationDraft(campaignId, centre.raterId(0)).empty());
 }
 
@@ -339,9 +319,9 @@ TEST(EvaluationForm, ShowsRealRecordingsUnderTheirLettersAndNeverTheirModel) {
   EXPECT_EQ(shown.trial.header.traineeCode, "");
   EXPECT_EQ(shown.trial.summary.contentHash, "");
   EXPECT_FALSE(shown.trial.chunks.empty());
-  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*desk, campaignId, "K2"); }).first,
+  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*desk, campaignId, "K2"); }),
             ErrorCode::kBadData);
-  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*centre.physician(1), campaignId, "M"); }).first,
+  EXPECT_EQ(refusedWith([&] { (void)loadEvaluationRecording(*centre.physician(1), campaignId, "M"); }),
             ErrorCode::kPermission);
 }
 
@@ -366,7 +346,7 @@ TEST(ReviewDesk, EveryChangeIsAuditedAndTheTrailVerifies) {
     saveEvaluationScore(*desk, campaign.id, "K", i, 73);
   }
   const auto auditedBy = [&](SessionContext& by, const char* action, const std::function<void()>& change) {
-    testing::expectAudited(centre.connection(), by.actor().userId, action, change);
+    expectAudited(centre.connection(), by.actor().userId, action, change);
     EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty()) << action;
   };
 

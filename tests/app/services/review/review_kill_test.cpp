@@ -15,8 +15,6 @@
 namespace torsio {
 namespace {
 
-using testing::ReviewCentre;
-
 constexpr const char* kScore = "--score";
 constexpr int kPatience_ms = 60'000;
 

@@ -26,23 +26,10 @@
 #include "sim/core/error.h"
 #include "sim/core/random.h"
 #include "tests/app/support/review_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
-
-using testing::ReviewCentre;
-using testing::reviewSheet;
-
-template <typename Action>
-ErrorCode refusal(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return ErrorCode::kInternal;
-}
 
 RubricRevision twoRows() {
   RubricRevision rubric;
@@ -227,9 +214,9 @@ TEST(CaseSheet, RequiresAnswersWatchingAndNormalSpeed) {
   Sheet gap = reviewSheet(7, 6, 6.5);
   gap.rows.pop_back();
 
-  EXPECT_EQ(refusal([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), half); }), ErrorCode::kBadData);
-  EXPECT_EQ(refusal([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast); }), ErrorCode::kBadData);
-  EXPECT_EQ(refusal([&] { submitSheet(*desk, id, gap, whole(2'000'000)); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), half); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusedWith([&] { submitSheet(*desk, id, gap, whole(2'000'000)); }), ErrorCode::kBadData);
   EXPECT_EQ(openSheet(*desk, id).state, SheetState::kOpen);
 
   setCentreSetting<kPlaybackSpeeds>(*centre.administrator(), {1.0, 2.0});
@@ -273,11 +260,11 @@ TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const std::string id = centre.cases(0).front();
-  EXPECT_EQ(refusal([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), "looked again"); }),
+  EXPECT_EQ(refusedWith([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), "looked again"); }),
             ErrorCode::kBadData);
   submitSheet(*desk, id, reviewSheet(7, 6, 6.5), whole(2'000'000));
 
-  EXPECT_EQ(refusal([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), ""); }), ErrorCode::kBadParameter);
+  EXPECT_EQ(refusedWith([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), ""); }), ErrorCode::kBadParameter);
   amendSheet(*desk, id, reviewSheet(8, 6, 7), "looked again");
 
   const std::vector<SheetVersion> versions = sheetVersions(*desk, id);
@@ -302,7 +289,7 @@ TEST(CaseSheet, OnceThePanelsMarksAreVisibleAChangeNeedsAReasonAndIsFlagged) {
   centre.passTime_us(1'000'000);
 
   EXPECT_TRUE(openSheet(*desk, id).panelOpen);
-  EXPECT_EQ(refusal([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
+  EXPECT_EQ(refusedWith([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
             ErrorCode::kBadData);
   moveMark(*desk, id, reviewSheet(7, 7, 7), "missed the second grip");
 
@@ -320,14 +307,14 @@ TEST(CaseSheet, IsOnlyForItsRater) {
   const auto office = centre.administrator();
   const std::string id = centre.cases(0).front();
 
-  EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*other, id)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { saveSheet(*other, id, {}, WatchLog()); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { submitSheet(*other, id, reviewSheet(5, 5, 5), WatchLog()); }),
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(openSheet(*other, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { saveSheet(*other, id, {}, WatchLog()); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { submitSheet(*other, id, reviewSheet(5, 5, 5), WatchLog()); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*office, id)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*own, "no such case")); }), ErrorCode::kPermission);
-  SheetRepository(centre.connection()).withdraw(id, "on leave", "office", testing::kReviewTime_us);
-  EXPECT_EQ(refusal([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(openSheet(*office, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(openSheet(*own, "no such case")); }), ErrorCode::kPermission);
+  SheetRepository(centre.connection()).withdraw(id, "on leave", "office", kReviewTime_us);
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
 }
 
 TEST(ReviewQueue, ShowsOneDeadlineForAllRecordedCases) {
@@ -336,7 +323,7 @@ TEST(ReviewQueue, ShowsOneDeadlineForAllRecordedCases) {
   setup.dueByTrainee = true;
   ReviewCentre centre(setup);
   const auto desk = centre.physician(0);
-  const std::int64_t told_us = testing::kReviewTime_us + 4 * testing::kReviewDay_us;
+  const std::int64_t told_us = kReviewTime_us + 4 * kReviewDay_us;
   const auto deadlines = [&] {
     std::set<std::optional<std::int64_t>> seen;
     for (const QueueLine& line : reviewQueue(*desk).lines) {
@@ -352,7 +339,7 @@ TEST(ReviewQueue, ShowsOneDeadlineForAllRecordedCases) {
   submitSheet(*desk, centre.cases(0).front(), reviewSheet(5, 5, 5), watched);
   EXPECT_EQ(deadlines(), (std::set<std::optional<std::int64_t>>{told_us}));
   // The first case's deadline has passed, but nothing shows which case it is.
-  centre.passTime_us(2 * testing::kReviewDay_us);
+  centre.passTime_us(2 * kReviewDay_us);
   EXPECT_EQ(reviewQueue(*desk).overdue, 0U);
   const auto office = centre.administrator();
   Statement cohorts = centre.connection().prepare("SELECT id FROM cohort");
@@ -386,7 +373,7 @@ TEST(ReviewQueue, EstimatesTimesAndKnowsTheNextCase) {
   EXPECT_EQ(fresh.inTenMinutes, 5U);
   EXPECT_EQ(fresh.worked_us, 0);
   ASSERT_TRUE(fresh.nextDueUtc_us.has_value());
-  EXPECT_EQ(*fresh.nextDueUtc_us, testing::kReviewTime_us + 3 * testing::kReviewDay_us);
+  EXPECT_EQ(*fresh.nextDueUtc_us, kReviewTime_us + 3 * kReviewDay_us);
 
   for (std::size_t i = 0; i < 3; ++i) {
     WatchLog watched = whole(2'000'000);
@@ -394,7 +381,7 @@ TEST(ReviewQueue, EstimatesTimesAndKnowsTheNextCase) {
     submitSheet(*desk, ids[i], reviewSheet(5, 5, 5), watched);
   }
   static_cast<void>(saveSheet(*desk, ids[4], {}, WatchLog(2'000'000)));
-  centre.passTime_us(4 * testing::kReviewDay_us);
+  centre.passTime_us(4 * kReviewDay_us);
   const ReviewQueue later = reviewQueue(*desk);
 
   EXPECT_EQ(later.submitted, 3U);

@@ -14,12 +14,10 @@
 #include "db/connection/connection.h"
 #include "sim/core/error.h"
 #include "tests/app/support/review_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
-
-using testing::ReviewCentre;
-using testing::reviewSheet;
 
 constexpr std::int64_t kMinuteOfPlay_us = 60'000'000;
 
@@ -107,12 +105,7 @@ TEST(ReportViewing, RejectsInvalidStretchesAndForbiddenSpeeds) {
   const AssignmentId id = centre.cases(0).front();
   const AssignmentId live = centre.cases(0, true).front();
   const auto refused = [&](const AssignmentId& of, const PlayedStretch& stretch) {
-    try {
-      (void)reportViewing(*physician, of, {stretch}, 1'000'000);
-    } catch (const Error& error) {
-      return error.code();
-    }
-    return ErrorCode::kInternal;
+    return refusedWith([&] { (void)reportViewing(*physician, of, {stretch}, 1'000'000); });
   };
 
   EXPECT_EQ(refused(id, {500'000, 0, 1.0}), ErrorCode::kBadParameter);

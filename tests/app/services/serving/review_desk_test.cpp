@@ -24,8 +24,6 @@
 namespace torsio {
 namespace {
 
-using torsio::testing::StudyCentre;
-
 constexpr int kPatience_ms = 20'000;
 
 std::uint16_t freePort() {
@@ -129,7 +127,7 @@ TEST_F(ReviewDeskOfAStation, CanBeOpenedOnlyForARecordOnThisMachine) {
   SessionContext remote(
       centre.connection(), ids,
       {"postgresql://torsio@db.example.org/torsio", "station", centre.as("administrator").actor()},
-      [] { return testing::kStudyTime_us; });
+      [] { return kStudyTime_us; });
 
   EXPECT_FALSE(mayOpenReviewDesk(remote));
   EXPECT_THROW(startReviewDesk(remote, place, {.port = port}), Error);

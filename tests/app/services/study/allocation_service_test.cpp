@@ -19,8 +19,6 @@
 namespace torsio {
 namespace {
 
-using testing::StudyCentre;
-
 /// Thirty trainees enrolled in a cohort of three groups.
 struct AllocationStudy {
   StudyCentre centre;
@@ -235,7 +233,7 @@ TEST(AllocationService, CheckDetectsAManipulatedGroup) {
 TEST(AllocationService, ReplaysTheAllocationOfTheDemonstrationToo) {
   StudyCentre centre;
   const DemonstrationStudy study =
-      storeDemonstrationPeople(centre.connection(), centre.session().ids(), 1, testing::kStudyTime_us);
+      storeDemonstrationPeople(centre.connection(), centre.session().ids(), 1, kStudyTime_us);
   SessionContext& allocator = centre.as("allocator");
 
   const AllocationDesignRow design = allocationDesigns(allocator, study.cohortId).at(0);

@@ -38,8 +38,6 @@
 namespace torsio {
 namespace {
 
-using testing::StudyCentre;
-
 /// Three of four trainees in a cohort of three groups, with one chief to score them.
 struct Life {
   StudyCentre centre;
@@ -52,12 +50,7 @@ struct Life {
       enrolTrainees(centre.session(), cohortId, {trainees.begin(), trainees.begin() + 3});
 
   [[nodiscard]] Cohort cohort() { return cohorts(centre.as("administrator")).at(0).cohort; }
-  void allocate() {
-    AllocationPlan plan;
-    plan.cohortId = cohortId;
-    lockAllocation(centre.as("allocator"), plan);
-    allocateAll(centre.as("allocator"), cohortId);
-  }
+  void allocate() { centre.allocate(cohortId); }
   void set(CohortState state) { setCohortState(centre.as("administrator"), cohortId, state, "as planned"); }
   ScoringPlanOutcome ask() {
     return createAssignments(
@@ -84,7 +77,7 @@ TEST(CohortLife, RunsOnceSomebodyHasTrainedWithoutAGroup) {
 
   recordExposure(life.centre.as("administrator"), {.cohortId = life.cohortId,
                                                    .enrolmentId = life.enrolled.front(),
-                                                   .startedUtc_us = testing::kStudyTime_us,
+                                                   .startedUtc_us = kStudyTime_us,
                                                    .duration_us = 1});
 
   EXPECT_EQ(life.cohort().state, CohortState::kRunning);
@@ -145,17 +138,14 @@ TEST(CohortShownFirst, IsTodaysElseTheRunningStudy) {
   EXPECT_EQ(shown(), "Volvulus") << "the newest, while nobody is in a group";
   life.allocate();
   EXPECT_EQ(shown(), "Autumn") << "it runs";
-  AllocationPlan plan;
-  plan.cohortId = small;
-  lockAllocation(life.centre.as("allocator"), plan);
-  allocateAll(life.centre.as("allocator"), small);
+  life.centre.allocate(small);
   EXPECT_EQ(shown(), "Autumn") << "it is the larger one";
 
   const std::vector<DaySlot> planned =
       planDay(life.centre.as("administrator"), {.cohortId = small,
                                                 .enrolmentIds = one,
                                                 .places = {"Room 1"},
-                                                .firstUtc_us = testing::kStudyTime_us + 2 * kHour_us,
+                                                .firstUtc_us = kStudyTime_us + 2 * kHour_us,
                                                 .duration_us = kHour_us});
   EXPECT_EQ(shown(), "Volvulus") << "somebody is expected today";
   removeSlots(life.centre.as("administrator"), small, std::array{planned[0].id, planned[1].id});
@@ -164,7 +154,7 @@ TEST(CohortShownFirst, IsTodaysElseTheRunningStudy) {
                                                       .occasionCodes = {"pre"},
                                                       .raterIds = life.chiefs,
                                                       .rubricRevisionId = life.rubric,
-                                                      .dueUtc_us = testing::kStudyTime_us + kHour_us});
+                                                      .dueUtc_us = kStudyTime_us + kHour_us});
   EXPECT_EQ(shown(), "Volvulus") << "sheets are due by the end of the day";
   for (const ScoringMatrix::Line& line : scoringMatrix(life.centre.as("administrator"), small).lines) {
     reassignAll(life.centre.as("administrator"), std::array{line.cells.at(0).assignmentId}, {}, "not needed");
@@ -227,10 +217,7 @@ struct StudyOfFour {
     runCurriculum(office, version);
     cohortId = addCohort(office, {.name = "Four", .curriculumVersionId = version});
     enrolTrainees(office, cohortId, trainees);
-    AllocationPlan plan;
-    plan.cohortId = cohortId;
-    lockAllocation(centre.as("allocator"), plan);
-    allocateAll(centre.as("allocator"), cohortId);
+    centre.allocate(cohortId);
   }
   /// Assigns the chiefs a sheet of every trainee at every occasion.
   ScoringPlanOutcome askAll() {

@@ -30,8 +30,6 @@
 namespace torsio {
 namespace {
 
-using testing::SixTrainees;
-
 TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
   const StudyArm arm{.restAllowance_us = 5 * kMinute_us,
                      .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
@@ -97,11 +95,11 @@ TEST(DayBoard, ShowsWhoTrainsAtWhichStation) {
   TrialHeader header;
   header.trialId = trialId;
   header.traineeCode = "T-01";
-  header.startedUtc_us = testing::kStudyTime_us;
+  header.startedUtc_us = kStudyTime_us;
   TrialRepository(study.centre.connection(), {.station = "station 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository(study.centre.connection())
-      .heartbeat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kStudyTime_us});
+      .heartbeat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = kStudyTime_us});
 
   const DayBoard board = dayBoard(session, study.cohortId);
 
@@ -113,7 +111,7 @@ TEST(DayBoard, ShowsWhoTrainsAtWhichStation) {
     ++running;
     EXPECT_EQ(row.traineeCode, "T-01");
     EXPECT_EQ(row.station, "station 2");
-    EXPECT_EQ(row.runningSinceUtc_us, testing::kStudyTime_us);
+    EXPECT_EQ(row.runningSinceUtc_us, kStudyTime_us);
   }
   EXPECT_EQ(running, 1U);
   ASSERT_EQ(board.stations.size(), 1U);
@@ -135,15 +133,15 @@ TEST(DayBoard, AlertsOfSilentStationsFirstThenOfWhatIsMissing) {
   TrialHeader header;
   header.trialId = trialId;
   header.traineeCode = "T-01";
-  header.startedUtc_us = testing::kStudyTime_us;
+  header.startedUtc_us = kStudyTime_us;
   TrialRepository(study.centre.connection(), {.station = "room 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository stations(study.centre.connection());
-  stations.heartbeat({.station = "room 1", .heartbeatUtc_us = testing::kStudyTime_us});
-  stations.heartbeat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kStudyTime_us});
+  stations.heartbeat({.station = "room 1", .heartbeatUtc_us = kStudyTime_us});
+  stations.heartbeat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = kStudyTime_us});
 
   DayBoard board = dayBoard(session, study.cohortId);
-  board.asOfUtc_us = testing::kStudyTime_us + kStationSilence_us;
+  board.asOfUtc_us = kStudyTime_us + kStationSilence_us;
   EXPECT_EQ(dayAlerts(board).front().kind, DayAlert::Kind::kNoGroup);  // both still answer
   board.asOfUtc_us += 1;
   const std::vector<DayAlert> alerts = dayAlerts(board);
@@ -167,32 +165,32 @@ TEST(DayBoard, ReportsAnUnfitDeviceWhileItsStationAnswers) {
       .findings = {
           {"connected", Light::kGreen, "", ""},
           {"rate", Light::kRed, Text::verbatim("%1; below %2 Hz", Text::verbatim("700 Hz"), 800), ""}}};
-  StationState state{.station = "room 1", .heartbeatUtc_us = testing::kStudyTime_us};
-  storeDevice(stationDevice(unfit, testing::kStudyTime_us - 1), state);
+  StationState state{.station = "room 1", .heartbeatUtc_us = kStudyTime_us};
+  storeDevice(stationDevice(unfit, kStudyTime_us - 1), state);
   StationRepository(study.centre.connection()).heartbeat(state);
 
   DayBoard board = dayBoard(session, study.cohortId);
-  board.asOfUtc_us = testing::kStudyTime_us;
+  board.asOfUtc_us = kStudyTime_us;
   const std::vector<DayAlert> alerts = dayAlerts(board);
 
-  ASSERT_EQ(storedDevice(board.stations.at(0)), stationDevice(unfit, testing::kStudyTime_us - 1));
+  ASSERT_EQ(storedDevice(board.stations.at(0)), stationDevice(unfit, kStudyTime_us - 1));
   EXPECT_EQ(alerts.at(0).kind, DayAlert::Kind::kDeviceUnfit);
   EXPECT_EQ(alerts.at(0).subject, "room 1");
   EXPECT_EQ(alerts.at(0).reason.str(), "700 Hz; below 800 Hz");
   EXPECT_EQ(alerts.at(0).reason.arguments().size(), 2U);  // translatable
-  EXPECT_EQ(alerts.at(0).sinceUtc_us, testing::kStudyTime_us - 1);
+  EXPECT_EQ(alerts.at(0).sinceUtc_us, kStudyTime_us - 1);
   board.asOfUtc_us += kStationSilence_us + 1;
   EXPECT_EQ(dayAlerts(board).at(0).kind, DayAlert::Kind::kStationSilent);
 }
 
 TEST(DayBoard, ReportsAMachineThatCutTheForceInItsLastRunToday) {
   DayBoard board;
-  board.asOfUtc_us = testing::kStudyTime_us;
+  board.asOfUtc_us = kStudyTime_us;
   board.stations.push_back({.station = "room 1",
-                            .heartbeatUtc_us = testing::kStudyTime_us,
+                            .heartbeatUtc_us = kStudyTime_us,
                             .lastHealth = ServoHealth{.priority = false, .memory = true, .forceCuts = 2},
                             .lastTicks = 60'000,
-                            .lastEndedUtc_us = testing::kStudyTime_us - 1});
+                            .lastEndedUtc_us = kStudyTime_us - 1});
   board.stations.push_back(board.stations.front());
   board.stations.back().lastHealth->forceCuts = 0;
 
@@ -233,16 +231,12 @@ TEST(DayBoard, RecordsASwapForBothOrForNobody) {
 
 // The plan of a day: slots at stations and rooms, swapped with turns, overdue on the board.
 
-using testing::kStudyTime_us;
-using testing::StudyCentre;
-
 class DayPlan : public ::testing::Test {
  protected:
   void SetUp() override {
-    const std::vector<TraineeId> trainees = centre.addTrainees(5);
-    const std::string version = centre.runPaperCurriculum();
-    cohort = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
-    enrolled = enrolTrainees(centre.session(), cohort, trainees);
+    const PaperStudy study = centre.addStudy(5);
+    cohort = study.cohortId;
+    enrolled = study.enrolmentIds;
   }
   SessionContext& office() { return centre.as("administrator"); }
   DayPlanRequest request() const {

@@ -41,8 +41,6 @@
 namespace torsio {
 namespace {
 
-using testing::StudyCentre;
-
 DemonstrationOptions shortest(const StudyCentre& centre) {
   DemonstrationOptions options;
   options.shortening = 600;  // two seconds per phase
@@ -92,7 +90,7 @@ TEST(DemonstrationDesk, LeavesThePhysicianTenCasesToScore) {
   addUser(centre.as("administrator"), {.login = "demo.physician",
                                        .personId = desk.raterIds.front(),
                                        .roles = {"rater"},
-                                       .startPassword = testing::kStudyPassword,
+                                       .startPassword = kStudyPassword,
                                        .demonstration = true});
   const Actor physician = simulatedPerson(centre.as("administrator"), SimulatedRole::kPhysician);
   centre.session().setActor(physician);
@@ -152,7 +150,7 @@ SessionContext& asTrainee(StudyCentre& centre, const std::string& code) {
     const auto known = access.users();
     if (std::none_of(known.begin(), known.end(), [&](const UserAccount& user) { return user.id == id; })) {
       access.addUser({.id = id, .login = code, .personId = trainee.person.id, .roles = {"trainee"}},
-                     testing::kStudyPassword);
+                     kStudyPassword);
     }
     centre.session().setActor(
         {.userId = id, .login = code, .personId = trainee.person.id, .roles = {"trainee"}});

@@ -38,25 +38,18 @@
 namespace torsio {
 namespace {
 
-using testing::StudyCentre;
-
 constexpr const char* kRoom = "Skills lab";
 
 /// Four trainees with the paper's curriculum, three chiefs assigned to live sheets at all three occasions.
 class LiveDay : public ::testing::Test {
  protected:
   void SetUp() override {
-    trainees = centre.addTrainees(4);
-    chiefs = centre.addChiefs(3);
-    const std::string rubric = centre.addPaperRubric();
-    const std::string version = centre.runPaperCurriculum();
-    cohort = addCohort(centre.session(), {.name = "Study", .curriculumVersionId = version});
-    enrolled = enrolTrainees(centre.session(), cohort, trainees);
-    createAssignments(centre.session(), {.cohortId = cohort,
-                                         .occasionCodes = {"pre", "mid", "post"},
-                                         .raterIds = chiefs,
-                                         .rubricRevisionId = rubric,
-                                         .seed = 3});
+    const PaperStudy study = centre.addStudy(4, 3);
+    trainees = study.trainees;
+    chiefs = study.chiefs;
+    cohort = study.cohortId;
+    enrolled = study.enrolmentIds;
+    createAssignments(centre.session(), study.plan());
   }
 
   SessionContext& office() { return centre.as("administrator"); }

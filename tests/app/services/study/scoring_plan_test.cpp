@@ -28,9 +28,6 @@
 namespace torsio {
 namespace {
 
-using testing::SixTrainees;
-using testing::StudyCentre;
-
 TEST(ScoringPlan, EveryRaterScoresEveryTraineeAtEveryOccasionOnce) {
   SixTrainees study;
   study.allocate();

@@ -31,8 +31,6 @@
 namespace torsio {
 namespace {
 
-using testing::SixTrainees;
-
 TEST(Allocation, ExportingCardsIsAudited) {
   SixTrainees study;
   EXPECT_THROW((void)takeOutCards(study.centre.as("allocator"), study.cohortId), Error);

@@ -282,8 +282,6 @@ TEST(UntwistingFindings, CountMishapsAndSayIfTheyAreUnknown) {
 
 // Progress of a trainee in untwisting: metrics, units, and what passes.
 
-using testing::TrainingCentre;
-
 TrainingCentre::Setup undone(std::vector<MasteryCriterion> rules) {
   TrainingCentre::Setup setup;
   setup.sceneId = "testis";

@@ -29,10 +29,6 @@
 namespace torsio {
 namespace {
 
-using testing::HostileHand;
-using testing::HostileRun;
-using testing::hostileRun;
-
 constexpr std::uint64_t kSeed = 20261125;
 constexpr std::size_t kCutRecordings = 8;
 constexpr std::size_t kLongestPiece = 2'500;  // samples: long enough for a quick twist

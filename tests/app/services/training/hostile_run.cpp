@@ -22,7 +22,7 @@
 #include "sim/servo/hand_task.h"
 #include "tests/app/support/training_centre.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 namespace {
 
@@ -370,4 +370,4 @@ HostileRun hostileRun(std::uint64_t seed, std::uint64_t stream) {
   return out;
 }
 
-}  // namespace torsio::testing
+}  // namespace torsio

@@ -9,7 +9,7 @@
 #include "assessment/attempt/measured_trial.h"
 #include "sim/record/trial.h"
 
-namespace torsio::testing {
+namespace torsio {
 
 /// What leads the instrument in a random run.
 enum class HostileHand {
@@ -37,4 +37,4 @@ struct HostileRun {
 /// moment.
 [[nodiscard]] HostileRun hostileRun(std::uint64_t seed, std::uint64_t stream);
 
-}  // namespace torsio::testing
+}  // namespace torsio

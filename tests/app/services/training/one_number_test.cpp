@@ -29,8 +29,6 @@
 namespace torsio {
 namespace {
 
-using testing::TrainingCentre;
-
 constexpr std::uint64_t kRunSeed = 20251122;
 constexpr int kRecordings = 200;
 constexpr double kTolerance_deg = 5.0;  // of the centre's modules
@@ -214,7 +212,7 @@ class OneNumber : public ::testing::Test {
     trial.header.phaseLabel = "virtual";
     trial.header.parametersJson = "{}";
     trial.header.targetAngle_rad = radians(firstTarget_deg);
-    trial.header.startedUtc_us = testing::kCentreTime_us + number * testing::kMinute_us;
+    trial.header.startedUtc_us = kCentreTime_us + number * kMinute_us;
     trial.chunks.push_back(encodeChunk(0, random.samples()));
     trial.summary.samples = trial.chunks.front().samples;
     trial.summary.contentHash = contentHash(trial);
@@ -262,7 +260,7 @@ TEST_F(OneNumber, IsTheSameForTheSameRunWhereverItIsRead) {
       static_cast<void>(debrief(centre_.session(), trialId, "no assets here"));
     }
     if (trialId.back() == '2') {
-      static_cast<void>(testing::attemptOf(centre_, trialId));
+      static_cast<void>(attemptOf(centre_, trialId));
     }
   }
   const CohortInputs reported = report();
@@ -384,7 +382,7 @@ TEST_F(OneNumber, RunsMeasuredByOlderFormulasAreMeasuredAgain) {
   older.measures = {{idOf(Quantity::kOnTarget), 0.123}};
   DigestRepository(centre_.connection()).add({&older, 1});
 
-  const Attempt attempt = testing::attemptOf(centre_, trialId);
+  const Attempt attempt = attemptOf(centre_, trialId);
 
   EXPECT_EQ(attempt.twists, truths_.at(trialId).completed);
   EXPECT_EQ(DigestRepository(centre_.connection()).ofTrial(trialId, kMetricsVersion).size(), 1U);

@@ -22,9 +22,6 @@
 namespace torsio {
 namespace {
 
-using testing::trainingBar;
-using testing::TrainingCentre;
-
 constexpr double kBeginner = 0.1;
 constexpr double kExpert = 1.0;
 
@@ -44,7 +41,7 @@ TEST(ExpertRun, IsOneTwistThatReachesTheTargetAndReplaysBitForBit) {
 TEST(Debrief, ShowsEarlierMeasuresNextToTheCurrentVerdict) {
   TrainingCentre centre;
   const TrialId trial = centre.attempt("first", "practice", kExpert);
-  static_cast<void>(testing::attemptOf(centre, trial));
+  static_cast<void>(attemptOf(centre, trial));
   const DigestRepository digests(centre.connection());
   TrialDigest older = digests.ofTrial(trial, kMetricsVersion).at(0);
   const double judged_N = older.measures.at(idOf(Quantity::kPeakForce));

@@ -21,12 +21,6 @@
 namespace torsio {
 namespace {
 
-using testing::deviceWith;
-using testing::kCentreTime_us;
-using testing::kMinute_us;
-using testing::kSecond_us;
-using testing::TrainingCentre;
-
 constexpr const char* kTrain = "--train";
 constexpr int kPatience_ms = 60'000;
 
@@ -38,7 +32,7 @@ constexpr int kPatience_ms = 60'000;
   RunSession runSession(centre.session(), {centre.module("first"), true, deviceWith(Light::kGreen)}, clock);
   runSession.start();
   const RecordingSpec recording = runSession.newTrial();
-  const Scene& scene = testing::trainingBar();
+  const Scene& scene = trainingBar();
   ScriptedHandOptions hand;
   hand.task = handTask(scene);
   hand.duration_s = 600.0;

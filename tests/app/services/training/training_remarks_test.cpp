@@ -24,12 +24,10 @@
 #include "sim/core/error.h"
 #include "tests/app/support/audit_entries.h"
 #include "tests/app/support/training_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
-
-using testing::kCentreTime_us;
-using testing::TrainingCentre;
 
 /// A chief physician was assigned a trial of T-01, commented on it and gave 7 of 10, proficiency 6.
 class RemarksTest : public ::testing::Test {
@@ -116,14 +114,14 @@ TEST_F(RemarksTest, AnEditShowsTheLatestVersionAndKeepsTheOld) {
   release();
   SessionContext& desk = centre_.session();
   const RemarkId reply = replyToRemark(desk, remark_, "I will");
-  centre_.passTime_us(testing::kMinute_us);
+  centre_.passTime_us(kMinute_us);
 
   editRemark(desk, reply, "I will try");
 
   const TraineeRemark own = ownRemarks(desk)[0].remarks[0].replies[0];
   EXPECT_EQ(own.text, "I will try");
   EXPECT_EQ(own.version, 2);
-  EXPECT_EQ(own.editedUtc_us - own.writtenUtc_us, testing::kMinute_us);
+  EXPECT_EQ(own.editedUtc_us - own.writtenUtc_us, kMinute_us);
   ASSERT_EQ(own.earlier.size(), 1U);
   EXPECT_EQ(own.earlier[0].text, "I will");
   EXPECT_EQ(own.earlier[0].writtenUtc_us, own.writtenUtc_us);
@@ -198,11 +196,11 @@ TEST_F(RemarksTest, TheTraineesMarksMayChangeUntilTheRatersAreShown) {
 TEST_F(RemarksTest, EveryChangeAtTheStationIsAuditedAndTheTrailVerifies) {
   SessionContext& desk = centre_.session();
   const auto audited = [&](const char* action, const std::function<void()>& change) {
-    testing::expectAudited(centre_.connection(), desk.actor().userId, action, change);
+    expectAudited(centre_.connection(), desk.actor().userId, action, change);
     EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty()) << action;
   };
   const ManualClock clock;
-  RunSession runSession(desk, {centre_.module("first"), false, testing::deviceWith(Light::kGreen)}, clock);
+  RunSession runSession(desk, {centre_.module("first"), false, deviceWith(Light::kGreen)}, clock);
 
   audited("run.start", [&] { runSession.start(); });
   audited("run.stop", [&] { runSession.stop("enough"); });
@@ -226,7 +224,7 @@ TEST(Transcript, ContainsEveryAttemptAndTheTimeSpent) {
                       .enrolmentId = centre.enrolment(),
                       .kind = ExposureKind::kReal,
                       .startedUtc_us = kCentreTime_us,
-                      .duration_us = 12 * testing::kMinute_us,
+                      .duration_us = 12 * kMinute_us,
                       .recordedBy = "office"};
   StudyRepository(centre.connection()).addExposures({&hour, 1});
 
@@ -241,18 +239,6 @@ TEST(Transcript, ContainsEveryAttemptAndTheTimeSpent) {
 }
 
 // A trainee asks a named chief physician about a moment of a practice run.
-
-using testing::kMinute_us;
-
-ErrorCode refusedWith(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return ErrorCode::kInternal;
-}
 
 class QuestionsTest : public ::testing::Test {
  protected:
@@ -335,8 +321,8 @@ TEST_F(QuestionsTest, AnAnswerCanBeEditedByItsAuthor) {
   answerQuestion(desk(), id, "No, but let go later.");
   centre_.passTime_us(kMinute_us);
 
-  testing::expectAudited(centre_.connection(), desk().actor().userId, "remark.add",
-                         [&] { editAnswer(desk(), id, "Yes, and let go later."); });
+  expectAudited(centre_.connection(), desk().actor().userId, "remark.add",
+                [&] { editAnswer(desk(), id, "Yes, and let go later."); });
 
   const PhysicianQuestion mine = questionsToMe(desk())[0];
   EXPECT_EQ(mine.answer, "Yes, and let go later.");
@@ -402,11 +388,11 @@ TEST_F(QuestionsTest, NeedAMomentWithinTheRunAndAPhysicianWhoCanBeAsked) {
 
 TEST_F(QuestionsTest, AreAudited) {
   std::string id;
-  testing::expectAudited(centre_.connection(), desk().actor().userId, "question.ask",
-                         [&] { id = askPhysician(desk(), trial_, 2.0, chief_, "seen?"); });
+  expectAudited(centre_.connection(), desk().actor().userId, "question.ask",
+                [&] { id = askPhysician(desk(), trial_, 2.0, chief_, "seen?"); });
   centre_.become("chief");
-  testing::expectAudited(centre_.connection(), desk().actor().userId, "question.answer",
-                         [&] { answerQuestion(desk(), id, "seen"); });
+  expectAudited(centre_.connection(), desk().actor().userId, "question.answer",
+                [&] { answerQuestion(desk(), id, "seen"); });
 }
 
 }  // namespace

@@ -20,24 +20,10 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "tests/app/support/training_centre.h"
+#include "tests/support/refusal.h"
 
 namespace torsio {
 namespace {
-
-using testing::deviceWith;
-using testing::kMinute_us;
-using testing::kSecond_us;
-using testing::TrainingCentre;
-
-ErrorCode codeOf(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return ErrorCode::kInternal;
-}
 
 TrainingCentre::Setup twoPhases() {
   TrainingCentre::Setup setup;
@@ -112,7 +98,7 @@ TEST(NextSteps, AttemptsCanBeUsedUp) {
   EXPECT_EQ(steps.modules[1].state, StepState::kUsedUp);
   EXPECT_EQ(steps.modules[1].attemptsLeft, 0);
   EXPECT_EQ(steps.modules[2].state, StepState::kLocked);
-  EXPECT_EQ(codeOf([&] {
+  EXPECT_EQ(refusedWith([&] {
               const MonotonicClock clock;
               RunSession(centre.session(), {centre.module("second"), true, deviceWith(Light::kGreen)}, clock);
             }),
@@ -125,21 +111,22 @@ TEST(NextSteps, IsForTheActorOnly) {
   const std::string trial = centre.attempt("first", "practice", 1.0);
   centre.become("T-02");
 
-  EXPECT_EQ(codeOf([&] { static_cast<void>(nextSteps(centre.session(), first)); }), ErrorCode::kPermission);
-  EXPECT_EQ(codeOf([&] { static_cast<void>(debrief(centre.session(), trial, "no assets here")); }),
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(nextSteps(centre.session(), first)); }),
+            ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(debrief(centre.session(), trial, "no assets here")); }),
             ErrorCode::kPermission);
   centre.become("chief");
-  EXPECT_EQ(codeOf([&] { static_cast<void>(nextSteps(centre.session(), centre.person())); }),
+  EXPECT_EQ(refusedWith([&] { static_cast<void>(nextSteps(centre.session(), centre.person())); }),
             ErrorCode::kPermission);
 }
 
 TEST(NextSteps, ValuesAreMeasuredOnceAndStoredWithTheTrial) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", 1.0);
-  const Attempt first = testing::attemptOf(centre, trial);
+  const Attempt first = attemptOf(centre, trial);
   const auto kept = DigestRepository(centre.connection()).ofTrial(trial, kMetricsVersion);
 
-  const Attempt again = testing::attemptOf(centre, trial);
+  const Attempt again = attemptOf(centre, trial);
 
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(DigestRepository(centre.connection()).ofTrial(trial, kMetricsVersion), kept);
@@ -157,14 +144,14 @@ TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {
   const auto begin = [&](bool graded, Light light) {
     RunSession(centre.session(), {centre.module("first"), graded, deviceWith(light)}, clock);
   };
-  EXPECT_EQ(codeOf([&] { begin(false, Light::kGreen); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusedWith([&] { begin(false, Light::kGreen); }), ErrorCode::kPermission);
   decideOwnConsent(centre.session(), "training_record", true, "1");
 
   EXPECT_NO_THROW(begin(true, Light::kGreen));
   EXPECT_NO_THROW(begin(false, Light::kAmber));
-  EXPECT_EQ(codeOf([&] { begin(true, Light::kAmber); }), ErrorCode::kDevice);
-  EXPECT_EQ(codeOf([&] { begin(true, Light::kRed); }), ErrorCode::kDevice);
-  EXPECT_EQ(codeOf([&] {
+  EXPECT_EQ(refusedWith([&] { begin(true, Light::kAmber); }), ErrorCode::kDevice);
+  EXPECT_EQ(refusedWith([&] { begin(true, Light::kRed); }), ErrorCode::kDevice);
+  EXPECT_EQ(refusedWith([&] {
               RunSession(centre.session(), {centre.module("first"), false, DeviceReadiness{}}, clock);
             }),
             ErrorCode::kDevice);
@@ -173,11 +160,11 @@ TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {
 TEST(RunSession, LocksAreEnforcedByTheServiceToo) {
   TrainingCentre centre;
   const ManualClock clock;
-  EXPECT_EQ(codeOf([&] {
+  EXPECT_EQ(refusedWith([&] {
               RunSession(centre.session(), {centre.module("second"), true, deviceWith(Light::kGreen)}, clock);
             }),
             ErrorCode::kBadParameter);
-  EXPECT_EQ(codeOf([&] {
+  EXPECT_EQ(refusedWith([&] {
               RunSession(centre.session(), {"no such module", true, deviceWith(Light::kGreen)}, clock);
             }),
             ErrorCode::kBadParameter);
