@@ -19,7 +19,7 @@
 #include "sim/tissue/hollow/wrung_tube.h"
 #include "sim/tissue/rod/fold_check.h"
 #include "tests/sim/servo/hollow_bar.h"
-#include "tests/support/shipped_hollow_organs.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {

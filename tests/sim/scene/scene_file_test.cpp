@@ -15,8 +15,8 @@
 #include "sim/core/file_io.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_parameters.h"
-#include "tests/support/copied_scene_files.h"
 #include "tests/support/refusal.h"
+#include "tests/support/shipped_scene.h"
 
 namespace torsio {
 namespace {

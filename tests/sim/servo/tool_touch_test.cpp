@@ -26,7 +26,6 @@
 #include "sim/scene/scene.h"
 #include "tests/sim/servo/bar_scene.h"
 #include "tests/support/fcl_model.h"
-#include "tests/support/shipped_hollow_organs.h"
 #include "tests/support/shipped_scene.h"
 
 namespace torsio {

@@ -10,28 +10,24 @@ namespace torsio {
 
 std::vector<ServiceCall> connectorCalls() {
   using O = Operation;
+  using W = SessionContext&;
   using Path = const std::filesystem::path&;
   return {
-      {O::kStudySetup, "sendReminders", [](SessionContext& w, Path) { (void)sendReminders(w, {}, {}); }},
-      {O::kStudySetup, "mailSettings", [](SessionContext& w, Path) { (void)mailSettings(w); }},
-      {O::kSettingsEdit, "setMailSettings", [](SessionContext& w, Path) { setMailSettings(w, {}); }},
-      {O::kSettingsEdit, "lrsSettings", [](SessionContext& w, Path) { (void)lrsSettings(w); }},
-      {O::kSettingsEdit, "setLrsSettings", [](SessionContext& w, Path) { setLrsSettings(w, {}); }},
-      {O::kSettingsEdit, "learningRecords", [](SessionContext& w, Path) { (void)learningRecords(w); }},
-      {O::kSettingsEdit, "retryLearningRecords",
-       [](SessionContext& w, Path) { (void)retryLearningRecords(w); }},
-      {O::kSettingsEdit, "dropLearningRecords",
-       [](SessionContext& w, Path) { (void)dropLearningRecords(w); }},
-      {O::kReportExportCoded, "sendLearningRecords",
-       [](SessionContext& w, Path) { (void)sendLearningRecords(w); }},
-      {O::kUserManage, "canMailInvitations", [](SessionContext& w, Path) { (void)canMailInvitations(w); }},
-      {O::kUserManage, "sendInvitations", [](SessionContext& w, Path) { (void)sendInvitations(w, {}, {}); }},
+      {O::kStudySetup, "sendReminders", [](W w, Path) { (void)sendReminders(w, {}, {}); }},
+      {O::kStudySetup, "mailSettings", [](W w, Path) { (void)mailSettings(w); }},
+      {O::kSettingsEdit, "setMailSettings", [](W w, Path) { setMailSettings(w, {}); }},
+      {O::kSettingsEdit, "lrsSettings", [](W w, Path) { (void)lrsSettings(w); }},
+      {O::kSettingsEdit, "setLrsSettings", [](W w, Path) { setLrsSettings(w, {}); }},
+      {O::kSettingsEdit, "learningRecords", [](W w, Path) { (void)learningRecords(w); }},
+      {O::kSettingsEdit, "retryLearningRecords", [](W w, Path) { (void)retryLearningRecords(w); }},
+      {O::kSettingsEdit, "dropLearningRecords", [](W w, Path) { (void)dropLearningRecords(w); }},
+      {O::kReportExportCoded, "sendLearningRecords", [](W w, Path) { (void)sendLearningRecords(w); }},
+      {O::kUserManage, "canMailInvitations", [](W w, Path) { (void)canMailInvitations(w); }},
+      {O::kUserManage, "sendInvitations", [](W w, Path) { (void)sendInvitations(w, {}, {}); }},
       {O::kStudySetup, "importDataset",
-       [](SessionContext& w, Path folder) { importDataset(w, folder / "no such set", {}, ""); }},
+       [](W w, Path folder) { importDataset(w, folder / "no such set", {}, ""); }},
       {O::kStudySetup, "importForeign",
-       [](SessionContext& w, Path folder) {
-         importForeign(w, ForeignLayout::kCsv, folder / "no such map.json", "");
-       }},
+       [](W w, Path folder) { importForeign(w, ForeignLayout::kCsv, folder / "no such map.json", ""); }},
   };
 }
 

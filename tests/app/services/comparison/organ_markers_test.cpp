@@ -5,10 +5,13 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "app/services/comparison/measured_markers.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio {
@@ -142,6 +145,136 @@ TEST(OrganMarkers, ReportInvalidFilesWithTheirPlace) {
   EXPECT_EQ(markersRefusedAt(R"({"markers": [{"number": 1, "name": "a", )" + place +
                              R"(}, {"number": 2, "name": "a", )" + place + "}]}"),
             file + ", marker 2, field \"name\"");
+}
+
+const fs::path kSynthetic = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.csv";
+
+/// Ten markers: only numbers and names matter here.
+std::vector<OrganMarker> tenMarkers() {
+  std::vector<OrganMarker> markers(10);
+  for (int k = 0; k < 10; ++k) {
+    markers[static_cast<std::size_t>(k)].number = k + 1;
+    markers[static_cast<std::size_t>(k)].name = "point " + std::to_string(k + 1);
+  }
+  return markers;
+}
+
+/// Returns where a table of these rows is rejected; "" if it is not.
+std::string refusedAt(const std::string& rows) {
+  const fs::path file = fs::temp_directory_path() / "torsio_measured_markers_test.csv";
+  std::ofstream(file) << "marker,time,x,y,z,unit,subject\n" << rows;
+  try {
+    static_cast<void>(readMeasuredMarkers(file, tenMarkers()));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadData);
+    EXPECT_FALSE(error.remedy().empty());
+    return fs::path(error.where()).filename().string();
+  }
+  return "";
+}
+
+TEST(MeasuredMarkers, AreReadInMetresWithTheirSubjects) {
+  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kSynthetic, tenMarkers());
+
+  ASSERT_EQ(subjects.size(), 2U);
+  EXPECT_EQ(subjects[0].name, "SYNTHETIC-A");
+  ASSERT_EQ(subjects[0].markers.size(), 10U);
+  ASSERT_EQ(subjects[0].markers.at(8).size(), 6U);
+  EXPECT_NEAR(norm(subjects[0].markers.at(8)[0].place_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-9);
+}
+
+TEST(MeasuredMarkers, DisplacementIsTheMeanOverTheSubjects) {
+  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kSynthetic, tenMarkers());
+
+  const MeasuredDisplacement found = finalDisplacement(subjects, 8);
+
+  // Marker 8 is beyond the wrist, 39.21 mm off the axis, rotated by 60 and 54 degrees: chords 2 r sin(a / 2)
+  // of 39.21 and 35.60 mm.
+  EXPECT_EQ(found.subjects, 2);
+  EXPECT_NEAR(found.mean_m, 0.5 * (39.21e-3 + 35.60e-3), 2e-5);
+  EXPECT_EQ(finalDisplacement({}, 8).subjects, 0);
+}
+
+TEST(MeasuredMarkers, AcceptMetresAndCentimetres) {
+  EXPECT_EQ(refusedAt("1,0,1,2,3,m,A\n1,1,1,2,3,cm,A\n"), "");
+}
+
+TEST(MeasuredMarkers, ReportInvalidTablesWithTheirPlace) {
+  EXPECT_EQ(refusedAt("11,0,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_EQ(refusedAt("1,0,1,2,3,mm,A\n1,0,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 3");
+  EXPECT_EQ(refusedAt("1,-1,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_EQ(refusedAt("1,0,1,2,3,inch,A\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_EQ(refusedAt("1,0,1,nan,3,mm,A\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_EQ(refusedAt("1,0,1,2,3,mm,\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_NE(refusedAt("1,0,1,2,3,mm,A\n"), "");
+  EXPECT_NE(refusedAt(""), "");
+  EXPECT_THROW(static_cast<void>(readMeasuredMarkers(kSynthetic, {})), Error);
+}
+
+const fs::path kTracks = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.trc";
+
+/// The organ's markers by number and name; positions do not matter here.
+std::vector<OrganMarker> namedMarkers() {
+  std::vector<OrganMarker> markers(10);
+  for (int k = 0; k < 10; ++k) {
+    markers[static_cast<std::size_t>(k)].number = k + 1;
+    markers[static_cast<std::size_t>(k)].name = k == 2 ? "radial styloid" : "point " + std::to_string(k + 1);
+  }
+  return markers;
+}
+
+/// Returns where the synthetic file is rejected after replacing `from` by `to`; "" if it is not.
+std::string refusedWith(const std::string& from, const std::string& to) {
+  std::string text = readFile(kTracks);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  const fs::path file = fs::temp_directory_path() / "torsio_camera_markers_test.trc";
+  std::ofstream(file) << text;
+  try {
+    static_cast<void>(readMeasuredMarkers(file, namedMarkers()));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadData);
+    EXPECT_FALSE(error.remedy().empty());
+    return fs::path(error.where()).filename().string();
+  }
+  return "";
+}
+
+TEST(CameraMarkers, AreReadInMetresByNumberAndByName) {
+  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kTracks, namedMarkers());
+
+  ASSERT_EQ(subjects.size(), 1U);
+  EXPECT_EQ(subjects[0].name, "markers_synthetic");
+  ASSERT_EQ(subjects[0].markers.size(), 3U);
+  EXPECT_EQ(subjects[0].markers.at(1).size(), 5U);
+  EXPECT_EQ(subjects[0].markers.at(3).size(), 4U) << "lost in one frame";
+  EXPECT_NEAR(norm(subjects[0].markers.at(8)[0].place_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-9);
+  EXPECT_DOUBLE_EQ(subjects[0].markers.at(8)[4].time_s, 0.04);
+  // 39.21 mm off the axis, rotated by 60 degrees: the chord equals the radius.
+  EXPECT_NEAR(finalDisplacement(subjects, 8).mean_m, 39.21e-3, 2e-5);
+  EXPECT_EQ(finalDisplacement(subjects, 1).mean_m, 0.0);
+}
+
+TEST(CameraMarkers, ReportInvalidFilesWithLineAndField) {
+  const std::string file = "torsio_camera_markers_test.trc, line ";
+  const auto at = [&](int line, const std::string& field) {
+    return file + std::to_string(line) + ", field \"" + field + "\"";
+  };
+
+  EXPECT_EQ(refusedWith("(X/Y/Z)", "(X/Y)"), at(1, "PathFileType"));
+  EXPECT_EQ(refusedWith("NumMarkers", "Markers"), at(2, "NumMarkers"));
+  EXPECT_EQ(refusedWith("\tmm\t", "\tinch\t"), at(3, "Units"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5", "0\t100.00\t5"), at(3, "DataRate"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5", "100.00\t100.00\t6"), at(3, "NumFrames"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5\t3", "100.00\t100.00\t5\t2"), at(4, "NumMarkers"));
+  EXPECT_EQ(refusedWith("M1", "LASI"), at(4, "LASI"));
+  EXPECT_EQ(refusedWith("Marker8", "marker1"), at(4, "marker1"));
+  EXPECT_EQ(refusedWith("Y2", "Y3"), at(5, "Y2"));
+  EXPECT_EQ(refusedWith("24.590", "nan"), at(7, "Y1"));
+  EXPECT_EQ(refusedWith("\n2\t0.010\t", "\n2\t0.000\t"), at(8, "Time"));
+  EXPECT_EQ(refusedWith("\n2\t0.010\t", "\n2\tnow\t"), at(8, "Time"));
+  EXPECT_EQ(refusedWith("PathFileType\t4\t(X/Y/Z)\t", "PathFileType\t4\t(X/Y/Z)\tother "), "");
 }
 
 }  // namespace

@@ -29,16 +29,14 @@
 namespace torsio {
 namespace {
 
-/// A chief physician was assigned a trial of T-01, commented on it and gave 7 of 10, proficiency 6.
-class RemarksTest : public ::testing::Test {
+/// A trial of T-01 in practice, which a chief physician can be given to score.
+class ChiefTest : public ::testing::Test {
  protected:
   TrainingCentre centre_;
   std::string trial_ = centre_.attempt("first", "practice", 1.0);
   std::string chief_ = PeopleRepository(centre_.connection()).raters().front().person.id;
-  std::string remark_ = "11111111-1111-4111-8111-111111111111";
 
-  void SetUp() override {
-    SheetRepository sheets(centre_.connection());
+  void giveToRaters(const TrialId& trialId) {
     RubricRepository rubrics(centre_.connection());
     rubrics.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
     RubricRevision revision;
@@ -53,11 +51,22 @@ class RemarksTest : public ::testing::Test {
                                 .raterId = chief_,
                                 .enrolmentId = centre_.enrolment(),
                                 .occasionCode = "pre",
-                                .trialId = trial_,
+                                .trialId = trialId,
                                 .rubricRevisionId = "revision",
                                 .caseLabel = "7F",
                                 .assignedBy = "office"};
-    sheets.assign({&assignment, 1});
+    SheetRepository(centre_.connection()).assign({&assignment, 1});
+  }
+};
+
+/// The chief commented on the trial and gave 7 of 10, proficiency 6.
+class RemarksTest : public ChiefTest {
+ protected:
+  std::string remark_ = "11111111-1111-4111-8111-111111111111";
+
+  void SetUp() override {
+    giveToRaters(trial_);
+    SheetRepository sheets(centre_.connection());
     Sheet sheet;
     sheet.overall_steps = 70;
     sheet.rows.push_back({.code = "proficiency", .score_steps = 6});
@@ -240,34 +249,9 @@ TEST(Transcript, ContainsEveryAttemptAndTheTimeSpent) {
 
 // A trainee asks a named chief physician about a moment of a practice run.
 
-class QuestionsTest : public ::testing::Test {
+class QuestionsTest : public ChiefTest {
  protected:
-  TrainingCentre centre_;
-  std::string trial_ = centre_.attempt("first", "practice", 1.0);
-  std::string chief_ = PeopleRepository(centre_.connection()).raters().front().person.id;
-
   SessionContext& desk() { return centre_.session(); }
-
-  void giveToRaters(const TrialId& trialId) {
-    SheetRepository sheets(centre_.connection());
-    RubricRepository rubrics(centre_.connection());
-    rubrics.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
-    RubricRevision revision;
-    revision.id = "revision";
-    revision.rubricId = "rubric";
-    revision.overall = {.lo = 10, .hi = 100, .stepsPerPoint = 10};
-    revision.createdBy = "office";
-    rubrics.addRevision(revision);
-    const Assignment assignment{.id = "assignment",
-                                .raterId = chief_,
-                                .enrolmentId = centre_.enrolment(),
-                                .occasionCode = "pre",
-                                .trialId = trialId,
-                                .rubricRevisionId = "revision",
-                                .caseLabel = "7F",
-                                .assignedBy = "office"};
-    sheets.assign({&assignment, 1});
-  }
 };
 
 TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerAppearsAtTheMoment) {
