@@ -38,24 +38,34 @@ struct CentreSetting {
   std::string_view setBy{};  ///< the only function that sets it, if it makes no sense without other settings
 };
 
-inline constexpr CentreSetting kTwoPeople{
-    "two_people",
-    SettingKind::kYesNo,
-    "yes",
-    0,
-    1,
-    Text::tr("Two people for passwords, roles, erasing, restoring and the allocation"),
-    {},
-    true};
-inline constexpr CentreSetting kMinimumWatched_percent{
-    "review.minimum_watched_percent",
-    SettingKind::kNumber,
-    "80",
-    0,
-    100,
-    Text::tr("Share of a recording that a rater must have watched"),
-    Text::tr("%1 %"),
-    true};
+namespace setting {
+
+constexpr CentreSetting yesNo(std::string_view name, std::string_view initial, Phrase label,
+                              bool inReport = false) {
+  return {name, SettingKind::kYesNo, initial, 0, 1, label, {}, inReport};
+}
+constexpr CentreSetting whole(std::string_view name, std::string_view initial, double least, double most,
+                              Phrase label, Phrase shown) {
+  return {name, SettingKind::kWhole, initial, least, most, label, shown};
+}
+/// Stated in each report.
+constexpr CentreSetting number(std::string_view name, std::string_view initial, double least, double most,
+                               Phrase label, Phrase shown) {
+  return {name, SettingKind::kNumber, initial, least, most, label, shown, true};
+}
+/// `longest`: characters.
+constexpr CentreSetting words(std::string_view name, double longest, Phrase label, std::string_view setBy) {
+  return {name, SettingKind::kWords, "", 0, longest, label, {}, false, setBy};
+}
+
+}  // namespace setting
+
+inline constexpr CentreSetting kTwoPeople =
+    setting::yesNo("two_people", "yes",
+                   Text::tr("Two people for passwords, roles, erasing, restoring and the allocation"), true);
+inline constexpr CentreSetting kMinimumWatched_percent =
+    setting::number("review.minimum_watched_percent", "80", 0, 100,
+                    Text::tr("Share of a recording that a rater must have watched"), Text::tr("%1 %"));
 inline constexpr CentreSetting kPlaybackSpeeds{"review.speeds",
                                                SettingKind::kSpeeds,
                                                "1",
@@ -64,80 +74,38 @@ inline constexpr CentreSetting kPlaybackSpeeds{"review.speeds",
                                                Text::tr("Playback speeds that raters may use"),
                                                {},
                                                true};
-inline constexpr CentreSetting kDiscrepancy_points{
-    "review.alignment_points",
-    SettingKind::kNumber,
-    "2",
-    0.1,
-    100,
-    Text::tr("Distance from the other raters' mean that calls for a discrepancy review"),
-    Text::tr("%1 points"),
-    true};
-inline constexpr CentreSetting kSignMinutes{"sign_minutes",
-                                            SettingKind::kWhole,
-                                            "15",
-                                            0,
-                                            60,
-                                            Text::verbatim("One password entry signs for (0: one signature)"),
-                                            Text::verbatim("%1 min")};
-inline constexpr CentreSetting kIdleWarn_min{
-    "idle_warn_minutes",     SettingKind::kWhole, "4", 1, 59, Text::verbatim("An idle station warns after"),
-    Text::verbatim("%1 min")};
-inline constexpr CentreSetting kIdleLock_min{
-    "idle_lock_minutes",     SettingKind::kWhole, "5", 2, 60, Text::verbatim("An idle station locks after"),
-    Text::verbatim("%1 min")};
-inline constexpr CentreSetting kCopyKeep_days{"copy_keep_days",
-                                              SettingKind::kWhole,
-                                              "365",
-                                              1,
-                                              36'500,
-                                              Text::verbatim("Copies of the record are kept for"),
-                                              Text::verbatim("%1 days")};
-inline constexpr CentreSetting kGradedWithMouse{"graded_with_mouse",
-                                                SettingKind::kYesNo,
-                                                "no",
-                                                0,
-                                                1,
-                                                Text::verbatim("Runs with mouse and keyboard are graded")};
-inline constexpr CentreSetting kSoundAtLimit{"sound_at_limit",
-                                             SettingKind::kYesNo,
-                                             "no",
-                                             0,
-                                             1,
-                                             Text::verbatim("A sound plays when a limit is reached")};
-inline constexpr CentreSetting kKioskCodes{"kiosk_codes",
-                                           SettingKind::kYesNo,
-                                           "no",
-                                           0,
-                                           1,
-                                           Text::verbatim("Kiosks admit trainees by the code on their card")};
-inline constexpr CentreSetting kBrowserAddress{"browser_address",
-                                               SettingKind::kWords,
-                                               "",
-                                               0,
-                                               200,
-                                               Text::verbatim("Address of the review desk in invitations"),
-                                               {},
-                                               false,
-                                               "torsio invite --address"};
-inline constexpr CentreSetting kMailServer{
-    "mail_server", SettingKind::kWords, "", 0, 4000, Text::verbatim("Server that sends reminders"), {},
-    false,         "Campaigns, Remind"};
+inline constexpr CentreSetting kDiscrepancy_points =
+    setting::number("review.alignment_points", "2", 0.1, 100,
+                    Text::tr("Distance from the other raters' mean that calls for a discrepancy review"),
+                    Text::tr("%1 points"));
+inline constexpr CentreSetting kSignMinutes = setting::whole(
+    "sign_minutes", "15", 0, 60, Text::verbatim("One password entry signs for (0: one signature)"),
+    Text::verbatim("%1 min"));
+inline constexpr CentreSetting kIdleWarn_min = setting::whole(
+    "idle_warn_minutes", "4", 1, 59, Text::verbatim("An idle station warns after"), Text::verbatim("%1 min"));
+inline constexpr CentreSetting kIdleLock_min = setting::whole(
+    "idle_lock_minutes", "5", 2, 60, Text::verbatim("An idle station locks after"), Text::verbatim("%1 min"));
+inline constexpr CentreSetting kCopyKeep_days =
+    setting::whole("copy_keep_days", "365", 1, 36'500, Text::verbatim("Copies of the record are kept for"),
+                   Text::verbatim("%1 days"));
+inline constexpr CentreSetting kGradedWithMouse =
+    setting::yesNo("graded_with_mouse", "no", Text::verbatim("Runs with mouse and keyboard are graded"));
+inline constexpr CentreSetting kSoundAtLimit =
+    setting::yesNo("sound_at_limit", "no", Text::verbatim("A sound plays when a limit is reached"));
+inline constexpr CentreSetting kKioskCodes =
+    setting::yesNo("kiosk_codes", "no", Text::verbatim("Kiosks admit trainees by the code on their card"));
+inline constexpr CentreSetting kBrowserAddress =
+    setting::words("browser_address", 200, Text::verbatim("Address of the review desk in invitations"),
+                   "torsio invite --address");
+inline constexpr CentreSetting kMailServer =
+    setting::words("mail_server", 4000, Text::verbatim("Server that sends reminders"), "Campaigns, Remind");
 inline constexpr CentreSetting kLearningRecords{
     kLearningSetting, SettingKind::kYesNo, "no", 0, 1, Text::verbatim("Learning records are sent"), {}, false,
     "torsio xapi set"};
-inline constexpr CentreSetting kLearningRecordStore{"learning_record_store",
-                                                    SettingKind::kWords,
-                                                    "",
-                                                    0,
-                                                    4000,
-                                                    Text::verbatim("Store of the learning records"),
-                                                    {},
-                                                    false,
-                                                    "torsio xapi set"};
-inline constexpr CentreSetting kLanguage{
-    "language", SettingKind::kWords, "", 0, 10, Text::verbatim("Language at sign-in"), {},
-    false,      "the first run"};
+inline constexpr CentreSetting kLearningRecordStore = setting::words(
+    "learning_record_store", 4000, Text::verbatim("Store of the learning records"), "torsio xapi set");
+inline constexpr CentreSetting kLanguage =
+    setting::words("language", 10, Text::verbatim("Language at sign-in"), "the first run");
 
 inline constexpr std::array kCentreSettings{
     &kTwoPeople,       &kMinimumWatched_percent, &kPlaybackSpeeds,      &kDiscrepancy_points,
