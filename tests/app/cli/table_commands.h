@@ -82,7 +82,7 @@ inline std::string occasions(const std::vector<std::string>& names,
 inline void expectMatch(const nlohmann::json& got, const nlohmann::json& expected, double tolerance,
                         const std::string& what) {
   ASSERT_TRUE(got.is_number()) << what << " is " << got;
-  EXPECT_TRUE(matches(got.get<double>(), expected.get<double>(), tolerance)) << what;
+  EXPECT_TRUE(test::matches(got.get<double>(), expected.get<double>(), tolerance)) << what;
 }
 
 }  // namespace torsio

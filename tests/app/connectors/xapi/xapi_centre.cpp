@@ -37,7 +37,7 @@ SessionContext& XapiCentre::asAdministrator() {
 void XapiCentre::turnOn() {
   setLrsSettings(asAdministrator(),
                  {.on = true, .endpoint = store_.endpoint(), .homePage = "https://skills.example.org"});
-  setStationLrsKey({TestLrs::kUser, TestLrs::kSecret});
+  setStationLrsKey({testing::TestLrs::kUser, testing::TestLrs::kSecret});
   centre_.become("T-01");
 }
 

@@ -22,7 +22,7 @@ class XapiCentre {
   XapiCentre();
 
   TrainingCentre& centre() { return centre_; }
-  TestLrs& store() { return store_; }
+  testing::TestLrs& store() { return store_; }
   Connection& connection() { return centre_.connection(); }
   /// Signs in as a user who may change settings.
   SessionContext& asAdministrator();
@@ -46,7 +46,7 @@ class XapiCentre {
  private:
   QTemporaryDir settings_;
   TrainingCentre centre_;
-  TestLrs store_;
+  testing::TestLrs store_;
   int cohorts_ = 0;
 };
 
