@@ -20,24 +20,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxRows = 200;
 constexpr std::size_t kMaxStretches = 200;
-constexpr std::size_t kBytesACharacter = 4;
 constexpr std::int64_t kLargestScore_steps = 1'000'000'000;
-
-template <typename Value>
-json orNull(const std::optional<Value>& value) {
-  return value ? json(*value) : json(nullptr);
-}
-
-const char* stateName(SheetState state) {
-  switch (state) {
-    case SheetState::kSubmitted:
-      return "submitted";
-    case SheetState::kDraft:
-      return "draft";
-    default:
-      return "open";
-  }
-}
 
 json scaleJson(const ScoreScale& scale) {
   return {{"lowest_steps", scale.lo},
@@ -47,22 +30,25 @@ json scaleJson(const ScoreScale& scale) {
 }
 
 std::string wordsOf(const JsonBody& body, const char* field, std::size_t characters) {
-  return body.textOrNone(field, characters * kBytesACharacter);
+  return body.textOrNone(field, characters * kMaxBytesOfALetter);
 }
 
 }  // namespace
 
+const char* stateName(SheetState state) {
+  return state == SheetState::kSubmitted ? "submitted" : state == SheetState::kDraft ? "draft" : "open";
+}
+
 json queueJson(const ReviewQueue& queue, WebSession& session) {
-  json lines = json::array();
-  for (const QueueLine& line : queue.lines) {
-    lines.push_back({{"case", session.handleOf(line.shown.assignmentId)},
-                     {"label", line.shown.label},
-                     {"live", line.shown.live},
-                     {"state", stateName(line.state)},
-                     {"estimate_min", line.estimate_min},
-                     {"due_utc_us", orNull(line.shown.dueUtc_us)},
-                     {"overdue", line.overdue}});
-  }
+  json lines = jsonList(queue.lines, [&](const QueueLine& line) -> json {
+    return {{"case", session.handleOf(line.shown.assignmentId)},
+            {"label", line.shown.label},
+            {"live", line.shown.live},
+            {"state", stateName(line.state)},
+            {"estimate_min", line.estimate_min},
+            {"due_utc_us", orNull(line.shown.dueUtc_us)},
+            {"overdue", line.overdue}};
+  });
   return {{"lines", lines},
           {"waiting", queue.waiting},
           {"drafts", queue.drafts},
@@ -75,12 +61,11 @@ json queueJson(const ReviewQueue& queue, WebSession& session) {
 }
 
 json sheetJson(const Sheet& sheet) {
-  json rows = json::array();
-  for (const SheetRow& row : sheet.rows) {
-    rows.push_back({{"code", row.code},
-                    {"score_steps", orNull(row.score_steps)},
-                    {"not_assessable", row.notAssessableReason}});
-  }
+  json rows = jsonList(sheet.rows, [&](const SheetRow& row) -> json {
+    return {{"code", row.code},
+            {"score_steps", orNull(row.score_steps)},
+            {"not_assessable", row.notAssessableReason}};
+  });
   return {{"revision", sheet.revision},
           {"rows", rows},
           {"overall_steps", orNull(sheet.overall_steps)},
@@ -92,10 +77,9 @@ json rubricJson(const RubricRevision& rubric, const Wording& wording) {
   const auto said = [&wording](const std::string& words) { return wording(Text(words)).toStdString(); };
   json rows = json::array();
   for (const RubricLine& line : rubric.rows) {
-    json anchors = json::array();
-    for (const RubricAnchor& anchor : line.anchors) {
-      anchors.push_back({{"steps", anchor.score_steps}, {"text", said(anchor.meaning)}});
-    }
+    json anchors = jsonList(line.anchors, [&](const RubricAnchor& anchor) -> json {
+      return {{"steps", anchor.score_steps}, {"text", said(anchor.meaning)}};
+    });
     rows.push_back({{"code", line.code},
                     {"label", said(line.label)},
                     {"anchors", anchors},
@@ -120,25 +104,23 @@ json watchedJson(const WatchLog& watched) {
 }
 
 json remarksJson(const std::vector<CaseRemark>& remarks) {
-  json all = json::array();
-  for (const CaseRemark& remark : remarks) {
-    all.push_back({{"id", std::string(remark.id)},
-                   {"time_us", remark.time_us},
-                   {"text", remark.text},
-                   {"edited", remark.editedUtc_us != 0}});
-  }
+  json all = jsonList(remarks, [&](const CaseRemark& remark) -> json {
+    return {{"id", std::string(remark.id)},
+            {"time_us", remark.time_us},
+            {"text", remark.text},
+            {"edited", remark.editedUtc_us != 0}};
+  });
   return all;
 }
 
 json versionsJson(const std::vector<SheetVersion>& versions) {
-  json all = json::array();
-  for (const SheetVersion& version : versions) {
-    all.push_back({{"version", version.version},
-                   {"submitted_utc_us", version.submittedUtc_us},
-                   {"reason", version.amendReason},
-                   {"overall_steps", orNull(version.overall_steps)},
-                   {"after_panel", version.afterPanel}});
-  }
+  json all = jsonList(versions, [&](const SheetVersion& version) -> json {
+    return {{"version", version.version},
+            {"submitted_utc_us", version.submittedUtc_us},
+            {"reason", version.amendReason},
+            {"overall_steps", orNull(version.overall_steps)},
+            {"after_panel", version.afterPanel}};
+  });
   return all;
 }
 

@@ -18,6 +18,8 @@ namespace torsio::web {
 // JSON between pages and services. Blinded: contains no trial, assignment, person, group or stage; cases are
 // identified by the session's handles.
 
+/// Returns "open", "draft" or "submitted".
+[[nodiscard]] const char* stateName(SheetState state);
 [[nodiscard]] nlohmann::json queueJson(const ReviewQueue& queue, WebSession& session);
 [[nodiscard]] nlohmann::json sheetJson(const Sheet& sheet);
 /// Shipped rubrics in the page's language, the centre's own as written.

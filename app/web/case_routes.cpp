@@ -29,18 +29,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kBytesOfACharacter = 4;
-
-/// Returns the case of a handle; an unknown handle and one of another session are answered alike.
-AssignmentId caseOf(const Call& call) {
-  const auto found = call.session->caseOf(call.parts.front());
-  if (!found) {
-    throw Error(ErrorCode::kPermission, Text::tr("this case is not yours"), Text::tr("the queue"),
-                Text::tr("Open a case of your own queue"));
-  }
-  return *found;
-}
-
 SheetCheck checkOf(SessionContext& context, const OpenedSheet& opened, const Sheet& sheet,
                    const WatchLog& watched) {
   return checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(context));
@@ -67,13 +55,9 @@ HttpResponse answerCase(Call& call) {
   const ViewingRules rules = viewingRules(call.context);
   call.session->played = id;
   call.session->reported = call.now;
-  const char* const states[] = {"open", "draft", "submitted"};
-  const std::size_t state = opened.state == SheetState::kSubmitted ? 2
-                            : opened.state == SheetState::kDraft   ? 1
-                                                                   : 0;
   return jsonAnswer({{"label", opened.shown.label},
                      {"live", opened.shown.live},
-                     {"state", states[state]},
+                     {"state", stateName(opened.state)},
                      {"length_us", opened.shown.length_us.value_or(0)},
                      {"digest", opened.shown.live ? "" : recordingName(call.context, id).digest},
                      {"kept_at", keptAt(call.context) == KeptAt::kServer ? "server" : "machine"},
@@ -142,7 +126,7 @@ HttpResponse answerAmend(Call& call) {
   return sealing(call, SignatureMeaning::kAmended, [&] {
     const OpenedSheet opened = openSheet(call.context, id);
     changeSubmitted(call.context, id, sheetOf(call.body.object("sheet"), opened.rubric),
-                    call.body.text("reason", kLongestReason * kBytesOfACharacter));
+                    call.body.text("reason", kLongestReason * kMaxBytesOfALetter));
     return jsonAnswer(json::object());
   });
 }
@@ -151,27 +135,19 @@ HttpResponse answerRemark(Call& call) {
   const AssignmentId id = caseOf(call);
   addCaseRemark(call.context, id,
                 {.time_us = call.body.whole("time_us", 0, kDay_us),
-                 .text = call.body.textOrNone("text", kLongestRemark * kBytesOfACharacter)});
+                 .text = call.body.textOrNone("text", kLongestRemark * kMaxBytesOfALetter)});
   return jsonAnswer({{"remarks", remarksJson(caseRemarks(call.context, id))}});
 }
 
 HttpResponse answerEditRemark(Call& call) {
   const AssignmentId id = caseOf(call);
   editCaseRemark(call.context, id, RemarkId(call.parts.back()),
-                 call.body.text("text", kLongestRemark * kBytesOfACharacter));
+                 call.body.text("text", kLongestRemark * kMaxBytesOfALetter));
   return jsonAnswer({{"remarks", remarksJson(caseRemarks(call.context, id))}});
 }
 
 std::shared_ptr<const CasePicture> pictureOf(Call& call) {
   return pictureOf(call.desk, call.context, caseOf(call));
-}
-
-HttpResponse answerRecording(Call& call) {
-  return binaryAnswer(call, pictureOf(call)->recording);
-}
-
-HttpResponse answerOrgan(Call& call) {
-  return organAnswer(call, *pictureOf(call));
 }
 
 /// Serves body and skin of an organ by the hash of their bytes: whoever knows it has already been shown the
@@ -197,17 +173,16 @@ std::shared_ptr<const CasePicture> pictureOf(WebDesk& desk, SessionContext& cont
 
 std::vector<Route> caseRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
-  return {{"GET", "/api/queue", kIn, answerQueue},
-          {"GET", "/api/cases/*", kIn, answerCase},
-          {"PUT", "/api/cases/*/sheet", kIn, answerSave},
-          {"POST", "/api/cases/*/viewing", kIn, answerViewing},
-          {"POST", "/api/cases/*/submit", kIn, answerSubmit},
-          {"POST", "/api/cases/*/amend", kIn, answerAmend},
-          {"POST", "/api/cases/*/remarks", kIn, answerRemark},
-          {"PUT", "/api/cases/*/remarks/*", kIn, answerEditRemark},
-          {"GET", "/api/cases/*/recording", kIn, answerRecording, true},
-          {"GET", "/api/cases/*/organ", kIn, answerOrgan, true},
-          {"GET", "/api/organs/*", kIn, answerShelf}};
+  return withPicture({{"GET", "/api/queue", kIn, answerQueue},
+                      {"GET", "/api/cases/*", kIn, answerCase},
+                      {"PUT", "/api/cases/*/sheet", kIn, answerSave},
+                      {"POST", "/api/cases/*/viewing", kIn, answerViewing},
+                      {"POST", "/api/cases/*/submit", kIn, answerSubmit},
+                      {"POST", "/api/cases/*/amend", kIn, answerAmend},
+                      {"POST", "/api/cases/*/remarks", kIn, answerRemark},
+                      {"PUT", "/api/cases/*/remarks/*", kIn, answerEditRemark},
+                      {"GET", "/api/organs/*", kIn, answerShelf}},
+                     "/api/cases/*", pictureOf);
 }
 
 namespace {
@@ -233,12 +208,9 @@ json formsJson(Call& call) {
     rubric["overall"] = nullptr;  // nine marks, no overall mark
     for (std::size_t i = 0; i < form.indexIds.size(); ++i) {
       const std::optional<IndexMeaning> meaning = indexMeaning(form.indexIds[i]);
-      rubric["rows"][i]["description"] = meaning ? call.wording(meaning->definition).toStdString() : "";
+      rubric["rows"][i]["description"] = meaning ? said(call, meaning->definition) : "";
     }
-    json models = json::array();
-    for (const EvaluationFormModel& model : form.models) {
-      models.push_back(modelJson(model));
-    }
+    json models = jsonList(form.models, [&](const EvaluationFormModel& model) { return modelJson(model); });
     forms.push_back({{"form", call.session->handleFor(kCampaign + form.campaignId.text())},
                      {"title", form.title},
                      {"complete", form.complete()},
@@ -291,23 +263,14 @@ std::shared_ptr<const CasePicture> modelPicture(Call& call) {
                                  });
 }
 
-HttpResponse answerModelRecording(Call& call) {
-  return binaryAnswer(call, modelPicture(call)->recording);
-}
-
-HttpResponse answerModelOrgan(Call& call) {
-  return organAnswer(call, *modelPicture(call));
-}
-
 }  // namespace
 
 std::vector<Route> evaluationRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
-  return {{"GET", "/api/evaluation", kIn, answerForms},
-          {"PUT", "/api/evaluation/*/*", kIn, answerScore},
-          {"POST", "/api/evaluation/*/*/submit", kIn, answerSubmitModel},
-          {"GET", "/api/evaluation/*/*/recording", kIn, answerModelRecording, true},
-          {"GET", "/api/evaluation/*/*/organ", kIn, answerModelOrgan, true}};
+  return withPicture({{"GET", "/api/evaluation", kIn, answerForms},
+                      {"PUT", "/api/evaluation/*/*", kIn, answerScore},
+                      {"POST", "/api/evaluation/*/*/submit", kIn, answerSubmitModel}},
+                     "/api/evaluation/*/*", modelPicture);
 }
 
 }  // namespace torsio::web

@@ -63,11 +63,11 @@ HttpResponse answerInvitations(Call& call) {
 std::vector<UserId> usersOf(const Call& call) {
   std::vector<UserId> ids;
   for (const JsonBody& one : call.body.objects("users", kMaxUsers)) {
-    const std::string what = call.session->objectOf(one.text("user", kLongestHandle));
-    if (what.rfind(kUser, 0) != 0) {
+    const auto found = objectOf(call, one.text("user", kLongestHandle), kUser);
+    if (!found) {
       refuseParameter(Text::tr("there is no such user"), "", Text::tr("Load the page again"));
     }
-    ids.emplace_back(what.substr(std::string(kUser).size()));
+    ids.emplace_back(*found);
   }
   return ids;
 }
@@ -103,17 +103,16 @@ std::string deskAddress(const Call& call) {
 HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed, bool confirmed) {
   const std::string centre = centreSign(call.context.connectionWithoutRight()).name;
   const std::string address = deskAddress(call);
-  const auto said = [&call](const Text& text) { return call.wording(text).toStdString(); };
   json cards = json::array();
   std::vector<MailedInvitation> mails;
   std::vector<std::size_t> whose;
   for (const HandedInvitation& one : handed) {
     const std::string link = one.secret.empty() ? "" : invitationLink(address, one.secret, confirmed);
     const std::string until = one.secret.empty() ? "" : timeText(one.expiresUtc_us);
-    const std::string words = said(link.empty() ? invitationCodeWords(centre, one.code)
-                                                : invitationWords(centre, one.login, link, until));
+    const std::string words = said(call, link.empty() ? invitationCodeWords(centre, one.code)
+                                                      : invitationWords(centre, one.login, link, until));
     if (!link.empty()) {
-      mails.push_back({one.userId, said(invitationSubject(centre)), words});
+      mails.push_back({one.userId, said(call, invitationSubject(centre)), words});
       whose.push_back(cards.size());
     }
     cards.push_back({{"login", one.login},
@@ -133,7 +132,7 @@ HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed,
       std::fill(problems.begin(), problems.end(), error.happenedText());
     }
     for (std::size_t i = 0; i < problems.size(); ++i) {
-      cards[whose[i]]["mail"] = said(problems[i]);
+      cards[whose[i]]["mail"] = said(call, problems[i]);
     }
   }
   return jsonAnswer({{"centre", centre}, {"cards", std::move(cards)}});
@@ -145,9 +144,8 @@ HttpResponse answerInvite(Call& call) {
 }
 
 HttpResponse answerConfirm(Call& call) {
-  const std::string what = call.session->objectOf(call.body.text("request", kLongestHandle));
-  const std::string id = what.rfind(kRequest, 0) == 0 ? what.substr(std::string(kRequest).size()) : "";
-  return handedOver(call, {confirmInvitation(call.context, id)}, true);
+  const auto id = objectOf(call, call.body.text("request", kLongestHandle), kRequest);
+  return handedOver(call, {confirmInvitation(call.context, id.value_or(""))}, true);
 }
 
 HttpResponse answerRevoke(Call& call) {

@@ -32,17 +32,7 @@ using nlohmann::json;
 
 const char* const kRun = "run ";
 const char* const kOwnRemark = "remark ";
-constexpr std::size_t kBytesOfALetter = 4;
 constexpr std::int64_t kMaxVersions = 1'000'000;
-
-template <typename Value>
-json orNothing(const std::optional<Value>& value) {
-  return value ? json(*value) : json(nullptr);
-}
-
-std::string said(const Call& call, const Text& text) {
-  return call.wording(text).toStdString();
-}
 
 /// A level is never reported alone, but with its criterion and error rates.
 json verdictJson(const Call& call, const CompetenceVerdict& verdict) {
@@ -74,27 +64,21 @@ json trendJson(const Call& call, const Trend& trend) {
   const auto inWords = [&](const std::optional<double>& value) {
     return value ? json(said(call, shownValue(trend.quantity, *value))) : json(nullptr);
   };
-  json points = json::array();
-  for (const TrendPoint& point : trend.points) {
-    points.push_back({{"attempt", point.attempt},
-                      {"started_utc_us", point.startedUtc_us},
-                      {"value", scaled(point.value)},
-                      {"told", inWords(point.value)},
-                      {"counted", point.counted},
-                      {"outcome", outcomeJson(call, point.outcome)}});
-  }
-  json curve = json::array();
-  for (const TrendCurvePoint& point : trend.curve) {
-    curve.push_back(
-        {point.attempt, shown.scale * point.value, shown.scale * point.lower, shown.scale * point.upper});
-  }
+  json points = jsonList(trend.points, [&](const TrendPoint& point) -> json {
+    return {{"attempt", point.attempt},     {"started_utc_us", point.startedUtc_us},
+            {"value", scaled(point.value)}, {"told", inWords(point.value)},
+            {"counted", point.counted},     {"outcome", outcomeJson(call, point.outcome)}};
+  });
+  json curve = jsonList(trend.curve, [&](const TrendCurvePoint& point) -> json {
+    return {point.attempt, shown.scale * point.value, shown.scale * point.lower, shown.scale * point.upper};
+  });
   return {{"metric", said(call, rowOf(trend.quantity).name)},
           {"last", inWords(trend.points.empty() ? std::nullopt : trend.points.back().value)},
           {"wanted", inWords(trend.threshold)},
           {"points", std::move(points)},
           {"curve", std::move(curve)},
           {"threshold", scaled(trend.threshold)},
-          {"attempts_left", orNothing(trend.attemptsLeft)},
+          {"attempts_left", orNull(trend.attemptsLeft)},
           {"verdict", verdictJson(call, trend.competence)}};
 }
 
@@ -120,14 +104,14 @@ HttpResponse answerOwn(Call& call) {
                      {"runs", std::move(runs)}});
 }
 
-/// Returns the trainee's trial of a handle; an unknown handle and one of another session are answered alike.
-TrialId runOf(const Call& call) {
-  const std::string what = call.session->objectOf(call.parts.front());
-  if (what.rfind(kRun, 0) != 0) {
-    throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
-                Text::tr("Open your own record"));
+/// Returns the trainee's run or remark of a handle; an unknown handle and one of another session are answered
+/// alike.
+std::string ownOf(const Call& call, const char* kind) {
+  if (const auto found = objectOf(call, call.parts.front(), kind)) {
+    return *found;
   }
-  return TrialId(what.substr(std::string(kRun).size()));
+  throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
+              Text::tr("Open your own record"));
 }
 
 json twistJson(const TwistResult& twist) {
@@ -164,7 +148,7 @@ json debriefJson(const Call& call, const Debrief& shown) {
   }
   if (shown.detorsion) {
     for (const UntwistingFinding& finding : findingsOf(*shown.detorsion)) {
-      told["findings"].push_back({{"text", said(call, finding.text())}, {"from_s", orNothing(finding.at_s)}});
+      told["findings"].push_back({{"text", said(call, finding.text())}, {"from_s", orNull(finding.at_s)}});
     }
   }
   return told;
@@ -178,15 +162,11 @@ json runVerdictJson(const Call& call, const RunVerdict& verdict) {
 }
 
 HttpResponse answerRun(Call& call) {
-  const Debrief shown = debrief(call.context, runOf(call), assetsFolder());
-  json twists = json::array();
-  for (const TwistResult& twist : shown.twists) {
-    twists.push_back(twistJson(twist));
-  }
-  json bookmarks = json::array();
-  for (const DebriefBookmark& bookmark : shown.bookmarks) {
-    bookmarks.push_back({{"at_s", bookmark.at_s}, {"text", bookmark.text}});
-  }
+  const Debrief shown = debrief(call.context, ownOf(call, kRun), assetsFolder());
+  json twists = jsonList(shown.twists, [&](const TwistResult& twist) { return twistJson(twist); });
+  json bookmarks = jsonList(shown.bookmarks, [&](const DebriefBookmark& bookmark) -> json {
+    return {{"at_s", bookmark.at_s}, {"text", bookmark.text}};
+  });
   return jsonAnswer({{"title", said(call, Text(shown.moduleTitle))},
                      {"started_utc_us", shown.startedUtc_us},
                      {"duration_s", shown.duration_s},
@@ -203,7 +183,7 @@ HttpResponse answerRun(Call& call) {
 }
 
 std::shared_ptr<const CasePicture> runPicture(Call& call) {
-  const TrialId id = runOf(call);
+  const TrialId id = ownOf(call, kRun);
   (void)ownTrial(call.context, ownRecord(call.context, Operation::kTrialViewOwn), id);
   return call.desk.pictures().of(kRun + id.text(), [&] {
     return casePicture(blindedRecordingOf(call.context.connection(), id, "", ""), assetsFolder(),
@@ -211,19 +191,9 @@ std::shared_ptr<const CasePicture> runPicture(Call& call) {
   });
 }
 
-HttpResponse answerRunRecording(Call& call) {
-  return binaryAnswer(call, runPicture(call)->recording);
-}
-
-HttpResponse answerRunOrgan(Call& call) {
-  return organAnswer(call, *runPicture(call));
-}
-
 json remarkJson(const Call& call, const TraineeRemark& remark) {
-  json replies = json::array();
-  for (const TraineeRemark& reply : remark.replies) {
-    replies.push_back(remarkJson(call, reply));
-  }
+  json replies =
+      jsonList(remark.replies, [&](const TraineeRemark& reply) { return remarkJson(call, reply); });
   return {{"remark", call.session->handleFor(kOwnRemark + remark.id.text())},
           {"at_s", remark.at_s},
           {"text", remark.text},
@@ -239,10 +209,8 @@ json remarkJson(const Call& call, const TraineeRemark& remark) {
 HttpResponse answerRemarks(Call& call) {
   json trials = json::array();
   for (const TrialRemarks& trial : ownRemarks(call.context)) {
-    json remarks = json::array();
-    for (const TraineeRemark& remark : trial.remarks) {
-      remarks.push_back(remarkJson(call, remark));
-    }
+    json remarks =
+        jsonList(trial.remarks, [&](const TraineeRemark& remark) { return remarkJson(call, remark); });
     trials.push_back({{"run", call.session->handleFor(kRun + trial.trialId.text())},
                       {"title", said(call, Text(trial.moduleTitle))},
                       {"started_utc_us", trial.startedUtc_us},
@@ -252,22 +220,14 @@ HttpResponse answerRemarks(Call& call) {
   return jsonAnswer({{"trials", std::move(trials)}});
 }
 
-RemarkId remarkOf(const Call& call) {
-  const std::string what = call.session->objectOf(call.parts.front());
-  if (what.rfind(kOwnRemark, 0) != 0) {
-    throw Error(ErrorCode::kPermission, Text::tr("this recording belongs to somebody else"), "",
-                Text::tr("Open your own record"));
-  }
-  return RemarkId(what.substr(std::string(kOwnRemark).size()));
-}
-
 HttpResponse answerReply(Call& call) {
-  (void)replyToRemark(call.context, remarkOf(call), call.body.text("text", kLongestRemark * kBytesOfALetter));
+  (void)replyToRemark(call.context, ownOf(call, kOwnRemark),
+                      call.body.text("text", kLongestRemark * kMaxBytesOfALetter));
   return answerRemarks(call);
 }
 
 HttpResponse answerRead(Call& call) {
-  markRemarkRead(call.context, remarkOf(call), call.body.whole("version", 1, kMaxVersions));
+  markRemarkRead(call.context, ownOf(call, kOwnRemark), call.body.whole("version", 1, kMaxVersions));
   return answerRemarks(call);
 }
 
@@ -275,10 +235,8 @@ HttpResponse answerTranscript(Call& call) {
   const Transcript made = transcript(call.context, call.context.actor().personId);
   json modules = json::array();
   for (const TranscriptModule& module : made.modules) {
-    json attempts = json::array();
-    for (const Attempt& attempt : module.attempts) {
-      attempts.push_back(attemptJson(call, attempt, ""));
-    }
+    json attempts =
+        jsonList(module.attempts, [&](const Attempt& attempt) { return attemptJson(call, attempt, ""); });
     modules.push_back({{"title", said(call, Text(module.step.module.title))},
                        {"mastered", module.step.state == StepState::kMastered},
                        {"verdict", verdictJson(call, module.competence)},
@@ -302,14 +260,13 @@ HttpResponse answerTranscript(Call& call) {
 
 std::vector<Route> ownRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
-  return {{"GET", "/api/own", kIn, answerOwn, true},
-          {"GET", "/api/own/transcript", kIn, answerTranscript, true},
-          {"GET", "/api/own/remarks", kIn, answerRemarks},
-          {"POST", "/api/own/remarks/*/reply", kIn, answerReply},
-          {"POST", "/api/own/remarks/*/read", kIn, answerRead},
-          {"GET", "/api/own/runs/*", kIn, answerRun, true},
-          {"GET", "/api/own/runs/*/recording", kIn, answerRunRecording, true},
-          {"GET", "/api/own/runs/*/organ", kIn, answerRunOrgan, true}};
+  return withPicture({{"GET", "/api/own", kIn, answerOwn, true},
+                      {"GET", "/api/own/transcript", kIn, answerTranscript, true},
+                      {"GET", "/api/own/remarks", kIn, answerRemarks},
+                      {"POST", "/api/own/remarks/*/reply", kIn, answerReply},
+                      {"POST", "/api/own/remarks/*/read", kIn, answerRead},
+                      {"GET", "/api/own/runs/*", kIn, answerRun, true}},
+                     "/api/own/runs/*", runPicture);
 }
 
 }  // namespace torsio::web

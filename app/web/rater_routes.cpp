@@ -24,27 +24,20 @@ namespace {
 using nlohmann::json;
 
 constexpr std::int64_t kMaxReferenceSteps = 1'000'000;
-constexpr std::size_t kBytesOfASign = 4;
-
-template <typename Value>
-json valueOrNull(const std::optional<Value>& value) {
-  return value ? json(*value) : json(nullptr);
-}
 
 json calibrationJson(const Call& call, const RaterCalibration& calibration) {
-  json runs = json::array();
-  for (const CalibrationRun& run : calibration.runs) {
-    runs.push_back({{"number", run.number},
-                    {"own_steps", valueOrNull(run.own_steps)},
-                    {"panel_points", valueOrNull(run.panel_points)},
-                    {"offset_points", valueOrNull(run.offset_points)},
-                    {"panel_raters", run.panelRaters},
-                    {"tries", run.tries}});
-  }
+  json runs = jsonList(calibration.runs, [&](const CalibrationRun& run) -> json {
+    return {{"number", run.number},
+            {"own_steps", orNull(run.own_steps)},
+            {"panel_points", orNull(run.panel_points)},
+            {"offset_points", orNull(run.offset_points)},
+            {"panel_raters", run.panelRaters},
+            {"tries", run.tries}};
+  });
   return {{"rubric", rubricJson(calibration.rubric, call.wording)},
           {"runs", std::move(runs)},
           {"complete", calibration.complete()},
-          {"mean_offset_points", valueOrNull(calibration.meanOffset_points())}};
+          {"mean_offset_points", orNull(calibration.meanOffset_points())}};
 }
 
 std::size_t numberOf(const Call& call) {
@@ -75,42 +68,32 @@ std::shared_ptr<const CasePicture> referencePicture(Call& call) {
       key, [&] { return casePicture(std::move(recording), assetsFolder(), call.desk.shelf()); });
 }
 
-HttpResponse answerReferenceRecording(Call& call) {
-  return binaryAnswer(call, referencePicture(call)->recording);
-}
-
-HttpResponse answerReferenceOrgan(Call& call) {
-  return organAnswer(call, *referencePicture(call));
-}
-
 HttpResponse answerSeverity(Call& call) {
   const OwnSeverity severity = ownSeverity(call.context);
-  json cases = json::array();
-  for (const SeverityCase& one : severity.cases) {
-    cases.push_back({{"label", one.label}, {"own", one.own}, {"panel", one.panel}});
-  }
+  json cases = jsonList(severity.cases, [&](const SeverityCase& one) -> json {
+    return {{"label", one.label}, {"own", one.own}, {"panel", one.panel}};
+  });
   return jsonAnswer({{"cases", std::move(cases)},
-                     {"difference_points", valueOrNull(severity.difference_points)},
+                     {"difference_points", orNull(severity.difference_points)},
                      {"interval_points", severity.interval_points ? json{severity.interval_points->lower,
                                                                          severity.interval_points->upper}
                                                                   : json(nullptr)},
-                     {"own_mean_points", valueOrNull(severity.ownMean_points)},
-                     {"panel_mean_points", valueOrNull(severity.panelMean_points)},
+                     {"own_mean_points", orNull(severity.ownMean_points)},
+                     {"panel_mean_points", orNull(severity.panelMean_points)},
                      {"waiting", severity.waiting},
                      {"lowest_points", severity.lowest_points},
                      {"used", severity.used}});
 }
 
 json discrepancyJson(const Call& call, const DiscrepancyCase& one) {
-  json rows = json::array();
-  for (const RowComparison& row : one.rows) {
-    rows.push_back({{"label", row.label.empty() ? "" : call.wording(Text(row.label)).toStdString()},
-                    {"own", row.own},
-                    {"mean", row.mean},
-                    {"lowest", row.lowest},
-                    {"highest", row.highest},
-                    {"apart", row.apart}});
-  }
+  json rows = jsonList(one.rows, [&](const RowComparison& row) -> json {
+    return {{"label", row.label.empty() ? "" : said(call, Text(row.label))},
+            {"own", row.own},
+            {"mean", row.mean},
+            {"lowest", row.lowest},
+            {"highest", row.highest},
+            {"apart", row.apart}};
+  });
   const char* const decisions[] = {"keep", "move", "third"};
   return {
       {"case", call.session->handleOf(one.shown.assignmentId)},
@@ -122,30 +105,19 @@ json discrepancyJson(const Call& call, const DiscrepancyCase& one) {
 }
 
 HttpResponse answerDiscrepancies(Call& call) {
-  json cases = json::array();
-  for (const DiscrepancyCase& one : discrepancyCases(call.context)) {
-    cases.push_back(discrepancyJson(call, one));
-  }
+  json cases = jsonList(discrepancyCases(call.context),
+                        [&](const DiscrepancyCase& one) { return discrepancyJson(call, one); });
   return jsonAnswer({{"cases", std::move(cases)}});
 }
 
-AssignmentId discrepancyOf(const Call& call) {
-  const auto found = call.session->caseOf(call.parts.front());
-  if (!found) {
-    throw Error(ErrorCode::kPermission, Text::tr("this case is not yours"), Text::tr("the queue"),
-                Text::tr("Open a case of your own queue"));
-  }
-  return *found;
-}
-
 HttpResponse answerKeep(Call& call) {
-  keepMark(call.context, discrepancyOf(call), call.body.text("reason", kLongestReason * kBytesOfASign));
+  keepMark(call.context, caseOf(call), call.body.text("reason", kLongestReason * kMaxBytesOfALetter));
   return answerDiscrepancies(call);
 }
 
 HttpResponse answerAdjudicator(Call& call) {
-  askForAdjudicator(call.context, discrepancyOf(call),
-                    call.body.text("reason", kLongestReason * kBytesOfASign));
+  askForAdjudicator(call.context, caseOf(call),
+                    call.body.text("reason", kLongestReason * kMaxBytesOfALetter));
   return answerDiscrepancies(call);
 }
 
@@ -153,14 +125,13 @@ HttpResponse answerAdjudicator(Call& call) {
 
 std::vector<Route> raterRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
-  return {{"GET", "/api/calibration", kIn, answerCalibration},
-          {"PUT", "/api/calibration/*", kIn, answerReferenceScore},
-          {"GET", "/api/calibration/*/recording", kIn, answerReferenceRecording, true},
-          {"GET", "/api/calibration/*/organ", kIn, answerReferenceOrgan, true},
-          {"GET", "/api/severity", kIn, answerSeverity},
-          {"GET", "/api/discrepancies", kIn, answerDiscrepancies},
-          {"POST", "/api/discrepancies/*/keep", kIn, answerKeep},
-          {"POST", "/api/discrepancies/*/third", kIn, answerAdjudicator}};
+  return withPicture({{"GET", "/api/calibration", kIn, answerCalibration},
+                      {"PUT", "/api/calibration/*", kIn, answerReferenceScore},
+                      {"GET", "/api/severity", kIn, answerSeverity},
+                      {"GET", "/api/discrepancies", kIn, answerDiscrepancies},
+                      {"POST", "/api/discrepancies/*/keep", kIn, answerKeep},
+                      {"POST", "/api/discrepancies/*/third", kIn, answerAdjudicator}},
+                     "/api/calibration/*", referencePicture);
 }
 
 }  // namespace torsio::web

@@ -148,6 +148,24 @@ Router::Match Router::find(const std::string& method, const std::string& path) c
   return match;
 }
 
+std::string said(const Call& call, const Text& text) {
+  return call.wording(text).toStdString();
+}
+
+std::optional<std::string> objectOf(const Call& call, const std::string& handle, std::string_view kind) {
+  const std::string what = call.session->objectOf(handle);
+  return what.starts_with(kind) ? std::optional(what.substr(kind.size())) : std::nullopt;
+}
+
+AssignmentId caseOf(const Call& call) {
+  const auto found = call.session->caseOf(call.parts.front());
+  if (!found) {
+    throw Error(ErrorCode::kPermission, Text::tr("this case is not yours"), Text::tr("the queue"),
+                Text::tr("Open a case of your own queue"));
+  }
+  return *found;
+}
+
 HttpResponse jsonAnswer(const nlohmann::json& json, int status) {
   HttpResponse response;
   response.status = status;
@@ -162,6 +180,11 @@ HttpResponse refusal(int status, const Error& error, const Wording& wording, nlo
                    {"where", wording(error.whereText()).toStdString()},
                    {"remedy", wording(error.remedyText()).toStdString()}};
   return jsonAnswer(more, status);
+}
+
+HttpResponse refusal(const Call& call, int status, ErrorCode code, const Text& what, const Text& remedy,
+                     nlohmann::json more) {
+  return refusal(status, Error(code, what, "", remedy), call.wording, std::move(more));
 }
 
 }  // namespace torsio::web

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -112,9 +113,36 @@ class Router {
 /// Routes of a rater's cases (case_routes.cpp).
 [[nodiscard]] std::vector<Route> caseRoutes();
 
+inline constexpr std::size_t kMaxBytesOfALetter = 4;
+
+/// Returns a text in the page's language.
+[[nodiscard]] std::string said(const Call& call, const Text& text);
+/// Returns what the object of a handle has after `kind` ("run "); empty if it is of another kind, unknown, or
+/// of another session.
+[[nodiscard]] std::optional<std::string> objectOf(const Call& call, const std::string& handle,
+                                                  std::string_view kind);
+/// Returns the case named in the path. Throws Error{kPermission} alike for an unknown handle and one of
+/// another session.
+[[nodiscard]] AssignmentId caseOf(const Call& call);
+/// Returns an array of `show(one)` for each of `all`.
+template <typename All, typename Show>
+[[nodiscard]] nlohmann::json jsonList(const All& all, const Show& show) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& one : all) {
+    list.push_back(show(one));
+  }
+  return list;
+}
+template <typename Value>
+[[nodiscard]] nlohmann::json orNull(const std::optional<Value>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+}
+
 [[nodiscard]] HttpResponse jsonAnswer(const nlohmann::json& json, int status = 200);
 /// Makes an error response in the page's language; docs/server.md lists the values of `status`.
 [[nodiscard]] HttpResponse refusal(int status, const Error& error, const Wording& wording,
                                    nlohmann::json more = nlohmann::json::object());
+[[nodiscard]] HttpResponse refusal(const Call& call, int status, ErrorCode code, const Text& what,
+                                   const Text& remedy, nlohmann::json more = nlohmann::json::object());
 
 }  // namespace torsio::web

@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::size_t kLongestPassword_bytes = 1024;
 
-Text meaningText(SignatureMeaning meaning) {
-  return labelOf(meaning);
-}
-
 /// Checks the password sent with a sealing act. Empty answer: continue.
 std::optional<HttpResponse> shownPassword(Call& call) {
   if (!call.body.has("password")) {
@@ -28,10 +24,8 @@ std::optional<HttpResponse> shownPassword(Call& call) {
   }
   const std::string password = call.body.text("password", kLongestPassword_bytes);
   if (!call.desk.enterHashing()) {
-    return refusal(503,
-                   Error(ErrorCode::kDatabase, Text::tr("the server is busy"), "",
-                         Text::tr("Try again in a few seconds")),
-                   call.wording);
+    return refusal(call, 503, ErrorCode::kDatabase, Text::tr("the server is busy"),
+                   Text::tr("Try again in a few seconds"));
   }
   struct Leave {
     WebDesk& desk;
@@ -51,7 +45,7 @@ HttpResponse sealing(Call& call, SignatureMeaning meaning, const std::function<H
     return act();
   } catch (const PasswordDue& due) {
     return refusal(403, due, call.wording,
-                   {{"need_password", true}, {"meaning", call.wording(meaningText(meaning)).toStdString()}});
+                   {{"need_password", true}, {"meaning", said(call, labelOf(meaning))}});
   }
 }
 
@@ -63,14 +57,21 @@ HttpResponse binaryAnswer(const Call& call, const std::string& packed) {
   return response;
 }
 
-HttpResponse organAnswer(const Call& call, const CasePicture& picture) {
-  if (picture.organ.empty()) {
-    return refusal(404,
-                   Error(ErrorCode::kBadData, Text::tr("the organ of this recording is not on this machine"),
-                         "", Text::tr("Score from the traces, or ask an administrator for the organ file")),
-                   call.wording);
-  }
-  return binaryAnswer(call, picture.organ);
+std::vector<Route> withPicture(std::vector<Route> routes, const std::string& path,
+                               std::shared_ptr<const CasePicture> (*picture)(Call&)) {
+  const auto recording = [picture](Call& call) { return binaryAnswer(call, picture(call)->recording); };
+  const auto organ = [picture](Call& call) {
+    const std::shared_ptr<const CasePicture> shown = picture(call);
+    if (shown->organ.empty()) {
+      return refusal(call, 404, ErrorCode::kBadData,
+                     Text::tr("the organ of this recording is not on this machine"),
+                     Text::tr("Score from the traces, or ask an administrator for the organ file"));
+    }
+    return binaryAnswer(call, shown->organ);
+  };
+  routes.push_back({"GET", path + "/recording", RouteAccess::kSignedIn, recording, true});
+  routes.push_back({"GET", path + "/organ", RouteAccess::kSignedIn, organ, true});
+  return routes;
 }
 
 }  // namespace torsio::web

@@ -14,9 +14,10 @@ namespace torsio::web {
 [[nodiscard]] HttpResponse sealing(Call& call, SignatureMeaning meaning,
                                    const std::function<HttpResponse()>& act);
 
+/// Returns `routes` with those of a recording and of its organ below `path`.
+[[nodiscard]] std::vector<Route> withPicture(std::vector<Route> routes, const std::string& path,
+                                             std::shared_ptr<const CasePicture> (*picture)(Call&));
 /// Answers with a gzipped container, unpacked if the browser requires.
 [[nodiscard]] HttpResponse binaryAnswer(const Call& call, const std::string& packed);
-/// Answers with the organ of a picture; 404 if it is not on this machine.
-[[nodiscard]] HttpResponse organAnswer(const Call& call, const CasePicture& picture);
 
 }  // namespace torsio::web

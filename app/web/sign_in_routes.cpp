@@ -24,10 +24,8 @@ constexpr std::size_t kLongestInvitation = 100;
 constexpr std::chrono::seconds kBusy{2};
 
 HttpResponse wait(Call& call, std::chrono::seconds time) {
-  HttpResponse response = refusal(429,
-                                  Error(ErrorCode::kPermission, Text::tr("too many tries"), "",
-                                        Text::tr("Wait a little, then try again")),
-                                  call.wording, {{"wait_s", time.count()}});
+  HttpResponse response = refusal(call, 429, ErrorCode::kPermission, Text::tr("too many tries"),
+                                  Text::tr("Wait a little, then try again"), {{"wait_s", time.count()}});
   response.headers.emplace_back("Retry-After", std::to_string(time.count()));
   return response;
 }
@@ -86,18 +84,14 @@ HttpResponse welcome(Call& call, const std::optional<SignInAnswer>& answer) {
       return wait(call, std::chrono::seconds(left_us / kSecond_us + 1));
     }
     default:
-      return refusal(401,
-                     Error(ErrorCode::kPermission, Text::tr("name or password is wrong"), "",
-                           Text::tr("Type both again, or ask an administrator for a new start password")),
-                     call.wording);
+      return refusal(call, 401, ErrorCode::kPermission, Text::tr("name or password is wrong"),
+                     Text::tr("Type both again, or ask an administrator for a new start password"));
   }
   const json user = userJson(answer->actor, call.context);
   if (user.at("pages").empty()) {
     signOut(call.context);
-    return refusal(403,
-                   Error(ErrorCode::kPermission, Text::tr("there is no page for you in the browser"), "",
-                         Text::tr("Use Torsio's window at a station")),
-                   call.wording);
+    return refusal(call, 403, ErrorCode::kPermission, Text::tr("there is no page for you in the browser"),
+                   Text::tr("Use Torsio's window at a station"));
   }
   const std::string cookie =
       call.desk.sessions().open(answer->actor, browserName(call.request.header("user-agent")),
@@ -145,10 +139,9 @@ HttpResponse answerJoin(Call& call) {
   const std::string newPassword = call.body.text("newPassword", kLongestPassword);
   const auto joined = hashed(call, [&] { return acceptInvitation(call.context, token, code, newPassword); });
   if (joined && joined->outcome == SignIn::kWrong) {
-    return refusal(401,
-                   Error(ErrorCode::kPermission, Text::tr("this invitation is not good, or not any more"), "",
-                         Text::tr("Check the link, or ask an administrator for a new one")),
-                   call.wording);
+    return refusal(call, 401, ErrorCode::kPermission,
+                   Text::tr("this invitation is not good, or not any more"),
+                   Text::tr("Check the link, or ask an administrator for a new one"));
   }
   if (joined && joined->outcome == SignIn::kOk) {
     call.desk.sessions().closeAll(joined->actor.userId);
@@ -199,8 +192,6 @@ std::vector<Route> signInRoutes() {
 }
 
 namespace {
-
-using nlohmann::json;
 
 constexpr std::size_t kLongestId = 100;
 
