@@ -56,7 +56,7 @@ struct Times {
   std::vector<double> all_ms;
   std::atomic<int> refused{0};
 
-  void add(const WebAnswer& answer, Clock::time_point begun) {
+  void add(const torsio::WebAnswer& answer, Clock::time_point begun) {
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
     refused += answer.status == 200 ? 0 : 1;
     const std::lock_guard lock(mutex);
@@ -70,7 +70,7 @@ struct Times {
 };
 
 struct Rater {
-  WebClient client;
+  torsio::WebClient client;
   std::string path;
   std::int64_t revision = 0;
 };
@@ -87,8 +87,8 @@ void score(Rater& rater, Times& times, int seconds, int first_ms) {
     }
     if (second % 3 == 0) {
       const auto saved = Clock::now();
-      const WebAnswer answer = rater.client.send("PUT", rater.path + "/sheet",
-                                                 torsio::sheetBody(rater.revision, 70, 80, 10 + second));
+      const torsio::WebAnswer answer = rater.client.send(
+          "PUT", rater.path + "/sheet", torsio::sheetBody(rater.revision, 70, 80, 10 + second));
       rater.revision += answer.status == 200 ? 1 : 0;
       times.add(answer, saved);
     }
@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
     const auto session = centre.physician(static_cast<std::size_t>(i));
     const std::string cookie = desk.sessions().open(
         session->actor(), "", passwordStamp(*session, session->actor().userId), Clock::now());
-    auto rater = std::make_unique<Rater>(Rater{WebClient(server.port()), "", 0});
+    auto rater = std::make_unique<Rater>(Rater{torsio::WebClient(server.port()), "", 0});
     rater->client.cookie = std::string(web::kCookie) + "=" + cookie;
     rater->client.token = desk.sessions().find(cookie, Clock::now())->token;
     const auto begun = Clock::now();
@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
   constexpr int kSaves = 100;
   for (int i = 0; i < kSaves; ++i) {
     Rater& one = *raters.front();
-    const WebAnswer answer =
+    const torsio::WebAnswer answer =
         one.client.send("PUT", one.path + "/sheet", torsio::sheetBody(one.revision, 70, 80, 10 + i % 80));
     one.revision += answer.status == 200 ? 1 : 0;
   }

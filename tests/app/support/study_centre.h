@@ -41,6 +41,9 @@ class StudyCentre : public TestRecord {
     session_->beginCall();
     return *session_;
   }
+  [[nodiscard]] static std::filesystem::path assets() {
+    return std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  }
   /// Signs in the user of this role, or nobody for "".
   SessionContext& as(const std::string& role);
   /// Signs in the user "rater" as this rater of the record.

@@ -25,9 +25,6 @@ class TestRecord {
   [[nodiscard]] Connection& connection() { return *connection_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] const std::string& locator() const { return locator_; }
-  [[nodiscard]] static std::filesystem::path assets() {
-    return std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  }
   void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
   [[nodiscard]] std::int64_t now_us() const { return now_us_; }
   /// Returns the user with this login, who has just entered the password; nobody if there is none.

@@ -191,7 +191,7 @@ std::string TrainingCentre::untwist(const std::string& moduleCode, const std::st
                                     std::size_t turnsLeftOut) {
   static const Scene kTestis = [] {
     SceneRequest request;
-    request.assets = assets();
+    request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
     request.id = "testis";
     return loadScene(request);
   }();
