@@ -21,6 +21,8 @@ namespace torsio {
 
 /// Password of everybody at a served desk.
 inline constexpr const char* kWebPassword = "correct horse battery";
+/// What somebody chooses who was invited.
+inline constexpr const char* kChosen = "seven kites above the bay";
 
 inline void setWebPasswords(ReviewCentre& centre) {
   AccessRepository access(centre.connection(), PasswordCost::kTest);
@@ -48,11 +50,12 @@ struct ServedDesk {
         });
   }
   [[nodiscard]] WebClient client() const { return WebClient(server->port()); }
-  [[nodiscard]] WebClient physician(int index) const {
+  [[nodiscard]] WebClient signedIn(const std::string& login) const {
     WebClient client(server->port());
-    EXPECT_TRUE(client.signIn("physician" + std::to_string(index), kWebPassword));
+    EXPECT_TRUE(client.signIn(login, kWebPassword)) << login;
     return client;
   }
+  [[nodiscard]] WebClient physician(int index) const { return signedIn("physician" + std::to_string(index)); }
 
   std::mutex logging;
   std::string log;  ///< access log

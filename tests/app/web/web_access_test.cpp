@@ -27,8 +27,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kChosen = "seven kites above the bay";
-
 class WebAccess : public ::testing::Test {
  protected:
   WebAccess() { SettingRepository(served.centre.connection()).set(kTwoPeople.name, "no", 0); }
@@ -49,11 +47,7 @@ class WebAccess : public ::testing::Test {
   WebAnswer join(WebClient& client, const std::string& token, const std::string& password = kChosen) {
     return client.send("POST", "/api/join", {{"token", token}, {"newPassword", password}});
   }
-  WebClient office() {
-    WebClient client = served.client();
-    EXPECT_TRUE(client.signIn("office", kWebPassword));
-    return client;
-  }
+  WebClient office() { return served.signedIn("office"); }
   std::int64_t audited(const std::string& action) {
     std::int64_t count = 0;
     for (const AuditEntry& entry : AuditRepository(served.centre.connection()).entries()) {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/connectors/mail/mail_settings.h"
+#include "app/connectors/mail/mailing.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/two_people.h"
@@ -21,8 +21,6 @@ namespace {
 using nlohmann::json;
 using torsio::testing::FakeMailServer;
 
-constexpr const char* kChosen = "seven kites above the bay";
-
 class WebInvitation : public ::testing::Test {
  protected:
   WebInvitation() {
@@ -31,11 +29,7 @@ class WebInvitation : public ::testing::Test {
     access.setPassword("u-second", access.sealPassword("second", kWebPassword), false);
     SettingRepository(served.centre.connection()).set(kTwoPeople.name, "no", 0);
   }
-  WebClient signedIn(const std::string& login) {
-    WebClient client = served.client();
-    EXPECT_TRUE(client.signIn(login, kWebPassword)) << login;
-    return client;
-  }
+  WebClient signedIn(const std::string& login) { return served.signedIn(login); }
   static json lineOf(WebClient& client, const std::string& login) {
     const json all = client.get("/api/invitations").json();
     for (const json& one : all.at("people")) {

@@ -173,6 +173,7 @@ TEST(IgtlMessages, DecodeWhatTheLibraryEncodes) {
 TEST(IgtlMessages, DecodeTrackingDataOfSeveralInstruments) {
   const auto message = igtl::TrackingDataMessage::New();
   message->SetDeviceName("Tracker");
+  message->SetTimeStamp(0, 0);
   for (int i = 0; i < 3; ++i) {
     igtl::TrackingDataElement::Pointer element = igtl::TrackingDataElement::New();
     igtl::Matrix4x4 matrix;
