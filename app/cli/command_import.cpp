@@ -12,7 +12,6 @@
 #include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
-#include "app/connectors/foreign/dataset_import.h"
 #include "app/connectors/foreign/foreign_import.h"
 #include "app/services/base/assets.h"
 #include "app/services/base/progress.h"

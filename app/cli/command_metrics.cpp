@@ -14,7 +14,7 @@
 #include "app/cli/organ_option.h"
 #include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
-#include "app/services/recording/replay_service.h"
+#include "app/services/recording/trial_playback.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/force_felt.h"
 #include "assessment/attempt/run_verdict.h"

@@ -9,7 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/maintenance_options.h"
 #include "app/cli/organ_option.h"
-#include "app/services/recording/replay_service.h"
+#include "app/services/recording/trial_playback.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {

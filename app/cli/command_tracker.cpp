@@ -20,7 +20,7 @@
 #include "app/connectors/tracker/tracker_choice.h"
 #include "app/connectors/tracker/tracker_link.h"
 #include "app/services/devices/device_choice.h"
-#include "app/services/recording/replay_service.h"
+#include "app/services/recording/trial_playback.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"

@@ -9,7 +9,6 @@
 #include "app/services/review/case_remarks.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/review_queue.h"
-#include "app/services/review/viewing_report.h"
 #include "app/web/router.h"
 #include "app/web/web_sessions.h"
 

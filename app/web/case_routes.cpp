@@ -11,7 +11,6 @@
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/evaluation_form.h"
 #include "app/services/review/review_queue.h"
-#include "app/services/review/viewing_report.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
 #include "app/web/sealing.h"

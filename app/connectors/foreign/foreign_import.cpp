@@ -8,10 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/connectors/foreign/foreign_motion.h"
+#include "app/outputs/dataset/dataset_study.h"
 #include "app/services/base/build_info.h"
 #include "sim/core/device_sample.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/core/foreign_recording.h"
 #include "sim/record/sample_codec.h"
 
@@ -182,6 +184,31 @@ ForeignOutcome importForeign(SessionContext& session, ForeignLayout layout, cons
                                     {"marks", outcome.marks},        {"hash", outcome.contentHash}};
   outcome.landed =
       landStudy(session, std::move(study), {what.dump(), reason}, partOf(progress, kReading, 1.0));
+  return outcome;
+}
+
+DatasetOutcome importDataset(SessionContext& session, const std::filesystem::path& folder,
+                             const std::filesystem::path& assets, const std::string& reason,
+                             const ProgressCallback& progress) {
+  constexpr double kReadingDataset = 0.3;  // share of the total progress
+  requireLanding(session);
+  tellProgress(progress, Text::tr("Reading %1", folder.filename().string()), 0.0);
+  LandedStudy study = readDatasetStudy(folder);
+  study.assets = assets;
+  DatasetOutcome outcome;
+  outcome.trials = study.trials.size();
+  outcome.marks = study.marks.size();
+  Digest digest;
+  digest.update(readFile(folder / kDatasetStudyFile));
+  for (const LandedTrial& landed : study.trials) {
+    digest.update(landed.trial.summary.contentHash);
+  }
+  outcome.contentHash = digest.hex();
+  const nlohmann::ordered_json what{
+      {"layout", "torsio"},           {"people", study.people.size()}, {"raters", study.raters.size()},
+      {"recordings", outcome.trials}, {"marks", outcome.marks},        {"hash", outcome.contentHash}};
+  outcome.landed =
+      landStudy(session, std::move(study), {what.dump(), reason}, partOf(progress, kReadingDataset, 1.0));
   return outcome;
 }
 

@@ -32,4 +32,23 @@ struct ForeignOutcome {
 ForeignOutcome importForeign(SessionContext& session, ForeignLayout layout, const std::filesystem::path& map,
                              const std::string& reason, const ProgressCallback& progress = {});
 
+/// What was imported.
+struct DatasetOutcome {
+  LandedOutcome landed{};
+  std::size_t trials = 0;
+  std::size_t marks = 0;
+  std::string contentHash{};  ///< BLAKE2b-256 over study.json and the recordings' content hashes
+};
+
+/// Imports a data set that exportDataset() wrote whole (DatasetRequest::whole): curriculum, cohort, people
+/// and raters under their codes, occasions, marks, training times, deviations, and recordings bit for bit.
+/// All or nothing. Exporting the cohort again gives the same tables, trajectories and recordings;
+/// docs/exchange.md lists the exceptions. `assets`: where exercises are looked up. Audited with `reason`.
+/// requireLanding(). Throws Error: kFileMissing, kFileUnreadable; kBadData if the folder is not such a data
+/// set, was changed, or has codes, recordings or exercises that conflict with this record; {kBadParameter} if
+/// a cohort of that name exists. Whatever `progress` throws cancels the import.
+DatasetOutcome importDataset(SessionContext& session, const std::filesystem::path& folder,
+                             const std::filesystem::path& assets, const std::string& reason,
+                             const ProgressCallback& progress = {});
+
 }  // namespace torsio

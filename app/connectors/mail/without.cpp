@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Built instead of the connector (TORSIO_MAIL=OFF): there is no server, and sending is refused.
-#include "app/connectors/mail/mail_settings.h"
 #include "app/connectors/mail/mailing.h"
 #include "sim/core/error.h"
 

@@ -24,9 +24,9 @@
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
+#include "app/services/review/case_sheet.h"
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/review_queue.h"
-#include "app/services/review/viewing_report.h"
 #include "assessment/domain/rating/written_words.h"
 
 namespace torsio::gui {

@@ -27,7 +27,7 @@
 #include "app/gui/widgets/icons.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/signing.h"
-#include "app/services/maintenance/demonstration_removal.h"
+#include "app/services/maintenance/retention.h"
 
 namespace torsio::gui {
 

@@ -14,7 +14,7 @@
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/theme.h"
-#include "app/services/people/person_requests.h"
+#include "app/services/people/consent_service.h"
 
 namespace torsio::gui {
 

@@ -10,7 +10,6 @@
 #include "app/services/base/build_info.h"
 #include "app/services/demonstration/demonstration_curriculum.h"
 #include "app/services/demonstration/demonstration_people.h"
-#include "app/services/demonstration/demonstration_untwisting.h"
 #include "app/services/recording/competence.h"
 #include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"

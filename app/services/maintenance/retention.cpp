@@ -2,6 +2,7 @@
 #include "app/services/maintenance/retention.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -9,7 +10,9 @@
 #include "app/services/maintenance/person_package.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
+#include "db/migrations/compaction.h"
 #include "db/repository/people/retention_repository.h"
+#include "db/repository/system/demonstration_data.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 
@@ -134,6 +137,40 @@ RetentionOutcome eraseDue(SessionContext& session, std::span<const PersonId> per
     eraseGuarded(session, item.personId, reason + " (retention: " + item.category + ")");
   }
   return outcome;
+}
+
+namespace {
+
+DemonstrationSize sizeOf(const std::vector<DemonstrationRows>& tables) {
+  DemonstrationSize size;
+  for (const DemonstrationRows& table : tables) {
+    size.rows += table.rows;
+    if (table.table == "person") {
+      size.people += table.rows;
+    }
+    if (table.table == "trial") {
+      size.trials += table.rows;
+    }
+    if (table.table == "training_mark" || table.table == "evaluation_mark") {
+      size.marks += table.rows;
+    }
+  }
+  return size;
+}
+
+}  // namespace
+
+DemonstrationSize demonstrationSize(SessionContext& session) {
+  session.require(Operation::kPersonErase);
+  return sizeOf(demonstrationRows(session.connection()));
+}
+
+DemonstrationSize removeDemonstrationData(SessionContext& session, const std::string& reason) {
+  session.require(Operation::kPersonErase);
+  const DemonstrationSize size = sizeOf(removeDemonstration(session.connection(), session.actor().userId,
+                                                            session.station(), reason, session.now_us()));
+  compactDatabase(session.connection());
+  return size;
 }
 
 }  // namespace torsio

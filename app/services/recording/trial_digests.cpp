@@ -2,13 +2,21 @@
 #include "app/services/recording/trial_digests.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <future>
 #include <map>
 #include <string_view>
+#include <thread>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "app/services/recording/competence.h"
-#include "app/services/recording/measuring_ahead.h"
+#include "app/services/recording/detorsion_rules.h"
+#include "app/services/recording/kept_digests.h"
+#include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/catalogue/quantity.h"
@@ -20,10 +28,84 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/core/contracts.h"
+#include "sim/record/sample_codec.h"
+#include "sim/record/trial.h"
 
 namespace torsio {
 
 namespace {
+
+/// A stored recording and the rules for judging it.
+struct RecordingToMeasure {
+  Trial trial{};
+  AttemptRules rules{};
+};
+
+/// Decodes and measures recordings on all cores while the owning thread reads the next ones. The results and
+/// their order are the same as on one core. The destructor waits for work in progress.
+class MeasuringAhead {
+ public:
+  /// `now_us`: computation time written into the digests.
+  explicit MeasuringAhead(std::int64_t now_us) : now_us_(now_us) {}
+
+  /// Returns whether this many more samples may be given now; otherwise take some results first, so that
+  /// memory stays bounded. Always true if nothing is in progress.
+  [[nodiscard]] bool hasRoomFor(std::int64_t samples) const;
+  /// Starts measuring a batch, one recording after the other.
+  void give(std::vector<RecordingToMeasure> recordings);
+  [[nodiscard]] bool empty() const { return underWay_.empty(); }
+  /// Waits for the oldest batch. Throws Error if a recording cannot be read.
+  [[nodiscard]] std::vector<TrialDigest> take();
+
+ private:
+  struct Batch {
+    std::future<std::vector<TrialDigest>> digests{};
+    std::int64_t samples = 0;
+  };
+
+  std::int64_t now_us_;
+  std::deque<Batch> underWay_;
+  std::int64_t samples_ = 0;  ///< of all batches in progress
+};
+
+constexpr std::int64_t kMaxSamples = 1'500'000;  // decoded; about a hundred bytes each
+
+std::vector<TrialDigest> measuredInTurn(const std::vector<RecordingToMeasure>& recordings,
+                                        std::int64_t now_us) {
+  std::vector<TrialDigest> digests;
+  for (const auto& [trial, rules] : recordings) {
+    const AttemptMeasures measures =
+        measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
+    digests.push_back(keptDigest(trial, measures, rules, now_us));
+  }
+  return digests;
+}
+
+bool MeasuringAhead::hasRoomFor(std::int64_t samples) const {
+  return underWay_.empty() || (underWay_.size() < std::max(1U, std::thread::hardware_concurrency()) &&
+                               samples_ + samples <= kMaxSamples);
+}
+
+void MeasuringAhead::give(std::vector<RecordingToMeasure> recordings) {
+  Batch batch;
+  for (const RecordingToMeasure& recording : recordings) {
+    batch.samples += recording.trial.summary.samples;
+  }
+  samples_ += batch.samples;
+  batch.digests = std::async(std::launch::async, [recordings = std::move(recordings), now_us = now_us_] {
+    return measuredInTurn(recordings, now_us);
+  });
+  underWay_.push_back(std::move(batch));
+}
+
+std::vector<TrialDigest> MeasuringAhead::take() {
+  TORSIO_EXPECTS(!underWay_.empty());
+  Batch batch = std::move(underWay_.front());
+  underWay_.pop_front();
+  samples_ -= batch.samples;
+  return batch.digests.get();
+}
 
 constexpr std::int64_t kEveryTrial = 10'000'000;
 constexpr std::int64_t kKeepEvery_samples = 2'500'000;  // forty minutes of recordings

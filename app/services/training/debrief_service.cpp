@@ -9,7 +9,6 @@
 #include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/recording/pipeline.h"
-#include "app/services/training/bookmarks.h"
 #include "app/services/training/debrief.h"
 #include "app/services/training/trainee_record.h"
 #include "assessment/attempt/recorded_twists.h"

@@ -8,7 +8,6 @@
 #include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/study/remark_revision.h"
-#include "app/services/training/bookmarks.h"
 #include "app/services/training/trainee_record.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"

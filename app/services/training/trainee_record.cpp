@@ -2,15 +2,19 @@
 #include "app/services/training/trainee_record.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 
@@ -107,6 +111,28 @@ TrialListing ownTrial(SessionContext& session, const TraineeRecord& record, cons
                 Text::tr("Open your own record"));
   }
   refuseParameter(Text::tr("there is no such recording"), trialId, Text::tr("Choose one from the list"));
+}
+
+RemarkId keepBookmark(SessionContext& session, const TrialListing& trial, double at_s,
+                      const std::string& text) {
+  const double length_s = trial.summary ? spanOf_s(trial.summary->samples) : 0.0;
+  if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {
+    refuseParameter(Text::tr("the moment lies outside the recording"), trial.trialId,
+                    Text::tr("Choose a time within it"));
+  }
+  const RemarkId id = session.ids().newUuid();
+  RemarkRepository(session.connection())
+      .add({.id = id,
+            .trialId = trial.trialId,
+            .author = session.actor().userId,
+            .authorPersonId = session.actor().personId,
+            .purpose = "bookmark",
+            .tick = std::llround(at_s * 1e3),
+            .time_us = std::llround(at_s * 1e6),
+            .text = text,
+            .createdUtc_us = session.now_us(),
+            .demonstration = trial.demonstration});
+  return id;
 }
 
 }  // namespace torsio

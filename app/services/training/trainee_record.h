@@ -38,4 +38,9 @@ struct TraineeRecord {
 [[nodiscard]] TrialListing ownTrial(SessionContext& session, const TraineeRecord& record,
                                     const TrialId& trialId);
 
+/// Stores a bookmark of the actor in a run, in the caller's transaction; the caller has checked that the run
+/// is the actor's. Returns its id. Throws Error{kBadParameter} for a time outside the recording.
+RemarkId keepBookmark(SessionContext& session, const TrialListing& trial, double at_s,
+                      const std::string& text);
+
 }  // namespace torsio

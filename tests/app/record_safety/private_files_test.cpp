@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Personal data are readable only by the record's owner, and erased data do not remain on the disk.
-
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -13,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "app/services/maintenance/copies.h"
-#include "app/services/maintenance/demonstration_removal.h"
 #include "app/services/maintenance/person_package.h"
+#include "app/services/maintenance/retention.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/id_source.h"

@@ -10,9 +10,9 @@
 #include "app/services/access/first_run.h"
 #include "app/services/base/assets.h"
 #include "app/services/demonstration/demonstration.h"
-#include "app/services/maintenance/demonstration_removal.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/person_package.h"
+#include "app/services/maintenance/retention.h"
 #include "sim/core/error.h"
 
 namespace torsio {

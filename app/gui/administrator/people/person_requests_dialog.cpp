@@ -17,7 +17,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/services/access/all_or_none.h"
-#include "app/services/people/person_requests.h"
+#include "app/services/people/consent_service.h"
 
 namespace torsio::gui {
 

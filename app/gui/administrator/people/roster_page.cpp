@@ -29,7 +29,7 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/services/access/all_or_none.h"
 #include "app/services/maintenance/person_package.h"
-#include "app/services/people/person_requests.h"
+#include "app/services/people/consent_service.h"
 #include "assessment/domain/people/consent.h"
 
 namespace torsio::gui {

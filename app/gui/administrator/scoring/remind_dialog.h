@@ -8,7 +8,6 @@
 
 #include <QDialog>
 
-#include "app/connectors/mail/mail_settings.h"
 #include "app/connectors/mail/mailing.h"
 #include "app/services/study/reminders.h"
 #include "assessment/domain/ids.h"

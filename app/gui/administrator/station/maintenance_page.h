@@ -8,7 +8,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/services/maintenance/database_maintenance.h"
-#include "app/services/maintenance/demonstration_removal.h"
+#include "app/services/maintenance/retention.h"
 
 class QLabel;
 class QProgressBar;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Round trip of a data set: exported, imported into an empty record and exported again, the files are the
 // same.
-#include "app/connectors/foreign/dataset_import.h"
-
 #include <set>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/connectors/foreign/foreign_import.h"
 #include "app/outputs/dataset/cohort_exchange.h"
 #include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"

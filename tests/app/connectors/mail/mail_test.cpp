@@ -9,7 +9,6 @@
 #include <QByteArray>
 #include <gtest/gtest.h>
 
-#include "app/connectors/mail/mail_settings.h"
 #include "app/connectors/mail/mailing.h"
 #include "app/connectors/mail/smtp_client.h"
 #include "app/services/access/audit_service.h"

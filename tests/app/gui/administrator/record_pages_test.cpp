@@ -35,7 +35,6 @@
 #include "app/services/maintenance/retention.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/people/people_service.h"
-#include "app/services/people/person_requests.h"
 #include "app/services/serving/review_desk.h"
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/people/consent.h"

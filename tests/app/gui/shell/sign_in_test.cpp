@@ -16,7 +16,7 @@
 #include "app/gui/widgets/theme.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/signing.h"
-#include "app/services/maintenance/demonstration_removal.h"
+#include "app/services/maintenance/retention.h"
 #include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"

@@ -39,7 +39,6 @@
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/people/consent_service.h"
-#include "app/services/people/person_requests.h"
 #include "app/services/recording/station_writer.h"
 #include "app/services/training/run_session.h"
 #include "db/repository/people/request_repository.h"

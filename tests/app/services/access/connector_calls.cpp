@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/connectors/foreign/dataset_import.h"
 #include "app/connectors/foreign/foreign_import.h"
-#include "app/connectors/mail/mail_settings.h"
 #include "app/connectors/mail/mailing.h"
 #include "app/connectors/xapi/learning_records.h"
 #include "tests/app/services/access/permission_calls.h"

@@ -10,7 +10,6 @@
 
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
-#include "app/services/maintenance/demonstration_removal.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/maintenance/record_restore.h"

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "app/services/people/consent_service.h"
-#include "app/services/people/person_requests.h"
 #include "app/services/people/roster_import.h"
 #include "assessment/domain/people/account.h"
 #include "sim/core/error.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/outputs/report/report_data.h"
-#include "app/services/recording/replay_service.h"
+#include "app/services/recording/trial_playback.h"
 #include "app/services/training/debrief.h"
 #include "app/services/training/transcript.h"
 #include "app/services/training/trend.h"
