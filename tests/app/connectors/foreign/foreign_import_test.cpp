@@ -173,7 +173,7 @@ TEST(ForeignImport, IsStoredAsACohortWithRecordingsAndMarks) {
   EXPECT_NEAR(toolState(samples[100].device).pose.position_m.x, foreignPose(100).position_m.x,
               kPositionStep_m);
   EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
-  EXPECT_THAT(torsio::refusalOf([&] { (void)sceneRequestFor(trial.header.parametersJson); }).happened(),
+  EXPECT_THAT(testing::refusal([&] { (void)sceneRequestFor(trial.header.parametersJson); }).happened(),
               HasSubstr("other equipment made this recording"));
 }
 
@@ -278,7 +278,7 @@ TEST(ForeignImport, ReadsTheGlobalRatingOfJigsaws) {
   EXPECT_EQ(read.marks[0].steps, 15);
   EXPECT_EQ(read.marks[3].recording, "S_C2.txt");
   writeFileAtomically(own.path() / "meta.txt", "S_B1 N 15\nS_B2 N 31\n");
-  EXPECT_THAT(torsio::refusalOf([&] { (void)readForeignMap(map, ForeignLayout::kJigsaws); }).where(),
+  EXPECT_THAT(testing::refusal([&] { (void)readForeignMap(map, ForeignLayout::kJigsaws); }).where(),
               HasSubstr("meta.txt, line 2"))
       << "31 is beyond the scale";
 }

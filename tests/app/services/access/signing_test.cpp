@@ -122,7 +122,7 @@ TEST_F(Signing, GuessingWhileSigningHasTheSameDelaysAsSigningIn) {
   for (int i = 0; i < 4; ++i) {
     EXPECT_THROW(showPassword(centre_.session(), "guess"), Error);
   }
-  const Error refused = refusalOf([&] { showPassword(centre_.session(), kStudyPassword); });
+  const Error refused = testing::refusal([&] { showPassword(centre_.session(), kStudyPassword); });
   EXPECT_NE(refused.happened().find("too many failures"), std::string::npos) << "not even tried";
 }
 

@@ -67,7 +67,7 @@ TEST_F(TwoPeople, NobodyResetsThePasswordOfARaterAlone) {
   EXPECT_TRUE(open[0].own);
   EXPECT_TRUE(open[0].request.detailJson.empty());
   EXPECT_EQ(open[0].shown, "rater");
-  EXPECT_EQ(refusedWith([&] { (void)confirmRequest(asFirst(), open[0].request.id); }),
+  EXPECT_EQ(testing::refusalCode([&] { (void)confirmRequest(asFirst(), open[0].request.id); }),
             ErrorCode::kPermission);
   const std::string secondHalf = confirmRequest(asSecond(), open[0].request.id);
 
@@ -78,7 +78,8 @@ TEST_F(TwoPeople, NobodyResetsThePasswordOfARaterAlone) {
   EXPECT_TRUE(openRequests(asFirst()).empty());
   EXPECT_EQ(centre_.audited("duty.request"), 1);
   EXPECT_EQ(centre_.audited("duty.confirm"), 1);
-  EXPECT_EQ(refusedWith([&] { (void)confirmRequest(asSecond(), open[0].request.id); }), ErrorCode::kBadData);
+  EXPECT_EQ(testing::refusalCode([&] { (void)confirmRequest(asSecond(), open[0].request.id); }),
+            ErrorCode::kBadData);
 }
 
 TEST_F(TwoPeople, ATraineesPasswordNeedsOnlyOneAdministrator) {
@@ -123,7 +124,7 @@ TEST_F(TwoPeople, ANewRaterNeedsTheSecondPersonAndCannotSignInBefore) {
 }
 
 TEST_F(TwoPeople, NobodyConfirmsForThemselvesNotEvenWithASecondAccount) {
-  EXPECT_EQ(refusedWith([&] {
+  EXPECT_EQ(testing::refusalCode([&] {
               (void)askSecondPerson(asSecond(), {.act = DutyAct::kGrantRoles,
                                                  .subject = second_,
                                                  .roles = {"administrator", "rater"},
@@ -140,7 +141,8 @@ TEST_F(TwoPeople, NobodyConfirmsForThemselvesNotEvenWithASecondAccount) {
   ASSERT_EQ(signIn(centre_.as(""), "two", kStudyPassword).outcome, SignIn::kOk);
 
   const std::string id = openRequests(centre_.session()).at(0).request.id;
-  EXPECT_EQ(refusedWith([&] { (void)confirmRequest(centre_.session(), id); }), ErrorCode::kPermission);
+  EXPECT_EQ(testing::refusalCode([&] { (void)confirmRequest(centre_.session(), id); }),
+            ErrorCode::kPermission);
   EXPECT_EQ(openRequests(centre_.session()).size(), 1U);
 }
 
@@ -162,10 +164,10 @@ TEST_F(TwoPeople, NobodyCreatesASecondAccountOfAnotherPerson) {
             {.login = login, .personId = trainee, .roles = {"trainee"}, .startPassword = kStudyPassword});
   };
   add("t-01");
-  EXPECT_EQ(refusedWith([&] { add("shadow"); }), ErrorCode::kBadData);
+  EXPECT_EQ(testing::refusalCode([&] { add("shadow"); }), ErrorCode::kBadData);
   setUserActive(asFirst(), user("t-01").id, false, "to make another");
-  EXPECT_EQ(refusedWith([&] { add("shadow"); }), ErrorCode::kBadData);
-  EXPECT_EQ(refusedWith([&] {
+  EXPECT_EQ(testing::refusalCode([&] { add("shadow"); }), ErrorCode::kBadData);
+  EXPECT_EQ(testing::refusalCode([&] {
               (void)makeUser(asFirst(), {.login = "shadow", .personId = trainee, .roles = {"rater"}});
             }),
             ErrorCode::kBadData);
@@ -209,7 +211,7 @@ TEST_F(TwoPeople, ErasingNeedsTwoAndUsesUpTheRequest) {
 TEST_F(TwoPeople, ARequestExpiresAfterTwoWeeksAndCanBeDeclined) {
   const PersonId person = centre_.addTrainees(1).front();
   (void)askSecondPerson(asFirst(), {.act = DutyAct::kErase, .subject = person, .reason = "asked"});
-  EXPECT_EQ(refusedWith([&] {
+  EXPECT_EQ(testing::refusalCode([&] {
               (void)askSecondPerson(asSecond(), {.act = DutyAct::kErase, .subject = person, .reason = "too"});
             }),
             ErrorCode::kBadData);

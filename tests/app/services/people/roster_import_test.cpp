@@ -62,7 +62,7 @@ TEST(RosterFile, ReadsEncodingsOfOlderSpreadsheets) {
 TEST(RosterFile, RejectsFilesThatAreNotTextWithAPlainSentence) {
   for (const std::string& bytes :
        {std::string("\xFF\xFEi\0d\0\0", 7), std::string("id,name\nS-1,\x81\x8D\n")}) {
-    const Error refused = refusalOf([&] { (void)parseRoster(bytes, "roster.csv"); });
+    const Error refused = testing::refusal([&] { (void)parseRoster(bytes, "roster.csv"); });
     EXPECT_EQ(refused.where(), "roster.csv");
     EXPECT_EQ(refused.remedy(), "Save the table as UTF-8 CSV");
   }

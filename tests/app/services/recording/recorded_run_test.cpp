@@ -21,7 +21,6 @@
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial.h"
-#include "sim/record/trial_bytes.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "tests/sim/servo/bar_scene.h"

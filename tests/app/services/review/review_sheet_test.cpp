@@ -214,9 +214,12 @@ TEST(CaseSheet, RequiresAnswersWatchingAndNormalSpeed) {
   Sheet gap = reviewSheet(7, 6, 6.5);
   gap.rows.pop_back();
 
-  EXPECT_EQ(refusedWith([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), half); }), ErrorCode::kBadData);
-  EXPECT_EQ(refusedWith([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast); }), ErrorCode::kBadData);
-  EXPECT_EQ(refusedWith([&] { submitSheet(*desk, id, gap, whole(2'000'000)); }), ErrorCode::kBadData);
+  EXPECT_EQ(testing::refusalCode([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), half); }),
+            ErrorCode::kBadData);
+  EXPECT_EQ(testing::refusalCode([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast); }),
+            ErrorCode::kBadData);
+  EXPECT_EQ(testing::refusalCode([&] { submitSheet(*desk, id, gap, whole(2'000'000)); }),
+            ErrorCode::kBadData);
   EXPECT_EQ(openSheet(*desk, id).state, SheetState::kOpen);
 
   setCentreSetting<kPlaybackSpeeds>(*centre.administrator(), {1.0, 2.0});
@@ -260,11 +263,12 @@ TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const std::string id = centre.cases(0).front();
-  EXPECT_EQ(refusedWith([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), "looked again"); }),
+  EXPECT_EQ(testing::refusalCode([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), "looked again"); }),
             ErrorCode::kBadData);
   submitSheet(*desk, id, reviewSheet(7, 6, 6.5), whole(2'000'000));
 
-  EXPECT_EQ(refusedWith([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), ""); }), ErrorCode::kBadParameter);
+  EXPECT_EQ(testing::refusalCode([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), ""); }),
+            ErrorCode::kBadParameter);
   amendSheet(*desk, id, reviewSheet(8, 6, 7), "looked again");
 
   const std::vector<SheetVersion> versions = sheetVersions(*desk, id);
@@ -289,7 +293,7 @@ TEST(CaseSheet, OnceThePanelsMarksAreVisibleAChangeNeedsAReasonAndIsFlagged) {
   centre.passTime_us(1'000'000);
 
   EXPECT_TRUE(openSheet(*desk, id).panelOpen);
-  EXPECT_EQ(refusedWith([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
+  EXPECT_EQ(testing::refusalCode([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
             ErrorCode::kBadData);
   moveMark(*desk, id, reviewSheet(7, 7, 7), "missed the second grip");
 
@@ -307,14 +311,15 @@ TEST(CaseSheet, IsOnlyForItsRater) {
   const auto office = centre.administrator();
   const std::string id = centre.cases(0).front();
 
-  EXPECT_EQ(refusedWith([&] { static_cast<void>(openSheet(*other, id)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusedWith([&] { saveSheet(*other, id, {}, WatchLog()); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusedWith([&] { submitSheet(*other, id, reviewSheet(5, 5, 5), WatchLog()); }),
+  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(openSheet(*other, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(testing::refusalCode([&] { saveSheet(*other, id, {}, WatchLog()); }), ErrorCode::kPermission);
+  EXPECT_EQ(testing::refusalCode([&] { submitSheet(*other, id, reviewSheet(5, 5, 5), WatchLog()); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(refusedWith([&] { static_cast<void>(openSheet(*office, id)); }), ErrorCode::kPermission);
-  EXPECT_EQ(refusedWith([&] { static_cast<void>(openSheet(*own, "no such case")); }), ErrorCode::kPermission);
+  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(openSheet(*office, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(openSheet(*own, "no such case")); }),
+            ErrorCode::kPermission);
   SheetRepository(centre.connection()).withdraw(id, "on leave", "office", kReviewTime_us);
-  EXPECT_EQ(refusedWith([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
 }
 
 TEST(ReviewQueue, ShowsOneDeadlineForAllRecordedCases) {

@@ -103,7 +103,7 @@ TEST(ReportViewing, RejectsInvalidStretchesAndForbiddenSpeeds) {
   const AssignmentId id = centre.cases(0).front();
   const AssignmentId live = centre.cases(0, true).front();
   const auto refused = [&](const AssignmentId& of, const PlayedStretch& stretch) {
-    return refusedWith([&] { (void)reportViewing(*physician, of, {stretch}, 1'000'000); });
+    return testing::refusalCode([&] { (void)reportViewing(*physician, of, {stretch}, 1'000'000); });
   };
 
   EXPECT_EQ(refused(id, {500'000, 0, 1.0}), ErrorCode::kBadParameter);

@@ -86,7 +86,7 @@ TEST(CurriculumContent, SurvivesARoundTripThroughText) {
 }
 
 TEST(CurriculumContent, RejectsMisspeltFieldsWithTheirPlace) {
-  const Error error = refusalOf([] {
+  const Error error = testing::refusal([] {
     (void)parseCurriculum(
         R"({"format": "torsio curriculum 1", "modules": [{"code": "A", "target_degree": 5}]})", "draft");
   });
