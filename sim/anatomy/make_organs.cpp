@@ -17,7 +17,7 @@
 
 namespace {
 
-/// Tells what an organ's file measures. Throws Error{kBadMesh} when it is no sound surface.
+/// Prints the measures of an organ's file. Throws Error{kBadMesh} when it is not a sound surface.
 void tellOrgan(const std::filesystem::path& file) {
   const torsio::TriangleMesh mesh = torsio::importMesh(file);
   const torsio::MeshReport report = torsio::checkMesh(mesh);

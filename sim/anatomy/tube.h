@@ -54,7 +54,7 @@ struct OrganPlace {
   Vec3 position_m;
 };
 
-/// A place that is wanted: a share of the length and an angle.
+/// A requested place: a share of the length and an angle.
 struct WantedPlace {
   const char* name;
   double share;

@@ -127,7 +127,7 @@ class HollowOrgan {
   /// and the torque of relapse are shares of. In the tick.
   [[nodiscard]] double basePeak_Nm() const noexcept { return basePeak_Nm_; }
   /// Returns pressure times volume, J, of a gas at a pressure over outside inside the spans and the mobile
-  /// part, outside's pressure counted; 0 where the content is no sealed gas. In the tick.
+  /// part, outside's pressure counted; 0 unless the content is sealed gas. In the tick.
   [[nodiscard]] double gas_J(double angle_rad, double pressure_Pa) const noexcept;
   /// Returns the pressure over outside, Pa, at which this amount of gas fills the organ at an angle: between
   /// 0 and the highest of the table, within 1e-6 of that. 20 queries; in the tick.

@@ -63,7 +63,7 @@ double area(const TriangleMesh& piece) {
   return sum;
 }
 
-/// A jaw whose teeth reach over the middle is no less one jaw.
+/// A jaw whose teeth reach over the middle is still one jaw.
 void addJaw(ToolSurface& tool, const TriangleMesh& piece, bool closed) {
   constexpr double kOneSided = 0.7;
   if (piece.triangles.empty()) {

@@ -11,8 +11,8 @@ namespace torsio {
 
 /// How heavy a finding about an organ's surface weighs.
 enum class FindingWeight {
-  kNote,     ///< left out or mended, the organ is none the worse
-  kWarning,  ///< the organ is usable; who reads its numbers has to know
+  kNote,     ///< left out or repaired, the organ is unaffected
+  kWarning,  ///< the organ is usable, its numbers are less certain
   kRefusal,  ///< no organ
 };
 

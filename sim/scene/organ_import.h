@@ -67,7 +67,7 @@ struct OrganReconstruction {
 
 /// Reads a scan in a process of its own, draws the organ in it, and checks and judges it as importOrgan()
 /// does a mesh. Of `request` the anatomy, the ends and the wall are used. The organ says nothing of the
-/// patient: its source is the kind of scan. A scan that is refused is no error: the findings say why. Throws
+/// patient: its source is the kind of scan. A refused scan is not an error: the findings say why. Throws
 /// Error{kFileMissing} for a scan that is not there, {kBadParameter} for a request out of range.
 [[nodiscard]] OrganReconstruction reconstructOrgan(OrganImportRequest request, const ScanRequest& scan,
                                                    const ScanProgress& progress = {});

@@ -117,7 +117,7 @@ std::optional<OrganWallMap> wallMapOf(std::span<const WallRay> rays, const Trian
     }
     const std::uint32_t v = nearest.to(1e-3 * ray.place_mm);
     if (lattice.vertexParts()[v] != LatticePart::kSide) {
-      continue;  // the flat end of an organ is no wall round its axis
+      continue;  // the flat end of an organ is not a wall around its axis
     }
     const LatticeCoordinate& at = lattice.vertexCoordinates()[v];
     const auto band = std::min(static_cast<std::size_t>(at.arc_m / lattice.length_m() * map.bands),

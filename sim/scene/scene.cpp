@@ -31,7 +31,7 @@ std::vector<std::string> idsOf(const SceneDescription& scene) {
   return ids;
 }
 
-/// Place of the asked-for pattern among the scene's; their number when there is none.
+/// Index of the requested pattern in the scene; the number of patterns if it has no such one.
 std::size_t placeOfPattern(const SceneDescription& scene, const std::string& id) {
   if (id.empty()) {
     return 0;

@@ -30,8 +30,8 @@ struct TissueLook {
   int bands = 0;               ///< pale, raised bands evenly round it from ridge 0: the taeniae of a colon
   float bandShare = 0.0F;      ///< how far their colour replaces that of the tissue, 0..1
   double bandHalf_rad = 0.13;  ///< half of their breadth, as an angle about the axis
-  float borderFat = 0.0F;  ///< fat along the borders at which it hangs: where there is no band of ridge 0 and
-                           ///< half-way round, 0..1
+  float borderFat = 0.0F;  ///< fat along the borders where it is attached: where there is no band of ridge 0
+                           ///< and half-way round, 0..1
 };
 
 [[nodiscard]] TissueLook tissueLook(std::string_view sceneId);

@@ -65,7 +65,7 @@ std::optional<std::string> flawOfFile(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-/// The flaw of the one file that the name means; empty when there is none, or a sound one among them.
+/// What is wrong with the files that the name matches; empty if there are none, or a sound one.
 std::optional<std::string> flawOf(const std::string& name) {
   std::optional<std::string> flaw;
   for (const std::filesystem::path& file : filesOf(name)) {

@@ -6,7 +6,7 @@
 
 /// The part of the vendor's haptic interface (libHD, versions 3.0 to 3.5) that the driver uses, declared by
 /// ourselves: the vendor's headers are never included. Names are the vendor's without their prefix "HD_";
-/// what a call does is told where it is used.
+/// what a call does is said where it is used.
 namespace torsio::hd {
 
 using Int = std::int32_t;

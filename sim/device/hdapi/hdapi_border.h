@@ -38,7 +38,7 @@ struct DevicePlacement {
 /// Distance from the middle of the gimbal to the tip of the stylus (third-party figure; measure your own).
 inline constexpr double kStylusTip_m = 0.039;
 /// Largest deviation of a column of a rotation matrix from unit length: the library computes in double, so
-/// a larger one is no rotation.
+/// a larger one is not a rotation.
 inline constexpr double kRotationTolerance = 1e-3;
 
 /// Returns the pose of the stylus tip: the only place where the vendor's millimetres and device axes become

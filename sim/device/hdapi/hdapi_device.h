@@ -46,7 +46,7 @@ inline constexpr std::int64_t kServoSilent_us = 500'000;
 /// |---------------------|--------------------------------------------------------------------------|
 /// | kDeviceUncalibrated | not calibrated, kJumpSettles_us after a jump of the pose, after a trip   |
 /// | kDeviceStale        | no frame, rate below kLowestRate_Hz, HD_WARM_MOTORS, lost, old mailbox   |
-/// | kDeviceInvalid      | the pose is no rigid motion, or the device's own protection tripped      |
+/// | kDeviceInvalid      | the pose is not rigid, or the device's own protection tripped            |
 /// | kDeviceWarm         | a motor above kWarmAbove, until all are below kWarmUntilBelow            |
 /// | kDeviceLost         | device, communication, timer or scheduler error: the servo has ended     |
 ///

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kEventCapacity = 1024;
 constexpr std::size_t kMaxMotors = 6;
-// Joints turn by less than a circle; what is far beyond is no angle.
+// Joints turn by less than a circle; anything far beyond is garbage.
 constexpr double kLargestAngle_rad = 20.0;
 
 bool areAngles(const std::array<double, 3>& angles_rad) noexcept {

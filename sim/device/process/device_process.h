@@ -21,7 +21,7 @@ struct StylusRequest {
   std::function<bool()> cancelled;  ///< asked while the library is waited for; may be empty
 };
 
-/// What came of it: a library that is not there is no error here.
+/// The result: a missing library is not an error here.
 struct StylusOpening {
   HdapiLibrary library;                  ///< without the functions when the driver runs elsewhere
   std::unique_ptr<HapticDevice> driver;  ///< null unless the library was loaded

@@ -45,7 +45,7 @@ inline constexpr double kSteeringStepMost_s = 0.02;
 inline constexpr double kSteeringSmoothing_s = 0.03;
 
 /// Makes a deflection of one axis fine in the middle: nothing within `dead` of rest, then the square of what
-/// is left, with its sign; 1 at the end. A deflection that is not finite is none.
+/// is left, with its sign; 1 at the end. A deflection that is not finite counts as none.
 [[nodiscard]] double steeringCurve(double deflection, double dead) noexcept;
 
 /// Turns deflections into a pose, step by step. A plain value, one thread.

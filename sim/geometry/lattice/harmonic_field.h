@@ -31,7 +31,7 @@ struct HarmonicField {
 [[nodiscard]] bool isSideTriangle(const TriangleMesh::Triangle& triangle, std::span<const LatticePart> parts);
 
 /// Solves for both coordinates. With `level` given (one a vertex, from the straight axis) only the angle is
-/// solved for. Throws Error{kBadMesh} when the surface between the caps is no tube.
+/// solved for. Throws Error{kBadMesh} when the surface between the caps is not a tube.
 [[nodiscard]] HarmonicField solveHarmonicField(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                                std::span<const LatticePart> parts,
                                                std::vector<double> level = {});

@@ -197,8 +197,8 @@ class FieldBuilder {
     }
   }
 
-  /// Where a cap is no flat face its rim is a jagged line of vertices; the field smooths that out within an
-  /// edge length, and there the organ begins and ends. With caps that were found, not given, it also ends
+  /// Where a cap is not a flat face its rim is a jagged line of vertices; the field smooths that out within
+  /// an edge length, and there the organ begins and ends. With caps that were found, not given, it also ends
   /// where it branches, as at the knuckles: what lies beyond follows the end section.
   void trimEnds(const EndCaps& caps) {
     std::vector<double> way(stations_.size(), 0.0);      // of the centres
@@ -251,7 +251,7 @@ class FieldBuilder {
       }
       first = last;
     }
-    // Shortly before it branches the organ is no tube any more.
+    // Shortly before it branches, the organ is no longer a tube.
     auto [from, to] = best;
     while (best.first > 0 && from < to &&
            way[from] - way[best.first] < kBeforeBranch * stations_[best.first].radius_m) {

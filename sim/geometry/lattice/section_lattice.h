@@ -67,7 +67,7 @@ struct LatticeOptions {
   double capRadius_m = 0.0;  ///< > 0: a disc on the surface about the end point instead of the rounded tip
   /// Ridge 0 starts nearest to this direction (world frame); zero: the frame's e1.
   Vec3 ridgeZero{};
-  double ridgeZeroFraction = 0.0;  ///< where along the length `ridgeZero` is meant, 0..1
+  double ridgeZeroFraction = 0.0;  ///< where along the length `ridgeZero` applies, 0..1
   /// What hangs on the side of the organ, as the oesophagus on the stomach: the piece beyond the plane
   /// through `branchRoot_m` with the outward direction `branchCut`. It belongs to the surface but to no
   /// section, and follows the places of the organ that it stands on. Zero: none.

@@ -14,7 +14,7 @@ namespace torsio {
 namespace {
 
 constexpr double kSamePoint = 1e-6;  // of the perimeter: points nearer to each other are one
-constexpr double kCollinear = 1e-9;  // of the perimeter: a corner nearer to its chord is none
+constexpr double kCollinear = 1e-9;  // of the perimeter: a corner nearer to its chord is ignored
 
 double cross2(const Point2& a, const Point2& b) {
   return a[0] * b[1] - a[1] * b[0];
@@ -299,7 +299,7 @@ SectionOutline cutOutline(const LevelLoop& loop, const AxisFrame& frame, const R
     outline.points_m.push_back(p.place_m);
     outline.angles_rad.push_back(p.angle_rad);
   }
-  constexpr double kFlattest = 1e-6;  // area of a section that is no line, of its perimeter squared
+  constexpr double kFlattest = 1e-6;  // smallest area of a section, as a share of its perimeter squared
   if (!(area(outline.points_m) > kFlattest * loop.perimeter_m * loop.perimeter_m)) {
     throw Error(ErrorCode::kBadMesh, Text::tr("the section encloses no area"), name,
                 Text::tr("Move the end points inwards, or give the end points of the axis."));

@@ -176,7 +176,7 @@ class BranchFinder {
     if (!reach) {
       return std::nullopt;
     }
-    // Once more from all of the tip: the corner of a flat end lies askew.
+    // Repeat from the whole tip: one corner of a flat end lies off its axis.
     const SideBranch askew = pieceWithin(way_m, reach->length_m);
     std::vector<Index> sources;
     double farthest_m = 0.0;

@@ -54,7 +54,7 @@ class TrimmedOrgan {
 
   TriangleMesh mesh_;
   std::vector<Place> places_;             // one a vertex of the whole
-  std::vector<std::uint32_t> triangles_;  // of the whole, one a triangle of mesh_ that is none of the lid
+  std::vector<std::uint32_t> triangles_;  // of the whole, one per triangle of mesh_ outside the lid
   std::vector<Rim> rims_;                 // one a triangle of the lid, which come last
 };
 
@@ -68,7 +68,7 @@ struct SideBranch {
 };
 
 /// Finds the longest side branch of at most a tenth of the organ, for its width, away from the two named
-/// ends: a piece as long as three quarters of its width that ends in a tip. None where there is no such.
+/// ends: a piece as long as three quarters of its width that ends in a tip. None if there is no such piece.
 /// `mesh`: closed and manifold. Some tenths of a second for 100 000 triangles.
 [[nodiscard]] std::optional<SideBranch> findSideBranch(const TriangleMesh& mesh, const Vec3& fixedEnd_m,
                                                        const Vec3& freeEnd_m);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kFlatness = 1e-5;        // distance from the plane as a share of the bounding box diagonal
 constexpr double kParallel = 0.99984770;  // cosine of 1 degree: between a triangle and the face
-constexpr double kSharpRim = 0.93969262;  // cosine of 20 degrees: a rounded end is no flat face
+constexpr double kSharpRim = 0.93969262;  // cosine of 20 degrees: a rounded end is not a flat face
 constexpr double kSmallestShare = 1e-3;   // of the surface's area
 
 Vec3 areaVector(const TriangleMesh& mesh, std::size_t t) {

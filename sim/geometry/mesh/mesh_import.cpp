@@ -284,7 +284,7 @@ TriangleMesh checkedMesh(TriangleMesh mesh, const std::string& where, const Mesh
   requireSound(mesh, where);
   MeshRepairs done;
   weldVertices(mesh, kWeldShare * boxOf(mesh.vertices_m).largestSide(), done);
-  done = {};  // the importer gives every face its own corners: that is no fault of the file
+  done = {};  // the importer gives every face its own corners: the file is not to blame
   if (options.organ) {
     mesh = requireOrgan(std::move(mesh), where, options.scale_m, &done);
   } else {

@@ -45,7 +45,7 @@ struct MeshImportOptions {
 /// Reads a surface from an OBJ, STL, PLY, OFF, GLB, glTF or COLLADA file (assimp, private): all parts and
 /// node transforms flattened, equal vertices welded, checked, and in metres. Axes are taken as they are
 /// (LPS). `repairs`, when given, receives what had to be repaired. Files named inside the file are opened
-/// only below its own folder. Throws Error{kFileMissing, kFileUnreadable} for a file that is no mesh,
+/// only below its own folder. Throws Error{kFileMissing, kFileUnreadable} for a file that is not a mesh,
 /// {kBadParameter} for the scale, {kBadMesh} for a mesh that breaks a rule (M01..M19).
 [[nodiscard]] TriangleMesh importMesh(const std::filesystem::path& file,
                                       const MeshImportOptions& options = {}, MeshRepairs* repairs = nullptr);

@@ -65,7 +65,7 @@ std::optional<Vec3> vectorOf(const char* word) {
   return numbers.empty() ? std::nullopt : std::optional(Vec3{numbers[0], numbers[1], numbers[2]});
 }
 
-/// Takes the dabs of a word; false where it is none.
+/// Reads the dabs in a word; false if it is malformed.
 bool addDabs(const char* word, std::vector<BrushDab>& dabs) {
   const auto numbers = static_cast<std::size_t>(std::count(word, word + std::strlen(word), ',')) + 1;
   const std::vector<double> read = numbersOf(word, numbers);

@@ -24,7 +24,7 @@ enum class ScanAnswer {
 
 [[nodiscard]] std::vector<std::string> wordsOf(const ToolRequest& request);
 
-/// Reads them back; none where they are no such words, or more than a process is started with.
+/// Reads them back; none if they are malformed, or more than a process is started with.
 [[nodiscard]] std::optional<ScanRequest> requestOfWords(std::span<const char* const> words);
 
 [[nodiscard]] std::optional<ToolRequest> toolRequestOfWords(std::span<const char* const> words);

@@ -129,7 +129,7 @@ void takePixelFormat(DcmItem& item, DicomSlice& slice) {
 constexpr double kSamePlace_mm = 0.01;
 constexpr double kEvenShare = 0.01;  // of the distance
 constexpr double kEven_mm = 0.01;
-constexpr double kLeastShift_mm = 0.02;  // a slice, across: less is no tilt
+constexpr double kLeastShift_mm = 0.02;  // a slice, across: less does not count as tilt
 constexpr double kMaxStray_mm = 0.1;     // off a straight line through the slices
 constexpr double kMaxTilt_deg = 35.0;
 constexpr std::size_t kMinSlices = 10;

@@ -69,7 +69,7 @@ class HeaderBytes {
   bool swapped_;
 };
 
-/// Tells whether the numbers of a header have to be turned round; refuses what is no header.
+/// Tells whether the bytes of a header are swapped; refuses anything that is not a header.
 bool headerIsSwapped(std::span<const unsigned char, kNiftiHeaderBytes> bytes, const std::string& where) {
   for (const bool swapped : {false, true}) {
     const auto size = HeaderBytes(bytes, swapped).at<std::int32_t>(0);
@@ -309,7 +309,7 @@ class ZippedFile {
     int rounds = 0;
     do {
       got = gzread(file_, rest.data(), rest.size());
-    } while (got > 0 && ++rounds < 16'384);  // what follows is none of the scan
+    } while (got > 0 && ++rounds < 16'384);  // the rest is not part of the scan
     int status = Z_OK;
     gzerror(file_, &status);
     return got >= 0 && (status == Z_OK || status == Z_STREAM_END);

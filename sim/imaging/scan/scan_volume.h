@@ -40,7 +40,7 @@ struct ScanVolume {
 /// Something that a reader has to say about a scan that can be used.
 struct ScanRemark {
   std::string code;             ///< of the rule, "D10"; docs/organs.md lists them
-  bool warning = false;         ///< who reads the organ's numbers has to know; else told only
+  bool warning = false;         ///< bears on the organ's numbers; otherwise only a remark
   Text what;                    ///< one sentence without a full stop, without the code
   std::optional<double> value;  ///< measured, in the unit that `what` names
   Text remedy;                  ///< one imperative sentence, or ""

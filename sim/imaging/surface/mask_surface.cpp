@@ -106,7 +106,7 @@ OrganShares organShares(const WorkGrid& grid, const VoxelMask& organ, const Foun
     if (within) {
       const bool border = !inner.at(x, y, z) && found.piece.at(x, y, z);
       part.shares[n] = border ? static_cast<float>(share) : 1.0F;
-    } else if (share < 0.5) {  // a neighbour of the same tissue is none of the organ
+    } else if (share < 0.5) {  // a neighbour of the same tissue, not the organ
       part.shares[n] = static_cast<float>(share);
     }
   });

@@ -46,7 +46,7 @@ void tell(const ScanProgress& progress, ScanStep step, double fraction) {
   }
 }
 
-/// Refuses a label that the mask does not have, with those that it has.
+/// Refuses a label that the mask does not have, and lists those that it has.
 void requireLabel(const ScanVolume& scan, int label, const std::string& where) {
   std::map<std::int16_t, std::size_t> voxels;
   std::int16_t last = 0;
@@ -56,7 +56,7 @@ void requireLabel(const ScanVolume& scan, int label, const std::string& where) {
       count = &voxels[value];
       last = value;
       if (voxels.size() > 5000) {
-        break;  // these are no labels
+        break;  // not labels
       }
     }
     ++*count;

@@ -21,7 +21,7 @@ struct TablePlane {
 
 /// Finds a flat table among what is denser than air: the first layer, from the middle of the patient towards
 /// the back or, else, the front, that is full from one side of the scan to the other in nearly every slice,
-/// and behind which air follows within 60 mm. None where there is no such layer.
+/// and behind which air follows within 60 mm. None if there is no such layer.
 [[nodiscard]] std::optional<TablePlane> tableIn(const WorkGrid& grid, const VoxelMask& within);
 
 /// Takes the table and all that lies behind it away.

@@ -28,7 +28,7 @@ struct ToolPlaces {
 struct ToolPoints {
   std::vector<Vec3> places_mm;
   std::vector<double> shares;
-  double solid = 0.0;         ///< a point with less of a share is no end of the instrument
+  double solid = 0.0;         ///< a point with a smaller share is not an end of the instrument
   double halfPoint_mm = 0.0;  ///< how far the instrument reaches beyond its last point
 };
 

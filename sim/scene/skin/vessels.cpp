@@ -28,7 +28,7 @@ struct Plan {
   double spacing_m;       // between branches of one side
   double wander_rad;      // of the main vessel about its border
   double thinning_per_m;  // share of the radius lost on the way
-  double clearance_m;     // between vessels that are no kin
+  double clearance_m;     // between vessels that do not fork from one another
   double step_m;
   double meander;  // how much a branch bends
 };

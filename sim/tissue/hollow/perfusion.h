@@ -120,8 +120,8 @@ inline constexpr double kDoseBlack = 1.2;
 }
 
 /// Returns the colour of the serosa: pink by the saturation of its blood, purple where blood is dammed up,
-/// pale where neither flow nor dammed blood fills it, black from loss. It is no measure of viability: below a
-/// dose of kDoseFirstBlack the dose does not show at all. Any thread.
+/// pale where neither flow nor dammed blood fills it, black from loss. It is not a measure of viability:
+/// below a dose of kDoseFirstBlack the dose does not show at all. Any thread.
 [[nodiscard]] inline TissueColour colourOf(const PerfusionState& state) noexcept {
   const double sound =
       std::clamp((state.saturation - kSaturationDusky) / (kSaturationSound - kSaturationDusky), 0.0, 1.0);

@@ -13,7 +13,7 @@ namespace {
 /// sample, and the dip of the stress at each of its points is an artefact of the polygon.
 constexpr double kCornerSine = 0.42;
 
-/// A turn by less than this is none.
+/// Smaller turns count as straight.
 constexpr double kStraight = 1e-3;
 
 enum class PointKind { kCurve, kConvexCorner, kReentrantCorner };

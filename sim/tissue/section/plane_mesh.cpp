@@ -279,10 +279,13 @@ class PolarMesher {
 }  // namespace
 
 void relink(PlaneMesh& mesh, int t, int old, int now) {
-  if (t >= 0) {
-    std::array<int, 3>& neighbours = mesh.neighbours[at(t)];
-    if (auto* const found = std::find(neighbours.begin(), neighbours.end(), old); found != neighbours.end()) {
-      *found = now;
+  if (t < 0) {
+    return;
+  }
+  for (int& neighbour : mesh.neighbours[at(t)]) {
+    if (neighbour == old) {
+      neighbour = now;
+      return;
     }
   }
 }

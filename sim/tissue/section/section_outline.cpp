@@ -17,7 +17,7 @@ namespace {
 constexpr double kSamePoint = 1e-9;
 /// Area below this part of the squared perimeter: no torsion problem left that numbers could solve.
 constexpr double kLeastArea = 1e-7;
-/// J goes with the fourth power of a length: beyond, it is no number any more.
+/// J grows with the fourth power of a length: beyond this it overflows.
 constexpr double kWidest = 1e75;
 constexpr double kNarrowest = 1e-75;
 

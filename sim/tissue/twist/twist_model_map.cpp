@@ -144,7 +144,7 @@ Vec3 TwistMap::backward(const Vec3& deformed_m) const noexcept {
   return unwound(deformed_m, found.arc_m);
 }
 
-// A sum with 0 makes 0 of a negative zero, for those who print it.
+// Adding 0 turns a negative zero into 0, so that nothing prints as -0.
 double TwistMap::angle(double arc_m) const noexcept {
   return 0.0 + turnAt(arc_m);
 }

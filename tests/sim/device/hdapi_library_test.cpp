@@ -17,7 +17,6 @@
 namespace torsio {
 namespace {
 
-using testing::FakeHd;
 using testing::HdapiBench;
 
 TEST(HdapiAbi, HasTheVendorsNumbers) {

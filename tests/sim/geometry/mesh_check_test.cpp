@@ -2,7 +2,6 @@
 #include "sim/geometry/mesh/mesh_check.h"
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>

@@ -20,7 +20,6 @@ namespace {
 
 using testing::areaOf;
 using testing::centroidOf;
-using testing::Outline2;
 
 double sectionArea(const SectionLattice& lattice, int j) {
   return areaOf({lattice.outline_m(j).begin(), lattice.outline_m(j).end()});

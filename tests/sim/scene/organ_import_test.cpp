@@ -25,7 +25,6 @@
 namespace torsio {
 namespace {
 
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

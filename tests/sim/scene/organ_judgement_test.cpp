@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/core/file_io.h"
@@ -261,8 +260,6 @@ TEST(OrganJudgement, OnlyWarnsOfALoopThatIsNotTwistedAsAWhole) {
   EXPECT_EQ(loop.findings[0].weight, FindingWeight::kRefusal);
   EXPECT_EQ(loop.findings[1].weight, FindingWeight::kWarning);
 }
-
-using ::testing::HasSubstr;
 
 OrganImport importOfBytes(const std::string& name, const std::string& bytes) {
   OrganImportRequest request;

@@ -23,7 +23,7 @@ void tellStep(ScanStep step, double fraction) {
   tellParent(news);
 }
 
-/// What the request wants, or the refusal; empty where the words are no request.
+/// The answer to a request, or its refusal; empty if the words are not a request.
 std::string answerTo(ScanAnswer wanted, std::span<const char* const> words, const std::string& memory_MB) {
   const std::string where = words.empty() ? "" : words.front();
   try {
