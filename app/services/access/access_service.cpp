@@ -353,8 +353,7 @@ void endBrowserSessions(SessionContext& session, const UserId& userId) {
 
 void noteEndedSessions(SessionContext& session, const UserId& userId) {
   session.require(Operation::kUserManage);
-  session.note(
-      {.action = AuditAction::kUserEndSessions, .objectKind = AuditObject::kAppUser, .objectId = userId});
+  session.note(AuditAction::kUserEndSessions, AuditObject::kAppUser, userId);
 }
 
 }  // namespace torsio

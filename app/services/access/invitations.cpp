@@ -94,8 +94,7 @@ std::string makeInvitation(SessionContext& session, const UserId& userId, const 
   AccessRepository(session.connection())
       .addInvitation(session.ids().newUuid(), {userId, now_us, now_us + kInvitationLife_us},
                      hashOfInvitation(secret, code));
-  session.note(
-      {.action = AuditAction::kInvitationMake, .objectKind = AuditObject::kAppUser, .objectId = userId});
+  session.note(AuditAction::kInvitationMake, AuditObject::kAppUser, userId);
   return secret;
 }
 
@@ -242,8 +241,7 @@ SignInAnswer acceptInvitation(SessionContext& session, const std::string& secret
     used = access.useInvitation(hash, session.now_us());
     if (used) {
       access.setPassword(*userId, password, false);
-      session.note(
-          {.action = AuditAction::kInvitationUse, .objectKind = AuditObject::kAppUser, .objectId = *userId});
+      session.note(AuditAction::kInvitationUse, AuditObject::kAppUser, *userId);
       transaction.commit();
     }
   }

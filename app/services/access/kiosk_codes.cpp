@@ -74,8 +74,7 @@ std::vector<KioskCard> makeKioskCodes(SessionContext& session, std::span<const U
     }
     cards.push_back({id, user.login, freshCode()});
     access.setKioskCode(session.ids().newUuid(), id, hashOf(cards.back().code), session.now_us());
-    session.note(
-        {.action = AuditAction::kKioskCodeMake, .objectKind = AuditObject::kAppUser, .objectId = id});
+    session.note(AuditAction::kKioskCodeMake, AuditObject::kAppUser, id);
   }
   transaction.commit();
   return cards;
@@ -125,8 +124,7 @@ SignInAnswer signInWithCode(SessionContext& session, const std::string& code) {
   const UserAccount user = accountOf(access.users(), result.userId);
   answer.actor = {user.id, user.login, user.personId, user.roles, false, 0};
   session.setActor(answer.actor);
-  session.note(
-      {.action = AuditAction::kUserSignInCode, .objectKind = AuditObject::kAppUser, .objectId = user.id});
+  session.note(AuditAction::kUserSignInCode, AuditObject::kAppUser, user.id);
   return answer;
 }
 

@@ -89,13 +89,8 @@ void sign(SessionContext& session, const SignedObject& object) {
             .signedUtc_us = session.now_us(),
             .passwordShownUtc_us = shown_us,
             .demonstration = object.demonstration});
-  session.note(
-      {.action = AuditAction::kSignatureGive,
-       .objectKind = auditObjectOf(object.kind),
-       .objectId = object.objectId,
-       .newJson = nlohmann::json{{"meaning", storedText(object.meaning)}, {"password_shown_utc_us", shown_us}}
-                      .dump(),
-       .reason = object.reason});
+  session.note(AuditAction::kSignatureGive, auditObjectOf(object.kind), object.objectId,
+               {{"meaning", storedText(object.meaning)}, {"password_shown_utc_us", shown_us}}, object.reason);
 }
 
 void endSigning(SessionContext& session) {

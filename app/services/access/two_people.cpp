@@ -109,15 +109,12 @@ Text hindrance(SessionContext& session, const DutyRequest& request) {
 void close(SessionContext& session, const DutyRequest& request, DutyDecision decision,
            const std::string& reason) {
   DutyRepository(session.connection()).decide(request.id, decision, session.actor().userId, session.now_us());
-  session.note(
-      {.action = decision == DutyDecision::kConfirmed ? AuditAction::kDutyConfirm : AuditAction::kDutyDecline,
-       .objectKind = AuditObject::kDutyRequest,
-       .objectId = request.id,
-       .newJson = nlohmann::json{{"act", storedText(request.act)},
-                                 {"subject", request.subject},
-                                 {"requested_by", request.requestedBy.text()}}
-                      .dump(),
-       .reason = reason});
+  session.note(decision == DutyDecision::kConfirmed ? AuditAction::kDutyConfirm : AuditAction::kDutyDecline,
+               AuditObject::kDutyRequest, request.id,
+               {{"act", storedText(request.act)},
+                {"subject", request.subject},
+                {"requested_by", request.requestedBy.text()}},
+               reason);
 }
 
 DutyRequest openRequest(SessionContext& session, const std::string& requestId) {

@@ -100,8 +100,7 @@ void markReplyRead(SessionContext& session, const std::string& replyId, std::int
                  .reader = session.actor().userId,
                  .readerPersonId = session.actor().personId,
                  .readUtc_us = session.now_us()});
-  session.note(
-      {.action = AuditAction::kRemarkRead, .objectKind = AuditObject::kTrialRemark, .objectId = replyId});
+  session.note(AuditAction::kRemarkRead, AuditObject::kTrialRemark, replyId);
   transaction.commit();
 }
 

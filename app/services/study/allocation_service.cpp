@@ -91,11 +91,8 @@ AllocationEntry draw(SessionContext& session, const DrawField& field, OpenDraw& 
   record.demonstration = field.cohort.demonstration;
   record = study.allocate(std::span(&record, 1)).front();
   open.records.push_back(record);
-  session.note(
-      {.action = AuditAction::kAllocationDraw,
-       .objectKind = AuditObject::kAllocation,
-       .objectId = record.id,
-       .newJson = nlohmann::json{{"enrolment", enrolment.id}, {"record", record.recordHash}}.dump()});
+  session.note(AuditAction::kAllocationDraw, AuditObject::kAllocation, record.id,
+               {{"enrolment", enrolment.id}, {"record", record.recordHash}});
   return record;
 }
 

@@ -102,8 +102,7 @@ CurriculumId addCurriculum(SessionContext& session, const std::string& name, con
   repository.addCurriculum({id, name, description, session.now_us(), demonstration});
   repository.saveDraft(id, {0, curriculumJson(content.value_or(CurriculumVersion{})), session.actor().userId,
                             session.now_us()});
-  session.note(
-      {.action = AuditAction::kCurriculumAdd, .objectKind = AuditObject::kCurriculum, .objectId = id});
+  session.note(AuditAction::kCurriculumAdd, AuditObject::kCurriculum, id);
   transaction.commit();
   return id;
 }

@@ -105,11 +105,8 @@ void noteReminders(SessionContext& session, std::span<const Reminder> reminded, 
     for (const SheetAwaited& sheet : one.sheets) {
       cases.push_back(sheet.caseLabel);
     }
-    session.note(
-        {.action = way == ReminderWay::kMail ? AuditAction::kReminderMail : AuditAction::kReminderCopy,
-         .objectKind = AuditObject::kPerson,
-         .objectId = one.raterId.text(),
-         .newJson = nlohmann::json{{"cases", std::move(cases)}}.dump()});
+    session.note(way == ReminderWay::kMail ? AuditAction::kReminderMail : AuditAction::kReminderCopy,
+                 AuditObject::kPerson, one.raterId.text(), {{"cases", std::move(cases)}});
   }
   transaction.commit();
 }

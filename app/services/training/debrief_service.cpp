@@ -193,8 +193,7 @@ void addBookmark(SessionContext& session, const TrialId& trialId, double at_s, c
   const TrialListing listing = ownTrial(session, record, trialId);
   Transaction transaction(session.connection());
   const RemarkId id = keepBookmark(session, listing, at_s, text);
-  session.note(
-      {.action = AuditAction::kTrialBookmark, .objectKind = AuditObject::kTrialRemark, .objectId = id});
+  session.note(AuditAction::kTrialBookmark, AuditObject::kTrialRemark, id);
   transaction.commit();
 }
 

@@ -134,8 +134,7 @@ RemarkId askPhysician(SessionContext& session, const TrialId& trialId, double at
   const RemarkId id = keepBookmark(session, trial, at_s, text);
   QuestionRepository(session.connection())
       .add({.remarkId = id, .raterId = raterId, .askedUtc_us = session.now_us()});
-  session.note(
-      {.action = AuditAction::kQuestionAsk, .objectKind = AuditObject::kTrialQuestion, .objectId = id});
+  session.note(AuditAction::kQuestionAsk, AuditObject::kTrialQuestion, id);
   transaction.commit();
   return id;
 }

@@ -297,8 +297,7 @@ void markRemarkRead(SessionContext& session, const RemarkId& remarkId, std::int6
                  .reader = session.actor().userId,
                  .readerPersonId = session.actor().personId,
                  .readUtc_us = session.now_us()});
-  session.note(
-      {.action = AuditAction::kRemarkRead, .objectKind = AuditObject::kTrialRemark, .objectId = remark.id});
+  session.note(AuditAction::kRemarkRead, AuditObject::kTrialRemark, remark.id);
   transaction.commit();
 }
 
@@ -321,8 +320,7 @@ RemarkId replyToRemark(SessionContext& session, const RemarkId& remarkId, const 
             .text = text,
             .createdUtc_us = session.now_us(),
             .demonstration = remark.demonstration});
-  session.note(
-      {.action = AuditAction::kRemarkReply, .objectKind = AuditObject::kTrialRemark, .objectId = id});
+  session.note(AuditAction::kRemarkReply, AuditObject::kTrialRemark, id);
   transaction.commit();
   return id;
 }
@@ -404,8 +402,7 @@ void selfScore(SessionContext& session, const TrialId& trialId, double overall,
   score.demonstration = trial.demonstration;
   Transaction transaction(session.connection());
   repository.addSelfScore(score);
-  session.note(
-      {.action = AuditAction::kTrialSelfScore, .objectKind = AuditObject::kTrial, .objectId = trialId});
+  session.note(AuditAction::kTrialSelfScore, AuditObject::kTrial, trialId);
   transaction.commit();
 }
 

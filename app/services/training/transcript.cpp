@@ -59,8 +59,7 @@ Transcript transcript(SessionContext& session, const PersonId& personId) {
     transcript.modules.push_back(std::move(module));
   }
   addTimes(session, steps, transcript);
-  session.note(
-      {.action = AuditAction::kTranscriptMake, .objectKind = AuditObject::kPerson, .objectId = personId});
+  session.note(AuditAction::kTranscriptMake, AuditObject::kPerson, personId);
   return transcript;
 }
 
