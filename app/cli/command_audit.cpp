@@ -9,7 +9,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/station_anchor.h"

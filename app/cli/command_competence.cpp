@@ -8,7 +8,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/recording/competence_service.h"

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "app/services/maintenance/anchor.h"

@@ -9,7 +9,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-#include "app/cli/organ_option.h"
 #include "app/cli/progress_line.h"
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/outputs/wording/wording.h"

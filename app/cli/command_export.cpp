@@ -8,7 +8,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
 #include "app/cli/terminal.h"
 #include "app/connectors/built_in.h"

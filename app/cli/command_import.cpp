@@ -9,7 +9,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "app/connectors/foreign/foreign_import.h"

@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/invitations.h"

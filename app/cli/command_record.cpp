@@ -9,11 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
-#include "app/cli/organ_option.h"
 #include "app/services/maintenance/copies.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "app/services/recording/recording_spec.h"
 #include "app/services/recording/unstored_trials.h"
 #include "sim/core/clock.h"

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/maintenance_options.h"
-#include "app/cli/organ_option.h"
+#include "app/cli/options.h"
 #include "app/services/recording/trial_playback.h"
 #include "sim/core/error.h"
 

@@ -8,7 +8,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/outputs/report/cell_trace.h"
 
 namespace torsio::cli {

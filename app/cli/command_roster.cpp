@@ -9,7 +9,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/cli/maintenance_options.h"
+#include "app/cli/options.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/people/roster_undo.h"
 #include "assessment/results/number_format.h"

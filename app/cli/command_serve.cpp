@@ -21,7 +21,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
 #include "app/services/base/assets.h"
 #include "app/web/http_server.h"

@@ -14,7 +14,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/cli/maintenance_options.h"
 #include "app/cli/options.h"
 #include "app/connectors/tracker/instrument_outlet.h"
 #include "app/connectors/tracker/tracker_choice.h"

@@ -15,7 +15,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
-#include "app/cli/organ_option.h"
 #include "app/cli/rod_twist.h"
 #include "app/cli/wall_twist.h"
 #include "sim/core/angle.h"

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "app/services/maintenance/maintenance_desk.h"
 #include "sim/core/error.h"
+#include "sim/core/text.h"
+#include "sim/scene/model_choice.h"
+#include "sim/scene/scene.h"
 
 namespace torsio::cli {
 
@@ -21,5 +27,96 @@ CLI::Option* addDefaulted(CLI::App& command, const std::string& name, Value& val
                                      const std::string& remedy) {
   throw Error(ErrorCode::kUsage, what, where, remedy);
 }
+
+}  // namespace torsio::cli
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace torsio::cli {
+
+/// Options that identify the maintainer of a record.
+struct MaintenanceOptions {
+  std::string login{};
+  int passwordDescriptor = -1;  ///< -1: ask at the terminal
+  std::string secondLogin{};
+  int secondDescriptor = -1;
+  bool asSystem = false;
+
+  [[nodiscard]] Maintainer maintainer() const;
+};
+
+/// Prints a line to standard error.
+void say(const Text& sentence);
+
+/// Adds the sign-in option `login`, and --password-fd.
+CLI::Option* addSignIn(CLI::App& command, MaintenanceOptions& options, const char* login);
+/// Adds --as, --password-fd and --as-system and, for acts that need two people, --with and
+/// --with-password-fd.
+void addMaintenanceOptions(CLI::App& command, MaintenanceOptions& options);
+void addSecondPerson(CLI::App& command, MaintenanceOptions& options);
+
+/// The --database option as typed.
+struct DatabaseOption {
+  std::string address = "torsio.sqlite";
+  bool askPassword = false;
+
+  /// Returns the locator; asks for the server's password at the terminal, once, if requested by the option.
+  [[nodiscard]] std::string locator() const;
+
+ private:
+  mutable std::string asked_;  // with the typed password
+};
+
+/// Adds --database and --ask-server-password. Rejects a password in the address, since every user of the
+/// machine can read the command line.
+CLI::Option* addDatabaseOption(CLI::App& command, DatabaseOption& option);
+
+/// Adds an argument that is such an address.
+CLI::Option* addDatabaseArgument(CLI::App& command, const std::string& name, std::string& address,
+                                 const std::string& description);
+
+}  // namespace torsio::cli
+
+namespace CLI {
+class App;
+}
+
+namespace torsio::cli {
+
+/// Options that choose an organ and its model; identical in all commands.
+struct OrganArguments {
+  std::string organ = "forearm";  ///< a scene's name, or a mesh file
+  std::string unit = "mm";        ///< unit of the mesh file
+  std::vector<double> fixedEnd;   ///< fixed end of the mesh file, in its unit; empty: found from the shape
+  std::vector<double> freeEnd;    ///< free end of the mesh file, in its unit; empty: found from the shape
+  std::string material;           ///< material by name; empty: the scene's
+  std::string pattern;            ///< twist pattern by name; empty: the scene's first
+  std::string formulation;        ///< formulation of the twist model; empty: the scene's
+  std::optional<int> ridges;      ///< ridges of the lattice (N); empty: the scene's
+  std::optional<int> sections;    ///< sections of the lattice (M); empty: the scene's
+};
+
+/// Adds these options; `arguments` must outlive the command.
+void addOrganOptions(CLI::App& command, OrganArguments& arguments);
+
+/// Converts the options to a scene request. Throws Error{kUsage} for a name that is neither a scene nor a
+/// file.
+[[nodiscard]] SceneRequest sceneRequest(const OrganArguments& arguments);
+
+/// Options that modify the twist model of a pattern.
+struct ModelArguments {
+  std::string interpolation;  ///< of the paper: "angle", "components" (Eq. 15); empty: not given
+  std::string drift;          ///< of kriging: "constant" (Eq. 16), "linear"; empty: not given
+  ModelChoice choice;         ///< other options
+};
+
+/// Adds these options, except for G; `arguments` must outlive the command.
+void addModelOptions(CLI::App& command, ModelArguments& arguments);
+
+/// Returns the resulting choice.
+[[nodiscard]] ModelChoice modelChoice(const ModelArguments& arguments);
 
 }  // namespace torsio::cli

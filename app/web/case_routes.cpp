@@ -13,7 +13,6 @@
 #include "app/services/review/review_queue.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
-#include "app/web/sealing.h"
 #include "app/web/web_desk.h"
 #include "assessment/domain/people/signature.h"
 #include "assessment/domain/rating/index_meaning.h"

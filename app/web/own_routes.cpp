@@ -18,7 +18,6 @@
 #include "app/services/training/untwisting_findings.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
-#include "app/web/sealing.h"
 #include "app/web/web_desk.h"
 #include "assessment/domain/rating/written_words.h"
 #include "sim/core/angle.h"

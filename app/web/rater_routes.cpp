@@ -12,7 +12,6 @@
 #include "app/services/review/rater_calibration.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
-#include "app/web/sealing.h"
 #include "app/web/web_desk.h"
 #include "assessment/domain/rating/written_words.h"
 #include "sim/core/error.h"

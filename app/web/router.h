@@ -17,6 +17,7 @@
 #include "app/web/case_picture.h"
 #include "app/web/http_server.h"
 #include "app/web/web_sessions.h"
+#include "assessment/domain/people/signature.h"
 #include "sim/core/error.h"
 
 namespace torsio::web {
@@ -144,5 +145,16 @@ template <typename Value>
                                    nlohmann::json more = nlohmann::json::object());
 [[nodiscard]] HttpResponse refusal(const Call& call, int status, ErrorCode code, const Text& what,
                                    const Text& remedy, nlohmann::json more = nlohmann::json::object());
+
+/// Performs a sealing act after checking the password sent with it. If a password is required, answers 403
+/// "need_password" with the meaning of the signature.
+[[nodiscard]] HttpResponse sealing(Call& call, SignatureMeaning meaning,
+                                   const std::function<HttpResponse()>& act);
+
+/// Returns `routes` with those of a recording and of its organ below `path`.
+[[nodiscard]] std::vector<Route> withPicture(std::vector<Route> routes, const std::string& path,
+                                             std::shared_ptr<const CasePicture> (*picture)(Call&));
+/// Answers with a gzipped container, unpacked if the browser requires.
+[[nodiscard]] HttpResponse binaryAnswer(const Call& call, const std::string& packed);
 
 }  // namespace torsio::web

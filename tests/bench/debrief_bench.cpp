@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <ctime>
 
-#include "app/services/recording/pipeline.h"
 #include "app/services/recording/recorded_run.h"
 #include "app/services/training/attempts.h"
 #include "app/services/training/debrief.h"

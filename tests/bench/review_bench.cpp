@@ -22,7 +22,7 @@
 #include <QSize>
 
 #include "app/gui/physician/replay_panel.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "sim/core/random.h"
 #include "sim/record/trial.h"
 #include "tests/support/shipped_scene.h"

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/connectors/xapi/learning_statement.h"
-#include "app/connectors/xapi/lrs_client.h"
 #include "app/connectors/xapi/lrs_settings.h"
 #include "app/services/base/stored_sentence.h"
 #include "db/connection/connection.h"

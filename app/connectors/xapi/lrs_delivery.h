@@ -7,7 +7,6 @@
 #include <string>
 #include <thread>
 
-#include "app/connectors/xapi/lrs_client.h"
 #include "app/connectors/xapi/lrs_settings.h"
 #include "app/services/access/session_context.h"
 

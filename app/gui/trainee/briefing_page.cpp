@@ -22,7 +22,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/number_text.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/load_decimals.h"

@@ -13,7 +13,7 @@
 #include "app/services/recording/competence.h"
 #include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "app/services/recording/trial_digests.h"
 #include "app/services/scoring/cohort_inputs.h"
 #include "app/services/scoring/scoring_service.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/services/demonstration/demonstration_people.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
 #include "sim/core/text.h"

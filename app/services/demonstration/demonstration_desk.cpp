@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/services/demonstration/demonstration_curriculum.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"

@@ -237,12 +237,8 @@ PersonId addPerson(SessionContext& session, const PersonEntry& entry) {
   return person.id;
 }
 
-PersonEntry personEntry(SessionContext& session, const PersonId& personId) {
-  session.require(Operation::kPersonEdit);
-  session.require(Operation::kPersonViewIdentity);
-  PeopleRepository repository(session.connection());
-  const PersonRow row = rowOf(repository, personId);
-  const Identity identity = repository.identity(personId).value_or(Identity{});
+PersonEntry entryOf(const NamedPersonRow& named) {
+  const auto& [row, identity] = named;
   return {.fullName = identity.fullName,
           .externalId = identity.externalId,
           .email = identity.email,
@@ -253,6 +249,13 @@ PersonEntry personEntry(SessionContext& session, const PersonId& personId) {
           .trainee = row.trainee,
           .handedness = row.handedness,
           .raterClass = row.raterClass};
+}
+
+PersonEntry personEntry(SessionContext& session, const PersonId& personId) {
+  session.require(Operation::kPersonEdit);
+  session.require(Operation::kPersonViewIdentity);
+  PeopleRepository repository(session.connection());
+  return entryOf({rowOf(repository, personId), repository.identity(personId).value_or(Identity{})});
 }
 
 void changePerson(SessionContext& session, const PersonId& personId, const PersonEntry& entry,

@@ -57,6 +57,8 @@ struct PersonEntry {
 /// Stores a new person under the next free code ("T-31", "R-11"). Returns the id. Audited under the code,
 /// never with the name. kPersonEdit. Throws Error{kBadData} if the staff number exists already.
 PersonId addPerson(SessionContext& session, const PersonEntry& entry);
+/// Returns the fields of a person as somebody would enter them.
+[[nodiscard]] PersonEntry entryOf(const NamedPersonRow& named);
 /// Returns the initial values of the dialog. kPersonEdit and kPersonViewIdentity.
 [[nodiscard]] PersonEntry personEntry(SessionContext& session, const PersonId& personId);
 /// Replaces all fields; a role (trainee, rater) can be added but not removed. kPersonEdit.

@@ -58,17 +58,7 @@ using EntriesById = std::map<PersonId, std::pair<std::string, PersonEntry>>;
 EntriesById entriesNow(SessionContext& session) {
   EntriesById entries;
   for (const NamedPersonRow& named : namedPeople(session)) {
-    const PersonRow& row = named.row;
-    entries[row.person.id] = {row.person.code, PersonEntry{.fullName = named.identity.fullName,
-                                                           .externalId = named.identity.externalId,
-                                                           .email = named.identity.email,
-                                                           .sex = row.person.sex,
-                                                           .level = row.person.level,
-                                                           .experience = row.person.experience,
-                                                           .age_years = row.person.age_years,
-                                                           .trainee = row.trainee,
-                                                           .handedness = row.handedness,
-                                                           .raterClass = row.raterClass}};
+    entries[named.row.person.id] = {named.row.person.code, entryOf(named)};
   }
   return entries;
 }

@@ -9,7 +9,7 @@
 #include "app/services/access/signing.h"
 #include "app/services/base/assets.h"
 #include "app/services/recording/kept_digests.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/index_meaning.h"

@@ -8,7 +8,7 @@
 #include "app/services/recording/competence.h"
 #include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "app/services/training/debrief.h"
 #include "app/services/training/trainee_record.h"
 #include "assessment/attempt/recorded_twists.h"

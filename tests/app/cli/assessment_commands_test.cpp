@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/base/assets.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "sim/core/error.h"
 #include "sim/record/trial_file.h"
 #include "tests/app/cli/table_commands.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"

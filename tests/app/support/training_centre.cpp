@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/services/recording/pipeline.h"
 #include "app/services/recording/recorded_run.h"
 #include "assessment/domain/ids.h"
 #include "db/repository/people/people_repository.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "app/services/review/rater_calibration.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/study/curriculum_repository.h"

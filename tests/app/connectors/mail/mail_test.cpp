@@ -20,6 +20,8 @@
 namespace torsio {
 namespace {
 
+using testing::refusalCode;
+
 constexpr std::int64_t kNoon_us = 1'763'726'400'000'000;  // 2025-11-21 12:00 UTC
 
 MailServer here(quint16 port) {
@@ -63,10 +65,7 @@ TEST(Mail, AWrongPasswordIsReportedAndNothingIsSent) {
   way.password = "a bad one";
   const MailMessage message{"office@example.org", "li@example.org", "Sheets", "case 7L"};
 
-  EXPECT_EQ(testing::refusalCode([&] {
-              (void)sendMail(way, {&message, 1}, kNoon_us);
-            }),
-            ErrorCode::kFileUnreadable);
+  EXPECT_EQ(refusalCode([&] { (void)sendMail(way, {&message, 1}, kNoon_us); }), ErrorCode::kFileUnreadable);
 
   EXPECT_TRUE(server.taken().empty());
 }
@@ -75,7 +74,7 @@ TEST(Mail, AddressesCannotInjectHeadersOrRecipients) {
   for (const char* address :
        {"", "li", "@example.org", "li@", "li@example.org\r\nBcc: all@example.org", "li@example.org>",
         "li wang@example.org", "li@a@b", "l\u00ef@example.org", (std::string(250, 'x') + "@a.b").c_str()}) {
-    EXPECT_EQ(testing::refusalCode([&] { checkAddress(address); }), ErrorCode::kBadParameter) << address;
+    EXPECT_EQ(refusalCode([&] { checkAddress(address); }), ErrorCode::kBadParameter) << address;
   }
   EXPECT_NO_THROW(checkAddress("li.na+study@mail.example.org"));
   const std::string text = written({"a@b.c", "d@e.f", "Two\r\nBcc: all@example.org", "x"}, "id", kNoon_us);
@@ -86,13 +85,13 @@ TEST(Mail, AddressesCannotInjectHeadersOrRecipients) {
 
 TEST(Mail, NothingIsSentUnencryptedToAnotherComputerAndASilentServerIsReported) {
   const MailMessage message{"office@example.org", "li@example.org", "Sheets", "case 7L"};
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] {
               (void)sendMail({.host = "mail.example.org", .encryption = MailEncryption::kNone}, {&message, 1},
                              kNoon_us);
             }),
             ErrorCode::kBadParameter);
   for (const char* host : {"127.0.0.1.example.org", "127.example.org", "localhost.example.org"}) {
-    EXPECT_EQ(testing::refusalCode([&] {
+    EXPECT_EQ(refusalCode([&] {
                 (void)sendMail({.host = host, .encryption = MailEncryption::kNone}, {&message, 1}, kNoon_us);
               }),
               ErrorCode::kBadParameter)
@@ -104,7 +103,7 @@ TEST(Mail, NothingIsSentUnencryptedToAnotherComputerAndASilentServerIsReported) 
     closed = server.port();
     (void)sendMail(here(closed), {}, kNoon_us);
   }
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] {
               (void)sendMail(here(closed), {&message, 1}, kNoon_us);
             }),
             ErrorCode::kFileUnreadable);
@@ -128,7 +127,7 @@ TEST(MailSettings, AreStoredWithoutAPasswordAndCanBeRemoved) {
   EXPECT_TRUE(kept->server.password.empty());
   EXPECT_EQ(centre.audited("setting.change"), 1);
   settings.server.encryption = MailEncryption::kNone;
-  EXPECT_EQ(testing::refusalCode([&] { setMailSettings(centre.as("administrator"), settings); }),
+  EXPECT_EQ(refusalCode([&] { setMailSettings(centre.as("administrator"), settings); }),
             ErrorCode::kBadParameter);
   setMailSettings(centre.as("administrator"), {});
   EXPECT_FALSE(mailSettings(centre.as("administrator")));

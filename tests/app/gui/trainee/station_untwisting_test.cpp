@@ -10,7 +10,7 @@
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/debrief_plot.h"
 #include "app/gui/trainee/detorsion_card.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/scene/scene_file.h"

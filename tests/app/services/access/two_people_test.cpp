@@ -20,6 +20,8 @@
 namespace torsio {
 namespace {
 
+using testing::refusalCode;
+
 /// A centre that requires two people, with a second administrator "second".
 class TwoPeople : public ::testing::Test {
  protected:
@@ -67,7 +69,7 @@ TEST_F(TwoPeople, NobodyResetsThePasswordOfARaterAlone) {
   EXPECT_TRUE(open[0].own);
   EXPECT_TRUE(open[0].request.detailJson.empty());
   EXPECT_EQ(open[0].shown, "rater");
-  EXPECT_EQ(testing::refusalCode([&] { (void)confirmRequest(asFirst(), open[0].request.id); }),
+  EXPECT_EQ(refusalCode([&] { (void)confirmRequest(asFirst(), open[0].request.id); }),
             ErrorCode::kPermission);
   const std::string secondHalf = confirmRequest(asSecond(), open[0].request.id);
 
@@ -78,8 +80,7 @@ TEST_F(TwoPeople, NobodyResetsThePasswordOfARaterAlone) {
   EXPECT_TRUE(openRequests(asFirst()).empty());
   EXPECT_EQ(centre_.audited("duty.request"), 1);
   EXPECT_EQ(centre_.audited("duty.confirm"), 1);
-  EXPECT_EQ(testing::refusalCode([&] { (void)confirmRequest(asSecond(), open[0].request.id); }),
-            ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { (void)confirmRequest(asSecond(), open[0].request.id); }), ErrorCode::kBadData);
 }
 
 TEST_F(TwoPeople, ATraineesPasswordNeedsOnlyOneAdministrator) {
@@ -124,7 +125,7 @@ TEST_F(TwoPeople, ANewRaterNeedsTheSecondPersonAndCannotSignInBefore) {
 }
 
 TEST_F(TwoPeople, NobodyConfirmsForThemselvesNotEvenWithASecondAccount) {
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] {
               (void)askSecondPerson(asSecond(), {.act = DutyAct::kGrantRoles,
                                                  .subject = second_,
                                                  .roles = {"administrator", "rater"},
@@ -141,8 +142,7 @@ TEST_F(TwoPeople, NobodyConfirmsForThemselvesNotEvenWithASecondAccount) {
   ASSERT_EQ(signIn(centre_.as(""), "two", kStudyPassword).outcome, SignIn::kOk);
 
   const std::string id = openRequests(centre_.session()).at(0).request.id;
-  EXPECT_EQ(testing::refusalCode([&] { (void)confirmRequest(centre_.session(), id); }),
-            ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { (void)confirmRequest(centre_.session(), id); }), ErrorCode::kPermission);
   EXPECT_EQ(openRequests(centre_.session()).size(), 1U);
 }
 
@@ -164,10 +164,10 @@ TEST_F(TwoPeople, NobodyCreatesASecondAccountOfAnotherPerson) {
             {.login = login, .personId = trainee, .roles = {"trainee"}, .startPassword = kStudyPassword});
   };
   add("t-01");
-  EXPECT_EQ(testing::refusalCode([&] { add("shadow"); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { add("shadow"); }), ErrorCode::kBadData);
   setUserActive(asFirst(), user("t-01").id, false, "to make another");
-  EXPECT_EQ(testing::refusalCode([&] { add("shadow"); }), ErrorCode::kBadData);
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] { add("shadow"); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] {
               (void)makeUser(asFirst(), {.login = "shadow", .personId = trainee, .roles = {"rater"}});
             }),
             ErrorCode::kBadData);
@@ -211,7 +211,7 @@ TEST_F(TwoPeople, ErasingNeedsTwoAndUsesUpTheRequest) {
 TEST_F(TwoPeople, ARequestExpiresAfterTwoWeeksAndCanBeDeclined) {
   const PersonId person = centre_.addTrainees(1).front();
   (void)askSecondPerson(asFirst(), {.act = DutyAct::kErase, .subject = person, .reason = "asked"});
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] {
               (void)askSecondPerson(asSecond(), {.act = DutyAct::kErase, .subject = person, .reason = "too"});
             }),
             ErrorCode::kBadData);

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "sim/core/staged_turn.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/hollow_organ.h"

@@ -13,7 +13,6 @@
 
 #include "app/services/base/build_info.h"
 #include "app/services/recording/async_model_worker.h"
-#include "app/services/recording/pipeline.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 #include "sim/device/virtual/pointer_device.h"

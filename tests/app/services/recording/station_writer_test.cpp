@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/base/assets.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "app/services/recording/unstored_trials.h"
 #include "app/services/training/run_session.h"
 #include "assessment/domain/ids.h"

@@ -25,6 +25,8 @@
 namespace torsio {
 namespace {
 
+using testing::refusalCode;
+
 constexpr std::int64_t kLater_us = 1'000'000;
 
 WatchLog wholeLog() {
@@ -87,7 +89,7 @@ TEST_F(Disagreement, IsAssignedToAnAdjudicatorUnderAnotherLabelAndIsThenDone) {
   askForAdjudicator(*centre_.physician(0), asked, "I cannot explain the distance");
   centre_.passTime_us(kLater_us);
   const auto office = centre_.administrator();
-  EXPECT_EQ(testing::refusalCode([&] { assignAdjudicator(*office, cohortId_, asked, centre_.raterId(1)); }),
+  EXPECT_EQ(refusalCode([&] { assignAdjudicator(*office, cohortId_, asked, centre_.raterId(1)); }),
             ErrorCode::kBadData);
 
   std::string made;
@@ -102,7 +104,7 @@ TEST_F(Disagreement, IsAssignedToAnAdjudicatorUnderAnotherLabelAndIsThenDone) {
   EXPECT_EQ(third.rubricRevisionId, before.rubricRevisionId);
   EXPECT_NE(third.caseLabel, before.caseLabel);
   EXPECT_TRUE(adjudicatorRequests(*office, cohortId_).empty());
-  EXPECT_EQ(testing::refusalCode([&] { assignAdjudicator(*office, cohortId_, asked, internId_); }),
+  EXPECT_EQ(refusalCode([&] { assignAdjudicator(*office, cohortId_, asked, internId_); }),
             ErrorCode::kBadData);
   // Until the third one has submitted, the others' marks are hidden again.
   EXPECT_TRUE(discrepancyCases(*centre_.physician(0)).empty());
@@ -117,15 +119,13 @@ TEST_F(Disagreement, IsNoLongerARequestOnceThePhysicianDecidesOtherwise) {
 
 TEST_F(Disagreement, IsForTheAdministratorOnly) {
   const auto rater = centre_.physician(0);
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(adjudicatorRequests(*rater, cohortId_)); }),
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(adjudicatorRequests(*rater, cohortId_)); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(
-      testing::refusalCode([&] { assignAdjudicator(*rater, cohortId_, centre_.caseAbout(0, 0), chiefId_); }),
-      ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(referenceCandidates(*rater)); }),
+  EXPECT_EQ(refusalCode([&] { assignAdjudicator(*rater, cohortId_, centre_.caseAbout(0, 0), chiefId_); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(referenceRows(*rater)); }), ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { addReferenceRuns(*rater, {}); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(referenceCandidates(*rater)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(referenceRows(*rater)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { addReferenceRuns(*rater, {}); }), ErrorCode::kPermission);
 }
 
 TEST(ReferenceRuns, AreOfferedFromRecordingsThatNobodyScores) {
@@ -164,7 +164,7 @@ TEST(ReferenceRuns, AreRejectedIfTheyCannotBeScored) {
   const auto office = centre.administrator();
   const auto add = [&](const std::string& trial, const std::string& rubric, double points,
                        std::int64_t raters) {
-    return testing::refusalCode([&] { addReferenceRuns(*office, {{trial, rubric, points, raters, false}}); });
+    return refusalCode([&] { addReferenceRuns(*office, {{trial, rubric, points, raters, false}}); });
   };
   const std::string trial = centre.trialIds()[0];
   EXPECT_EQ(add("no such", centre.rubricRevisionId(), 6.0, 5), ErrorCode::kBadData);

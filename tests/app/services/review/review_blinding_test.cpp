@@ -31,6 +31,8 @@
 namespace torsio {
 namespace {
 
+using testing::refusalCode;
+
 WatchLog watchedWhole() {
   WatchLog log(2'000'000);
   log.played(0, 2'000'000, 1.0);
@@ -80,16 +82,15 @@ TEST(BlindedRecording, IsForAssignedRatersOnlyAndOnlyWhileAssigned) {
   const auto desk = centre.physician(0);
   const auto other = centre.physician(1);
   const std::string id = centre.cases(0).front();
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(loadBlindedRecording(*other, id)); }),
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(loadBlindedRecording(*other, id)); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode(
-                [&] { static_cast<void>(loadBlindedRecording(*desk, centre.cases(0, true).front())); }),
-            ErrorCode::kBadData);
+  EXPECT_EQ(
+      refusalCode([&] { static_cast<void>(loadBlindedRecording(*desk, centre.cases(0, true).front())); }),
+      ErrorCode::kBadData);
 
   SheetRepository(centre.connection()).withdraw(id, "on leave", "office", kReviewTime_us);
 
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(loadBlindedRecording(*desk, id)); }),
-            ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(loadBlindedRecording(*desk, id)); }), ErrorCode::kPermission);
 }
 
 TEST(BlindedRecording, ItsErrorsNameOnlyTheCase) {
@@ -115,7 +116,7 @@ TEST(DiscrepancyReview, MarksOfOthersAreHiddenUntilAllHaveSubmitted) {
   EXPECT_TRUE(discrepancyCases(*first).empty());
   EXPECT_TRUE(ownSeverity(*first).cases.empty());
   EXPECT_EQ(ownSeverity(*first).waiting, 1U);
-  EXPECT_EQ(testing::refusalCode([&] { keepMark(*first, centre.caseAbout(0, 0), ""); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { keepMark(*first, centre.caseAbout(0, 0), ""); }), ErrorCode::kBadData);
 
   submitSheet(*centre.physician(2), centre.caseAbout(2, 0), reviewSheet(7, 7, 7), watchedWhole());
 
@@ -144,7 +145,7 @@ TEST(DiscrepancyReview, ShowsOnlyDisagreementsAndRemembersDecisions) {
   ASSERT_EQ(discrepancyCases(*first).size(), 1U);
   const std::string id = discrepancyCases(*first)[0].shown.assignmentId;
   EXPECT_EQ(id, centre.caseAbout(0, 1));
-  EXPECT_EQ(testing::refusalCode([&] { askForAdjudicator(*first, id, ""); }), ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalCode([&] { askForAdjudicator(*first, id, ""); }), ErrorCode::kBadParameter);
 
   askForAdjudicator(*first, id, "I cannot explain the distance");
   EXPECT_EQ(discrepancyCases(*first)[0].decision, DiscrepancyChoice::kThird);
@@ -156,7 +157,7 @@ TEST(DiscrepancyReview, ShowsOnlyDisagreementsAndRemembersDecisions) {
   setCentreSetting<kDiscrepancy_points>(*centre.administrator(), 0.1);
   EXPECT_FALSE(discrepancyCases(*first).empty());
   EXPECT_EQ(sheetVersions(*first, id).size(), 2U);
-  EXPECT_EQ(testing::refusalCode([&] { keepMark(*centre.physician(1), id, ""); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { keepMark(*centre.physician(1), id, ""); }), ErrorCode::kPermission);
 }
 
 TEST(CaseRemarks, AreVisibleOnlyToTheirRater) {
@@ -191,21 +192,20 @@ TEST(CaseRemarks, KeepEarlierVersionsWhenEdited) {
   ASSERT_EQ(now[1].earlier.size(), 1U);
   EXPECT_EQ(now[1].earlier[0].text, "second grip slips");
   const auto other = centre.physician(1);
-  EXPECT_EQ(testing::refusalCode([&] { editCaseRemark(*other, centre.caseAbout(1, 0), now[1].id, "mine"); }),
+  EXPECT_EQ(refusalCode([&] { editCaseRemark(*other, centre.caseAbout(1, 0), now[1].id, "mine"); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { editCaseRemark(*first, centre.caseAbout(0, 1), now[1].id, "there"); }),
+  EXPECT_EQ(refusalCode([&] { editCaseRemark(*first, centre.caseAbout(0, 1), now[1].id, "there"); }),
             ErrorCode::kBadParameter);
-  EXPECT_EQ(testing::refusalCode([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }),
+  EXPECT_EQ(refusalCode([&] { editCaseRemark(*first, own, now[0].id, "a bookmark"); }),
             ErrorCode::kBadParameter);
-  EXPECT_EQ(testing::refusalCode([&] { editCaseRemark(*first, own, now[1].id, "  "); }),
-            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalCode([&] { editCaseRemark(*first, own, now[1].id, "  "); }), ErrorCode::kBadParameter);
 }
 
 TEST(RaterCalibration, ShowsThePanelOnlyAfterTheRatersMark) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
-  EXPECT_EQ(testing::refusalCode([&] { addReferenceRuns(*desk, {}); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { addReferenceRuns(*desk, {}); }), ErrorCode::kPermission);
   addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
                              {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
   const RaterCalibration before = raterCalibration(*desk);
@@ -226,8 +226,8 @@ TEST(RaterCalibration, ShowsThePanelOnlyAfterTheRatersMark) {
   EXPECT_NEAR(*after.runs[1].offset_points, -0.5, 1e-12);  // 2.5 - 3.0
   EXPECT_NEAR(*after.meanOffset_points(), 0.15, 1e-12);
   EXPECT_FALSE(reviewQueue(*desk).calibrationWaiting);
-  EXPECT_EQ(testing::refusalCode([&] { scoreReferenceRun(*desk, 3, 50); }), ErrorCode::kBadData);
-  EXPECT_EQ(testing::refusalCode([&] { scoreReferenceRun(*desk, 1, 101); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { scoreReferenceRun(*desk, 3, 50); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { scoreReferenceRun(*desk, 1, 101); }), ErrorCode::kBadData);
 }
 
 TEST(RaterCalibration, OmitsAWithdrawnRunAndKeepsItsScores) {
@@ -237,11 +237,11 @@ TEST(RaterCalibration, OmitsAWithdrawnRunAndKeepsItsScores) {
   addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
                              {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
   scoreReferenceRun(*desk, 1, 50);
-  EXPECT_EQ(testing::refusalCode([&] { withdrawReferenceRun(*desk, centre.trialIds()[0], "why"); }),
+  EXPECT_EQ(refusalCode([&] { withdrawReferenceRun(*desk, centre.trialIds()[0], "why"); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { withdrawReferenceRun(*office, centre.trialIds()[0], ""); }),
+  EXPECT_EQ(refusalCode([&] { withdrawReferenceRun(*office, centre.trialIds()[0], ""); }),
             ErrorCode::kBadParameter);
-  EXPECT_EQ(testing::refusalCode([&] { withdrawReferenceRun(*office, "none", "why"); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { withdrawReferenceRun(*office, "none", "why"); }), ErrorCode::kBadData);
 
   expectAudited(centre.connection(), office->actor().userId, "reference_run.withdraw",
                 [&] { withdrawReferenceRun(*office, centre.trialIds()[0], "the panel met only in part"); });
@@ -250,7 +250,7 @@ TEST(RaterCalibration, OmitsAWithdrawnRunAndKeepsItsScores) {
   ASSERT_EQ(left.runs.size(), 1U);  // the second one is now the first
   EXPECT_FALSE(left.runs[0].own_steps.has_value());
   EXPECT_FALSE(left.complete());
-  EXPECT_EQ(testing::refusalCode([&] { scoreReferenceRun(*desk, 2, 50); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { scoreReferenceRun(*desk, 2, 50); }), ErrorCode::kBadData);
   EXPECT_EQ(RemarkRepository(centre.connection()).calibrationScores(centre.raterId(0)).size(), 1U);
   const std::vector<ReferenceRow> rows = referenceRows(*office);
   ASSERT_EQ(rows.size(), 2U);
@@ -268,9 +268,8 @@ TEST(RaterCalibration, AWithdrawnRunCannotBeRestoredOrWithdrawnAgain) {
   addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
   withdrawReferenceRun(*office, trial, "wrong recording");
 
-  EXPECT_EQ(testing::refusalCode([&] { withdrawReferenceRun(*office, trial, "again"); }),
-            ErrorCode::kBadData);
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] { withdrawReferenceRun(*office, trial, "again"); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] {
               addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
             }),
             ErrorCode::kBadData);
@@ -294,18 +293,16 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheRatersOrder) {
   for (std::size_t i = 0; i < 8; ++i) {
     saveEvaluationScore(*desk, campaignId, "M", i, 73);
   }
-  EXPECT_EQ(testing::refusalCode([&] { submitEvaluation(*desk, campaignId, "M"); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { submitEvaluation(*desk, campaignId, "M"); }), ErrorCode::kBadData);
   saveEvaluationScore(*desk, campaignId, "M", 8, 100);
   EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on disk
-  EXPECT_EQ(testing::refusalCode([&] { saveEvaluationScore(*desk, campaignId, "M", 8, 101); }),
-            ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { saveEvaluationScore(*desk, campaignId, "M", 8, 101); }), ErrorCode::kBadData);
 
   submitEvaluation(*desk, campaignId, "M");
 
   EXPECT_TRUE(evaluationForms(*desk)[0].models[0].submitted);
   EXPECT_EQ(EvaluationRepository(centre.connection()).marks(campaignId).size(), 9U);
-  EXPECT_EQ(testing::refusalCode([&] { saveEvaluationScore(*desk, campaignId, "M", 0, 10); }),
-            ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { saveEvaluationScore(*desk, campaignId, "M", 0, 10); }), ErrorCode::kBadData);
   EXPECT_TRUE(DeskRepository(centre.connection()).evaluationDraft(campaignId, centre.raterId(0)).empty());
 }
 
@@ -324,11 +321,10 @@ TEST(EvaluationForm, ShowsRealRecordingsUnderTheirLettersAndNeverTheirModel) {
   EXPECT_EQ(shown.trial.header.traineeCode, "");
   EXPECT_EQ(shown.trial.summary.contentHash, "");
   EXPECT_FALSE(shown.trial.chunks.empty());
-  EXPECT_EQ(testing::refusalCode([&] { (void)loadEvaluationRecording(*desk, campaignId, "K2"); }),
+  EXPECT_EQ(refusalCode([&] { (void)loadEvaluationRecording(*desk, campaignId, "K2"); }),
             ErrorCode::kBadData);
-  EXPECT_EQ(
-      testing::refusalCode([&] { (void)loadEvaluationRecording(*centre.physician(1), campaignId, "M"); }),
-      ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { (void)loadEvaluationRecording(*centre.physician(1), campaignId, "M"); }),
+            ErrorCode::kPermission);
 }
 
 TEST(Blinded, RemovesTheModelFromTheHeader) {

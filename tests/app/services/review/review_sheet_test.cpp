@@ -31,6 +31,8 @@
 namespace torsio {
 namespace {
 
+using testing::refusalCode;
+
 RubricRevision twoRows() {
   RubricRevision rubric;
   rubric.overall = {10, 100, 10};
@@ -214,12 +216,9 @@ TEST(CaseSheet, RequiresAnswersWatchingAndNormalSpeed) {
   Sheet gap = reviewSheet(7, 6, 6.5);
   gap.rows.pop_back();
 
-  EXPECT_EQ(testing::refusalCode([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), half); }),
-            ErrorCode::kBadData);
-  EXPECT_EQ(testing::refusalCode([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast); }),
-            ErrorCode::kBadData);
-  EXPECT_EQ(testing::refusalCode([&] { submitSheet(*desk, id, gap, whole(2'000'000)); }),
-            ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), half); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { submitSheet(*desk, id, reviewSheet(7, 6, 6.5), fast); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { submitSheet(*desk, id, gap, whole(2'000'000)); }), ErrorCode::kBadData);
   EXPECT_EQ(openSheet(*desk, id).state, SheetState::kOpen);
 
   setCentreSetting<kPlaybackSpeeds>(*centre.administrator(), {1.0, 2.0});
@@ -263,12 +262,11 @@ TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const std::string id = centre.cases(0).front();
-  EXPECT_EQ(testing::refusalCode([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), "looked again"); }),
+  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), "looked again"); }),
             ErrorCode::kBadData);
   submitSheet(*desk, id, reviewSheet(7, 6, 6.5), whole(2'000'000));
 
-  EXPECT_EQ(testing::refusalCode([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), ""); }),
-            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, reviewSheet(5, 5, 5), ""); }), ErrorCode::kBadParameter);
   amendSheet(*desk, id, reviewSheet(8, 6, 7), "looked again");
 
   const std::vector<SheetVersion> versions = sheetVersions(*desk, id);
@@ -293,7 +291,7 @@ TEST(CaseSheet, OnceThePanelsMarksAreVisibleAChangeNeedsAReasonAndIsFlagged) {
   centre.passTime_us(1'000'000);
 
   EXPECT_TRUE(openSheet(*desk, id).panelOpen);
-  EXPECT_EQ(testing::refusalCode([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
+  EXPECT_EQ(refusalCode([&] { amendSheet(*desk, id, reviewSheet(8, 8, 8), "so do the others"); }),
             ErrorCode::kBadData);
   moveMark(*desk, id, reviewSheet(7, 7, 7), "missed the second grip");
 
@@ -311,15 +309,14 @@ TEST(CaseSheet, IsOnlyForItsRater) {
   const auto office = centre.administrator();
   const std::string id = centre.cases(0).front();
 
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(openSheet(*other, id)); }), ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { saveSheet(*other, id, {}, WatchLog()); }), ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { submitSheet(*other, id, reviewSheet(5, 5, 5), WatchLog()); }),
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(openSheet(*other, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { saveSheet(*other, id, {}, WatchLog()); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { submitSheet(*other, id, reviewSheet(5, 5, 5), WatchLog()); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(openSheet(*office, id)); }), ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(openSheet(*own, "no such case")); }),
-            ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(openSheet(*office, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(openSheet(*own, "no such case")); }), ErrorCode::kPermission);
   SheetRepository(centre.connection()).withdraw(id, "on leave", "office", kReviewTime_us);
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(openSheet(*own, id)); }), ErrorCode::kPermission);
 }
 
 TEST(ReviewQueue, ShowsOneDeadlineForAllRecordedCases) {

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "app/services/training/next_steps.h"
 #include "app/services/training/trend.h"
 #include "app/services/training/untwisting_findings.h"

@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/recording/competence.h"
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "app/services/study/curriculum_content.h"
 #include "app/services/training/debrief.h"
 #include "assessment/attempt/attempt_measures.h"

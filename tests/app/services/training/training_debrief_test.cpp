@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/services/recording/pipeline.h"
+#include "app/services/recording/recorded_run.h"
 #include "app/services/training/attempts.h"
 #include "app/services/training/debrief.h"
 #include "app/services/training/trend.h"

@@ -29,6 +29,8 @@
 namespace torsio {
 namespace {
 
+using testing::refusalCode;
+
 /// A trial of T-01 in practice, which a chief physician can be given to score.
 class ChiefTest : public ::testing::Test {
  protected:
@@ -301,7 +303,7 @@ TEST_F(QuestionsTest, GoToTheChiefAndTheAnswerAppearsAtTheMoment) {
 TEST_F(QuestionsTest, AnAnswerCanBeEditedByItsAuthor) {
   const RemarkId id = askPhysician(desk(), trial_, 3.5, chief_, "too fast?");
   centre_.become("chief");
-  EXPECT_EQ(testing::refusalCode([&] { editAnswer(desk(), id, "yes"); }), ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalCode([&] { editAnswer(desk(), id, "yes"); }), ErrorCode::kBadParameter);
   answerQuestion(desk(), id, "No, but let go later.");
   centre_.passTime_us(kMinute_us);
 
@@ -313,7 +315,7 @@ TEST_F(QuestionsTest, AnAnswerCanBeEditedByItsAuthor) {
   EXPECT_EQ(mine.answerEditedUtc_us - mine.answeredUtc_us, kMinute_us);
   ASSERT_EQ(mine.earlierAnswers.size(), 1U);
   EXPECT_EQ(mine.earlierAnswers[0].text, "No, but let go later.");
-  EXPECT_EQ(testing::refusalCode([&] { editAnswer(desk(), id, " "); }), ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalCode([&] { editAnswer(desk(), id, " "); }), ErrorCode::kBadParameter);
   centre_.become("T-01");
   EXPECT_EQ(questionDesk(desk(), trial_).questions[0].answer, "Yes, and let go later.");
   const TraineeRemark thread = ownRemarks(desk())[0].remarks[0];
@@ -323,7 +325,7 @@ TEST_F(QuestionsTest, AnAnswerCanBeEditedByItsAuthor) {
 
 TEST_F(QuestionsTest, NeedATextAndAreBookmarksToo) {
   for (const char* nothing : {"", "  "}) {
-    EXPECT_EQ(testing::refusalCode([&] { askPhysician(desk(), trial_, 2.0, chief_, nothing); }),
+    EXPECT_EQ(refusalCode([&] { askPhysician(desk(), trial_, 2.0, chief_, nothing); }),
               ErrorCode::kBadParameter);
   }
   EXPECT_TRUE(questionDesk(desk(), trial_).questions.empty());
@@ -339,38 +341,34 @@ TEST_F(QuestionsTest, NeedATextAndAreBookmarksToo) {
 TEST_F(QuestionsTest, AreRefusedForARunThatIsJudgedAnonymously) {
   const std::string graded = centre_.attempt("second", "graded", 1.0);
   EXPECT_FALSE(questionDesk(desk(), graded).mayAsk);
-  EXPECT_EQ(testing::refusalCode([&] { askPhysician(desk(), graded, 1.0, chief_, "?"); }),
-            ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { askPhysician(desk(), graded, 1.0, chief_, "?"); }), ErrorCode::kPermission);
 
   giveToRaters(trial_);
 
   EXPECT_FALSE(questionDesk(desk(), trial_).mayAsk);
-  EXPECT_EQ(testing::refusalCode([&] { askPhysician(desk(), trial_, 1.0, chief_, "?"); }),
-            ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { askPhysician(desk(), trial_, 1.0, chief_, "?"); }), ErrorCode::kPermission);
 }
 
 TEST_F(QuestionsTest, AreVisibleToTheTraineeAndToTheChiefWhoWasAsked) {
   const RemarkId id = askPhysician(desk(), trial_, 2.0, chief_, "mine");
 
   centre_.become("T-02");
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(questionDesk(desk(), trial_)); }),
-            ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { askPhysician(desk(), trial_, 2.0, chief_, "yours"); }),
-            ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { answerQuestion(desk(), id, "me too"); }), ErrorCode::kPermission);
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(questionsToMe(desk())); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(questionDesk(desk(), trial_)); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { askPhysician(desk(), trial_, 2.0, chief_, "yours"); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { answerQuestion(desk(), id, "me too"); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(questionsToMe(desk())); }), ErrorCode::kPermission);
 
   centre_.become("chief");
-  EXPECT_EQ(testing::refusalCode([&] { answerQuestion(desk(), id, ""); }), ErrorCode::kBadParameter);
-  EXPECT_EQ(testing::refusalCode([&] { answerQuestion(desk(), "none", "so"); }), ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalCode([&] { answerQuestion(desk(), id, ""); }), ErrorCode::kBadParameter);
+  EXPECT_EQ(refusalCode([&] { answerQuestion(desk(), "none", "so"); }), ErrorCode::kBadParameter);
 }
 
 TEST_F(QuestionsTest, NeedAMomentWithinTheRunAndAPhysicianWhoCanBeAsked) {
   for (const double moment : {-1.0, 1e6, std::nan("")}) {
-    EXPECT_EQ(testing::refusalCode([&] { askPhysician(desk(), trial_, moment, chief_, "?"); }),
+    EXPECT_EQ(refusalCode([&] { askPhysician(desk(), trial_, moment, chief_, "?"); }),
               ErrorCode::kBadParameter);
   }
-  EXPECT_EQ(testing::refusalCode([&] { askPhysician(desk(), trial_, 1.0, centre_.person(), "?"); }),
+  EXPECT_EQ(refusalCode([&] { askPhysician(desk(), trial_, 1.0, centre_.person(), "?"); }),
             ErrorCode::kBadParameter);
 }
 

@@ -25,6 +25,8 @@
 namespace torsio {
 namespace {
 
+using testing::refusalCode;
+
 TrainingCentre::Setup twoPhases() {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us},
@@ -98,7 +100,7 @@ TEST(NextSteps, AttemptsCanBeUsedUp) {
   EXPECT_EQ(steps.modules[1].state, StepState::kUsedUp);
   EXPECT_EQ(steps.modules[1].attemptsLeft, 0);
   EXPECT_EQ(steps.modules[2].state, StepState::kLocked);
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] {
               const MonotonicClock clock;
               RunSession(centre.session(), {centre.module("second"), true, deviceWith(Light::kGreen)}, clock);
             }),
@@ -111,13 +113,12 @@ TEST(NextSteps, IsForTheActorOnly) {
   const std::string trial = centre.attempt("first", "practice", 1.0);
   centre.become("T-02");
 
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(nextSteps(centre.session(), first)); }),
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(nextSteps(centre.session(), first)); }),
             ErrorCode::kPermission);
-  EXPECT_EQ(
-      testing::refusalCode([&] { static_cast<void>(debrief(centre.session(), trial, "no assets here")); }),
-      ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(debrief(centre.session(), trial, "no assets here")); }),
+            ErrorCode::kPermission);
   centre.become("chief");
-  EXPECT_EQ(testing::refusalCode([&] { static_cast<void>(nextSteps(centre.session(), centre.person())); }),
+  EXPECT_EQ(refusalCode([&] { static_cast<void>(nextSteps(centre.session(), centre.person())); }),
             ErrorCode::kPermission);
 }
 
@@ -145,14 +146,14 @@ TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {
   const auto begin = [&](bool graded, Light light) {
     RunSession(centre.session(), {centre.module("first"), graded, deviceWith(light)}, clock);
   };
-  EXPECT_EQ(testing::refusalCode([&] { begin(false, Light::kGreen); }), ErrorCode::kPermission);
+  EXPECT_EQ(refusalCode([&] { begin(false, Light::kGreen); }), ErrorCode::kPermission);
   decideOwnConsent(centre.session(), "training_record", true, "1");
 
   EXPECT_NO_THROW(begin(true, Light::kGreen));
   EXPECT_NO_THROW(begin(false, Light::kAmber));
-  EXPECT_EQ(testing::refusalCode([&] { begin(true, Light::kAmber); }), ErrorCode::kDevice);
-  EXPECT_EQ(testing::refusalCode([&] { begin(true, Light::kRed); }), ErrorCode::kDevice);
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] { begin(true, Light::kAmber); }), ErrorCode::kDevice);
+  EXPECT_EQ(refusalCode([&] { begin(true, Light::kRed); }), ErrorCode::kDevice);
+  EXPECT_EQ(refusalCode([&] {
               RunSession(centre.session(), {centre.module("first"), false, DeviceReadiness{}}, clock);
             }),
             ErrorCode::kDevice);
@@ -161,11 +162,11 @@ TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {
 TEST(RunSession, LocksAreEnforcedByTheServiceToo) {
   TrainingCentre centre;
   const ManualClock clock;
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] {
               RunSession(centre.session(), {centre.module("second"), true, deviceWith(Light::kGreen)}, clock);
             }),
             ErrorCode::kBadParameter);
-  EXPECT_EQ(testing::refusalCode([&] {
+  EXPECT_EQ(refusalCode([&] {
               RunSession(centre.session(), {"no such module", true, deviceWith(Light::kGreen)}, clock);
             }),
             ErrorCode::kBadParameter);
