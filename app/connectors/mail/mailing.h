@@ -9,7 +9,7 @@
 #include "app/connectors/mail/smtp_client.h"
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"
-#include "app/services/study/reminders.h"
+#include "app/services/study/open_sheets.h"
 #include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 

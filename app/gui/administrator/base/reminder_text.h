@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "app/services/study/reminders.h"
+#include "app/services/study/open_sheets.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {

@@ -9,7 +9,7 @@
 #include <QDialog>
 
 #include "app/connectors/mail/mailing.h"
-#include "app/services/study/reminders.h"
+#include "app/services/study/open_sheets.h"
 #include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 

@@ -24,7 +24,7 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/services/access/all_or_none.h"
 #include "app/services/people/people_service.h"
-#include "app/services/study/reassignment.h"
+#include "app/services/study/open_sheets.h"
 #include "app/services/study/rubric_service.h"
 #include "assessment/domain/people/person.h"
 #include "sim/core/error.h"

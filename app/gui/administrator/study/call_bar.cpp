@@ -24,7 +24,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
-#include "app/services/study/reminders.h"
+#include "app/services/study/open_sheets.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {

@@ -15,7 +15,7 @@
 #include "app/services/review/range_pyramid.h"
 #include "app/services/review/review_queue.h"
 #include "app/services/review/sheet_editor.h"
-#include "app/services/study/reminders.h"
+#include "app/services/study/open_sheets.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/sheet.h"
 #include "db/connection/connection.h"

@@ -16,7 +16,7 @@
 #include "app/services/study/curriculum_service.h"
 #include "app/services/study/day_board.h"
 #include "app/services/study/day_plan.h"
-#include "app/services/study/reassignment.h"
+#include "app/services/study/open_sheets.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"

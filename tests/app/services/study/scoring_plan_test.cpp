@@ -14,7 +14,7 @@
 
 #include "app/services/people/people_service.h"
 #include "app/services/study/campaign_service.h"
-#include "app/services/study/reassignment.h"
+#include "app/services/study/open_sheets.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
 #include "db/repository/rating/sheet_repository.h"
