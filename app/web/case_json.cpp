@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/services/review/sheet_editor.h"
+#include "assessment/catalogue/quantity.h"
 #include "assessment/domain/rating/sheet_state.h"
 #include "assessment/domain/rating/written_words.h"
 #include "sim/core/angle.h"
@@ -27,6 +28,11 @@ json scaleJson(const ScoreScale& scale) {
           {"highest_steps", scale.hi},
           {"steps_per_point", scale.stepsPerPoint},
           {"arrow_steps", arrowSteps(scale)}};
+}
+
+json loadJson(Quantity quantity, const std::optional<double>& limit) {
+  const ShownUnit& shown = rowOf(quantity).shown;
+  return {{"limit", orNull(limit)}, {"unit", shown.unit}, {"decimals", shown.decimals}};
 }
 
 std::string wordsOf(const JsonBody& body, const char* field, std::size_t characters) {
@@ -130,8 +136,8 @@ json taskJson(const BlindedTask& task) {
           {"tolerance_deg", degrees(task.rules.tolerance_rad)},
           {"hold_s", task.rules.hold_s},
           {"least_twists", task.rules.leastTwists},
-          {"force_limit_N", orNull(task.rules.forceLimit_N)},
-          {"torque_limit_Nm", orNull(task.rules.torqueLimit_Nm)}};
+          {"force", loadJson(Quantity::kPeakForce, task.rules.forceLimit_N)},
+          {"torque", loadJson(Quantity::kPeakTorque, task.rules.torqueLimit_Nm)}};
 }
 
 Sheet sheetOf(const JsonBody& body, const RubricRevision& rubric) {

@@ -2,10 +2,6 @@
 // Numbers, times and dates in the reader's format.
 import { language, locale } from './texts.js';
 
-/// Decimals of loads in N and N m (sim/core/load_decimals.h).
-export const kForceDecimals = 2;
-export const kTorqueDecimals = 3;
-
 /// Formats with these decimals and a true minus; never "−0".
 export function figure(value, decimals = 0) {
   const shown = Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value;

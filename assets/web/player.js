@@ -5,12 +5,13 @@ import { readContainer } from './container.js';
 import { button, h, say, show } from './dom.js';
 import { FilmStrip } from './film_strip.js';
 import { icon } from './icons.js';
-import { clockTenths, figure, kForceDecimals, kTorqueDecimals, pointsText } from './numbers.js';
+import { clockTenths, figure, pointsText } from './numbers.js';
 import { organOf, skinOf } from './organ.js';
 import { joined, kJump_us, kStep_us, Playback } from './playback.js';
 import { Stage } from './stage.js';
 import { followInput } from './stage_input.js';
 import { t } from './texts.js';
+import { sizeText } from './trace_lane.js';
 import { Traces } from './traces.js';
 
 export class Player {
@@ -237,7 +238,7 @@ function taskText(task) {
     if (task.hold_s > 0) parts.push(t('hold for %1 s', pointsText(task.hold_s)));
     if (task.least_twists > 1) parts.push(t('at least %1 {twist|twists}', task.least_twists));
   }
-  if (task.force_limit_N !== null) parts.push(t('force up to %1 N', figure(task.force_limit_N, kForceDecimals)));
-  if (task.torque_limit_Nm !== null) parts.push(t('torque up to %1 N m', figure(task.torque_limit_Nm, kTorqueDecimals)));
+  if (task.force.limit !== null) parts.push(t('force up to %1', sizeText(task.force, task.force.limit)));
+  if (task.torque.limit !== null) parts.push(t('torque up to %1', sizeText(task.torque, task.torque.limit)));
   return t('Asked for: %1', parts.join('  \u00b7  '));
 }

@@ -9,9 +9,9 @@ function withUnit(size, unit) {
   return unit === '\u00b0' || unit === '' ? size + unit : `${size} ${unit}`;
 }
 
-/// Formats "1.8 N" with the lane's decimals.
-export function sizeText(one, value) {
-  return withUnit(figure(value * one.factor, one.decimals), one.unit);
+/// Formats "1.8 N" with unit and decimals of a lane or of a load of the task.
+export function sizeText({ factor = 1, decimals, unit }, value) {
+  return withUnit(figure(value * factor, decimals), unit);
 }
 
 /// Formats the range of a lane: "0…185°".

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Angle, torque and force over time, with watched stretches, bookmarks and playhead. A click seeks.
 import { h } from './dom.js';
-import { clockTenths, clockTime, figure, kForceDecimals, kTorqueDecimals } from './numbers.js';
+import { clockTenths, clockTime, figure } from './numbers.js';
 import { t } from './texts.js';
 import { drawLane, lane, scaleText, sizeText } from './trace_lane.js';
 
@@ -62,21 +62,19 @@ export class Traces {
     this.canvas.addEventListener('keydown', (event) => this.#key(event));
   }
 
-  /// `task`: of the case, with band and limits.
+  /// `task`: of the case, with band, and limit, unit and decimals of torque and force.
   setRecording(recording, task) {
-    this.recording = recording;
+    Object.assign(this, { recording, task });
     const { arrays } = recording;
     const band = task.untwisting ? null : { target: arrays.target_deg, tolerance: task.tolerance_deg };
     this.#lanes = [
       lane({ name: t('Angle'), unit: '\u00b0', colour: 'accent', low: arrays.angle_deg, band }),
       lane({
-        name: t('Torque'), unit: 'N m', colour: 'good', low: arrays.torque_Nm, limit: task.torque_limit_Nm,
-        fine: task.untwisting, decimals: kTorqueDecimals,
+        name: t('Torque'), colour: 'good', low: arrays.torque_Nm, fine: task.untwisting, ...task.torque,
       }),
       lane({
-        name: t('Force'), unit: 'N', colour: 'caution', low: arrays.force_low_N ?? arrays.force_N,
-        high: arrays.force_high_N ?? arrays.force_N, value: arrays.force_N, limit: task.force_limit_N,
-        decimals: kForceDecimals,
+        name: t('Force'), colour: 'caution', low: arrays.force_low_N ?? arrays.force_N,
+        high: arrays.force_high_N ?? arrays.force_N, value: arrays.force_N, ...task.force,
       }),
       ...bloodLanes(arrays),
     ];
@@ -87,7 +85,8 @@ export class Traces {
   }
   #describe() {
     if (!this.recording) return;
-    const peaks = this.#lanes.slice(0, kLanesOfATwist).map((one) => figure(Math.max(-one.least, one.most), one.factor > 1 ? kTorqueDecimals : one.decimals));
+    const { torque } = this.task;
+    const peaks = this.#lanes.slice(0, kLanesOfATwist).map((one) => figure(Math.max(-one.least, one.most), one.factor > 1 ? torque.decimals : one.decimals));
     this.canvas.setAttribute(
       'aria-description',
       t('%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5',

@@ -13,14 +13,15 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/clock_time.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/number_text.h"
+#include "assessment/catalogue/quantity.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
-#include "sim/core/load_decimals.h"
 
 namespace torsio::gui {
 
@@ -185,10 +186,10 @@ QString ReplayPanel::taskText(const BlindedTask& task) {
     }
   }
   if (rules.forceLimit_N) {
-    parts << tr("force up to %1 N").arg(numberText(*rules.forceLimit_N, kForceDecimals));
+    parts << tr("force up to %1").arg(toQString(shownValue(Quantity::kPeakForce, *rules.forceLimit_N)));
   }
   if (rules.torqueLimit_Nm) {
-    parts << tr("torque up to %1 N m").arg(numberText(*rules.torqueLimit_Nm, kTorqueDecimals));
+    parts << tr("torque up to %1").arg(toQString(shownValue(Quantity::kPeakTorque, *rules.torqueLimit_Nm)));
   }
   return tr("Asked for: %1").arg(parts.join(QStringLiteral("  \u00b7  ")));
 }

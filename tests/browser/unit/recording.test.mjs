@@ -8,7 +8,7 @@ import { onBody } from '../../../assets/web/organ.js';
 import { OrbitCamera } from '../../../assets/web/orbit.js';
 import { joined, Playback } from '../../../assets/web/playback.js';
 import { kLamps } from '../../../assets/web/shaders.js';
-import { clockTenths, dayText, joinedSentences, kForceDecimals, kTorqueDecimals } from '../../../assets/web/numbers.js';
+import { clockTenths, dayText, joinedSentences } from '../../../assets/web/numbers.js';
 import { lane, scaleText, sizeText } from '../../../assets/web/trace_lane.js';
 import { filledIn, useTexts } from '../../../assets/web/texts.js';
 import { jawOpening, poseMatrix, turnedAbout } from '../../../assets/web/tool_pose.js';
@@ -248,7 +248,7 @@ test('values and plural of a sentence are filled in one pass', () => {
 });
 
 test('a trace includes zero and its limit; small torques of an untwisting are shown in thousandths', () => {
-  const torque = { name: 'Torque', unit: 'N m', decimals: kTorqueDecimals, low: new Float32Array([0, -0.04, -0.02]) };
+  const torque = { name: 'Torque', unit: 'N m', decimals: 3, low: new Float32Array([0, -0.04, -0.02]) };
   const turned = lane({ ...torque, limit: 0.05 });
   assert.equal(turned.limit, -0.05);
   assert.ok(turned.bottom < -0.05 && turned.top === 0);
@@ -258,7 +258,7 @@ test('a trace includes zero and its limit; small torques of an untwisting are sh
   assert.equal(sizeText(undone, -0.0201), '\u221220 mN m');
   const angle = lane({ name: 'Angle', unit: '\u00b0', low: new Float32Array([0, 90]), band: { target: [180, 180], tolerance: 10 } });
   assert.ok(angle.top > 190);
-  const force = lane({ name: 'Force', unit: 'N', decimals: kForceDecimals, low: new Float32Array([0, 3.3]) });
+  const force = lane({ name: 'Force', unit: 'N', decimals: 2, low: new Float32Array([0, 3.3]) });
   assert.equal(sizeText(force, 3.3), '3.30 N');
 });
 
