@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/results/number_format.h"
+#include "assessment/catalogue/quantity.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/statistics/quantiles.h"
-#include "sim/core/angle.h"
 #include "sim/core/foreign_recording.h"
 
 namespace torsio {
@@ -19,8 +19,8 @@ namespace {
 struct Untwistings {
   Text phase;
   std::int64_t trials = 0;
-  std::int64_t bloodBack = 0;
-  std::map<std::string, std::vector<double>> values;  // by metric id, for trials in which it is defined
+  std::map<std::string, std::vector<double>> values;  // by id, for trials in which it is defined
+  std::vector<double> beyondLeast;                    // re-grips
 
   void add(const TrialSummaryRow& trial) {
     phase = trial.phase;
@@ -28,16 +28,15 @@ struct Untwistings {
     for (const auto& [id, value] : trial.detorsion) {
       values[id].push_back(value);
     }
-    bloodBack += trial.detorsion.contains("detorse.time_to_flow") ? 1 : 0;
-    const auto regrips = trial.detorsion.find("detorse.regrips");
-    const auto least = trial.detorsion.find("detorse.least_regrips");
+    const auto regrips = trial.detorsion.find(idOf(Quantity::kRegrips));
+    const auto least = trial.detorsion.find(idOf(Quantity::kLeastRegrips));
     if (regrips != trial.detorsion.end() && least != trial.detorsion.end()) {
-      values["beyond the least"].push_back(regrips->second - least->second);
+      beyondLeast.push_back(regrips->second - least->second);
     }
   }
-  /// Formats in how many trials a yes/no metric was yes, of those that have it.
-  [[nodiscard]] Text yes(const std::string& id) const {
-    const auto found = values.find(id);
+  /// Formats in how many trials a quantity was yes or above 0, of those that have it.
+  [[nodiscard]] Text yes(Quantity quantity) const {
+    const auto found = values.find(idOf(quantity));
     if (found == values.end()) {
       return Text::tr("not recorded");
     }
@@ -47,10 +46,14 @@ struct Untwistings {
     }
     return Text::tr("%1 of %2", count, found->second.size());
   }
-  [[nodiscard]] Text median(const std::string& id, double scale, int decimals) const {
-    const auto found = values.find(id);
+  [[nodiscard]] std::size_t timesDefined(Quantity quantity) const {
+    const auto found = values.find(idOf(quantity));
+    return found == values.end() ? 0 : found->second.size();
+  }
+  [[nodiscard]] Text median(Quantity quantity) const {
+    const auto found = values.find(idOf(quantity));
     return found == values.end() ? Text::tr("not recorded")
-                                 : Text(formatFixed(scale * *quantile(found->second, 0.5), decimals));
+                                 : Text(shownNumber(quantity, *quantile(found->second, 0.5)));
   }
 };
 
@@ -74,22 +77,25 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in) {
   table.columns = {Text::tr("Group"),
                    Text::tr("Phase"),
                    Text::tr("Runs"),
-                   Text::tr("Untwisted"),
-                   Text::tr("Relapsed"),
-                   Text::tr("First turn the right way"),
+                   rowOf(Quantity::kUntwisted).name,
+                   rowOf(Quantity::kRelapse).name,
+                   rowOf(Quantity::kFirstDirection).name,
                    Text::tr("Tissue hurt"),
                    Text::tr("Blood came back"),
-                   Text::tr("Median time until then (s)"),
-                   Text::tr("Median ischaemic dose"),
+                   medianTitle(Quantity::kTimeToFlow),
+                   medianTitle(Quantity::kDose),
                    Text::tr("Median re-grips beyond the least number"),
-                   Text::tr("Median slip back (deg)")};
+                   medianTitle(Quantity::kSlipBack)};
   for (const auto& [key, cell] : cells) {
-    table.rows.push_back(
-        {in.groups[key.first].name, cell.phase, std::to_string(cell.trials), cell.yes("detorse.done"),
-         cell.yes("detorse.relapse"), cell.yes("detorse.first_direction"), cell.yes("detorse.overload_time"),
-         Text::tr("%1 of %2", cell.bloodBack, cell.trials), cell.median("detorse.time_to_flow", 1.0, 1),
-         cell.median("detorse.dose", 1.0, 2), cell.median("beyond the least", 1.0, 1),
-         cell.median("detorse.slip_back", kDegreesPerRadian, 1)});
+    table.rows.push_back({in.groups[key.first].name, cell.phase, std::to_string(cell.trials),
+                          cell.yes(Quantity::kUntwisted), cell.yes(Quantity::kRelapse),
+                          cell.yes(Quantity::kFirstDirection), cell.yes(Quantity::kOverloadTime),
+                          Text::tr("%1 of %2", cell.timesDefined(Quantity::kTimeToFlow), cell.trials),
+                          cell.median(Quantity::kTimeToFlow), cell.median(Quantity::kDose),
+                          cell.beyondLeast.empty()
+                              ? Text::tr("not recorded")
+                              : Text(shownNumber(Quantity::kRegrips, *quantile(cell.beyondLeast, 0.5), 1)),
+                          cell.median(Quantity::kSlipBack)});
   }
   table.notes = {
       Text::tr(

@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/results/number_format.h"
+#include "assessment/catalogue/quantity.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/quantiles.h"
@@ -18,25 +19,16 @@ namespace torsio {
 
 namespace {
 
-/// A metric that applies to foreign recordings.
-struct ForeignMetric {
-  const char* id;
-  Phrase column;
-  Phrase name;
-  int decimals;
-};
-constexpr std::array<ForeignMetric, 3> kForeignMetrics = {
-    {{"time.total", Text::tr("Median time (s)"), Text::tr("time (s)"), 1},
-     {"tip.path", Text::tr("Median path of the tip (m)"), Text::tr("path of the tip (m)"), 3},
-     {"tip.idle", Text::tr("Median idle time (s)"), Text::tr("idle time (s)"), 1}}};
+/// Quantities that apply to foreign recordings.
+constexpr std::array kForeignQuantities{Quantity::kTime, Quantity::kTipPath, Quantity::kIdleTime};
 
-using Values = std::map<std::string, std::vector<double>>;  // by metric
+using Values = std::map<Quantity, std::vector<double>>;
 
 void addValues(const TrialSummaryRow& trial, Values& values) {
-  for (const ForeignMetric& metric : kForeignMetrics) {
-    const auto found = trial.detorsion.find(metric.id);
+  for (const Quantity quantity : kForeignQuantities) {
+    const auto found = trial.detorsion.find(idOf(quantity));
     if (found != trial.detorsion.end()) {
-      values[metric.id].push_back(found->second);
+      values[quantity].push_back(found->second);
     }
   }
 }
@@ -58,15 +50,15 @@ ReportTable mediansTable(const CohortInputs& in, const std::vector<const TrialSu
       itemOf<ReportTable>(in, "table-foreign", Text::tr("Recordings of other equipment by group and phase"),
                           Text::tr("medians over runs"));
   table.columns = {Text::tr("Group"), Text::tr("Phase"), Text::tr("Runs")};
-  for (const ForeignMetric& metric : kForeignMetrics) {
-    table.columns.emplace_back(metric.column);
+  for (const Quantity quantity : kForeignQuantities) {
+    table.columns.push_back(medianTitle(quantity));
   }
   for (auto& [key, cell] : cells) {
     std::vector<ReportCell> row{in.groups[key.first].name, cell.phase, std::to_string(cell.trials)};
-    for (const ForeignMetric& metric : kForeignMetrics) {
-      const std::vector<double>& values = cell.values[metric.id];
+    for (const Quantity quantity : kForeignQuantities) {
+      const std::vector<double>& values = cell.values[quantity];
       row.push_back(values.empty() ? Text(Text::tr("not defined"))
-                                   : Text(formatFixed(*quantile(values, 0.5), metric.decimals)));
+                                   : Text(shownNumber(quantity, *quantile(values, 0.5))));
     }
     table.rows.push_back(std::move(row));
   }
@@ -88,8 +80,8 @@ ReportTable foreignCourses(const CohortInputs& in, const std::vector<const Trial
   table.columns = {Text::tr("Group"), Text::tr("Trainee"), Text::tr("Measure"),        Text::tr("Runs"),
                    Text::tr("First"), Text::tr("Last"),    Text::tr("Left in the end")};
   for (auto& [key, values] : courses) {
-    for (const ForeignMetric& metric : kForeignMetrics) {
-      const std::vector<double>& course = values[metric.id];
+    for (const Quantity quantity : kForeignQuantities) {
+      const std::vector<double>& course = values[quantity];
       if (course.empty()) {
         continue;
       }
@@ -98,10 +90,10 @@ ReportTable foreignCourses(const CohortInputs& in, const std::vector<const Trial
         number.push_back(static_cast<double>(i + 1));
       }
       const Outcome<LearningCurve> fit = fitLearningCurve(LearningFamily::kExponential, number, course);
-      table.rows.push_back({in.groups[key.first].name, key.second, metric.name, std::to_string(course.size()),
-                            formatFixed(course.front(), metric.decimals),
-                            formatFixed(course.back(), metric.decimals),
-                            fit ? Text(formatFixed(fit->asymptote, metric.decimals))
+      table.rows.push_back({in.groups[key.first].name, key.second, titleWithUnit(quantity),
+                            std::to_string(course.size()), shownNumber(quantity, course.front()),
+                            shownNumber(quantity, course.back()),
+                            fit ? Text(shownNumber(quantity, fit->asymptote))
                                 : Text::tr("not fitted: %1", Text(fit.reason()))});
       table.provenance.n += std::ssize(course);
     }

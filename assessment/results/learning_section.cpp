@@ -19,7 +19,7 @@ namespace {
 struct Course {
   std::string trainee;
   std::size_t group = 0;
-  std::vector<TwistAttempt> attempts;
+  std::vector<JudgedTwist> attempts;
 };
 
 std::vector<Course> courses(const CohortInputs& in) {
@@ -108,8 +108,8 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
   table.individual = true;
   table.columns = {Text::tr("Group"),
                    Text::tr("Trainee"),
-                   Text::tr("Twists"),
-                   Text::tr("On target"),
+                   rowOf(Quantity::kCompletedTwists).name,
+                   rowOf(Quantity::kTargetsReached).name,
                    Text::tr("Mean error, first half (deg)"),
                    Text::tr("Second half (deg)"),
                    Text::tr("Error left in the end (deg)")};
@@ -118,7 +118,7 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
     std::vector<double> number;
     std::vector<double> error;
     std::int64_t onTarget = 0;
-    for (const TwistAttempt& attempt : course.attempts) {
+    for (const JudgedTwist& attempt : course.attempts) {
       number.push_back(static_cast<double>(number.size() + 1));
       error.push_back(attempt.error_deg);
       onTarget += attempt.onTarget ? 1 : 0;

@@ -27,6 +27,14 @@ Text notDefined(const Text& reason) {
   return Text::tr("not defined: %1", reason);
 }
 
+Text meanTitle(Quantity quantity) {
+  return Text::tr("Mean: %1", titleWithUnit(quantity));
+}
+
+Text medianTitle(Quantity quantity) {
+  return Text::tr("Median: %1", titleWithUnit(quantity));
+}
+
 std::string equalsP(double p) {
   return filledIn(p < 0.001 ? "p %1" : "p = %1", {formatP(p)});
 }

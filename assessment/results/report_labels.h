@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "assessment/catalogue/quantity.h"
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/ledger.h"
 #include "assessment/results/report_model.h"
@@ -42,6 +43,9 @@ class CellsAt {
 [[nodiscard]] std::string intervalText(const Interval& interval);
 /// Describes why a statistic is missing: "not defined: every rating is the same". `reason`: from an Outcome.
 [[nodiscard]] Text notDefined(const Text& reason);
+/// Returns "Mean: Time (s)" or "Median: Time (s)", for the column of a quantity.
+[[nodiscard]] Text meanTitle(Quantity quantity);
+[[nodiscard]] Text medianTitle(Quantity quantity);
 /// Formats a p value with its letter: "p < 0.001", "p = 0.032".
 [[nodiscard]] std::string equalsP(double p);
 

@@ -6,19 +6,20 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/catalogue/quantity.h"
 #include "assessment/results/analysed_cohort.h"
 #include "assessment/results/foreign_tables.h"
 #include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/statistics/descriptive.h"
-#include "sim/core/load_decimals.h"
 
 namespace torsio {
 
 namespace {
 
-Text meanOrDash(const std::vector<double>& values, int decimals) {
-  return values.empty() ? Text::tr("not recorded") : Text(formatFixed(meanOf(values), decimals));
+Text shownMean(Quantity quantity, const std::vector<double>& values) {
+  return values.empty() ? Text::tr("not recorded") : Text(shownNumber(quantity, meanOf(values)));
 }
 
 ReportTable trialsByPhase(const CohortInputs& in) {
@@ -62,16 +63,17 @@ ReportTable trialsByPhase(const CohortInputs& in) {
                    Text::tr("Phase"),
                    Text::tr("Runs"),
                    Text::tr("Minutes recorded"),
-                   Text::tr("Twists"),
-                   Text::tr("On target"),
+                   rowOf(Quantity::kCompletedTwists).name,
+                   rowOf(Quantity::kTargetsReached).name,
                    Text::tr("Mean absolute angle error (deg)"),
-                   Text::tr("Mean peak torque (N m)"),
-                   Text::tr("Mean peak force (N)")};
+                   meanTitle(Quantity::kPeakTorque),
+                   meanTitle(Quantity::kPeakForce)};
   for (const auto& [key, sums] : cells) {
     table.rows.push_back(
         {in.groups[key.first].name, sums.phase, std::to_string(sums.trials), formatFixed(sums.minutes, 2),
-         std::to_string(sums.twists), std::to_string(sums.onTarget), meanOrDash(sums.errors, 2),
-         meanOrDash(sums.torques, kTorqueDecimals), meanOrDash(sums.forces, kForceDecimals)});
+         std::to_string(sums.twists), std::to_string(sums.onTarget),
+         sums.errors.empty() ? Text::tr("not recorded") : Text(formatFixed(meanOf(sums.errors), 2)),
+         shownMean(Quantity::kPeakTorque, sums.torques), shownMean(Quantity::kPeakForce, sums.forces)});
   }
   table.notes = {Text::tr(
       "Means are taken over runs. Measured by the simulator; the marks of the physicians are separate.")};

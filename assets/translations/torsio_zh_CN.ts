@@ -9633,10 +9633,6 @@
         <translation>已复位</translation>
     </message>
     <message>
-        <source>Relapsed</source>
-        <translation>复发</translation>
-    </message>
-    <message>
         <source>First turn the right way</source>
         <translation>首次转动方向正确</translation>
     </message>
@@ -9645,20 +9641,8 @@
         <translation>血流恢复</translation>
     </message>
     <message>
-        <source>Median time until then (s)</source>
-        <translation>至此的时间中位数（s）</translation>
-    </message>
-    <message>
-        <source>Median ischaemic dose</source>
-        <translation>缺血剂量中位数</translation>
-    </message>
-    <message>
         <source>Median re-grips beyond the least number</source>
         <translation>超出最少次数的重新夹持中位数</translation>
-    </message>
-    <message>
-        <source>Median slip back (deg)</source>
-        <translation>回滑中位数（度）</translation>
     </message>
     <message>
         <source>is neither a number nor a list of pairs</source>
@@ -13503,8 +13487,8 @@ audit trail %3</source>
         <translation>后退五秒、暂停、播放</translation>
     </message>
     <message>
-        <source>force up to %1 N</source>
-        <translation>力不超过 %1 N</translation>
+        <source>force up to %1</source>
+        <translation>力不超过 %1</translation>
     </message>
     <message>
         <source>from the length of the recordings</source>
@@ -13899,8 +13883,8 @@ audit trail %3</source>
         <translation>扭矩</translation>
     </message>
     <message>
-        <source>torque up to %1 N m</source>
-        <translation>扭矩不超过 %1 N m</translation>
+        <source>torque up to %1</source>
+        <translation>扭矩不超过 %1</translation>
     </message>
     <message>
         <source>Twist to %1° and release within ±%2°</source>
@@ -14513,26 +14497,6 @@ audit trail %3</source>
     <message>
         <source>not applicable: foreign recording</source>
         <translation>不适用：外来录制</translation>
-    </message>
-    <message>
-        <source>Median time (s)</source>
-        <translation>时间中位数（s）</translation>
-    </message>
-    <message>
-        <source>Median path of the tip (m)</source>
-        <translation>尖端路径中位数（m）</translation>
-    </message>
-    <message>
-        <source>path of the tip (m)</source>
-        <translation>尖端路径（m）</translation>
-    </message>
-    <message>
-        <source>Median idle time (s)</source>
-        <translation>停顿时间中位数（s）</translation>
-    </message>
-    <message>
-        <source>idle time (s)</source>
-        <translation>停顿时间（s）</translation>
     </message>
     <message>
         <source>Recordings of other equipment by group and phase</source>
@@ -18673,6 +18637,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>the pages cannot be given bookmarks: %1</source>
         <translation>无法为页面添加书签：%1</translation>
+    </message>
+    <message>
+        <source>Median: %1</source>
+        <translation>中位数：%1</translation>
     </message>
 </context>
 <context>
@@ -27100,12 +27068,12 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>保持 %1 s</translation>
     </message>
     <message>
-        <source>force up to %1 N</source>
-        <translation>力不超过 %1 N</translation>
+        <source>force up to %1</source>
+        <translation>力不超过 %1</translation>
     </message>
     <message>
-        <source>torque up to %1 N m</source>
-        <translation>扭矩不超过 %1 N m</translation>
+        <source>torque up to %1</source>
+        <translation>扭矩不超过 %1</translation>
     </message>
     <message>
         <source>Asked for: %1</source>

@@ -370,7 +370,7 @@ TEST(CohortReport, UntwistingsHaveTheirOwnTable) {
   // degrees.
   EXPECT_THAT(cells, ::testing::ElementsAre(demonstrationCohort().groups.front().name.str(), "volvulus", "3",
                                             "2 of 3", "1 of 2", "1 of 2", "1 of 3", "2 of 3", "30.0", "0.40",
-                                            "1.0", "0.0"));
+                                            "1.0", "0"));
   EXPECT_EQ(tableNamed(cohortReport(demonstrationCohort()), "table-untwistings"), nullptr);
 }
 

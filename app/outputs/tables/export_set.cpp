@@ -71,16 +71,22 @@ ExportColumn yesNo(std::string name, Text title) {
   return column;
 }
 
+ExportColumn quantityColumn(std::string name, Quantity quantity) {
+  const QuantityRow& row = rowOf(quantity);
+  const bool plain = row.unit == "1" || row.unit == "count";
+  return number(std::move(name), row.name, plain ? std::string() : std::string(row.unit));
+}
+
 /// Returns the columns that vary between runs, named like the statistics in lower case.
 std::vector<ExportColumn> trialNumbers() {
   return {number("minutes", Text::tr("Time in the exercise"), "min"),
-          number("twists", Text::tr("Twists")),
+          quantityColumn("twists", Quantity::kCompletedTwists),
           number("twists_not_completed", Text::tr("Twists not completed")),
-          number("twists_on_target", Text::tr("Twists released on target")),
+          quantityColumn("twists_on_target", Quantity::kTargetsReached),
           number("mean_absolute_error_deg", Text::tr("Mean absolute error of the angle"), "deg"),
-          number("peak_torque_Nm", Text::tr("Peak torque"), "N m"),
-          number("peak_force_N", Text::tr("Peak force on the tissue"), "N"),
-          number("peak_device_force_N", Text::tr("Peak force of the device"), "N"),
+          quantityColumn("peak_torque_Nm", Quantity::kPeakTorque),
+          quantityColumn("peak_force_N", Quantity::kPeakForce),
+          quantityColumn("peak_device_force_N", Quantity::kDeviceForce),
           number("refused_samples", Text::tr("Samples that were refused")),
           number("force_cuts", Text::tr("Pauses without force"))};
 }
@@ -93,17 +99,6 @@ std::string columnName(const std::string& statistic) {
     name += upper ? static_cast<char>(c - 'A' + 'a') : plain ? c : '_';
   }
   return name;
-}
-
-/// Untwistings have their own quantities.
-ExportColumn quantityColumn(const std::string& id) {
-  const std::optional<Quantity> known = quantityOf(id);
-  if (!known) {
-    return number(id, Text(id));
-  }
-  const QuantityRow& row = rowOf(*known);
-  const bool plain = row.unit == "1" || row.unit == "count";
-  return number(id, row.name, plain ? std::string() : std::string(row.unit));
 }
 
 /// Builds the tables of a cohort.
@@ -315,6 +310,7 @@ class Tables {
                        {"phase", Text::tr("Phase")},
                        {"model", Text::tr("Tissue model")},
                        {"interrupted", Text::tr("Interrupted")},
+                       {"outcome", Text::tr("Outcome")},
                        {"started_utc", Text::tr("Started (UTC)"), ColumnKind::kTime},
                        {"trial", Text::tr("Recording")},
                        {"content_hash", Text::tr("Hash of the recording")}},
@@ -324,7 +320,8 @@ class Tables {
       for (const auto& measured : trial.detorsion) {
         const auto& id = measured.first;
         if (std::none_of(numbers.begin(), numbers.end(), [&](const auto& one) { return one.name == id; })) {
-          numbers.push_back(quantityColumn(id));
+          const std::optional<Quantity> known = quantityOf(id);
+          numbers.push_back(known ? quantityColumn(id, *known) : number(id, Text(id)));
         }
       }
     }
@@ -340,6 +337,7 @@ class Tables {
                 textOf(trial.phase.str()),
                 textOf(trial.model),
                 trial.interrupted ? "yes" : "no",
+                wordOf(*ledger_.find(runKey(trial, "outcome"))),
                 began == started_.end() ? ExportCell() : ExportCell(began->second),
                 textOf(trial.trialId.text()),
                 textOf(trial.contentHash)};

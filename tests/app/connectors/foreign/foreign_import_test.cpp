@@ -240,8 +240,8 @@ TEST(ForeignImport, IsSupportedByMetricsReportAndTables) {
       EXPECT_NE(table.id, "table-untwistings");
       if (table.id == "table-foreign") {
         ++tables;
-        ASSERT_EQ(table.rows.size(), 4U);  // two groups, two trials
-        EXPECT_EQ(table.rows[0][4], "0.200");
+        ASSERT_EQ(table.rows.size(), 4U);    // two groups, two trials
+        EXPECT_EQ(table.rows[0][4], "200");  // mm
       }
       tables += table.id == "table-foreign-learning" ? 1 : 0;
     }
