@@ -236,8 +236,7 @@ void runMetrics(const MetricsArguments& arguments) {
     out["twists_not_completed"] = measures.unfinished;
   }
   out["attempt"] = attemptJson(measures.values);
-  out["verdict"] =
-      verdictJson(judgeRun(measures.values, run.rules, trial.summary.outcome == TrialOutcome::kInterrupted));
+  out["verdict"] = verdictJson(verdictOn(trial.summary, measures, run.rules));
   out["whole"] = metricsJson(whole);
   if (measured.detorsion) {
     out["detorsion"] = detorsionJson(*measured.detorsion, run.rules);

@@ -98,10 +98,6 @@ AttemptMeasures measureAttempt(const MeasuredTrial& measured) {
   AttemptMeasures out;
   out.duration_us = measured.duration_us;
   judgeTwists(measured, out);
-  if (!out.twists.empty()) {
-    out.peakTorque_Nm = measured.loads.torque_Nm;
-    out.peakForce_N = measured.loads.tissueForce_N;
-  }
   addValues(measured, out);
   return out;
 }

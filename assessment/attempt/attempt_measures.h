@@ -22,12 +22,9 @@ struct JudgedTwist {
 /// verdict and export use these numbers and compute none themselves.
 struct AttemptMeasures {
   std::int64_t duration_us = 0;
-  std::vector<JudgedTwist> twists{};  ///< completed ones, in order; empty for an untwisting
-  std::int64_t unfinished = 0;        ///< twists not completed, counted separately
-  /// The next three are empty without a completed twist.
-  std::optional<double> meanAbsoluteError_deg{};
-  std::optional<double> peakTorque_Nm{};  ///< maximum over all samples, unfiltered
-  std::optional<double> peakForce_N{};    ///< maximum on the tissue over all samples, compared with the limit
+  std::vector<JudgedTwist> twists{};              ///< completed ones, in order; empty for an untwisting
+  std::int64_t unfinished = 0;                    ///< twists not completed, counted separately
+  std::optional<double> meanAbsoluteError_deg{};  ///< empty without a completed twist
   /// Peaks of force and torque are those of the whole recording (RecordedLoads). Quantities of single twists:
   /// over the completed ones, the sum of mishaps, the maximum of peaks, otherwise the median. An untwisting
   /// has its own quantities, and loads over its grips in the same way. Undefined ones are missing.

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "assessment/attempt/attempt_measures.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio {
@@ -21,14 +19,7 @@ struct TrialDigest {
   std::optional<double> torqueLimit_Nm{};  ///< at least 0; empty: none
   std::string contentHash{};               ///< of the measured recording
   std::string model{};
-  std::int64_t duration_us = 0;
-  std::int64_t unfinishedTwists = 0;
-  std::optional<double> meanAbsoluteError_deg{};
-  std::optional<double> peakTorque_Nm{};
-  std::optional<double> peakForce_N{};
-  /// Completed twists in order: absolute error in degrees, on target.
-  std::vector<std::pair<double, bool>> attempts{};
-  std::map<std::string, double> measures{};  ///< by metric id, at most 255 bytes
+  AttemptMeasures measures{};
   std::int64_t computedUtc_us = 0;
   friend bool operator==(const TrialDigest&, const TrialDigest&) = default;
 };

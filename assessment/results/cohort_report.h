@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/run_verdict.h"
 #include "assessment/domain/ids.h"
 #include "assessment/results/report_model.h"
 #include "assessment/scoring/evaluation.h"
@@ -97,12 +99,6 @@ struct CohortDose {
   double rest_min = 0.0;
 };
 
-/// One twist of a recorded trial, in order.
-struct TwistAttempt {
-  double error_deg = 0.0;  ///< absolute difference between angle at release and target
-  bool onTarget = false;
-};
-
 /// Summary of one recorded trial.
 struct TrialSummaryRow {
   TrialId trialId;
@@ -124,8 +120,9 @@ struct TrialSummaryRow {
   std::int64_t lateTicks = 0;
   std::int64_t forceCuts = 0;  ///< pauses of the servo that briefly interrupted the force
   bool interrupted = false;
+  RunOutcome outcome = RunOutcome::kRefused;  ///< of its verdict (assessment/attempt/run_verdict.h)
   std::string contentHash;
-  std::vector<TwistAttempt> attempts;
+  std::vector<JudgedTwist> attempts;  ///< completed twists in order
   /// Defined metrics of an untwisting by id; empty for an exercise with twists.
   std::map<std::string, double> detorsion{};
 };

@@ -203,7 +203,7 @@ void addTrials(const CohortInputs& in, Ledger& ledger) {
     if (trial.forceCuts > 0) {
       rows.addCount("force_cuts", trial.forceCuts, trial.samples);
     }
-    for (const TwistAttempt& attempt : trial.attempts) {
+    for (const JudgedTwist& attempt : trial.attempts) {
       ++rows.place.number;
       rows.add("twist_error_deg", attempt.error_deg, 1);
     }
@@ -211,6 +211,7 @@ void addTrials(const CohortInputs& in, Ledger& ledger) {
     for (const auto& [metric, value] : trial.detorsion) {
       rows.add(metric, value, trial.samples);
     }
+    rows.put("outcome", wordOf(trial.outcome), trial.samples);
     rows.put("trial", Text(trial.trialId), trial.samples);
     rows.put("content_hash", Text(trial.contentHash), trial.samples);
   }

@@ -166,8 +166,7 @@ ReportTable trialsTable(const CohortInputs& in) {
                    Text::tr("Minutes"), Text::tr("Outcome"), Text::tr("Content hash")};
   for (const TrialSummaryRow& trial : in.trials) {
     table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
-                          formatFixed(trial.minutes, 2),
-                          trial.interrupted ? Text::tr("interrupted") : Text::tr("completed"),
+                          formatFixed(trial.minutes, 2), wordOf(trial.outcome),
                           trial.contentHash.substr(0, kPrintedDigits)});
   }
   table.notes = {Text::tr(

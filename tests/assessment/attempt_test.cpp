@@ -181,8 +181,8 @@ TEST(AttemptMeasures, CountCompletedTwistsAndTheOthersSeparately) {
   EXPECT_EQ(measures.twistsOnTarget(), 2);
   EXPECT_EQ(measures.unfinished, 1);
   EXPECT_NEAR(*measures.meanAbsoluteError_deg, (2.0 + 10.0 + 4.0) / 3.0, 1e-9);
-  EXPECT_NEAR(*measures.peakTorque_Nm, 0.62, 1e-12);
-  EXPECT_NEAR(*measures.peakForce_N, 1.24, 1e-12);
+  EXPECT_NEAR(measures.values.at(Quantity::kPeakTorque), 0.62, 1e-12);
+  EXPECT_NEAR(measures.values.at(Quantity::kPeakForce), 1.24, 1e-12);
   EXPECT_DOUBLE_EQ(measures.values.at(Quantity::kTargetsReached), 2.0);
   EXPECT_DOUBLE_EQ(measures.values.at(Quantity::kOnTarget), 2.0 / 3.0);
   EXPECT_EQ(measures.duration_us, 3 * 400'000 + 400'000);
@@ -204,7 +204,6 @@ TEST(AttemptMeasures, OfARecordingWithoutTwistsContainNoErrors) {
   const AttemptMeasures measures = Recording().free(500).measured();
 
   EXPECT_FALSE(measures.meanAbsoluteError_deg);
-  EXPECT_FALSE(measures.peakForce_N);
   EXPECT_FALSE(measures.values.contains(Quantity::kPeakForce));  // nothing was touched
   EXPECT_FALSE(measures.values.contains(Quantity::kOnTarget));
   EXPECT_DOUBLE_EQ(measures.values.at(Quantity::kTargetsReached), 0.0);

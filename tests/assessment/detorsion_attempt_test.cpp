@@ -77,7 +77,6 @@ TEST(RecordedDetorsion, IsMeasuredInsteadOfTwists) {
   EXPECT_TRUE(got.twists.empty());
   EXPECT_EQ(got.unfinished, 0);
   EXPECT_FALSE(got.meanAbsoluteError_deg);
-  EXPECT_FALSE(got.peakTorque_Nm);  // of twists alone
   EXPECT_EQ(got.values.at(Quantity::kUntwisted), 1.0);
   EXPECT_EQ(got.values.at(Quantity::kFirstDirection), 1.0);
   EXPECT_EQ(got.values.at(Quantity::kRegrips), 0.0);

@@ -105,9 +105,8 @@ std::optional<std::pair<Json, Json>> judged(const Telling& telling, ExerciseRule
   if (!telling.module || !trial.summary || !countsAt(*telling.module, trial.attemptMode)) {
     return std::nullopt;
   }
-  const AttemptMeasures measures = measuresFrom(digestOf(telling.connection, trial, rules, now_us));
-  const RunVerdict verdict = judgeRun(measures.values, rulesOf(*telling.module),
-                                      trial.summary->outcome == TrialOutcome::kInterrupted);
+  const AttemptMeasures measures = digestOf(telling.connection, trial, rules, now_us).measures;
+  const RunVerdict verdict = verdictOn(*trial.summary, measures, rulesOf(*telling.module));
   if (verdict.outcome != RunOutcome::kPassed && verdict.outcome != RunOutcome::kNotPassed) {
     return std::nullopt;  // interrupted or not judged: neither passed nor failed
   }

@@ -22,7 +22,7 @@ namespace {
 constexpr std::int64_t kMaxRuns = 10'000;
 
 CompetenceRun runOf(const TrainingModule& module, const TrialDigest& digest) {
-  const AttemptMeasures measures = measuresFrom(digest);
+  const AttemptMeasures& measures = digest.measures;
   CompetenceRun run;
   run.untwisting = isUntwisting(measures.values);
   run.outcome = judgeRun(measures.values, rulesOf(module)).outcome;

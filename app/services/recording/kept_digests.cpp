@@ -96,37 +96,9 @@ TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures, cons
   kept.contentHash = trial.summary.contentHash;
   kept.model =
       isForeign(trial.header.sceneId) ? std::string(kForeignModel) : modelName(trial.header.parametersJson);
-  kept.duration_us = measures.duration_us;
-  kept.unfinishedTwists = measures.unfinished;
-  kept.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
-  kept.peakTorque_Nm = measures.peakTorque_Nm;
-  kept.peakForce_N = measures.peakForce_N;
-  for (const JudgedTwist& twist : measures.twists) {
-    kept.attempts.emplace_back(twist.error_deg, twist.onTarget);
-  }
-  for (const auto& [quantity, value] : measures.values) {
-    kept.measures.emplace(idOf(quantity), value);
-  }
+  kept.measures = measures;
   kept.computedUtc_us = now_us;
   return kept;
-}
-
-AttemptMeasures measuresFrom(const TrialDigest& kept) {
-  AttemptMeasures measures;
-  measures.duration_us = kept.duration_us;
-  for (const auto& [error_deg, onTarget] : kept.attempts) {
-    measures.twists.push_back({error_deg, onTarget});
-  }
-  measures.unfinished = kept.unfinishedTwists;
-  measures.meanAbsoluteError_deg = kept.meanAbsoluteError_deg;
-  measures.peakTorque_Nm = kept.peakTorque_Nm;
-  measures.peakForce_N = kept.peakForce_N;
-  for (const auto& [id, value] : kept.measures) {
-    if (const std::optional<Quantity> quantity = quantityOf(id)) {
-      measures.values.emplace(*quantity, value);
-    }
-  }
-  return measures;
 }
 
 const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::string& contentHash,
@@ -138,9 +110,15 @@ const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::stri
   return found == kept.end() ? nullptr : &*found;
 }
 
-TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest) {
+RunVerdict verdictOn(const TrialSummary& summary, const AttemptMeasures& measures,
+                     const AttemptRules& rules) {
+  return judgeRun(measures.values, rules, summary.outcome == TrialOutcome::kInterrupted);
+}
+
+TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest,
+                           const AttemptRules& rules) {
   const TrialSummary& summary = listing.summary.value();
-  const AttemptMeasures measures = measuresFrom(digest);
+  const AttemptMeasures& measures = digest.measures;
   TrialSummaryRow row;
   row.trialId = listing.trialId;
   row.trainee = listing.traineeCode;
@@ -152,19 +130,18 @@ TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& diges
   row.lateTicks = summary.lateTicks;
   row.forceCuts = summary.health ? summary.health->forceCuts : 0;
   row.interrupted = summary.outcome == TrialOutcome::kInterrupted;
+  row.outcome = verdictOn(summary, measures, rules).outcome;
   row.contentHash = summary.contentHash;
   row.twists = std::ssize(measures.twists);
   row.twistsOnTarget = measures.twistsOnTarget();
   row.unfinishedTwists = measures.unfinished;
   row.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
-  row.peakTorque_Nm = measures.peakTorque_Nm;
-  row.peakForce_N = measures.peakForce_N;
-  if (measures.peakForce_N) {
+  if (!measures.twists.empty()) {
+    row.peakTorque_Nm = valueIn(measures.values, Quantity::kPeakTorque);
+    row.peakForce_N = valueIn(measures.values, Quantity::kPeakForce);
     row.peakDeviceForce_N = valueIn(measures.values, Quantity::kDeviceForce);
   }
-  for (const JudgedTwist& twist : measures.twists) {
-    row.attempts.push_back({twist.error_deg, twist.onTarget});
-  }
+  row.attempts = measures.twists;
   for (const auto& [quantity, value] : measures.values) {
     if (isOfUntwisting(quantity) || digest.model == kForeignModel) {  // there are no twists
       row.detorsion.emplace(idOf(quantity), value);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/run_verdict.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
@@ -57,14 +58,18 @@ class ExerciseRules {
 [[nodiscard]] TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures,
                                      const AttemptRules& rules, std::int64_t now_us);
 /// Converts stored measures back, bit for bit.
-[[nodiscard]] AttemptMeasures measuresFrom(const TrialDigest& kept);
 /// Finds the digest of exactly this recording and these rules; null if there is none.
 [[nodiscard]] const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::string& contentHash,
                                             const AttemptRules& rules);
 
-/// Returns the report's row for a finished recording, from the trial's own data and its measures. The caller
-/// fills in the group.
-[[nodiscard]] TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest);
+/// Returns the verdict on a finished recording by its exercise's rules.
+[[nodiscard]] RunVerdict verdictOn(const TrialSummary& summary, const AttemptMeasures& measures,
+                                   const AttemptRules& rules);
+
+/// Returns the report's row for a finished recording, from the trial's own data, its measures and its
+/// exercise's rules. The caller fills in the group.
+[[nodiscard]] TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest,
+                                         const AttemptRules& rules);
 
 /// Returns the digest of a finished recording by its exercise's rules. Reads one of the current version if
 /// stored; otherwise reads and measures the recording, which is slow, and stores the digest unless the record

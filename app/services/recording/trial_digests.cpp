@@ -244,8 +244,8 @@ void measure(Connection& connection, const std::vector<TrialListing>& listed,
   std::size_t done = 0;
   const auto take = [&] {
     for (TrialDigest& digest : ahead.take()) {
-      const std::size_t place = unmeasured[done++].place;
-      rows[place] = summaryRow(listed[place], digest);
+      const auto& [place, rules] = unmeasured[done++];
+      rows[place] = summaryRow(listed[place], digest, rules);
       fresh.add(std::move(digest), listed[place].summary->samples);
     }
   };
@@ -306,7 +306,7 @@ std::vector<TrialSummaryRow> TrialDigests::read(Connection& connection, const Co
     const TrialListing& listing = listed[i];
     const AttemptRules rules = rules_.of(connection, listing.sceneId, listing.patternId, listing.moduleId);
     if (const TrialDigest* known = findDigest(kept[listing.trialId], listing.summary->contentHash, rules)) {
-      out[i] = summaryRow(listing, *known);
+      out[i] = summaryRow(listing, *known, rules);
     } else {
       unmeasured.push_back({i, rules});
     }

@@ -23,16 +23,15 @@ Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseR
   Attempt attempt;
   if (listing.summary) {
     const AttemptMeasures measures =
-        measuresFrom(digestOf(session.connection(), listing, rules, session.now_us()));
+        digestOf(session.connection(), listing, rules, session.now_us()).measures;
     attempt.duration_s = static_cast<double>(measures.duration_us) * 1e-6;
     attempt.twists = std::ssize(measures.twists);
     attempt.onTarget = measures.twistsOnTarget();
     attempt.unfinished = measures.unfinished;
     attempt.values = measures.values;
-    const bool interrupted = listing.summary->outcome == TrialOutcome::kInterrupted;
-    attempt.verdict = judgeRun(
-        attempt.values, rules.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId),
-        interrupted);
+    attempt.verdict =
+        verdictOn(*listing.summary, measures,
+                  rules.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId));
   }
   attempt.trialId = listing.trialId;
   attempt.moduleId = listing.moduleId;

@@ -108,7 +108,7 @@ std::optional<EarlierMeasure> earlierMeasure(Connection& connection, const Trial
   if (kept == nullptr) {
     return std::nullopt;
   }
-  const QuantityValues values = measuresFrom(*kept).values;
+  const QuantityValues& values = kept->measures.values;
   const EarlierMeasure earlier{.version = kept->formulaVersion,
                                .peakForce_N = valueIn(values, Quantity::kPeakForce),
                                .withinLimits = withinLimits(values, rules)};
@@ -169,7 +169,7 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   }
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;
-  out.verdict = judgeRun(measures.values, rules, trial.summary.outcome == TrialOutcome::kInterrupted);
+  out.verdict = verdictOn(trial.summary, measures, rules);
   if (const std::optional<ServoHealth>& health = trial.summary.health) {
     out.servoTrouble = servoTrouble(*health, trial.summary.samples);
     out.servoRemedy = servoRemedy(*health);

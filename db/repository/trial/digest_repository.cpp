@@ -40,31 +40,36 @@ double numberAt(const Blob& bytes, std::size_t at) {
   return std::bit_cast<double>(bits);
 }
 
-Blob packed(const std::vector<std::pair<double, bool>>& attempts) {
+Blob packed(const std::vector<JudgedTwist>& twists) {
   Blob bytes;
-  bytes.reserve(attempts.size() * kAttemptBytes);
-  for (const auto& [error_deg, onTarget] : attempts) {
-    appendNumber(bytes, error_deg);
-    bytes.push_back(onTarget ? std::byte{1} : std::byte{0});
+  bytes.reserve(twists.size() * kAttemptBytes);
+  for (const JudgedTwist& twist : twists) {
+    appendNumber(bytes, twist.error_deg);
+    bytes.push_back(twist.onTarget ? std::byte{1} : std::byte{0});
   }
   return bytes;
 }
 
-std::vector<std::pair<double, bool>> attemptsFrom(const Blob& bytes, const TrialId& trialId) {
+std::vector<JudgedTwist> twistsFrom(const Blob& bytes, const TrialId& trialId) {
   if (bytes.size() % kAttemptBytes != 0) {
     refuseCutOff(trialId);
   }
-  std::vector<std::pair<double, bool>> attempts;
-  attempts.reserve(bytes.size() / kAttemptBytes);
+  std::vector<JudgedTwist> twists;
+  twists.reserve(bytes.size() / kAttemptBytes);
   for (std::size_t at = 0; at < bytes.size(); at += kAttemptBytes) {
-    attempts.emplace_back(numberAt(bytes, at), bytes[at + kNumberBytes] != std::byte{0});
+    twists.push_back({numberAt(bytes, at), bytes[at + kNumberBytes] != std::byte{0}});
   }
-  return attempts;
+  return twists;
 }
 
-Blob packed(const std::map<std::string, double>& measures) {
+/// Packs the values by stored id, in the order of these.
+Blob packed(const QuantityValues& values) {
+  std::map<std::string, double> byId;
+  for (const auto& [quantity, value] : values) {
+    byId.emplace(idOf(quantity), value);
+  }
   Blob bytes;
-  for (const auto& [id, value] : measures) {
+  for (const auto& [id, value] : byId) {
     TORSIO_EXPECTS(id.size() <= kLongestId);
     bytes.push_back(static_cast<std::byte>(id.size()));
     for (const char letter : id) {
@@ -75,8 +80,9 @@ Blob packed(const std::map<std::string, double>& measures) {
   return bytes;
 }
 
-std::map<std::string, double> measuresFrom(const Blob& bytes, const TrialId& trialId) {
-  std::map<std::string, double> measures;
+/// Omits quantities that this version does not know.
+QuantityValues valuesFrom(const Blob& bytes, const TrialId& trialId) {
+  QuantityValues values;
   for (std::size_t at = 0; at < bytes.size();) {
     const auto length = std::to_integer<std::size_t>(bytes[at]);
     ++at;
@@ -87,10 +93,17 @@ std::map<std::string, double> measuresFrom(const Blob& bytes, const TrialId& tri
     for (std::size_t i = 0; i < length; ++i) {
       id.push_back(static_cast<char>(bytes[at + i]));
     }
-    measures[id] = numberAt(bytes, at + length);
+    if (const std::optional<Quantity> quantity = quantityOf(id)) {
+      values[*quantity] = numberAt(bytes, at + length);
+    }
     at += length + kNumberBytes;
   }
-  return measures;
+  return values;
+}
+
+/// Returns a peak as its column holds it: of runs with a completed twist.
+std::optional<double> peakOf(const AttemptMeasures& measures, Quantity quantity) {
+  return measures.twists.empty() ? std::nullopt : valueIn(measures.values, quantity);
 }
 
 std::optional<double> limitFrom(double stored) {
@@ -99,8 +112,8 @@ std::optional<double> limitFrom(double stored) {
 
 constexpr const char* kColumns =
     "d.trial_id, d.formula_version, d.tolerance_rad, d.force_limit_n, d.torque_limit_nm, d.content_hash,"
-    " d.model, d.duration_us, d.unfinished_twists, d.mean_absolute_error_deg, d.peak_torque_nm,"
-    " d.peak_force_n, d.attempts, d.measures, d.computed_utc_us";
+    " d.model, d.duration_us, d.unfinished_twists, d.mean_absolute_error_deg, d.attempts,"
+    " d.measures, d.computed_utc_us";
 
 TrialDigest digestFrom(RowReader& row) {
   TrialDigest digest;
@@ -111,13 +124,11 @@ TrialDigest digestFrom(RowReader& row) {
   digest.torqueLimit_Nm = limitFrom(row.real());
   digest.contentHash = row.text();
   digest.model = row.text();
-  digest.duration_us = row.int64();
-  digest.unfinishedTwists = row.int64();
-  digest.meanAbsoluteError_deg = row.maybeReal();
-  digest.peakTorque_Nm = row.maybeReal();
-  digest.peakForce_N = row.maybeReal();
-  digest.attempts = attemptsFrom(row.blob(), digest.trialId);
-  digest.measures = measuresFrom(row.blob(), digest.trialId);
+  digest.measures.duration_us = row.int64();
+  digest.measures.unfinished = row.int64();
+  digest.measures.meanAbsoluteError_deg = row.maybeReal();
+  digest.measures.twists = twistsFrom(row.blob(), digest.trialId);
+  digest.measures.values = valuesFrom(row.blob(), digest.trialId);
   digest.computedUtc_us = row.int64();
   return digest;
 }
@@ -134,11 +145,13 @@ void DigestRepository::add(std::span<const TrialDigest> digests) {
                  " peak_force_n, attempts, measures, computed_utc_us") +
       " ON CONFLICT (trial_id, formula_version, tolerance_rad, force_limit_n, torque_limit_nm) DO NOTHING");
   for (const TrialDigest& digest : digests) {
+    const AttemptMeasures& measures = digest.measures;
     insert.execute({digest.trialId, digest.formulaVersion, digest.tolerance_rad,
                     digest.forceLimit_N.value_or(kNoLimit), digest.torqueLimit_Nm.value_or(kNoLimit),
-                    digest.contentHash, digest.model, digest.duration_us, digest.unfinishedTwists,
-                    digest.meanAbsoluteError_deg, digest.peakTorque_Nm, digest.peakForce_N,
-                    packed(digest.attempts), packed(digest.measures), digest.computedUtc_us});
+                    digest.contentHash, digest.model, measures.duration_us, measures.unfinished,
+                    measures.meanAbsoluteError_deg, peakOf(measures, Quantity::kPeakTorque),
+                    peakOf(measures, Quantity::kPeakForce), packed(measures.twists), packed(measures.values),
+                    digest.computedUtc_us});
     judged.push_back(digest.trialId);
   }
   noteLearningEvents(connection_, LearningEventKind::kJudged, judged);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Window, browser, transcript, trend, learning record and command line say the same of the same run, word for
-// word and in both languages.
+// Window, browser, transcript, trend, learning record, command line, report, table of numbers and workbook
+// say the same of the same run, word for word and in both languages.
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -10,6 +10,8 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QProcess>
+#include <QRegularExpression>
 #include <QTextBrowser>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -21,13 +23,22 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/outputs/dataset/cohort_exchange.h"
+#include "app/outputs/pdf/pdf_report.h"
+#include "app/outputs/tables/export_set.h"
 #include "app/services/base/assets.h"
+#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"
 #include "assessment/attempt/run_verdict.h"
+#include "assessment/results/analysed_cohort.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/core/foreign_recording.h"
 #include "sim/core/random.h"
 #include "sim/core/spsc_ring.h"
 #include "sim/record/recorder.h"
@@ -44,7 +55,9 @@ using nlohmann::json;
 using testing::TrainingCentre;
 
 constexpr int kRuns = 200;
-constexpr int kLookedAt = 2;  ///< runs of each outcome whose debrief is opened
+constexpr int kUntwistings = 3;
+constexpr int kLookedAt = 2;  ///< runs of each outcome whose debrief is opened, besides the untwistings
+constexpr const char* kOffice = "office";
 constexpr const char* kPassword = "correct horse battery";
 
 /// What happens to a run.
@@ -100,7 +113,8 @@ std::vector<Sample> untilTheFirstTwistIsOver(std::vector<Sample> samples) {
   return samples;
 }
 
-/// A centre with two hundred runs of T-01 at "first", some of them spoiled, and a desk for browsers.
+/// A centre with untwistings of T-01 at "second" and two hundred runs at "first", some of them spoiled, and a
+/// desk for browsers.
 class Faces : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { world_ = std::make_unique<World>(); }
@@ -110,12 +124,18 @@ class Faces : public ::testing::Test {
     World() {
       const std::vector<Sample> good = decodedRun(1.0);
       const std::vector<Sample> bad = decodedRun(0.0);
+      untwist();
       Random random(7);
       for (int i = 0; i < kRuns; ++i) {
         const auto fate = static_cast<Fate>(random.bounded(static_cast<std::uint64_t>(Fate::kEnd)));
-        store(i, spoiled(random.uniform() < 0.7 ? good : bad, fate, random));
+        store(i, "first", AttemptMode::kPractice, spoiled(random.uniform() < 0.7 ? good : bad, fate, random));
       }
       AccessRepository access(centre.connection(), PasswordCost::kTest);
+      access.addUser({.id = "00000000-0000-4000-8000-000000000001",
+                      .login = kOffice,
+                      .createdUtc_us = testing::kCentreTime_us,
+                      .roles = {"administrator"}},
+                     kPassword);
       for (const UserAccount& user : access.users()) {
         access.setPassword(user.id, access.sealPassword(user.login, kPassword), false);
       }
@@ -137,33 +157,68 @@ class Faces : public ::testing::Test {
       return untilTheFirstTwistIsOver(decodeTrial(trial));
     }
 
-    void store(int number, const Made& made) {
+    /// A whole untwisting, one with a turn left out, and the whole one with lost samples.
+    void untwist() {
+      const TrialHeader ofTheBar = header;
+      for (const std::size_t turnsLeftOut : {0U, 1U}) {
+        judge(centre.untwist("second", "graded", turnsLeftOut));
+      }
+      const Trial whole = TrialRepository(centre.connection()).load(order.front());
+      Random random(8);
+      header = whole.header;
+      header.startedUtc_us = TrialRepository(centre.connection()).load(order.back()).header.startedUtc_us;
+      store(kRuns, "second", AttemptMode::kGraded, spoiled(decodeTrial(whole), Fate::kTorn, random));
+      const std::int64_t last_us = header.startedUtc_us;
+      header = ofTheBar;
+      header.startedUtc_us = last_us;
+    }
+
+    void store(int number, const char* module, AttemptMode mode, const Made& made) {
       header.trialId = "00000000-0000-4000-8000-0000000" + std::to_string(10'000 + number);
       header.startedUtc_us += testing::kMinute_us;
       centre.passTime_us(testing::kMinute_us);
       SpscRing<Sample> ring(kRecordingRing);
       TrialRepository sink(centre.connection(), {.station = "station 1",
                                                  .enrolmentId = centre.enrolment(),
-                                                 .moduleId = centre.module("first"),
-                                                 .attemptMode = AttemptMode::kPractice});
+                                                 .moduleId = centre.module(module),
+                                                 .attemptMode = mode});
       Recorder recorder(ring, sink, header);
       for (const Sample& sample : made.samples) {
         EXPECT_TRUE(ring.push(sample));
         recorder.pump();
       }
       static_cast<void>(recorder.finish(made.outcome, 0, {}));
-      // By what every face is measured: the verdict on the recording itself.
-      const Trial stored = TrialRepository(centre.connection()).load(header.trialId);
+      judge(header.trialId);
+    }
+
+    /// Keeps by what every face is measured: the verdict on the recording itself.
+    void judge(const TrialId& id) {
+      const Trial stored = TrialRepository(centre.connection()).load(id);
+      const std::string module = order.size() < kUntwistings ? "second" : "first";
       ExerciseRules exercises;
-      const AttemptRules rules =
-          exercises.of(centre.connection(), header.sceneId, header.patternId, centre.module("first"));
-      truth[header.trialId] = judgeRun(measureAttempt(stored.header, decodeTrial(stored), rules).values,
-                                       rules, made.outcome == TrialOutcome::kInterrupted);
-      order.push_back(header.trialId);
+      const AttemptRules rules = recordedRules(exercises.of(centre.connection(), stored.header.sceneId,
+                                                            stored.header.patternId, centre.module(module)),
+                                               stored.header);
+      truth[id] = judgeRun(measureAttempt(stored.header, decodeTrial(stored), rules).values, rules,
+                           stored.summary.outcome == TrialOutcome::kInterrupted);
+      order.push_back(id);
+    }
+
+    /// The cohort as it is exported.
+    ExchangeData exported() {
+      centre.become(kOffice);
+      TrialDigests digests{std::filesystem::path()};
+      ExchangeData data = exchangeData(centre.session(), {.cohortId = centre.cohort().id}, digests);
+      EXPECT_EQ(data.inputs.trials.size(), order.size() + 2);
+      std::erase_if(data.inputs.trials,
+                    [this](const TrialSummaryRow& row) { return !truth.contains(row.trialId); });
+      centre.become("T-01");
+      return data;
     }
 
     TrainingCentre centre{
-        {.mastery = {{.metric = "twist.on_target", .threshold = 0.5, .unit = "1"},
+        {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 1'000'000'000'000}},
+         .mastery = {{.metric = "twist.on_target", .threshold = 0.5, .unit = "1"},
                      {.metric = "force.violations", .comparison = "at_most", .unit = "count"}}}};
     TrialHeader header;
     std::map<std::string, RunVerdict> truth;  ///< by id of the run
@@ -172,11 +227,11 @@ class Faces : public ::testing::Test {
     std::unique_ptr<web::HttpServer> server;
   };
 
-  /// The runs whose debrief is opened: some of each outcome.
+  /// The runs whose debrief is opened: the untwistings and some of each outcome.
   static std::vector<std::string> lookedAt() {
-    std::vector<std::string> chosen;
+    std::vector<std::string> chosen(world_->order.begin(), world_->order.begin() + kUntwistings);
     std::map<RunOutcome, int> seen;
-    for (const std::string& id : world_->order) {
+    for (const std::string& id : std::vector(world_->order.begin() + kUntwistings, world_->order.end())) {
       if (seen[world_->truth.at(id).outcome]++ < kLookedAt) {
         chosen.push_back(id);
       }
@@ -222,7 +277,7 @@ TEST_F(Faces, TheRunsCameToEveryOutcomeThatARecordedRunCanHave) {
   EXPECT_GT(outcomes[RunOutcome::kNotPassed], 20);
   EXPECT_GT(outcomes[RunOutcome::kNotJudged], 5);
   EXPECT_GT(outcomes[RunOutcome::kInterrupted], 10);
-  EXPECT_EQ(world_->truth.size(), static_cast<std::size_t>(kRuns));
+  EXPECT_EQ(world_->truth.size(), static_cast<std::size_t>(kRuns + kUntwistings));
 }
 
 TEST_F(Faces, TrendAndTranscriptOfTheWindowSayTheVerdictOfEveryRun) {
@@ -256,11 +311,14 @@ TEST_F(Faces, TheListsOfTheBrowserSayTheVerdictOfEveryRun) {
     // The newest run stands first; two others were made to take hands from.
     ASSERT_EQ(own.at("runs").size(), world_->order.size() + 2);
     for (std::size_t i = 0; i < world_->order.size(); ++i) {
-      const RunVerdict& verdict = world_->truth.at(world_->order[world_->order.size() - 1 - i]);
+      const std::size_t number = world_->order.size() - 1 - i;
+      const RunVerdict& verdict = world_->truth.at(world_->order[number]);
       const json& run = own.at("runs").at(i);
       EXPECT_EQ(run.at("outcome").at("word"), inWords(wordOf(verdict.outcome)));
       EXPECT_EQ(run.at("outcome").at("code"), storedText(verdict.outcome));
-      const json& line = transcript.at("modules").at(0).at("attempts").at(world_->order.size() - 1 - i);
+      const bool untwisted = number < kUntwistings;
+      const json& attempts = transcript.at("modules").at(untwisted ? 1 : 0).at("attempts");
+      const json& line = attempts.at(untwisted ? number : number - kUntwistings);
       EXPECT_EQ(line.at("outcome"), run.at("outcome"));
     }
     EXPECT_EQ(own.at("modules").at(0).at("metric"), inWords(rowOf(Quantity::kForceViolations).name));
@@ -273,6 +331,7 @@ TEST_F(Faces, TheListsOfTheBrowserSayTheVerdictOfEveryRun) {
 TEST_F(Faces, TheDebriefSaysTheSameInWindowAndBrowser) {
   gui::Station station(world_->centre);
   station.desk().lastScene = borrowed(testing::trainingBar());
+  std::size_t findings = 0;
   inBothLanguages([&](const char* code) {
     WebClient client = browser(code);
     const json own = client.get("/api/own").json();
@@ -300,8 +359,11 @@ TEST_F(Faces, TheDebriefSaysTheSameInWindowAndBrowser) {
       for (const json& finding : run.at("told").at("findings")) {
         EXPECT_TRUE(all.contains(QString::fromStdString(finding.at("text")))) << finding;
       }
+      findings += run.at("told").at("findings").size();
+      EXPECT_EQ(run.at("told").at("findings").empty(), !run.at("untwisting").get<bool>());
     }
   });
+  EXPECT_GT(findings, 2U * kUntwistings * 3U) << "in two languages";
 }
 
 TEST_F(Faces, NobodyReadsThatItIsNotTheirFaultBelowNotPassed) {
@@ -365,8 +427,102 @@ TEST_F(Faces, TheCommandLineSaysTheVerdictAndTheNames) {
   }
 }
 
-// A quantity that has a row is on every face without another line: what may be asked for stands in the table
-// of rules, what a trend offers in its list, and each has its name in both languages.
+/// What a program prints.
+QString printedBy(const QString& program, const QStringList& arguments) {
+  QProcess process;
+  process.start(program, arguments);
+  EXPECT_TRUE(process.waitForFinished()) << program.toStdString();
+  return QString::fromUtf8(process.readAllStandardOutput());
+}
+
+TEST_F(Faces, ReportAndPdfSayTheVerdictOfEveryRun) {
+  const ExchangeData data = world_->exported();
+  ReportModel report = cohortReport(data.inputs);
+  std::erase_if(report.sections, [](const ReportSection& section) {
+    return section.tables.empty() || section.tables.back().id != "table-trial-hashes";
+  });
+  ASSERT_EQ(report.sections.size(), 1U);
+  const ReportTable& table = report.sections.front().tables.back();
+  const std::string file = (world_->centre.folder() / "report.pdf").string();
+
+  ASSERT_EQ(table.rows.size(), world_->order.size());
+  inBothLanguages([&](const char* code) {
+    writePdfReport(report, file, wordingIn(code), {}, code);
+    const QString pages = printedBy("pdftotext", {"-raw", QString::fromStdString(file), "-"}).simplified();
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      const TrialSummaryRow& row = data.inputs.trials[i];
+      const std::string word = inWords(wordOf(world_->truth.at(row.trialId).outcome));
+      ASSERT_EQ(table.rows[i][0].str(), row.trialId.text());
+      EXPECT_EQ(inWords(table.rows[i][5]), word) << row.trialId;
+      const std::string printed =
+          formatFixed(row.minutes, 2) + " " + word + " " + row.contentHash.substr(0, 16);
+      EXPECT_TRUE(pages.contains(QString::fromStdString(printed))) << printed << pages.toStdString();
+    }
+  });
+}
+
+/// Prints the sheets of a workbook as they are stored.
+constexpr const char* kReadsSheets =
+    "import sys, zipfile\n"
+    "book = zipfile.ZipFile(sys.argv[1])\n"
+    "for name in book.namelist():\n"
+    "    if name.startswith('xl/worksheets/') and name.endswith('.xml'):\n"
+    "        print(book.read(name).decode())";
+
+TEST_F(Faces, TablesAndWorkbookSayTheVerdictOfEveryRun) {
+  const ExchangeData data = world_->exported();
+  std::map<std::string, std::string> said;  // in cohort.csv, by run
+  std::string last;
+  for (const CohortCsvRow& row : cohortCsvRows(data.analysed.ledger)) {
+    if (row.section == "trial" && row.statistic == "outcome") {
+      last = row.value;
+    } else if (row.section == "trial" && row.statistic == "trial") {
+      said[row.value] = std::exchange(last, {});
+    }
+  }
+  const std::vector<ExportColumn>& columns = data.set.trials.columns;
+  const auto placeOf = [&columns](const std::string& name) {
+    return static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(),
+                                                 [&](const auto& column) { return column.name == name; }) -
+                                    columns.begin());
+  };
+  std::map<std::string, std::string> tabled;
+  for (const std::vector<ExportCell>& row : data.set.trials.rows) {
+    tabled[std::get<std::string>(row.at(placeOf("trial")))] =
+        std::get<std::string>(row.at(placeOf("outcome")));
+  }
+  const std::filesystem::path file = world_->centre.folder() / "cohort.xlsx";
+  world_->centre.become(kOffice);
+  static_cast<void>(exportWorkbook(
+      world_->centre.session(), data, [](const Text& text) { return text.str(); }, file));
+  world_->centre.become("T-01");
+  const QStringList lines =
+      printedBy("/usr/bin/python3", {"-c", kReadsSheets, QString::fromStdString(file.string())})
+          .split("<row ");
+
+  for (const TrialSummaryRow& row : data.inputs.trials) {
+    const std::string word = wordOf(world_->truth.at(row.trialId).outcome).str();
+    EXPECT_EQ(said[row.trialId], word) << row.trialId;
+    EXPECT_EQ(tabled[row.trialId], word) << row.trialId;
+    const QString id = QString::fromStdString(">" + row.trialId.text() + "<");
+    const QString hash = QString::fromStdString(">" + row.contentHash + "<");
+    const auto line = std::find_if(lines.begin(), lines.end(), [&](const QString& one) {
+      return one.contains(id) && one.contains(hash);
+    });
+    ASSERT_NE(line, lines.end()) << row.trialId;
+    EXPECT_TRUE(line->contains(QString::fromStdString(">" + word + "<"))) << line->toStdString();
+  }
+  inBothLanguages([&](const char* code) {
+    const bool chinese = std::string(code) != "en";
+    EXPECT_EQ(inWords(columns.at(placeOf("outcome")).title) != "Outcome", chinese);
+  });
+}
+
+// A quantity that has a row is on every face without another line. A fixture cannot add a row to the table,
+// so these tests ask each face for every row, in both languages: what may be asked for stands in the table of
+// rules, what a trend offers in its list; a run that has a value of each quantity shows all of them in
+// cohort.csv, tables, workbook and report. TheCommandLineSaysTheVerdictAndTheNames does the same of the
+// cards.
 TEST_F(Faces, EveryRowOfTheCatalogueIsFoundWhereItSays) {
   gui::Station station(world_->centre);
   inBothLanguages([&](const char* code) {
@@ -391,6 +547,108 @@ TEST_F(Faces, EveryRowOfTheCatalogueIsFoundWhereItSays) {
       if (row.traits.inTrend && isOfUntwisting(row.quantity) == untwisting) {
         EXPECT_TRUE(offered.contains(name)) << row.id;
       }
+    }
+  });
+}
+
+/// The value of each quantity in the run that has them all, SI.
+double valueOf(Quantity quantity) {
+  return isAnswer(quantity) ? 1.0 : 0.37 * static_cast<double>(quantity) + 0.21;
+}
+
+/// The exported cohort with only one run, which has a value of each quantity.
+ExchangeData withEveryQuantity(ExchangeData data) {
+  TrialSummaryRow run = data.inputs.trials.front();
+  run.phase = Text::verbatim("every quantity");
+  run.outcome = RunOutcome::kPassed;
+  run.detorsion.clear();
+  for (const QuantityRow& row : quantityRows()) {
+    run.detorsion[std::string(row.id)] = valueOf(row.quantity);
+  }
+  data.inputs.trials = {run};
+  data.analysed = analysedCohort(data.inputs);
+  data.set = exportSet(data.analysed, {});
+  return data;
+}
+
+TEST_F(Faces, TablesAndWorkbookTakeNameAndUnitOfEveryRowOfTheCatalogue) {
+  const ExchangeData data = withEveryQuantity(world_->exported());
+  const std::vector<CohortCsvRow> lines = cohortCsvRows(data.analysed.ledger);
+  const ExportTable& trials = data.set.trials;
+  ASSERT_EQ(trials.rows.size(), 1U);
+
+  inBothLanguages([&](const char* code) {
+    const std::filesystem::path file = world_->centre.folder() / "every.xlsx";
+    world_->centre.become(kOffice);
+    static_cast<void>(exportWorkbook(world_->centre.session(), data, inWords, file));
+    world_->centre.become("T-01");
+    const QString sheets =
+        printedBy("/usr/bin/python3", {"-c", kReadsSheets, QString::fromStdString(file.string())});
+    for (const QuantityRow& row : quantityRows()) {
+      EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&row](const CohortCsvRow& line) {
+        return line.statistic == row.id && std::stod(line.value) == valueOf(row.quantity);
+      })) << row.id;
+      std::string name(row.id);
+      std::replace(name.begin(), name.end(), '.', '_');
+      const auto column = std::find_if(trials.columns.begin(), trials.columns.end(),
+                                       [&name](const ExportColumn& one) { return one.name == name; });
+      ASSERT_NE(column, trials.columns.end()) << row.id;
+      const bool plain = row.unit == "1" || row.unit == "count";
+      EXPECT_EQ(column->unit, plain ? "" : row.unit);
+      EXPECT_EQ(inWords(column->title), inWords(row.name));
+      EXPECT_EQ(
+          std::get<double>(trials.rows[0].at(static_cast<std::size_t>(column - trials.columns.begin()))),
+          valueOf(row.quantity));
+      const std::string head = ">" + inWords(row.name) + (plain ? "" : ", " + column->unit) + "<";
+      EXPECT_TRUE(sheets.contains(QString::fromStdString(head))) << head << " " << code;
+    }
+  });
+}
+
+/// Without blanks: a printed head is broken over lines.
+QString unbroken(QString text) {
+  return text.remove(QRegularExpression(QStringLiteral("\\s")));
+}
+
+TEST_F(Faces, ReportAndPdfTakeNameUnitAndDecimalsFromTheCatalogue) {
+  ExchangeData data = withEveryQuantity(world_->exported());
+  TrialSummaryRow twisted = data.inputs.trials.front();  // a run with twists, and one of other equipment
+  twisted.detorsion.clear();
+  twisted.peakForce_N = valueOf(Quantity::kPeakForce);
+  twisted.peakTorque_Nm = valueOf(Quantity::kPeakTorque);
+  TrialSummaryRow foreign = data.inputs.trials.front();
+  twisted.trialId = "twisted";
+  foreign.trialId = "foreign";
+  foreign.model = kForeignModel;
+  data.inputs.trials.push_back(twisted);
+  data.inputs.trials.push_back(foreign);
+  ReportModel report = cohortReport(data.inputs);
+  std::erase_if(report.sections, [](const ReportSection& section) {
+    return section.tables.empty() || section.tables.front().id != "table-trials";
+  });
+  ASSERT_EQ(report.sections.size(), 1U);
+  const std::string file = (world_->centre.folder() / "quantities.pdf").string();
+
+  inBothLanguages([&](const char* code) {
+    writePdfReport(report, file, wordingIn(code), {}, code);
+    const QString pages = unbroken(printedBy("pdftotext", {"-raw", QString::fromStdString(file), "-"}));
+    const auto holds = [&pages](const Text& text) {
+      EXPECT_TRUE(pages.contains(unbroken(gui::toQString(text)))) << inWords(text) << "\n"
+                                                                  << pages.toStdString();
+    };
+    for (const Quantity quantity : {Quantity::kCompletedTwists, Quantity::kTargetsReached,
+                                    Quantity::kUntwisted, Quantity::kRelapse, Quantity::kFirstDirection}) {
+      holds(rowOf(quantity).name);
+    }
+    for (const Quantity quantity : {Quantity::kPeakTorque, Quantity::kPeakForce}) {
+      holds(meanTitle(quantity));
+      holds(shownNumber(quantity, valueOf(quantity)));
+    }
+    for (const Quantity quantity : {Quantity::kTimeToFlow, Quantity::kDose, Quantity::kSlipBack,
+                                    Quantity::kTime, Quantity::kTipPath, Quantity::kIdleTime}) {
+      holds(medianTitle(quantity));
+      holds(titleWithUnit(quantity));
+      holds(shownNumber(quantity, valueOf(quantity)));
     }
   });
 }

@@ -120,8 +120,8 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   EXPECT_EQ(trial.summary->samples, kRecorded);
   ExerciseRules rules;
   const TrialDigest digest = digestOf(centre.connection(), trial, rules, 0);
-  EXPECT_GT(digest.measures.at("tip.path"), 0.09);
-  EXPECT_FALSE(digest.measures.contains("force.peak"));
+  EXPECT_GT(digest.measures.values.at(Quantity::kTipPath), 0.09);
+  EXPECT_FALSE(digest.measures.values.contains(Quantity::kPeakForce));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 

@@ -26,14 +26,6 @@ namespace {
 using testing::record;
 using testing::SmallStudy;
 
-std::vector<std::pair<double, bool>> pairs(const std::vector<TwistAttempt>& attempts) {
-  std::vector<std::pair<double, bool>> out;
-  for (const TwistAttempt& attempt : attempts) {
-    out.emplace_back(attempt.error_deg, attempt.onTarget);
-  }
-  return out;
-}
-
 TEST(TrialDigests, AreMeasuredOnceAndReadBackBitForBit) {
   SmallStudy study;
   record(study, "first", 100);
@@ -61,7 +53,7 @@ TEST(TrialDigests, AreMeasuredOnceAndReadBackBitForBit) {
     EXPECT_EQ(kept[i].peakForce_N, measured[i].peakForce_N);
     EXPECT_EQ(kept[i].lateTicks, 3);
     EXPECT_EQ(kept[i].contentHash, measured[i].contentHash);
-    EXPECT_EQ(pairs(kept[i].attempts), pairs(measured[i].attempts));
+    EXPECT_EQ(kept[i].attempts, measured[i].attempts);
   }
 }
 
@@ -91,8 +83,8 @@ TEST(TrialDigests, AreRestoredBitForBitWithTheirRules) {
   free.formulaVersion = kMetricsVersion;
   free.tolerance_rad = 0.1;
   free.contentHash = "hash of first";
-  free.attempts = {{1.0 / 3.0, true}, {20.0, false}};
-  free.measures = {{"force.peak", 0.1 + 0.2}, {"twist.sparc", -1.4}};
+  free.measures.twists = {{1.0 / 3.0, true}, {20.0, false}};
+  free.measures.values = {{Quantity::kPeakForce, 0.1 + 0.2}, {Quantity::kSparc, -1.4}};
   TrialDigest limited = free;
   limited.forceLimit_N = 0.0;  // a limit of zero differs from no limit
   limited.torqueLimit_Nm = 0.5;

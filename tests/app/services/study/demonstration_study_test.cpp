@@ -206,7 +206,7 @@ TEST(DemonstrationStudy, ReportAndTraineesScreenAgreeForEverybody) {
   TrialDigests digests(centre.assets());
   std::map<std::string, std::vector<double>> errors;
   for (const TrialSummaryRow& trial : digests.ofCohort(centre.as("administrator"), study.cohort.id)) {
-    for (const TwistAttempt& twist : trial.attempts) {
+    for (const JudgedTwist& twist : trial.attempts) {
       errors[trial.trainee].push_back(twist.error_deg);
     }
   }

@@ -44,9 +44,9 @@ TEST(Debrief, ShowsEarlierMeasuresNextToTheCurrentVerdict) {
   static_cast<void>(attemptOf(centre, trial));
   const DigestRepository digests(centre.connection());
   TrialDigest older = digests.ofTrial(trial, kMetricsVersion).at(0);
-  const double judged_N = older.measures.at(idOf(Quantity::kPeakForce));
+  const double judged_N = older.measures.values.at(Quantity::kPeakForce);
   older.formulaVersion = kMetricsVersion - 1;
-  older.measures.at(idOf(Quantity::kPeakForce)) = 0.88;  // what the device could render
+  older.measures.values.at(Quantity::kPeakForce) = 0.88;  // what the device could render
   DigestRepository(centre.connection()).add({&older, 1});
 
   const Debrief told = debrief(centre.session(), trial, {}, &trainingBar());
