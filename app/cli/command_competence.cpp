@@ -10,8 +10,8 @@
 #include "app/cli/json_output.h"
 #include "app/cli/options.h"
 #include "app/services/maintenance/maintenance_desk.h"
+#include "app/services/recording/competence.h"
 #include "app/services/recording/competence_service.h"
-#include "app/services/recording/competence_text.h"
 #include "assessment/attempt/competence.h"
 #include "sim/core/angle.h"
 

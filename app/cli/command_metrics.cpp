@@ -11,7 +11,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/options.h"
-#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/recording/trial_playback.h"
 #include "assessment/attempt/attempt_measures.h"

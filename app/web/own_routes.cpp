@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "app/services/base/assets.h"
-#include "app/services/recording/competence_text.h"
+#include "app/services/recording/competence.h"
 #include "app/services/training/attempts.h"
 #include "app/services/training/debrief.h"
+#include "app/services/training/detorsion_story.h"
 #include "app/services/training/next_steps.h"
 #include "app/services/training/remarks.h"
 #include "app/services/training/trainee_record.h"
 #include "app/services/training/transcript.h"
 #include "app/services/training/trend.h"
-#include "app/services/training/untwisting_findings.h"
 #include "app/web/case_json.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"

@@ -16,7 +16,7 @@
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
-#include "app/services/training/untwisting_findings.h"
+#include "app/services/training/detorsion_story.h"
 
 namespace torsio::gui {
 

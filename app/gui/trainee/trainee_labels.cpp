@@ -5,7 +5,7 @@
 
 #include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
-#include "app/services/recording/competence_text.h"
+#include "app/services/recording/competence.h"
 #include "assessment/catalogue/quantity.h"
 
 namespace torsio::gui {

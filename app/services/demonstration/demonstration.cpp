@@ -11,7 +11,6 @@
 #include "app/services/demonstration/demonstration_curriculum.h"
 #include "app/services/demonstration/demonstration_people.h"
 #include "app/services/recording/competence.h"
-#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/recording/recorded_run.h"
 #include "app/services/recording/trial_digests.h"
@@ -30,7 +29,6 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/time_units.h"
-#include "sim/record/sample_codec.h"
 
 namespace torsio {
 
@@ -190,8 +188,7 @@ class Demonstration {
     recordScriptedTrial(scene, trial, repository);
     const Trial stored = repository.load(recording.trialId);
     const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, recording.context.moduleId);
-    const AttemptMeasures measures =
-        measureAttempt(stored.header, decodeTrial(stored), recordedRules(rules, stored.header));
+    const AttemptMeasures measures = measureRecording(stored, rules);
     summary_.samples += stored.summary.samples;
     summary_.recorded_min += static_cast<double>(measures.duration_us) / 60e6;
     ++summary_.trials;

@@ -15,6 +15,7 @@
 #include "assessment/domain/study/curriculum.h"
 #include "assessment/domain/study/protocol_terms.h"
 #include "assessment/results/cohort_report.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 
@@ -44,5 +45,17 @@ class Connection;
                                                                const CurriculumVersionId& versionId,
                                                                const std::vector<CohortTrainee>& trainees,
                                                                ExerciseRules& rules, std::int64_t now_us);
+
+// Texts of a competence verdict, the same everywhere.
+
+/// Returns "4.9 %"; "below 0.1 %" for less than a twentieth of a percent.
+[[nodiscard]] std::string percentText(double share);
+
+/// Describes the whole rule: design, success, failure rates, attempts.
+[[nodiscard]] Text competenceRuleText(const CompetenceRule& rule);
+/// Describes the rates of false passes, false fails and false alarms, and within how many attempts.
+[[nodiscard]] Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors);
+/// Names the level, and the number of attempts that it is based on.
+[[nodiscard]] Text competenceLevelText(const CompetenceVerdict& verdict);
 
 }  // namespace torsio

@@ -2,11 +2,13 @@
 #include "app/services/recording/kept_digests.h"
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "app/services/base/assets.h"
-#include "app/services/recording/detorsion_rules.h"
 #include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
@@ -85,6 +87,10 @@ std::string modelName(const std::string& parametersJson) {
   }
 }
 
+AttemptMeasures measureRecording(const Trial& trial, const AttemptRules& rules) {
+  return measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
+}
+
 TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures, const AttemptRules& rules,
                        std::int64_t now_us) {
   TrialDigest kept;
@@ -159,8 +165,7 @@ TrialDigest digestOf(Connection& connection, const TrialListing& listing, Exerci
     return *known;
   }
   const Trial trial = TrialRepository(connection).load(listing.trialId);
-  const AttemptMeasures measures =
-      measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
+  const AttemptMeasures measures = measureRecording(trial, rules);
   keepDigest(connection, trial, measures, rules, now_us);
   return keptDigest(trial, measures, rules, now_us);
 }
@@ -172,6 +177,42 @@ void keepDigest(Connection& connection, const Trial& trial, const AttemptMeasure
   }
   const TrialDigest kept = keptDigest(trial, measures, rules, now_us);
   DigestRepository(connection).add({&kept, 1});
+}
+
+std::optional<DetorsionRules> detorsionRulesOf(const std::string& parametersJson) {
+  try {
+    const auto json = nlohmann::json::parse(parametersJson);
+    if (!json.contains("detorsion")) {
+      return std::nullopt;
+    }
+    const nlohmann::json& detorsion = json.at("detorsion");
+    const nlohmann::json& limits = detorsion.at("limits");
+    DetorsionRules rules;
+    rules.residual_rad = limits.at("residual_rad").get<double>();
+    rules.patency = limits.at("patency").get<double>();
+    rules.flow = limits.at("flow").get<double>();
+    rules.handsOff_s = limits.at("hands_off_s").get<double>();
+    rules.enoughFlow = detorsion.at("pedicle").at("enough_flow").get<double>();
+    rules.relapseFrom_rad = detorsion.at("base").at("relapse_from_rad").get<double>();
+    rules.jaw_Pa = limits.at("jaw_force_n").get<double>() / limits.at("jaw_area_m2").get<double>();
+    rules.bruise_Pa = limits.at("bruise_pa").get<double>();
+    rules.tear_Pa = limits.at("tear_pa").get<double>();
+    rules.pull_N = limits.at("pull_n").get<double>();
+    rules.timeScale = detorsion.at("time_scale").get<double>();
+    if (detorsion.contains("stages")) {
+      const nlohmann::json& stages = detorsion.at("stages");
+      rules.stages = {stages.at("turn_rad").get<double>(), stages.at("rest_s").get<double>()};
+    }
+    rules.vent = detorsion.contains("wall") && detorsion.at("wall").at("vent").get<bool>();
+    return rules;
+  } catch (const std::exception&) {
+    return std::nullopt;  // parameters of a later version: their metrics stay undefined
+  }
+}
+
+AttemptRules recordedRules(AttemptRules exercise, const TrialHeader& header) {
+  exercise.detorsion = detorsionRulesOf(header.parametersJson);
+  return exercise;
 }
 
 }  // namespace torsio

@@ -4,16 +4,19 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/measured_trial.h"
 #include "assessment/attempt/run_verdict.h"
 #include "assessment/attempt/trial_digest.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
+#include "assessment/metrics/detorsion.h"
 #include "assessment/results/cohort_report.h"
 #include "sim/core/live_types.h"
 #include "sim/record/trial.h"
@@ -54,10 +57,11 @@ class ExerciseRules {
 /// Returns the twist model's name as used in reports, from the recorded parameters.
 [[nodiscard]] std::string modelName(const std::string& parametersJson);
 
+/// Decodes a recording and measures it by the rules of its exercise.
+[[nodiscard]] AttemptMeasures measureRecording(const Trial& trial, const AttemptRules& rules);
 /// Converts measures to their stored form, with the version of the formulas.
 [[nodiscard]] TrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures,
                                      const AttemptRules& rules, std::int64_t now_us);
-/// Converts stored measures back, bit for bit.
 /// Finds the digest of exactly this recording and these rules; null if there is none.
 [[nodiscard]] const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::string& contentHash,
                                             const AttemptRules& rules);
@@ -81,5 +85,12 @@ class ExerciseRules {
 /// the recording has no content hash.
 void keepDigest(Connection& connection, const Trial& trial, const AttemptMeasures& measures,
                 const AttemptRules& rules, std::int64_t now_us);
+
+/// Reads the rules for judging an untwisting from TrialHeader::parametersJson; empty for a recording of
+/// twists, or parameters unknown to this version.
+[[nodiscard]] std::optional<DetorsionRules> detorsionRulesOf(const std::string& parametersJson);
+
+/// Adds the recording's own judging parameters to the rules of an exercise.
+[[nodiscard]] AttemptRules recordedRules(AttemptRules exercise, const TrialHeader& header);
 
 }  // namespace torsio

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "app/services/recording/competence.h"
-#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/trial_digest.h"
@@ -29,7 +28,6 @@
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/contracts.h"
-#include "sim/record/sample_codec.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -75,9 +73,7 @@ std::vector<TrialDigest> measuredInTurn(const std::vector<RecordingToMeasure>& r
                                         std::int64_t now_us) {
   std::vector<TrialDigest> digests;
   for (const auto& [trial, rules] : recordings) {
-    const AttemptMeasures measures =
-        measureAttempt(trial.header, decodeTrial(trial), recordedRules(rules, trial.header));
-    digests.push_back(keptDigest(trial, measures, rules, now_us));
+    digests.push_back(keptDigest(trial, measureRecording(trial, rules), rules, now_us));
   }
   return digests;
 }

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/review/blinded_case.h"
 
-#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/blinded_due.h"

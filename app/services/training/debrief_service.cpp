@@ -6,7 +6,6 @@
 
 #include "app/services/devices/device_readiness.h"
 #include "app/services/recording/competence.h"
-#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/recording/recorded_run.h"
 #include "app/services/training/debrief.h"

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/study/remark_revision.h"
 #include "app/services/training/trainee_record.h"

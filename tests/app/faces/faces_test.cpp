@@ -27,7 +27,6 @@
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/outputs/tables/export_set.h"
 #include "app/services/base/assets.h"
-#include "app/services/recording/detorsion_rules.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/web/http_server.h"
 #include "app/web/web_desk.h"

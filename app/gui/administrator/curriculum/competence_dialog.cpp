@@ -20,7 +20,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
-#include "app/services/recording/competence_text.h"
+#include "app/services/recording/competence.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/trainee/detorsion_plot.h"
-#include "app/services/training/untwisting_findings.h"
+#include "app/services/training/detorsion_story.h"
 #include "sim/scene/hollow_organ.h"
 #include "tests/app/gui/support/visible_texts.h"
 

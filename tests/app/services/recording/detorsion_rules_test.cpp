@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/recording/detorsion_rules.h"
-
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -8,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/recording/kept_digests.h"
 #include "app/services/recording/recorded_run.h"
 #include "sim/core/staged_turn.h"
 #include "sim/record/sample_codec.h"

@@ -12,7 +12,6 @@
 #include "app/services/recording/recorded_run.h"
 #include "app/services/training/next_steps.h"
 #include "app/services/training/trend.h"
-#include "app/services/training/untwisting_findings.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/catalogue/quantity.h"
 #include "sim/core/angle.h"

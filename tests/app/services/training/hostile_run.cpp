@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/services/recording/detorsion_rules.h"
+#include "app/services/recording/kept_digests.h"
 #include "app/services/recording/recorded_run.h"
 #include "sim/core/angle.h"
 #include "sim/core/pose.h"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/recording/competence.h"
 #include "app/services/recording/competence_service.h"
-#include "app/services/recording/competence_text.h"
 #include "app/services/training/debrief.h"
 #include "app/services/training/next_steps.h"
 #include "app/services/training/run_session.h"
