@@ -6401,14 +6401,6 @@
         <translation>评分者均值（按类别加权）</translation>
     </message>
     <message>
-        <source>Mean peak force (N)</source>
-        <translation>平均峰值力 (N)</translation>
-    </message>
-    <message>
-        <source>Mean peak torque (N m)</source>
-        <translation>平均峰值扭矩 (N m)</translation>
-    </message>
-    <message>
         <source>Mean rank (1 is lowest)</source>
         <translation>平均秩次（1 为最低）</translation>
     </message>
@@ -11641,20 +11633,12 @@
         <translation>未完成的扭转</translation>
     </message>
     <message>
-        <source>Twists released on target</source>
-        <translation>达标释放</translation>
-    </message>
-    <message>
         <source>Mean absolute error of the angle</source>
         <translation>角度平均绝对误差</translation>
     </message>
     <message>
         <source>Peak torque</source>
         <translation>最大扭矩</translation>
-    </message>
-    <message>
-        <source>Peak force on the tissue</source>
-        <translation>组织受力峰值</translation>
     </message>
     <message>
         <source>Peak force of the device</source>
@@ -18641,6 +18625,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Median: %1</source>
         <translation>中位数：%1</translation>
+    </message>
+    <message>
+        <source>Mean: %1</source>
+        <translation>均值：%1</translation>
     </message>
 </context>
 <context>
