@@ -54,8 +54,9 @@ std::optional<double> meanError_deg(Connection& connection, const EnrolmentId& e
         trial.summary->outcome == TrialOutcome::kInterrupted) {
       continue;
     }
-    for (const auto& [error_deg, onTarget] : digestOf(connection, trial, rules, now_us).attempts) {
-      sum += error_deg;
+    const TrialDigest digest = digestOf(connection, trial, rules, now_us);
+    for (const JudgedTwist& twist : digest.measures.twists) {
+      sum += twist.error_deg;
       ++twists;
     }
   }
