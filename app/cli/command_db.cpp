@@ -62,7 +62,7 @@ void requireSound(const DatabaseCheck& check, const std::string& remedy) {
 void printCopies(const DbArguments& arguments) {
   for (const ListedCopy& listed : copiesOf(arguments.database.locator())) {
     const RecordCopy& copy = listed.copy;
-    std::cout << "  " << copyKindLabel(copy.kind).english() << " at " << copy.station << ": " << copy.place
+    std::cout << "  " << labelOf(copy.kind).english() << " at " << copy.station << ": " << copy.place
               << ", made " << formatUtc(copy.madeUtc_us) << ", to be deleted by "
               << formatUtc(listed.dueUtc_us) << "\n";
   }

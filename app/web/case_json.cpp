@@ -7,7 +7,7 @@
 
 #include "app/services/review/sheet_editor.h"
 #include "assessment/catalogue/quantity.h"
-#include "assessment/domain/rating/sheet_state.h"
+#include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/written_words.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"

@@ -15,7 +15,7 @@
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "assessment/domain/people/signature.h"
-#include "assessment/domain/rating/index_meaning.h"
+#include "assessment/domain/rating/instrument.h"
 #include "assessment/domain/rating/written_words.h"
 #include "db/connection/db_error.h"
 #include "sim/core/error.h"

@@ -10,7 +10,7 @@
 
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/run_verdict.h"
-#include "assessment/domain/study/competence_design.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio {
 

@@ -502,26 +502,6 @@
         <translation>未知</translation>
     </message>
     <message>
-        <source>female</source>
-        <translation>女</translation>
-    </message>
-    <message>
-        <source>male</source>
-        <translation>男</translation>
-    </message>
-    <message>
-        <source>other</source>
-        <translation>其他</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>右手</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>左手</translation>
-    </message>
-    <message>
         <source>does not score</source>
         <translation>不评分</translation>
     </message>
@@ -1471,88 +1451,8 @@
         <translation>训练后</translation>
     </message>
     <message>
-        <source>sex</source>
-        <translation>性别</translation>
-    </message>
-    <message>
-        <source>level of education</source>
-        <translation>学历</translation>
-    </message>
-    <message>
-        <source>experience</source>
-        <translation>经验</translation>
-    </message>
-    <message>
-        <source>handedness</source>
-        <translation>惯用手</translation>
-    </message>
-    <message>
-        <source>female</source>
-        <translation>女</translation>
-    </message>
-    <message>
-        <source>male</source>
-        <translation>男</translation>
-    </message>
-    <message>
-        <source>other</source>
-        <translation>其他</translation>
-    </message>
-    <message>
-        <source>left-handed</source>
-        <translation>左利手</translation>
-    </message>
-    <message>
-        <source>right-handed</source>
-        <translation>右利手</translation>
-    </message>
-    <message>
         <source>not known</source>
         <translation>未知</translation>
-    </message>
-    <message>
-        <source>intern</source>
-        <translation>实习医师</translation>
-    </message>
-    <message>
-        <source>deputy chief physician</source>
-        <translation>副主任医师</translation>
-    </message>
-    <message>
-        <source>chief physician</source>
-        <translation>主任医师</translation>
-    </message>
-    <message>
-        <source>Shuffled blocks, one after another</source>
-        <translation>依次随机区组</translation>
-    </message>
-    <message>
-        <source>Shuffled blocks within strata</source>
-        <translation>分层随机区组</translation>
-    </message>
-    <message>
-        <source>Minimisation (Pocock and Simon)</source>
-        <translation>最小化法（Pocock 与 Simon）</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>未开始</translation>
-    </message>
-    <message>
-        <source>draft</source>
-        <translation>草稿</translation>
-    </message>
-    <message>
-        <source>submitted</source>
-        <translation>已提交</translation>
-    </message>
-    <message>
-        <source>taken back</source>
-        <translation>已收回</translation>
-    </message>
-    <message>
-        <source>Simple randomisation into equal groups (as in the paper)</source>
-        <translation>简单随机化，各组人数相等（与论文相同）</translation>
     </message>
 </context>
 <context>
@@ -18629,6 +18529,34 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Mean: %1</source>
         <translation>均值：%1</translation>
+    </message>
+    <message>
+        <source>right-handed</source>
+        <translation>右利手</translation>
+    </message>
+    <message>
+        <source>left-handed</source>
+        <translation>左利手</translation>
+    </message>
+    <message>
+        <source>Simple randomisation into equal groups (as in the paper)</source>
+        <translation>简单随机化，各组人数相等（与论文相同）</translation>
+    </message>
+    <message>
+        <source>Shuffled blocks, one after another</source>
+        <translation>依次随机区组</translation>
+    </message>
+    <message>
+        <source>Shuffled blocks within strata</source>
+        <translation>分层随机区组</translation>
+    </message>
+    <message>
+        <source>Minimisation (Pocock and Simon)</source>
+        <translation>最小化法（Pocock 与 Simon）</translation>
+    </message>
+    <message>
+        <source>level of education</source>
+        <translation>学历</translation>
     </message>
 </context>
 <context>

@@ -11,7 +11,6 @@
 #include <QSqlRecord>
 #include <QVariant>
 
-#include "db/connection/change_watch.h"
 #include "db/connection/connection_state.h"
 #include "sim/core/contracts.h"
 

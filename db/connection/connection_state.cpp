@@ -12,8 +12,8 @@
 #include <QStringList>
 #include <QVariant>
 
-#include "db/connection/change_watch.h"
-#include "db/connection/database_file.h"
+#include "db/connection/connection.h"
+#include "db/connection/locator.h"
 #include "sim/core/contracts.h"
 #include "sim/core/file_io.h"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "sim/core/text.h"
 
 namespace torsio {
 
@@ -43,5 +46,23 @@ struct Locator {
 
 /// Formats a server's address, including any password. parseLocator() reads it back.
 [[nodiscard]] std::string addressOf(const Locator& server);
+
+enum class OpenMode {
+  kCreate,     ///< SQLite: created if missing. PostgreSQL: the database must exist
+  kReadWrite,  ///< must exist
+  kReadOnly,   ///< must exist; read-only
+};
+
+/// Checks that an SQLite file can be opened, where the engine would only report "unable to open database
+/// file":
+/// a folder, a pipe, an empty file, a dangling link, no write permission. Throws Error (kFileMissing,
+/// kFileUnreadable, kFileUnwritable).
+void requireUsableFile(const std::filesystem::path& file, OpenMode mode);
+
+/// Throws Error (kFileUnwritable) with the remedy.
+[[noreturn]] void refuseReadOnly(const Text& what, const std::filesystem::path& path);
+
+/// True if an interrupted change (SQLite's rollback journal) awaits rollback, which needs write access.
+[[nodiscard]] bool hasJournal(const std::string& file);
 
 }  // namespace torsio

@@ -10,7 +10,6 @@
 #include "db/connection/db_error.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
-#include "db/migrations/record_exchange.h"
 #include "sim/core/contracts.h"
 #include "sim/core/file_io.h"
 
@@ -228,6 +227,33 @@ fs::path restoreSqlite(const fs::path& backup, const fs::path& target,
   }
   flushSqlite(ready.path());
   return replaceSqlite(ready.path(), target);
+}
+
+namespace {
+
+/// Runs housekeeping that other users may postpone.
+void runWhenFree(Connection& connection, const char* sql) {
+  if (connection.engine() != Engine::kSqlite || connection.inTransaction()) {
+    return;
+  }
+  try {
+    connection.executeVerbatim(sql);
+  } catch (const DbError& error) {
+    if (!error.retryable() && error.fault() != DbFault::kFull) {
+      throw;
+    }
+  }
+}
+
+}  // namespace
+
+void truncateLog(Connection& connection) {
+  runWhenFree(connection, "PRAGMA wal_checkpoint(TRUNCATE)");
+}
+
+void compactDatabase(Connection& connection) {
+  runWhenFree(connection, "VACUUM");
+  truncateLog(connection);
 }
 
 }  // namespace torsio

@@ -9,13 +9,12 @@
 #include <QDir>
 #include <QFile>
 
-#include "db/connection/database_file.h"
+#include "db/connection/locator.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
 #include "db/migrations/file_in_the_making.h"
-#include "db/migrations/record_exchange.h"
-#include "db/repository/base/copy_register.h"
 #include "db/repository/base/row_ledger.h"
+#include "db/repository/people/retention_repository.h"
 #include "sim/core/clock.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"

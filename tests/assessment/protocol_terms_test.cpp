@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/domain/study/competence_design.h"
+#include "assessment/domain/study/curriculum.h"
 
 namespace torsio {
 namespace {

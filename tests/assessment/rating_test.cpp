@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/sheet_check.h"
-#include "assessment/domain/rating/sheet_state.h"
 
 namespace torsio {
 namespace {

@@ -65,13 +65,13 @@ TEST(AuditTermTexts, OfTheFirstReleaseAreFrozen) {
 }
 
 TEST(AuditLabels, DescribeActionAndObject) {
-  EXPECT_EQ(auditActionLabel("mark.submit").str(), "Mark submitted");
-  EXPECT_EQ(auditObjectLabel("training_mark").str(), "mark");
+  EXPECT_EQ(labelOfStored<AuditAction>("mark.submit").str(), "Mark submitted");
+  EXPECT_EQ(labelOfStored<AuditObject>("training_mark").str(), "mark");
 }
 
 TEST(AuditLabels, KeepCodesOfOtherVersions) {
-  EXPECT_EQ(auditActionLabel("mark.polish").str(), "mark.polish");
-  EXPECT_EQ(auditObjectLabel("polish").str(), "polish");
+  EXPECT_EQ(labelOfStored<AuditAction>("mark.polish").str(), "mark.polish");
+  EXPECT_EQ(labelOfStored<AuditObject>("polish").str(), "polish");
 }
 
 }  // namespace

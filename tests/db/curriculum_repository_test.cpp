@@ -4,7 +4,6 @@
 #include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
-#include "db/repository/study/competence_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 #include "tests/db/sample_record.h"

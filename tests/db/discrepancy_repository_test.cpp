@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/rating/discrepancy_repository.h"
-
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/rubric.h"
@@ -8,6 +6,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/freeze_repository.h"

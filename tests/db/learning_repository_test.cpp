@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The outbox for the learning system on both engines: every kind of event, and every state of an entry.
-#include "db/repository/system/learning_repository.h"
 
 #include <set>
 #include <string>

@@ -15,7 +15,6 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
-#include "db/repository/people/person_rules.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"

@@ -15,7 +15,6 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/retention_repository.h"
 #include "db/repository/rating/desk_repository.h"
-#include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"

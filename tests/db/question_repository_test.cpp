@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/trial/question_repository.h"
-
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/remark.h"
 #include "db/connection/connection.h"

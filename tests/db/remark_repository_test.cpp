@@ -2,10 +2,9 @@
 #include "db/repository/trial/remark_repository.h"
 
 #include "assessment/domain/ids.h"
-#include "assessment/domain/rating/reference_run.h"
+#include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/remark.h"
 #include "assessment/domain/rating/rubric.h"
-#include "assessment/domain/rating/self_score.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/rating/rubric_repository.h"

@@ -19,7 +19,6 @@
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_data.h"
-#include "db/repository/people/person_rules.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/schema_tables.h"

@@ -2,7 +2,7 @@
 #include "db/repository/study/study_repository.h"
 
 #include "assessment/domain/ids.h"
-#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"

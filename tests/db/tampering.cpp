@@ -8,7 +8,6 @@
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/row_seal.h"
-#include "db/repository/base/sealed_row.h"
 #include "db/repository/system/audit_verification.h"
 #include "tests/db/sample_record.h"
 

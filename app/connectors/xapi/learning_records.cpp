@@ -9,7 +9,7 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/base/stored_sentence.h"
 #include "db/connection/connection.h"
-#include "db/repository/system/learning_repository.h"
+#include "db/repository/base/learning_events.h"
 #include "sim/core/error.h"
 
 namespace torsio {

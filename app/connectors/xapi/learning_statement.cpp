@@ -15,8 +15,8 @@
 #include "app/services/recording/competence.h"
 #include "assessment/catalogue/quantity.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/learning_events.h"
 #include "db/repository/study/curriculum_repository.h"
-#include "db/repository/system/learning_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/time_units.h"
 

@@ -20,7 +20,6 @@
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/learning_events.h"
-#include "db/repository/system/learning_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/text.h"
 #include "sim/core/time_units.h"

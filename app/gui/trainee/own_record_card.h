@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/gui/widgets/card.h"
-#include "assessment/domain/people/person_request.h"
+#include "assessment/domain/people/retention.h"
 
 class QLabel;
 class QPushButton;

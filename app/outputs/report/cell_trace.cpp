@@ -17,7 +17,6 @@
 #include "app/services/scoring/scoring_service.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/rating/assignment.h"
-#include "assessment/domain/rating/live_call.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/study/cohort.h"

@@ -9,7 +9,6 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
-#include "db/repository/system/audit_subjects.h"
 #include "db/repository/system/audit_verification.h"
 
 namespace torsio {

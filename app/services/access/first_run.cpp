@@ -11,7 +11,6 @@
 #include "app/services/access/centre_settings.h"
 #include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
-#include "db/connection/database_file.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"

@@ -12,8 +12,8 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
-#include "db/repository/people/duty_repository.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/people/signature_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 

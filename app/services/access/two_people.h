@@ -8,7 +8,7 @@
 
 #include "app/services/access/access_service.h"
 #include "app/services/access/session_context.h"
-#include "assessment/domain/people/duty.h"
+#include "assessment/domain/people/signature.h"
 #include "sim/core/error.h"
 
 namespace torsio {

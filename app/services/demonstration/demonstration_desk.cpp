@@ -11,8 +11,7 @@
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
-#include "assessment/domain/rating/live_call.h"
-#include "assessment/domain/rating/reference_run.h"
+#include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/sheet.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
@@ -272,9 +271,8 @@ class DeskMaker {
     campaign.id = ids_.newUuid();
     campaign.name = std::string(Text::tr("Three tissue models, second reading (demonstration)").english());
     campaign.instrument = paperInstrument();
-    constexpr std::array<const char*, 3> kClasses{"intern", "deputy_chief", "chief"};
-    for (std::size_t c = 0; c < kClasses.size(); ++c) {
-      campaign.instrument.classes[c].id = kClasses[c];
+    for (std::size_t c = 0; c < kSeniorities.size(); ++c) {
+      campaign.instrument.classes[c].id = kSeniorities[c].stored;
     }
     campaign.models = {{"PM", "proposed model (Kriging + membrane)", "K", 1},
                        {"FEM", "finite elements", "M", 2},

@@ -8,7 +8,7 @@
 
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/people/record_copy.h"
+#include "assessment/domain/people/retention.h"
 #include "sim/core/text.h"
 
 namespace torsio {

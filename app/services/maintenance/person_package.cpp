@@ -12,7 +12,7 @@
 #include "app/services/maintenance/copies.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
-#include "db/migrations/compaction.h"
+#include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/people_repository.h"

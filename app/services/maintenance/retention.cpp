@@ -10,7 +10,7 @@
 #include "app/services/maintenance/person_package.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
-#include "db/migrations/compaction.h"
+#include "db/migrations/backup.h"
 #include "db/repository/people/retention_repository.h"
 #include "db/repository/system/demonstration_data.h"
 #include "db/repository/trial/trial_repository.h"

@@ -9,7 +9,7 @@
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/consent.h"
-#include "assessment/domain/people/person_request.h"
+#include "assessment/domain/people/retention.h"
 
 namespace torsio {
 

@@ -108,14 +108,11 @@ void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const Pe
     refuse(Text::tr("an age of %1 {year|years} is not likely", *entry.age_years), Text::tr("age"),
            Text::tr("Enter the age in years, or leave it empty"));
   }
-  const auto oneOf = [](const std::string& value, std::initializer_list<const char*> allowed) {
-    return value.empty() || std::find(allowed.begin(), allowed.end(), value) != allowed.end();
-  };
-  if (!oneOf(entry.sex, {"female", "male", "other"})) {
+  if (!entry.sex.empty() && !fromStoredText<Sex>(entry.sex)) {
     refuse(Text::tr("the sex is not known to the record"), Text::tr("sex"),
            Text::tr("Choose female, male, other or nothing"));
   }
-  if (!oneOf(entry.handedness, {"left", "right"})) {
+  if (!entry.handedness.empty() && !fromStoredText<Handedness>(entry.handedness)) {
     refuse(Text::tr("the handedness is not known to the record"), Text::tr("handedness"),
            Text::tr("Choose left, right or nothing"));
   }
@@ -313,9 +310,11 @@ void setPersonState(SessionContext& session, const PersonId& personId, PersonSta
 }
 
 std::vector<SeniorityClass> paperRaterClasses() {
-  return {{"intern", "intern", 1},
-          {"deputy_chief", "deputy chief physician", 2},
-          {"chief", "chief physician", 3}};
+  std::vector<SeniorityClass> classes;
+  for (const Term<Seniority>& term : kSeniorities) {
+    classes.push_back({std::string(term.stored), std::string(term.label.english()), std::ssize(classes) + 1});
+  }
+  return classes;
 }
 
 std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session) {

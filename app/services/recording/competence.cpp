@@ -11,7 +11,6 @@
 #include "assessment/domain/ids.h"
 #include "assessment/results/number_format.h"
 #include "db/connection/connection.h"
-#include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/angle.h"

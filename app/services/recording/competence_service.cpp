@@ -12,7 +12,6 @@
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
-#include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"

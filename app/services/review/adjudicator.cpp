@@ -20,7 +20,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
-#include "db/repository/rating/discrepancy_repository.h"
+#include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"

@@ -3,7 +3,7 @@
 
 #include "app/services/recording/kept_digests.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/rating/blinded_due.h"
+#include "assessment/domain/rating/assignment.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/sheet_repository.h"

@@ -17,7 +17,7 @@
 #include "assessment/statistics/reliability.h"
 #include "db/connection/connection.h"
 #include "db/repository/rating/desk_repository.h"
-#include "db/repository/rating/discrepancy_repository.h"
+#include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/core/error.h"

@@ -12,7 +12,7 @@
 #include "app/services/recording/recorded_run.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/campaign.h"
-#include "assessment/domain/rating/index_meaning.h"
+#include "assessment/domain/rating/instrument.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"

@@ -9,7 +9,7 @@
 
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/rating/reference_run.h"
+#include "assessment/domain/rating/mark.h"
 #include "assessment/statistics/descriptive.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"

@@ -7,7 +7,7 @@
 
 #include "app/services/access/session_context.h"
 #include "app/services/review/blinded_case.h"
-#include "assessment/domain/rating/live_call.h"
+#include "assessment/domain/rating/assignment.h"
 
 namespace torsio {
 

@@ -18,7 +18,6 @@
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/study/allocation.h"
-#include "assessment/domain/study/allocation_entry.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"

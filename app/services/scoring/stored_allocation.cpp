@@ -31,16 +31,17 @@ std::size_t levelOf(const AllocationFactor& factor, const std::string& level, co
 }  // namespace
 
 std::string factorValue(const Trainee& trainee, const std::string& factor) {
-  if (factor == "sex") {
+  const std::optional<BalanceFactor> known = fromStoredText<BalanceFactor>(factor);
+  if (known == BalanceFactor::kSex) {
     return trainee.person.sex;
   }
-  if (factor == "level") {
+  if (known == BalanceFactor::kLevel) {
     return trainee.person.level;
   }
-  if (factor == "experience") {
+  if (known == BalanceFactor::kExperience) {
     return trainee.person.experience;
   }
-  if (factor == "handedness") {
+  if (known == BalanceFactor::kHandedness) {
     return trainee.handedness;
   }
   refuseParameter(Text::tr("people cannot be balanced by \"%1\"", factor), Text::tr("allocation"),

@@ -9,7 +9,6 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/study/allocation.h"
-#include "assessment/domain/study/allocation_entry.h"
 
 namespace torsio {
 
@@ -17,7 +16,7 @@ class StudyRepository;
 
 // Stores an allocation design and its records, reads them back, and replays them from the seed.
 
-/// Returns "sex", "level", "experience" or "handedness" of a trainee; empty if not recorded.
+/// Returns a trainee's value of a BalanceFactor (stored text); empty if not recorded.
 [[nodiscard]] std::string factorValue(const Trainee& trainee, const std::string& factor);
 
 /// Returns everything that determines the allocation except the seed.

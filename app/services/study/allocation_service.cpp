@@ -133,11 +133,6 @@ void addTry(BalancePreview& preview, const Allocation& tried, const DrawField& f
 
 }  // namespace
 
-const std::vector<std::string>& allocationFactorNames() {
-  static const std::vector<std::string> kNames{"sex", "level", "experience", "handedness"};
-  return kNames;
-}
-
 BalancePreview previewBalance(SessionContext& session, const AllocationPlan& plan) {
   session.require(Operation::kAllocationRun);
   DrawField field = readDrawField(session, plan.cohortId);
@@ -158,7 +153,8 @@ BalancePreview previewBalance(SessionContext& session, const AllocationPlan& pla
     return preview;
   }
   const AllocationDesign design = designOf(field, plan);
-  for (const std::string& name : allocationFactorNames()) {
+  for (const Term<BalanceFactor>& factor : kBalanceFactors) {
+    const std::string name(factor.stored);
     for (const std::string& level : factorOf(field, name).levels) {
       const auto count = std::count_if(people.begin(), people.end(), [&](const Enrolment& enrolment) {
         return factorValue(field.trainees.at(enrolment.traineeId), name) == level;

@@ -11,7 +11,6 @@
 #include "app/services/scoring/stored_allocation.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/allocation.h"
-#include "assessment/domain/study/allocation_entry.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -20,8 +19,7 @@ namespace torsio {
 struct AllocationPlan {
   CohortId cohortId{};
   AllocationMethod method = AllocationMethod::kCompletePermutation;
-  std::vector<std::string> factors{};     ///< from allocationFactorNames(): strata, or margins of
-                                          ///< minimisation
+  std::vector<std::string> factors{};     ///< stored BalanceFactors: strata, or margins of minimisation
   std::vector<std::size_t> blockSizes{};  ///< multiples of the number of groups
   std::int64_t bestArm_tenths = 8;        ///< minimisation only
   Imbalance imbalance = Imbalance::kRange;
@@ -30,8 +28,6 @@ struct AllocationPlan {
   bool everybodyEnrolled = true;
   std::optional<std::uint64_t> seed{};  ///< empty (normally): from the machine's random numbers
 };
-/// Returns the factors for balancing: "sex", "level", "experience", "handedness".
-[[nodiscard]] const std::vector<std::string>& allocationFactorNames();
 
 /// Expected balance of the groups, simulated with throw-away seeds: the real one is drawn later, so that
 /// nobody can choose among outcomes.

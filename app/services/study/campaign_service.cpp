@@ -158,9 +158,8 @@ void requireComparableModels(const std::vector<NewModel>& models) {
 
 EvaluationInstrument paperEvaluationInstrument() {
   EvaluationInstrument instrument = paperInstrument();
-  const char* codes[] = {"intern", "deputy_chief", "chief"};
   for (std::size_t i = 0; i < instrument.classes.size(); ++i) {
-    instrument.classes[i].id = codes[i];
+    instrument.classes[i].id = kSeniorities.at(i).stored;
   }
   return instrument;
 }

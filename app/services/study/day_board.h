@@ -11,7 +11,6 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"
-#include "assessment/domain/study/day_slot.h"
 #include "assessment/domain/study/occasion.h"
 #include "assessment/domain/study/protocol_terms.h"
 #include "assessment/domain/study/station_state.h"

@@ -10,7 +10,7 @@
 #include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
-#include "db/repository/study/slot_repository.h"
+#include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"

@@ -10,7 +10,7 @@
 
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/study/day_slot.h"
+#include "assessment/domain/study/cohort.h"
 
 namespace torsio {
 

@@ -12,7 +12,7 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/rating/campaign.h"
-#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/field_digest.h"

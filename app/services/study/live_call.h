@@ -8,7 +8,7 @@
 
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/rating/live_call.h"
+#include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/study/occasion.h"
 #include "sim/core/text.h"
 

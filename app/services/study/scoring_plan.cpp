@@ -15,7 +15,6 @@
 #include "app/services/study/draw_field.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
-#include "assessment/domain/rating/sheet_state.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
@@ -24,7 +23,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "db/repository/trial/question_repository.h"
+#include "db/repository/trial/remark_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/random.h"
 

@@ -10,7 +10,7 @@
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
-#include "assessment/domain/rating/sheet_state.h"
+#include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/study/occasion.h"
 
 namespace torsio {

@@ -16,7 +16,6 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
-#include "db/repository/trial/question_repository.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"

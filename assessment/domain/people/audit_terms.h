@@ -378,11 +378,4 @@ static_assert(isWholeTable(kAuditActions, AuditAction::kEnd), "each action has o
 static_assert(isWholeTable(kAuditObjects, AuditObject::kEnd),
               "each kind of object has one row, at its own place");
 
-/// Returns the label of a stored action: "Mark submitted" for "mark.submit". Actions unknown to this version
-/// return their stored text.
-[[nodiscard]] Text auditActionLabel(std::string_view storedAction);
-/// Returns the label of a stored kind of object: "mark" for "training_mark". Kinds unknown to this version
-/// return their stored text.
-[[nodiscard]] Text auditObjectLabel(std::string_view storedObject);
-
 }  // namespace torsio

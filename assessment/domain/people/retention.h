@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -57,6 +58,72 @@ struct RetentionItem {
   std::int64_t dueUtc_us = 0;
   std::optional<RetentionHold> hold{};  ///< the newest decision
   bool held = false;                    ///< locked, or extended beyond the date of the review
+};
+
+/// What people may request about their own record.
+enum class PersonRequestKind : std::uint8_t {
+  kExport,  ///< a copy of everything held about them
+  kErase,   ///< deletion of name and recordings
+  kEnd,     ///< number of kinds
+};
+inline constexpr auto kPersonRequestKinds = std::to_array<Term<PersonRequestKind>>({
+    {PersonRequestKind::kExport, "export", Text::tr("a copy of everything kept")},
+    {PersonRequestKind::kErase, "erase", Text::tr("erasing the record")},
+});
+[[nodiscard]] constexpr const auto& termsOf(PersonRequestKind) noexcept {
+  return kPersonRequestKinds;
+}
+static_assert(isWholeTable(kPersonRequestKinds, PersonRequestKind::kEnd),
+              "each kind has one row, at its own place");
+
+enum class PersonRequestAnswer : std::uint8_t { kDone, kDeclined, kTakenBack };
+inline constexpr std::array<Term<PersonRequestAnswer>, 3> kPersonRequestAnswers{{
+    {PersonRequestAnswer::kDone, "done", Text::tr("done")},
+    {PersonRequestAnswer::kDeclined, "declined", Text::tr("declined")},
+    {PersonRequestAnswer::kTakenBack, "taken_back", Text::tr("taken back")},
+}};
+[[nodiscard]] constexpr const auto& termsOf(PersonRequestAnswer) noexcept {
+  return kPersonRequestAnswers;
+}
+
+struct PersonRequest {
+  std::string id{};
+  PersonId personId{};
+  PersonRequestKind kind = PersonRequestKind::kExport;
+  std::int64_t askedUtc_us = 0;
+  std::optional<PersonRequestAnswer> answer{};  ///< empty: pending
+  std::string reason{};                         ///< of the answer
+  std::int64_t answeredUtc_us = 0;
+  std::string personCode{};  ///< filled when read
+};
+
+/// Kinds of copies of the record, whole or of one person.
+enum class CopyKind : std::uint8_t {
+  kBackup,
+  kBeforeRestore,  ///< the record before a backup was restored over it
+  kBeforeSchema,   ///< the record before a schema migration
+  kPackage,        ///< everything about one person
+  kMoved,          ///< the target of a move to another database
+};
+inline constexpr auto kCopyKinds = std::to_array<Term<CopyKind>>({
+    {CopyKind::kBackup, "backup", Text::tr("backup")},
+    {CopyKind::kBeforeRestore, "before_restore", Text::tr("record before a restore")},
+    {CopyKind::kBeforeSchema, "before_schema", Text::tr("record before a new schema")},
+    {CopyKind::kPackage, "package", Text::tr("package about the person")},
+    {CopyKind::kMoved, "moved", Text::tr("record before or after a move")},
+});
+[[nodiscard]] constexpr const auto& termsOf(CopyKind) noexcept {
+  return kCopyKinds;
+}
+
+/// A copy and where it was put.
+struct RecordCopy {
+  CopyKind kind = CopyKind::kBackup;
+  std::string place{};    ///< file or folder; address of a server, without an account
+  std::string station{};  ///< machine whose disk holds it, or that made it on a server
+  PersonId personId{};    ///< empty: whole record
+  std::int64_t madeUtc_us = 0;
+  std::string id{};
 };
 
 }  // namespace torsio

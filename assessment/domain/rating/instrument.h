@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "sim/core/text.h"
 
 namespace torsio {
 
@@ -72,5 +75,17 @@ void validateInstrument(const EvaluationInstrument& instrument);
 /// Returns the instrument of the paper, section 5.3: classes A, B, C with 0.2, 0.3, 0.5; nine indices with
 /// 0.15 x4, 0.10 x3, 0.05 x2; marks from 0 to 10 in tenths.
 [[nodiscard]] EvaluationInstrument paperInstrument();
+
+/// Definition of an evaluation index in one sentence, with the meaning of its lowest, middle and highest
+/// mark. The paper (section 5.3) names the nine indices without defining them: the wording is ours.
+struct IndexMeaning {
+  Text definition;
+  Text lowest;
+  Text middle;
+  Text highest;
+};
+
+/// Returns the meaning of an index of paperInstrument(); empty for any other index.
+[[nodiscard]] std::optional<IndexMeaning> indexMeaning(std::string_view indexId);
 
 }  // namespace torsio

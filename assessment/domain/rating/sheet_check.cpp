@@ -2,6 +2,7 @@
 #include "assessment/domain/rating/sheet_check.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "sim/core/contracts.h"
 
@@ -78,6 +79,72 @@ SheetCheck checkSheetLines(std::span<const SheetLine> lines, const std::optional
   check.speedNotAllowed = !excused && (watched->slowest < slowest - kSpeedTolerance ||
                                        watched->fastest > fastest + kSpeedTolerance);
   return check;
+}
+
+namespace {
+
+SheetAnswer answerIn(const Sheet& sheet, const std::string& code) {
+  if (code == kOverallRow) {
+    return {sheet.overall_steps, sheet.notAssessableReason};
+  }
+  const auto row = std::find_if(sheet.rows.begin(), sheet.rows.end(),
+                                [&](const SheetRow& one) { return one.code == code; });
+  return row == sheet.rows.end() ? SheetAnswer{} : SheetAnswer{row->score_steps, row->notAssessableReason};
+}
+
+/// Codes of the rows for which `wrong` is true, in the order of the sheet.
+template <class Wrong>
+std::vector<std::string> rowsWhere(const RubricRevision& rubric, const Wrong& wrong) {
+  std::vector<std::string> codes;
+  for (const RubricLine& row : rubric.rows) {
+    if (wrong(row.code, row.scale)) {
+      codes.push_back(row.code);
+    }
+  }
+  if (wrong(kOverallRow, rubric.overall)) {
+    codes.push_back(kOverallRow);
+  }
+  return codes;
+}
+
+}  // namespace
+
+std::vector<std::string> differencesOf(const RubricRevision& rubric, const Sheet& first,
+                                       const Sheet& second) {
+  return rowsWhere(rubric, [&](const std::string& code, const ScoreScale&) {
+    return answerIn(first, code).score_steps != answerIn(second, code).score_steps;
+  });
+}
+
+std::vector<std::string> faultyRows(const RubricRevision& rubric, const Sheet& sheet) {
+  return rowsWhere(rubric, [&](const std::string& code, const ScoreScale& scale) {
+    return faultOf(answerIn(sheet, code), scale) != AnswerFault::kNone;
+  });
+}
+
+std::optional<double> criteriaMean(const RubricRevision& rubric, std::span<const SheetRow> answers) {
+  double sum = 0.0;
+  std::int64_t weights_milli = 0;
+  for (const RubricLine& line : rubric.rows) {
+    if (line.weight_milli == 0) {
+      continue;
+    }
+    const auto answer = std::find_if(answers.begin(), answers.end(),
+                                     [&](const SheetRow& one) { return one.code == line.code; });
+    if (answer == answers.end() || !answer->score_steps) {
+      return std::nullopt;
+    }
+    const auto above = static_cast<double>(*answer->score_steps - line.scale.lo);
+    sum +=
+        static_cast<double>(line.weight_milli) * above / static_cast<double>(line.scale.hi - line.scale.lo);
+    weights_milli += line.weight_milli;
+  }
+  if (weights_milli == 0) {
+    return std::nullopt;
+  }
+  const double lo = pointsFromSteps(rubric.overall.lo, rubric.overall);
+  const double hi = pointsFromSteps(rubric.overall.hi, rubric.overall);
+  return lo + (hi - lo) * sum / static_cast<double>(weights_milli);
 }
 
 }  // namespace torsio

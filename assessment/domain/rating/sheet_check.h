@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "assessment/domain/ids.h"
 #include "assessment/domain/rating/instrument.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 
 namespace torsio {
 
@@ -73,5 +76,26 @@ struct SheetCheck {
 [[nodiscard]] SheetCheck checkSheetLines(std::span<const SheetLine> lines,
                                          const std::optional<RecordingWatched>& watched,
                                          const ViewingRules& rules);
+
+/// A paper sheet as typed in by one person.
+struct PaperEntry {
+  AssignmentId assignmentId{};
+  UserId enteredBy{};
+  Sheet sheet{};
+  std::int64_t enteredUtc_us = 0;
+};
+
+/// Returns the codes of the rows (kOverallRow: the overall mark) in which two typed copies differ. Free text
+/// (reasons, comments) is not compared.
+[[nodiscard]] std::vector<std::string> differencesOf(const RubricRevision& rubric, const Sheet& first,
+                                                     const Sheet& second);
+/// Returns the codes of the rows with invalid answers: unanswered, contradictory, off the scale.
+[[nodiscard]] std::vector<std::string> faultyRows(const RubricRevision& rubric, const Sheet& sheet);
+
+/// Mean of the criteria of a sheet in points: each score as its relative position on its own scale, weighted
+/// and mapped to the scale of the overall mark. Shown beside the overall mark, never in place of it. Empty if
+/// a criterion with a weight was not scored.
+[[nodiscard]] std::optional<double> criteriaMean(const RubricRevision& rubric,
+                                                 std::span<const SheetRow> answers);
 
 }  // namespace torsio

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/domain/ids.h"
 #include "assessment/domain/study/protocol_terms.h"
 #include "sim/core/random.h"
 
@@ -27,10 +28,11 @@ enum class AllocationMethod : std::uint8_t {
 };
 
 inline constexpr std::array<Term<AllocationMethod>, 4> kAllocationMethods{{
-    {AllocationMethod::kCompletePermutation, "complete permutation", Text::tr("complete permutation")},
-    {AllocationMethod::kPermutedBlocks, "permuted blocks", Text::tr("permuted blocks")},
-    {AllocationMethod::kStratifiedBlocks, "stratified blocks", Text::tr("stratified blocks")},
-    {AllocationMethod::kMinimisation, "minimisation", Text::tr("minimisation")},
+    {AllocationMethod::kCompletePermutation, "complete permutation",
+     Text::tr("Simple randomisation into equal groups (as in the paper)")},
+    {AllocationMethod::kPermutedBlocks, "permuted blocks", Text::tr("Shuffled blocks, one after another")},
+    {AllocationMethod::kStratifiedBlocks, "stratified blocks", Text::tr("Shuffled blocks within strata")},
+    {AllocationMethod::kMinimisation, "minimisation", Text::tr("Minimisation (Pocock and Simon)")},
 }};
 [[nodiscard]] constexpr const auto& termsOf(AllocationMethod) noexcept {
   return kAllocationMethods;
@@ -48,6 +50,18 @@ inline constexpr std::array<Term<Imbalance>, 2> kImbalances{{
 }};
 [[nodiscard]] constexpr const auto& termsOf(Imbalance) noexcept {
   return kImbalances;
+}
+
+/// The attributes of a trainee by which groups can be balanced.
+enum class BalanceFactor : std::uint8_t { kSex, kLevel, kExperience, kHandedness };
+inline constexpr std::array<Term<BalanceFactor>, 4> kBalanceFactors{{
+    {BalanceFactor::kSex, "sex", Text::tr("sex")},
+    {BalanceFactor::kLevel, "level", Text::tr("level of education")},
+    {BalanceFactor::kExperience, "experience", Text::tr("experience")},
+    {BalanceFactor::kHandedness, "handedness", Text::tr("handedness")},
+}};
+[[nodiscard]] constexpr const auto& termsOf(BalanceFactor) noexcept {
+  return kBalanceFactors;
 }
 
 /// An attribute of a person known before allocation: sex, experience.
@@ -195,5 +209,43 @@ struct ReplayFinding {
 /// Repeats the allocation from the seed and the recorded factor levels, and compares. `keptHead`: a head
 /// stored elsewhere, out of reach of whoever rewrites the allocation; empty: the allocation's own.
 [[nodiscard]] ReplayFinding replayAllocation(const Allocation& allocation, const std::string& keptHead = {});
+
+/// The allocation design of a cohort, fixed before the first allocation.
+struct LockedDesign {
+  DesignId id{};
+  CohortId cohortId{};
+  std::string algorithm{};  ///< "complete", "permuted blocks", "minimisation" ...
+  std::string algorithmVersion{};
+  std::string parametersJson{};
+  std::string generator{};       ///< "mt19937_64"
+  std::string seedCommitment{};  ///< published before the first allocation
+  std::string seed{};            ///< in a table of its own; empty until revealed
+  std::string salt{};            ///< of the commitment; sealed and revealed with the seed
+  std::int64_t lockedUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// One person allocated to one group. Append-only and hash-chained: a correction or override is a new record.
+struct AllocationEntry {
+  AllocationId id{};
+  DesignId designId{};
+  std::int64_t sequence = 0;  ///< 1, 2, 3 ... within the design
+  EnrolmentId enrolmentId{};
+  GroupId groupId{};
+  std::int64_t numberInGroup = 0;
+  std::string covariatesJson = "{}";    ///< stratum as used
+  std::string countsBeforeJson = "{}";  ///< people in each group before
+  std::string scoresJson = "{}";        ///< minimisation: score of each group
+  std::int64_t drawBefore = 0;          ///< numbers drawn from the generator so far
+  std::int64_t drawAfter = 0;
+  std::string enrolledBy{};
+  std::string allocatedBy{};
+  std::string softwareVersion{};
+  std::string overrideReason{};  ///< empty: as drawn
+  std::int64_t allocatedUtc_us = 0;
+  bool demonstration = false;
+  std::string previousHash{};  ///< filled by allocate(); empty in the first record of a design
+  std::string recordHash{};    ///< filled by allocate()
+};
 
 }  // namespace torsio

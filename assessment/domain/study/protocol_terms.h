@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "sim/core/text.h"
@@ -179,6 +180,13 @@ template <typename Value>
     }
   }
   return std::nullopt;
+}
+
+/// Returns the label of a stored text; a text unknown to this version returns itself.
+template <typename Value>
+[[nodiscard]] Text labelOfStored(std::string_view stored) {
+  const std::optional<Value> known = fromStoredText<Value>(stored);
+  return known ? Text(labelOf(*known)) : Text(std::string(stored));
 }
 
 }  // namespace torsio

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,5 +48,11 @@ class AuditRepository {
 
 /// BLAKE2b-256 of the previous hash and every field except the entry hash.
 [[nodiscard]] std::string auditHash(const AuditEntry& entry);
+
+/// Returns display texts for the subjects of audit entries from `fromSequence` on, by object id: a person's
+/// code, a login, "R-03: case 7F", the name of a cohort. Objects without one are omitted. Never a person's
+/// name. Throws DbError.
+[[nodiscard]] std::map<std::string, std::string> auditSubjects(Connection& connection,
+                                                               std::int64_t fromSequence);
 
 }  // namespace torsio

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "db/connection/row_reader.h"
-#include "db/repository/base/sealed_row.h"
+#include "db/repository/base/row_seal.h"
 
 namespace torsio {
 

@@ -5,12 +5,17 @@
 #include <string>
 
 #include "assessment/domain/study/protocol_terms.h"
+#include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
 
 namespace torsio {
 
 /// Throws DbError (kCheck): a column holds a text that matches none of its values.
-[[noreturn]] void refuseStoredTerm(const std::string& column, const std::string& stored);
+[[noreturn]] inline void refuseStoredTerm(const std::string& column, const std::string& stored) {
+  throw DbError(DbFault::kCheck, "SELECT " + column,
+                Text::tr("the column %1 holds \"%2\", which this version does not know", column, stored),
+                Text::tr("database"), Text::tr("Update Torsio on this machine, or restore a backup"));
+}
 
 /// Returns the stored text of a term; empty: null.
 template <typename TermValue>

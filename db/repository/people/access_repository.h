@@ -9,9 +9,14 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
-#include "db/repository/people/password.h"
 
 namespace torsio {
+
+/// Returns a salted hash with its parameters as one text. Slow: call it off the GUI thread. Throws Error
+/// (kInternal) without memory.
+[[nodiscard]] std::string hashPassword(const std::string& password, PasswordCost cost);
+
+[[nodiscard]] bool passwordMatches(const std::string& hash, const std::string& password);
 
 struct SignInResult {
   SignIn outcome = SignIn::kWrong;

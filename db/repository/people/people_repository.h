@@ -66,4 +66,23 @@ class PeopleRepository {
   Connection& connection_;
 };
 
+/// The centre's own consent texts, by version. Each call is one transaction.
+class ConsentRepository {
+ public:
+  explicit ConsentRepository(Connection& connection) : connection_(connection) {}
+
+  /// Returns the codes of the purposes in the order in which they are asked.
+  [[nodiscard]] std::vector<std::string> purposes() const;
+  /// Adds a purpose as the last one. Throws DbError{kUnique} if the code is taken.
+  void addPurpose(const std::string& code);
+
+  /// Oldest first; empty: the centre uses the texts as shipped.
+  [[nodiscard]] std::vector<ConsentVersion> versions() const;
+  /// Throws DbError{kUnique} if another station published this number first.
+  void add(const ConsentVersion& version);
+
+ private:
+  Connection& connection_;
+};
+
 }  // namespace torsio

@@ -10,7 +10,6 @@
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/seal_rules.h"
-#include "db/repository/people/person_rules.h"
 #include "db/repository/people/server_roles.h"
 #include "sim/core/error.h"
 

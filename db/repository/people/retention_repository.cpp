@@ -8,6 +8,7 @@
 
 #include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/base/stored_term.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
@@ -184,6 +185,85 @@ std::vector<RetentionItem> RetentionRepository::due(std::int64_t utc_us) const {
   std::stable_sort(items.begin(), items.end(),
                    [](const RetentionItem& a, const RetentionItem& b) { return a.dueUtc_us < b.dueUtc_us; });
   return items;
+}
+
+void RequestRepository::add(const PersonRequest& request) {
+  connection_.execute(insertInto("person_request", "id, person_id, kind, asked_utc_us"),
+                      {request.id, request.personId, storedText(request.kind), request.askedUtc_us});
+}
+
+void RequestRepository::answer(const std::string& requestId, PersonRequestAnswer answer,
+                               const std::string& reason, std::int64_t utc_us) {
+  const std::int64_t changed = connection_.execute(
+      "UPDATE person_request SET answer = ?, answer_reason = ?, answered_utc_us = ?"
+      " WHERE id = ? AND answer IS NULL",
+      {storedText(answer), textOrNull(reason), utc_us, requestId});
+  if (changed != 1) {
+    refuse(Text::tr("this request was answered already"), requestId, Text::tr("Read the list again"));
+  }
+}
+
+std::vector<PersonRequest> RequestRepository::all() const {
+  return selectAll(
+      connection_,
+      "SELECT r.id, r.person_id, r.kind, r.asked_utc_us, r.answer, r.answer_reason,"
+      " r.answered_utc_us, p.code FROM person_request r JOIN person p ON p.id = r.person_id"
+      " ORDER BY r.asked_utc_us DESC, r.id",
+      {}, [](RowReader& row) {
+        PersonRequest request{row.text(), row.text(), readTerm<PersonRequestKind>(row, "kind"), row.int64()};
+        request.answer = readMaybeTerm<PersonRequestAnswer>(row, "answer");
+        request.reason = row.text();
+        request.answeredUtc_us = row.maybeInt64().value_or(0);
+        request.personCode = row.text();
+        return request;
+      });
+}
+
+namespace {
+
+constexpr const char* kListed =
+    "SELECT c.kind, c.place, c.station, c.person_id, c.made_utc_us, c.id FROM record_copy c"
+    " WHERE c.gone_utc_us IS NULL";
+
+RecordCopy copyOf(RowReader& row) {
+  return {.kind = readTerm<CopyKind>(row, "record_copy.kind"),
+          .place = row.text(),
+          .station = row.text(),
+          .personId = row.text(),
+          .madeUtc_us = row.int64(),
+          .id = row.text()};
+}
+
+}  // namespace
+
+std::string CopyRegister::add(const RecordCopy& copy) {
+  Transaction transaction(connection_);
+  std::string id = SystemIdSource().newUuid();
+  connection_.execute(
+      "UPDATE record_copy SET gone_utc_us = ? WHERE place = ? AND station = ? AND gone_utc_us IS NULL",
+      {copy.madeUtc_us, copy.place, copy.station});
+  connection_.execute(
+      insertInto("record_copy", "id, kind, place, station, person_id, made_utc_us"),
+      {id, storedText(copy.kind), copy.place, copy.station, textOrNull(copy.personId), copy.madeUtc_us});
+  transaction.commit();
+  return id;
+}
+
+std::vector<RecordCopy> CopyRegister::all() const {
+  return selectAll(connection_, std::string(kListed) + " ORDER BY c.made_utc_us DESC, c.id", {}, copyOf);
+}
+
+std::vector<RecordCopy> CopyRegister::holding(const PersonId& personId) const {
+  return selectAll(connection_,
+                   std::string(kListed) +
+                       " AND (c.person_id = ? OR (c.person_id IS NULL AND c.made_utc_us >="
+                       " (SELECT p.created_utc_us FROM person p WHERE p.id = ?)))"
+                       " ORDER BY c.made_utc_us DESC, c.id",
+                   {personId, personId}, copyOf);
+}
+
+void CopyRegister::setGone(const std::string& id, std::int64_t utc_us) {
+  connection_.execute("UPDATE record_copy SET gone_utc_us = ? WHERE id = ?", {utc_us, id});
 }
 
 }  // namespace torsio

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/domain/ids.h"
 #include "assessment/domain/people/retention.h"
 #include "db/connection/connection.h"
 
@@ -29,6 +30,40 @@ class RetentionRepository {
 
   /// Returns everybody whose record is due at `utc_us`, including those on hold; longest overdue first.
   [[nodiscard]] std::vector<RetentionItem> due(std::int64_t utc_us) const;
+
+ private:
+  Connection& connection_;
+};
+
+/// People's requests about their own records. Each call is one transaction.
+class RequestRepository {
+ public:
+  explicit RequestRepository(Connection& connection) : connection_(connection) {}
+
+  void add(const PersonRequest& request);
+  /// Throws Error{kBadData} if it was already answered.
+  void answer(const std::string& requestId, PersonRequestAnswer answer, const std::string& reason,
+              std::int64_t utc_us);
+  /// Newest first.
+  [[nodiscard]] std::vector<PersonRequest> all() const;
+
+ private:
+  Connection& connection_;
+};
+
+/// The register of copies of the record. Confined to its connection's thread; every function may throw
+/// DbError.
+class CopyRegister {
+ public:
+  explicit CopyRegister(Connection& connection) : connection_(connection) {}
+
+  /// Adds a copy and returns its new id. It replaces an older copy by the same station at the same place.
+  std::string add(const RecordCopy& copy);
+  /// Copies not known to be deleted, newest first.
+  [[nodiscard]] std::vector<RecordCopy> all() const;
+  /// Those of all() that contain this person: made since the person was added.
+  [[nodiscard]] std::vector<RecordCopy> holding(const PersonId& personId) const;
+  void setGone(const std::string& id, std::int64_t utc_us);
 
  private:
   Connection& connection_;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "db/connection/row_reader.h"
-#include "db/repository/people/person_rules.h"
+#include "db/repository/people/person_data.h"
 #include "sim/core/error.h"
 
 namespace torsio {

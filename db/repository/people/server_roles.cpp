@@ -5,7 +5,7 @@
 #include <array>
 
 #include "db/connection/row_reader.h"
-#include "db/repository/people/person_rules.h"
+#include "db/repository/people/person_data.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 

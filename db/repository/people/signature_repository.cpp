@@ -37,4 +37,31 @@ std::map<std::string, Signature> SignatureRepository::all(SignedKind kind) const
   return found;
 }
 
+void DutyRepository::add(const DutyRequest& request) {
+  connection_.execute(
+      insertInto("duty_request", "id, act, subject, detail_json, reason, requested_by, requested_utc_us"),
+      {request.id, storedText(request.act), request.subject, request.detailJson, request.reason,
+       request.requestedBy, request.requestedUtc_us});
+}
+
+std::vector<DutyRequest> DutyRepository::open(std::int64_t sinceUtc_us) const {
+  return selectAll(connection_,
+                   "SELECT r.id, r.act, r.subject, r.detail_json, r.reason, r.requested_by,"
+                   " r.requested_utc_us FROM duty_request r WHERE r.requested_utc_us >= ? AND NOT EXISTS"
+                   " (SELECT 1 FROM duty_decision d WHERE d.request_id = r.id)"
+                   " ORDER BY r.requested_utc_us, r.id",
+                   {sinceUtc_us}, [](RowReader& row) {
+                     return DutyRequest{row.text(), readTerm<DutyAct>(row, "act"),
+                                        row.text(), row.text(),
+                                        row.text(), row.text(),
+                                        row.int64()};
+                   });
+}
+
+void DutyRepository::decide(const std::string& requestId, DutyDecision decision, const UserId& decidedBy,
+                            std::int64_t utc_us) {
+  connection_.execute(insertInto("duty_decision", "request_id, decision, decided_by, decided_utc_us"),
+                      {requestId, storedText(decision), decidedBy, utc_us});
+}
+
 }  // namespace torsio

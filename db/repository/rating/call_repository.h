@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "assessment/domain/ids.h"
-#include "assessment/domain/rating/live_call.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/rating/sheet_check.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
@@ -31,6 +32,23 @@ class CallRepository {
   [[nodiscard]] bool wasCalled(const EnrolmentId& enrolmentId, const std::string& occasionCode) const;
   /// The newest call of each case assigned to a rater, without cancelled ones, oldest first.
   [[nodiscard]] std::vector<CallNotice> noticesFor(const RaterId& raterId) const;
+
+ private:
+  Connection& connection_;
+};
+
+/// Paper sheets being typed in. Each call is one transaction.
+class PaperRepository {
+ public:
+  explicit PaperRepository(Connection& connection) : connection_(connection) {}
+
+  /// Replaces what the same person typed before.
+  void put(const PaperEntry& entry);
+  /// Entries of one sheet, oldest first.
+  [[nodiscard]] std::vector<PaperEntry> of(const AssignmentId& assignmentId) const;
+  /// Entries of a cohort, without rows.
+  [[nodiscard]] std::vector<PaperEntry> ofCohort(const CohortId& cohortId) const;
+  void remove(const AssignmentId& assignmentId);
 
  private:
   Connection& connection_;

@@ -5,7 +5,7 @@
 
 #include "assessment/domain/ids.h"
 #include "db/connection/row_reader.h"
-#include "db/repository/rating/assignment_rows.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -11,10 +11,8 @@
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/mark.h"
-#include "assessment/domain/rating/reference_run.h"
 #include "assessment/domain/rating/sheet.h"
 #include "db/connection/connection.h"
-#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

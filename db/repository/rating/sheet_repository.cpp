@@ -8,7 +8,6 @@
 #include "assessment/domain/rating/sheet_check.h"
 #include "db/connection/db_error.h"
 #include "db/connection/row_reader.h"
-#include "db/repository/rating/assignment_rows.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "sim/core/error.h"
@@ -16,6 +15,14 @@
 namespace torsio {
 
 namespace {
+
+std::vector<SheetRow> sheetRows(Connection& connection, std::string_view fromWhere, const std::string& key) {
+  std::string select = "SELECT row_code, score_steps, not_assessable_reason FROM ";
+  select.append(fromWhere).append(" = ? ORDER BY row_code");
+  return selectAll(connection, select, {key}, [](RowReader& row) {
+    return SheetRow{row.text(), row.maybeInt64(), row.text()};
+  });
+}
 
 Assignment assignmentOf(Connection& connection, const AssignmentId& assignmentId) {
   std::optional<Assignment> found =
@@ -92,6 +99,45 @@ std::optional<std::int64_t> versionOf(Connection& connection, const MarkId& mark
 }
 
 }  // namespace
+
+std::string selectAssignments(std::string_view more) {
+  std::string select =
+      "SELECT a.id, a.rater_id, a.enrolment_id, a.occasion, a.trial_id, a.rubric_revision_id,"
+      " a.case_label, a.position, a.due_utc_us, a.assigned_by, a.assigned_utc_us, a.demonstration";
+  select.append(more).append(" FROM assignment a");
+  return select;
+}
+
+std::string isAskedFor(std::string_view alias) {
+  std::string condition = "NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = ";
+  condition.append(alias).append(
+      ".id AND w.withdrawn AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal v"
+      " WHERE v.assignment_id = w.assignment_id AND v.sequence > w.sequence))");
+  return condition;
+}
+
+Assignment readAssignment(RowReader& row) {
+  return {.id = row.text(),
+          .raterId = row.text(),
+          .enrolmentId = row.text(),
+          .occasionCode = row.text(),
+          .trialId = row.text(),
+          .rubricRevisionId = row.text(),
+          .caseLabel = row.text(),
+          .position = row.int64(),
+          .dueUtc_us = row.maybeInt64(),
+          .assignedBy = row.text(),
+          .assignedUtc_us = row.int64(),
+          .demonstration = row.boolean()};
+}
+
+std::vector<SheetRow> draftRows(Connection& connection, const AssignmentId& assignmentId) {
+  return sheetRows(connection, "mark_draft_row WHERE assignment_id", assignmentId);
+}
+
+std::vector<SheetRow> markRows(Connection& connection, const MarkId& markId) {
+  return sheetRows(connection, "training_mark_row WHERE mark_id", markId);
+}
 
 void SheetRepository::assign(std::span<const Assignment> assignments) {
   Transaction transaction(connection_);
@@ -360,77 +406,6 @@ bool SheetRepository::isReleased(const CohortId& cohortId, const std::string& oc
                      " ORDER BY sequence DESC LIMIT 1",
                      {cohortId, occasionCode}, readBoolean)
       .value_or(false);
-}
-
-namespace {
-
-constexpr const char* kSelectEntries =
-    "SELECT n.assignment_id, n.entered_by, n.overall_steps, n.not_assessable_reason, n.comment,"
-    " n.entered_utc_us FROM paper_entry n";
-
-PaperEntry readEntry(RowReader& row) {
-  PaperEntry entry;
-  entry.assignmentId = row.text();
-  entry.enteredBy = row.text();
-  entry.sheet.overall_steps = row.maybeInt64();
-  entry.sheet.notAssessableReason = row.text();
-  entry.sheet.comment = row.text();
-  entry.enteredUtc_us = row.int64();
-  return entry;
-}
-
-}  // namespace
-
-void PaperRepository::put(const PaperEntry& entry) {
-  Transaction transaction(connection_);
-  connection_.execute("DELETE FROM paper_entry_row WHERE assignment_id = ? AND entered_by = ?",
-                      {entry.assignmentId, entry.enteredBy});
-  connection_.execute("DELETE FROM paper_entry WHERE assignment_id = ? AND entered_by = ?",
-                      {entry.assignmentId, entry.enteredBy});
-  connection_.execute(
-      insertInto("paper_entry",
-                 "assignment_id, entered_by, overall_steps, not_assessable_reason, comment, entered_utc_us"),
-      {entry.assignmentId, entry.enteredBy, entry.sheet.overall_steps,
-       textOrNull(entry.sheet.notAssessableReason), textOrNull(entry.sheet.comment), entry.enteredUtc_us});
-  Statement insert = connection_.prepare(insertInto(
-      "paper_entry_row", "assignment_id, entered_by, row_code, score_steps, not_assessable_reason"));
-  for (const SheetRow& row : entry.sheet.rows) {
-    insert.execute({entry.assignmentId, entry.enteredBy, row.code, row.score_steps,
-                    textOrNull(row.notAssessableReason)});
-  }
-  transaction.commit();
-}
-
-std::vector<PaperEntry> PaperRepository::of(const AssignmentId& assignmentId) const {
-  std::vector<PaperEntry> entries = selectAll(
-      connection_,
-      std::string(kSelectEntries) + " WHERE n.assignment_id = ? ORDER BY n.entered_utc_us, n.entered_by",
-      {assignmentId}, readEntry);
-  for (PaperEntry& entry : entries) {
-    entry.sheet.rows = selectAll(connection_,
-                                 "SELECT row_code, score_steps, not_assessable_reason FROM paper_entry_row"
-                                 " WHERE assignment_id = ? AND entered_by = ? ORDER BY row_code",
-                                 {assignmentId, entry.enteredBy}, [](RowReader& row) {
-                                   return SheetRow{row.text(), row.maybeInt64(), row.text()};
-                                 });
-  }
-  return entries;
-}
-
-std::vector<PaperEntry> PaperRepository::ofCohort(const CohortId& cohortId) const {
-  return selectAll(
-      connection_,
-      std::string(kSelectEntries) +
-          " JOIN assignment a ON a.id = n.assignment_id JOIN enrolment e ON e.id = a.enrolment_id"
-          " WHERE e.cohort_id = ? ORDER BY n.entered_utc_us, n.entered_by",
-      {cohortId}, readEntry);
-}
-
-void PaperRepository::remove(const AssignmentId& assignmentId) {
-  Transaction transaction(connection_);
-  connection_.execute("DELETE FROM paper_entry_row WHERE assignment_id = ?", {assignmentId});
-  connection_.execute("DELETE FROM paper_entry WHERE assignment_id = ?", {assignmentId});
-  transaction.commit();
 }
 
 }  // namespace torsio

@@ -5,15 +5,15 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/instrument.h"
-#include "assessment/domain/rating/paper_entry.h"
 #include "assessment/domain/rating/sheet.h"
-#include "assessment/domain/rating/sheet_state.h"
-#include "db/connection/connection.h"
+#include "assessment/domain/rating/sheet_check.h"
+#include "db/connection/row_reader.h"
 
 namespace torsio {
 
@@ -76,21 +76,18 @@ class SheetRepository {
   Connection& connection_;
 };
 
-/// Paper sheets being typed in. Each call is one transaction.
-class PaperRepository {
- public:
-  explicit PaperRepository(Connection& connection) : connection_(connection) {}
+/// Returns "SELECT ... FROM assignment a" with the columns of readAssignment(), followed by `more`, which
+/// starts with a comma or is empty.
+[[nodiscard]] std::string selectAssignments(std::string_view more = {});
 
-  /// Replaces what the same person typed before.
-  void put(const PaperEntry& entry);
-  /// Entries of one sheet, oldest first.
-  [[nodiscard]] std::vector<PaperEntry> of(const AssignmentId& assignmentId) const;
-  /// Entries of a cohort, without rows.
-  [[nodiscard]] std::vector<PaperEntry> ofCohort(const CohortId& cohortId) const;
-  void remove(const AssignmentId& assignmentId);
+/// Returns the condition that the assignment `alias` is not withdrawn.
+[[nodiscard]] std::string isAskedFor(std::string_view alias);
 
- private:
-  Connection& connection_;
-};
+/// Reads the columns of selectAssignments().
+[[nodiscard]] Assignment readAssignment(RowReader& row);
+
+/// Reads the rows of a sheet, by code: of a draft or of a sealed mark. Throws DbError.
+[[nodiscard]] std::vector<SheetRow> draftRows(Connection& connection, const AssignmentId& assignmentId);
+[[nodiscard]] std::vector<SheetRow> markRows(Connection& connection, const MarkId& markId);
 
 }  // namespace torsio

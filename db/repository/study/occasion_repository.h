@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "assessment/domain/ids.h"
+#include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/occasion.h"
 #include "db/connection/connection.h"
 
@@ -24,6 +28,23 @@ class OccasionRepository {
   /// True if a cohort was imported with foreign recordings (sim/core/foreign_recording.h); a tracker's
   /// recordings belong to a phase of their own curriculum.
   [[nodiscard]] bool cameFromElsewhere(const CohortId& cohortId) const;
+
+ private:
+  Connection& connection_;
+};
+
+/// Appointments. Each call is one transaction.
+class SlotRepository {
+ public:
+  explicit SlotRepository(Connection& connection) : connection_(connection) {}
+
+  void add(std::span<const DaySlot> slots);
+  void remove(const DaySlotId& slotId);
+  /// Gives a slot to another trainee.
+  void give(const DaySlotId& slotId, const EnrolmentId& enrolmentId);
+  /// Slots of a cohort (empty: of all) that overlap [from, to), by start and place.
+  [[nodiscard]] std::vector<DaySlot> between(const CohortId& cohortId, std::int64_t fromUtc_us,
+                                             std::int64_t toUtc_us) const;
 
  private:
   Connection& connection_;

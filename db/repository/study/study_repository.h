@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "assessment/domain/ids.h"
-#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/protocol_terms.h"
 #include "db/connection/connection.h"

@@ -9,7 +9,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
-#include "db/repository/base/sealed_row.h"
+#include "db/repository/base/row_seal.h"
 #include "sim/core/contracts.h"
 
 namespace torsio {

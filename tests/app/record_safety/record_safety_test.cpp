@@ -15,7 +15,6 @@
 #include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
-#include "db/migrations/record_exchange.h"
 #include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/full_record.h"

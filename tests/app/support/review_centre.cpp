@@ -9,7 +9,6 @@
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
-#include "assessment/domain/rating/live_call.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/repository/people/people_repository.h"

@@ -45,9 +45,8 @@ QString copiesText(SessionContext& session, std::span<const PersonId> people, co
   for (std::size_t i = 0; i < std::min(copies.size(), kShown); ++i) {
     const ListedCopy& listed = copies[i];
     text += QLatin1Char('\n') + CopiesText::tr("%1 at %2: %3, to be deleted by %4")
-                                    .arg(toQString(Text(copyKindLabel(listed.copy.kind))),
-                                         toQString(listed.copy.station), toQString(listed.copy.place),
-                                         shownTime(listed.dueUtc_us, locale));
+                                    .arg(toQString(labelOf(listed.copy.kind)), toQString(listed.copy.station),
+                                         toQString(listed.copy.place), shownTime(listed.dueUtc_us, locale));
   }
   if (copies.size() > kShown) {
     text += QLatin1Char('\n') + CopiesText::tr("and %n older one(s); torsio db copies lists all", nullptr,

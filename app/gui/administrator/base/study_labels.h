@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "app/services/study/scoring_plan.h"
-#include "assessment/domain/rating/sheet_state.h"
+#include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/occasion.h"
 #include "assessment/domain/study/protocol_terms.h"
@@ -17,11 +17,9 @@ namespace torsio::gui {
 
 /// "half-way"; occasions that a centre added have the centre's names.
 [[nodiscard]] QString occasionName(const Occasion& occasion);
-[[nodiscard]] QString factorName(const std::string& code);
+/// A level of a BalanceFactor.
 [[nodiscard]] QString levelName(const std::string& code);
 /// "chief physician"; a centre's own classes are shown by their code.
 [[nodiscard]] QString raterClassName(const std::string& code);
-[[nodiscard]] QString methodName(AllocationMethod method);
-[[nodiscard]] QString sheetStateName(SheetState state);
 
 }  // namespace torsio::gui

@@ -65,13 +65,14 @@ class PersonDialog : public QDialog {
 
  private:
   void fill(const std::vector<SeniorityClass>& classes) {
-    for (const auto& [text, code] : {std::pair{tr("not known"), ""}, std::pair{tr("female"), "female"},
-                                     std::pair{tr("male"), "male"}, std::pair{tr("other"), "other"}}) {
-      sex_->addItem(text, QLatin1String(code));
+    for (QComboBox* choice : {sex_, handedness_}) {
+      choice->addItem(tr("not known"), QString());
     }
-    for (const auto& [text, code] :
-         {std::pair{tr("not known"), ""}, std::pair{tr("right"), "right"}, std::pair{tr("left"), "left"}}) {
-      handedness_->addItem(text, QLatin1String(code));
+    for (const Term<Sex>& term : kSexes) {
+      sex_->addItem(toQString(term.label), toQString(std::string(term.stored)));
+    }
+    for (const Term<Handedness>& term : kHandednesses) {
+      handedness_->addItem(toQString(term.label), toQString(std::string(term.stored)));
     }
     raterClass_->addItem(tr("does not score"), QString());
     for (const SeniorityClass& raterClass : classes) {

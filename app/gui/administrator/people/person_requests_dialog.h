@@ -6,7 +6,7 @@
 
 #include <QDialog>
 
-#include "assessment/domain/people/person_request.h"
+#include "assessment/domain/people/retention.h"
 
 class QPushButton;
 

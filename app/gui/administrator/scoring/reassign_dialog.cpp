@@ -18,7 +18,7 @@
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "assessment/domain/people/person.h"
-#include "assessment/domain/rating/sheet_state.h"
+#include "assessment/domain/rating/assignment.h"
 
 namespace torsio::gui {
 

@@ -163,7 +163,7 @@ void ScoringPage::showContent() {
 }
 
 QString ScoringPage::cellText(const ScoringCell& cell) const {
-  const QString text = tr("case %1: %2").arg(toQString(cell.caseLabel), sheetStateName(cell.state));
+  const QString text = tr("case %1: %2").arg(toQString(cell.caseLabel), toQString(labelOf(cell.state)));
   const bool waits = cell.state == SheetState::kOpen || cell.state == SheetState::kDraft;
   return cell.dueUtc_us && waits ? tr("%1, due %2").arg(text, shownTime(*cell.dueUtc_us, locale())) : text;
 }

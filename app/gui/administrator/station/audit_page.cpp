@@ -207,7 +207,7 @@ void AuditPage::read() {
 }
 
 QString AuditPage::objectText(const AuditEntry& entry) const {
-  const QString kind = toQString(auditObjectLabel(entry.objectKind));
+  const QString kind = toQString(labelOfStored<AuditObject>(entry.objectKind));
   const auto subject = subjects_.find(entry.objectId);
   return subject == subjects_.end() ? kind : tr("%1 %2").arg(kind, toQString(subject->second));
 }
@@ -224,7 +224,7 @@ void AuditPage::showContent() {
                      timeCell(entry.atUtc_us),
                      {actor},
                      {toQString(entry.station)},
-                     {toQString(auditActionLabel(entry.action)), {}, toQString(entry.action)},
+                     {toQString(labelOfStored<AuditAction>(entry.action)), {}, toQString(entry.action)},
                      {objectText(entry), {}, toQString(entry.objectId)},
                      {toQString(entry.reason)},
                      {toQString(entry.action)}}});
@@ -252,9 +252,9 @@ void AuditPage::showEntry(const QString& id) {
     const QString spelt = toQString(code);
     return toQString(words) == spelt ? spelt : QStringLiteral("%1 (%2)").arg(toQString(words), spelt);
   };
-  add(tr("What"), withCode(auditActionLabel(found->action), found->action));
+  add(tr("What"), withCode(labelOfStored<AuditAction>(found->action), found->action));
   add(tr("Object"),
-      QStringLiteral("%1 %2").arg(withCode(auditObjectLabel(found->objectKind), found->objectKind),
+      QStringLiteral("%1 %2").arg(withCode(labelOfStored<AuditObject>(found->objectKind), found->objectKind),
                                   toQString(found->objectId)));
   const auto told = [this](const std::string& json) {  // user ids mean nothing to readers
     QString text = indented(json);
@@ -298,8 +298,8 @@ void AuditPage::showVerdict() {
     for (std::size_t i = 0; i < std::min(findings_->size(), kShown); ++i) {
       const AuditFinding& finding = (*findings_)[i];
       lines << QStringLiteral("\u2022 %1 %2: %3")
-                   .arg(toQString(auditObjectLabel(finding.objectKind)), toQString(finding.objectId),
-                        toQString(finding.what));
+                   .arg(toQString(labelOfStored<AuditObject>(finding.objectKind)),
+                        toQString(finding.objectId), toQString(finding.what));
     }
     verdict_->setText(lines.join(QLatin1Char('\n')));
   }

@@ -69,8 +69,8 @@ AllocationPage::AllocationPage(ShellContext& shell)
   for (const AllocationMethod method : kMethods) {
     method_->addItem(QString(), static_cast<int>(method));
   }
-  for (const std::string& name : allocationFactorNames()) {
-    factors_[name] = new QCheckBox(this);
+  for (const Term<BalanceFactor>& factor : kBalanceFactors) {
+    factors_[factor.value] = new QCheckBox(this);
   }
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
@@ -132,8 +132,8 @@ QWidget* AllocationPage::designForm() {
   grid->addWidget(factorsLabel_, 1, 0);
   auto* checks = new QHBoxLayout;
   checks->setSpacing(2 * kSpace);
-  for (const std::string& name : allocationFactorNames()) {
-    checks->addWidget(factors_.at(name));
+  for (const auto& [factor, box] : factors_) {
+    checks->addWidget(box);
   }
   checks->addStretch(1);
   grid->addLayout(checks, 1, 1);
@@ -185,9 +185,9 @@ AllocationPlan AllocationPage::plan() const {
   plan.cohortId = chosenId(cohort_);
   plan.method = static_cast<AllocationMethod>(method_->currentData().toInt());
   if (usesFactors(plan.method)) {
-    for (const std::string& name : allocationFactorNames()) {
-      if (factors_.at(name)->isChecked()) {
-        plan.factors.push_back(name);
+    for (const auto& [factor, box] : factors_) {
+      if (box->isChecked()) {
+        plan.factors.emplace_back(storedText(factor));
       }
     }
   }
@@ -251,7 +251,7 @@ void AllocationPage::showBalance() {
       }
       rows.push_back(
           {QStringLiteral("%1/%2").arg(toQString(level.factor), toQString(level.level)),
-           {{factorName(level.factor)},
+           {{toQString(labelOfStored<BalanceFactor>(level.factor))},
             {levelName(level.level)},
             {QString::number(level.people), static_cast<qlonglong>(level.people)},
             {expected.join(QStringLiteral("  "))},
@@ -286,7 +286,7 @@ void AllocationPage::showDesign() {
                .arg(shownTime(row.stored.lockedUtc_us, locale()))
                .arg(row.records)
                .arg(row.overrides)
-               .arg(methodName(row.design.method),
+               .arg(toQString(labelOf(row.design.method)),
                     commitment.left(kDigits) + QLatin1Char('\n') + commitment.mid(kDigits),
                     row.stored.seed.empty()
                         ? tr("sealed")
@@ -332,11 +332,11 @@ void AllocationPage::retranslate() {
   factorsLabel_->setText(tr("Balanced by"));
   blocksLabel_->setText(tr("&Block sizes"));
   blocks_->setToolTip(tr("Multiples of the number of groups; several are mixed at random"));
-  for (const auto& [name, box] : factors_) {
-    box->setText(factorName(name));
+  for (const auto& [factor, box] : factors_) {
+    box->setText(toQString(labelOf(factor)));
   }
   for (int i = 0; i < method_->count(); ++i) {
-    method_->setItemText(i, methodName(static_cast<AllocationMethod>(method_->itemData(i).toInt())));
+    method_->setItemText(i, toQString(labelOf(static_cast<AllocationMethod>(method_->itemData(i).toInt()))));
   }
   previewButton_->setText(tr("&Preview balance"));
   lock_->setText(tr("&Lock design\u2026"));

@@ -11,7 +11,7 @@
 #include "app/gui/base/page.h"
 #include "app/services/study/allocation_service.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/allocation.h"
 
 class QCheckBox;
 class QComboBox;
@@ -62,7 +62,7 @@ class AllocationPage : public Page {
   std::vector<AllocationDesignRow> designs_;
   std::vector<AllocationEntry> drawn_;  // of the design in force
   std::optional<BalancePreview> preview_;
-  std::map<std::string, QCheckBox*> factors_;
+  std::map<BalanceFactor, QCheckBox*> factors_;
   PageHeading* heading_;
   QLabel* cohortLabel_;
   QComboBox* cohort_;

@@ -12,7 +12,7 @@
 #include <QTime>
 
 #include "assessment/domain/ids.h"
-#include "assessment/domain/study/day_slot.h"
+#include "assessment/domain/study/cohort.h"
 
 class QDateEdit;
 class QLabel;

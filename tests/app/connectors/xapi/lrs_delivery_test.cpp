@@ -13,7 +13,7 @@
 
 #include "app/connectors/xapi/learning_records.h"
 #include "app/connectors/xapi/learning_statement.h"
-#include "db/repository/system/learning_repository.h"
+#include "db/repository/base/learning_events.h"
 #include "tests/app/connectors/xapi/xapi_centre.h"
 
 namespace torsio {

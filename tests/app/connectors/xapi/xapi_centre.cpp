@@ -10,11 +10,11 @@
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/consent.h"
 #include "assessment/domain/people/person.h"
+#include "db/repository/base/learning_events.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
-#include "db/repository/system/learning_repository.h"
 
 namespace torsio {
 

@@ -39,7 +39,7 @@
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/people/consent.h"
 #include "assessment/domain/people/retention.h"
-#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/allocation.h"
 #include "tests/app/gui/support/administrator_desk.h"
 
 namespace torsio::gui {

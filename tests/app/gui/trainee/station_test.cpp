@@ -41,7 +41,7 @@
 #include "app/services/people/consent_service.h"
 #include "app/services/recording/station_writer.h"
 #include "app/services/training/run_session.h"
-#include "db/repository/people/request_repository.h"
+#include "db/repository/people/retention_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/support/trainee_station.h"
 #include "tests/app/support/training_centre.h"

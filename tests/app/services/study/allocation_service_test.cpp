@@ -11,7 +11,7 @@
 #include "app/services/scoring/cohort_inputs.h"
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/study/allocation_entry.h"
+#include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/cohort.h"
 #include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"

@@ -30,7 +30,6 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
-#include "db/repository/study/competence_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
