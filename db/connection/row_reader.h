@@ -37,6 +37,8 @@ class RowReader {
   /// True if the next column is null; takes none.
   [[nodiscard]] bool nextIsNull() const;
   void skip(int columns);
+  /// Returns the name of the column taken last.
+  [[nodiscard]] std::string lastName() const { return row_.columnName(column_ - 1); }
   /// True if every column was taken.
   [[nodiscard]] bool atEnd() const { return column_ == row_.columnCount(); }
 

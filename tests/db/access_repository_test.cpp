@@ -61,13 +61,12 @@ const std::map<std::string, std::set<std::string>> kExpected{
       "report.export_coded", "audit.view"}}};
 
 TEST_F(AccessRepositoryTest, EveryCellOfTheMatrixMatches) {
-  Connection connection = openWithSchema();
-  const std::set<std::pair<std::string, std::string>> permissions = storedPermissions(connection);
-  ASSERT_EQ(storedRoles(connection).size(), kExpected.size());
+  const std::set<std::pair<std::string, std::string>> permissions = storedPermissions(connection());
+  ASSERT_EQ(storedRoles(connection()).size(), kExpected.size());
 
   std::size_t cells = 0;
-  for (const std::string& role : storedRoles(connection)) {
-    for (const std::string& operation : storedOperations(connection)) {
+  for (const std::string& role : storedRoles(connection())) {
+    for (const std::string& operation : storedOperations(connection())) {
       ++cells;
       EXPECT_EQ(permissions.contains({role, operation}), kExpected.at(role).contains(operation))
           << role << " / " << operation;
@@ -77,8 +76,7 @@ TEST_F(AccessRepositoryTest, EveryCellOfTheMatrixMatches) {
 }
 
 TEST_F(AccessRepositoryTest, AnAdministratorCannotTouchMarksAndAnAllocatorCannotEnrol) {
-  Connection connection = openWithSchema();
-  const auto permissions = storedPermissions(connection);
+  const auto permissions = storedPermissions(connection());
   EXPECT_FALSE(permissions.contains({"administrator", "mark.submit"}));
   EXPECT_FALSE(permissions.contains({"administrator", "allocation.run"}));
   EXPECT_FALSE(permissions.contains({"allocator", "study.enrol"}));
@@ -86,8 +84,7 @@ TEST_F(AccessRepositoryTest, AnAdministratorCannotTouchMarksAndAnAllocatorCannot
 }
 
 TEST_F(AccessRepositoryTest, AllowsOnlyWhatARoleAllows) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
 
   EXPECT_TRUE(repository.allowed("u1", "mark.submit"));
@@ -101,13 +98,11 @@ TEST_F(AccessRepositoryTest, AllowsOnlyWhatARoleAllows) {
 }
 
 TEST_F(AccessRepositoryTest, HasNoUsersInitially) {
-  Connection connection = openWithSchema();
-  EXPECT_TRUE(access(connection).users().empty());
+  EXPECT_TRUE(access(connection()).users().empty());
 }
 
 TEST_F(AccessRepositoryTest, RequiresANewPasswordAtTheFirstSignIn) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
   EXPECT_EQ(repository.signIn("anna", kPassword, kSampleTime_us).outcome, SignIn::kMustChange);
 
@@ -120,30 +115,27 @@ TEST_F(AccessRepositoryTest, RequiresANewPasswordAtTheFirstSignIn) {
 }
 
 TEST_F(AccessRepositoryTest, StoresOnlyASaltedHash) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
   UserAccount ben = anna();
   ben.id = "u2";
   ben.login = "ben";
   repository.addUser(ben, kPassword);
 
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM app_user WHERE password_hash LIKE '$argon2id$%'"),
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM app_user WHERE password_hash LIKE '$argon2id$%'"),
             2);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(DISTINCT password_hash) FROM app_user"), 2);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(DISTINCT password_hash) FROM app_user"), 2);
 }
 
 TEST_F(AccessRepositoryTest, DoesNotDistinguishAWrongLoginFromAWrongPassword) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
   EXPECT_EQ(repository.signIn("nobody", kPassword, 0).outcome, SignIn::kWrong);
   EXPECT_EQ(repository.signIn("anna", "something else entirely", 0).outcome, SignIn::kWrong);
 }
 
 TEST_F(AccessRepositoryTest, SlowsDownGuessingUntilASuccess) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
   std::int64_t now_us = kSampleTime_us;
   for (int i = 0; i < 4; ++i) {
@@ -162,8 +154,7 @@ TEST_F(AccessRepositoryTest, SlowsDownGuessingUntilASuccess) {
 }
 
 TEST_F(AccessRepositoryTest, TreatsUnknownLoginsLikeKnownOnes) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
   std::int64_t now_us = kSampleTime_us;
 
@@ -177,12 +168,11 @@ TEST_F(AccessRepositoryTest, TreatsUnknownLoginsLikeKnownOnes) {
     now_us += 7 * kSecond_us;
   }
 
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM sign_in_failure"), 2);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM sign_in_failure"), 2);
 }
 
 TEST_F(AccessRepositoryTest, AFailureInTheFutureLocksForAtMostAMinute) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
   const std::int64_t ahead_us = kSampleTime_us + 400 * std::int64_t{86'400'000'000};
   for (int i = 0; i < 8; ++i) {
@@ -197,10 +187,9 @@ TEST_F(AccessRepositoryTest, AFailureInTheFutureLocksForAtMostAMinute) {
 }
 
 TEST_F(AccessRepositoryTest, NeverWaitsLongerThanAMinute) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
-  connection.execute("UPDATE app_user SET failed_count = ?", {1000});
+  connection().execute("UPDATE app_user SET failed_count = ?", {1000});
 
   EXPECT_EQ(repository.signIn("anna", "guess", 0).outcome, SignIn::kWrong);
 
@@ -208,16 +197,14 @@ TEST_F(AccessRepositoryTest, NeverWaitsLongerThanAMinute) {
 }
 
 TEST_F(AccessRepositoryTest, ADisabledUserStaysOut) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
   repository.setActive("u1", false);
   EXPECT_EQ(repository.signIn("anna", kPassword, 0).outcome, SignIn::kDisabled);
 }
 
 TEST_F(AccessRepositoryTest, APinOpensOnlyPractice) {
-  Connection connection = openWithSchema();
-  AccessRepository repository = access(connection);
+  AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
   EXPECT_EQ(repository.signInForPractice("anna", "4711", 0).outcome, SignIn::kWrong);
   EXPECT_EQ(refusalFrom([&] { (void)repository.sealPin("123"); }).code, ErrorCode::kBadParameter);

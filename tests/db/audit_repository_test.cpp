@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "db/repository/base/audit_repository.h"
 
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <gtest/gtest.h>
+
 #include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/people/audit_terms.h"
 #include "assessment/domain/rating/mark.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
@@ -11,13 +23,14 @@
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/test_database.h"
 
 namespace torsio {
+
 namespace {
 
-class AuditRepositoryTest : public DatabaseTest {
+class AuditRepositoryTest : public SampleTest {
  protected:
+  AuditRepository audit() { return AuditRepository(connection()); }
   static NewAuditEntry entryOf(AuditAction action, std::int64_t atUtc_us) {
     return {.atUtc_us = atUtc_us,
             .actor = "admin",
@@ -69,12 +82,10 @@ class AuditRepositoryTest : public DatabaseTest {
 };
 
 TEST_F(AuditRepositoryTest, ChainsEntriesAndListsTheNewestFirst) {
-  Connection connection = openWithSchema();
-  AuditRepository audit(connection);
-  audit.append(entryOf(AuditAction::kPersonChange, 10));
-  audit.append(entryOf(AuditAction::kReportExportNamed, 20));
+  audit().append(entryOf(AuditAction::kPersonChange, 10));
+  audit().append(entryOf(AuditAction::kReportExportNamed, 20));
 
-  const std::vector<AuditEntry> entries = audit.entries();
+  const std::vector<AuditEntry> entries = audit().entries();
 
   ASSERT_EQ(entries.size(), 2U);
   EXPECT_EQ(entries[0].action, "report.export_named");
@@ -82,21 +93,19 @@ TEST_F(AuditRepositoryTest, ChainsEntriesAndListsTheNewestFirst) {
   EXPECT_EQ(entries[0].previousHash, entries[1].entryHash);
   EXPECT_EQ(entries[1].reason, "typing error");
   EXPECT_EQ(entries[1].newJson, R"({"level":"2"})");
-  EXPECT_EQ(audit.entries({.fromUtc_us = 11}).size(), 1U);
-  EXPECT_TRUE(audit.entries({.objectKind = AuditObject::kTrial}).empty());
-  EXPECT_TRUE(verifyAuditTrail(connection).empty());
+  EXPECT_EQ(audit().entries({.fromUtc_us = 11}).size(), 1U);
+  EXPECT_TRUE(audit().entries({.objectKind = AuditObject::kTrial}).empty());
+  EXPECT_TRUE(verifyAuditTrail(connection()).empty());
 }
 
 TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeRangeWhetherFewOrMany) {
-  Connection connection = openWithSchema();
-  AuditRepository audit(connection);
   // Clocks of stations differ: the third entry was made after the fourth, but has an earlier time.
   for (const std::int64_t at_us : {10, 20, 40, 30, 50}) {
-    audit.append(entryOf(AuditAction::kPersonChange, at_us));
+    audit().append(entryOf(AuditAction::kPersonChange, at_us));
   }
-  const auto listed = [&audit](const AuditFilter& filter) {
+  const auto listed = [&](const AuditFilter& filter) {
     std::vector<std::int64_t> sequences;
-    for (const AuditEntry& entry : audit.entries(filter)) {
+    for (const AuditEntry& entry : audit().entries(filter)) {
       sequences.push_back(entry.sequence);
     }
     return sequences;
@@ -112,111 +121,97 @@ TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeRangeWhetherFewOrMany) {
 }
 
 TEST_F(AuditRepositoryTest, RollsBackWithItsChange) {
-  Connection connection = openWithSchema();
   {
-    const Transaction transaction(connection);
-    AuditRepository(connection).append(entryOf(AuditAction::kPersonChange, 10));
+    const Transaction transaction(connection());
+    AuditRepository(connection()).append(entryOf(AuditAction::kPersonChange, 10));
   }
-  EXPECT_TRUE(AuditRepository(connection).entries().empty());
+  EXPECT_TRUE(AuditRepository(connection()).entries().empty());
 }
 
 TEST_F(AuditRepositoryTest, CannotBeChangedEvenDuringAnErase) {
-  Connection connection = openWithSchema();
-  AuditRepository(connection).append(entryOf(AuditAction::kPersonChange, 10));
-  connection.execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)", {"x", "", 0});
+  AuditRepository(connection()).append(entryOf(AuditAction::kPersonChange, 10));
+  connection().execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)", {"x", "", 0});
 
-  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM audit_entry"); }), DbFault::kAppendOnly);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE audit_entry SET actor = ?", {"x"}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("DELETE FROM audit_entry"); }), DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE audit_entry SET actor = ?", {"x"}); }),
             DbFault::kAppendOnly);
 }
 
 TEST_F(AuditRepositoryTest, DetectsAChangedAndARemovedEntry) {
-  Connection connection = openWithSchema();
-  AuditRepository audit(connection);
   for (int i = 0; i < 4; ++i) {
-    audit.append(entryOf(AuditAction::kPersonChange, i));
+    audit().append(entryOf(AuditAction::kPersonChange, i));
   }
-  dropTriggers(connection, "audit_entry");
+  dropTriggers(connection(), "audit_entry");
 
-  connection.execute("UPDATE audit_entry SET actor = ? WHERE sequence = ?", {"nobody", 2});
-  std::vector<AuditFinding> findings = verifyAuditTrail(connection);
+  connection().execute("UPDATE audit_entry SET actor = ? WHERE sequence = ?", {"nobody", 2});
+  std::vector<AuditFinding> findings = verifyAuditTrail(connection());
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].sequence, 2);
 
-  connection.execute("DELETE FROM audit_entry WHERE sequence = ?", {2});
-  findings = verifyAuditTrail(connection);
+  connection().execute("DELETE FROM audit_entry WHERE sequence = ?", {2});
+  findings = verifyAuditTrail(connection());
   ASSERT_EQ(findings.size(), 2U);  // a gap before 3, and 3 does not follow 1
   EXPECT_EQ(findings[0].sequence, 3);
 }
 
 TEST_F(AuditRepositoryTest, SealsEachMarkAndDetectsAChangedOne) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string id = recordMark(connection, sample);
-  AuditRepository audit(connection);
-  const AuditEntry entry = audit.entries({.objectKind = AuditObject::kTrainingMark}).at(0);
+  const std::string id = recordMark(connection(), sample());
+  const AuditEntry entry = audit().entries({.objectKind = AuditObject::kTrainingMark}).at(0);
   EXPECT_EQ(entry.action, "mark.submit");
-  EXPECT_EQ(entry.actor, sample.chiefs[0].person.id);
+  EXPECT_EQ(entry.actor, sample().chiefs[0].person.id);
   EXPECT_EQ(entry.station, "ward");
-  EXPECT_TRUE(verifyAuditTrail(connection).empty());
-  dropTriggers(connection, "training_mark");
+  EXPECT_TRUE(verifyAuditTrail(connection()).empty());
+  dropTriggers(connection(), "training_mark");
 
   Connection behind = open();  // with another tool
   behind.execute("UPDATE training_mark SET score_steps = ?", {100});
-  const std::vector<AuditFinding> changed = verifyAuditTrail(connection);
+  const std::vector<AuditFinding> changed = verifyAuditTrail(connection());
   ASSERT_EQ(changed.size(), 1U);
   EXPECT_EQ(changed[0].objectId, id);
 
   behind.execute("UPDATE training_mark SET score_steps = ?, comment = ?", {40, "wild"});
-  ASSERT_EQ(verifyAuditTrail(connection).size(), 1U);
+  ASSERT_EQ(verifyAuditTrail(connection()).size(), 1U);
 
   behind.execute("DELETE FROM training_mark");
-  EXPECT_EQ(verifyAuditTrail(connection).at(0).what, "was recorded, but is gone");
+  EXPECT_EQ(verifyAuditTrail(connection()).at(0).what, "was recorded, but is gone");
 }
 
 TEST_F(AuditRepositoryTest, DetectsAnInsertedMark) {
-  Connection connection = openWithSchema();
-  const SampleRecord sample(connection, 1);
   open().execute(
       "INSERT INTO training_mark (id, enrolment_id, rater_id, occasion, version, score_steps, "
       "scale_lo_steps,"
       " scale_hi_steps, steps_per_point, submitted_utc_us, demonstration)"
       " VALUES ('x', ?, ?, 'pre', 1, 100, 10, 100, 10, 0, ?)",
-      {sample.enrolments[0].id, sample.chiefs[0].person.id, true});
+      {sample().enrolments[0].id, sample().chiefs[0].person.id, true});
 
-  const std::vector<AuditFinding> findings = verifyAuditTrail(connection);
+  const std::vector<AuditFinding> findings = verifyAuditTrail(connection());
 
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].what, "is there, but was never recorded");
 }
 
 TEST_F(AuditRepositoryTest, DetectsAChangedByteOfARecording) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string id = recordTrial(connection, sample);
-  AuditRepository audit(connection);
-  EXPECT_TRUE(verifyAuditTrail(connection).empty());
-  dropTriggers(connection, "trial_chunk");
+  const std::string id = recordTrial(connection(), sample());
+  EXPECT_TRUE(verifyAuditTrail(connection()).empty());
+  dropTriggers(connection(), "trial_chunk");
   Blob bytes = sampleChunk(1, 300).bytes;
   bytes[17] ^= std::byte{1};
 
-  connection.execute("UPDATE trial_chunk SET bytes = ? WHERE chunk_index = ?", {bytes, 1});
+  connection().execute("UPDATE trial_chunk SET bytes = ? WHERE chunk_index = ?", {bytes, 1});
 
-  const std::vector<AuditFinding> findings = verifyAuditTrail(connection);
+  const std::vector<AuditFinding> findings = verifyAuditTrail(connection());
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].objectId, id);
   EXPECT_NE(findings[0].what.find("chunk 1"), std::string::npos) << findings[0].what;
 }
 
 TEST_F(AuditRepositoryTest, RefusesToImportACorruptRecording) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string id = recordTrial(connection, sample);
-  Trial trial = TrialRepository(connection).load(id);
-  trial.header.trialId = sample.ids.newUuid();
+  const std::string id = recordTrial(connection(), sample());
+  Trial trial = TrialRepository(connection()).load(id);
+  trial.header.trialId = sample().ids.newUuid();
 
-  EXPECT_EQ(refusalFrom([&] { TrialRepository(connection).import(trial); }).code, ErrorCode::kVerifyFailed);
-  EXPECT_EQ(TrialRepository(connection).list().size(), 1U);
+  EXPECT_EQ(refusalFrom([&] { TrialRepository(connection()).import(trial); }).code, ErrorCode::kVerifyFailed);
+  EXPECT_EQ(TrialRepository(connection()).list().size(), 1U);
 }
 
 TEST_F(AuditRepositoryTest, TwoStationsWriteOneChain) {
@@ -231,4 +226,69 @@ TEST_F(AuditRepositoryTest, TwoStationsWriteOneChain) {
 }
 
 }  // namespace
+
+namespace {
+
+template <typename TermValue>
+class AuditTerms : public ::testing::Test {};
+using Kinds = ::testing::Types<AuditAction, AuditObject>;
+TYPED_TEST_SUITE(AuditTerms, Kinds);
+
+TYPED_TEST(AuditTerms, ConvertToTheirTextAndBack) {
+  for (const Term<TypeParam>& term : termsOf(TypeParam{})) {
+    EXPECT_EQ(storedText(term.value), term.stored);
+    EXPECT_EQ(fromStoredText<TypeParam>(term.stored), term.value);
+  }
+  EXPECT_EQ(fromStoredText<TypeParam>(""), std::nullopt);
+  EXPECT_EQ(fromStoredText<TypeParam>("mark.polish"), std::nullopt);
+}
+
+TYPED_TEST(AuditTerms, HaveUniqueTextsAndLabels) {
+  std::set<std::string_view> texts;
+  std::set<std::string_view> labels;
+  for (const Term<TypeParam>& term : termsOf(TypeParam{})) {
+    EXPECT_TRUE(texts.insert(term.stored).second) << term.stored;
+    EXPECT_TRUE(labels.insert(term.label.english()).second) << term.label.english();
+    EXPECT_EQ(term.label.english().find_first_of("._"), std::string_view::npos) << term.label.english();
+  }
+}
+
+TYPED_TEST(AuditTerms, AreIncompleteWithoutOneOfThem) {
+  constexpr auto& kWhole = termsOf(TypeParam{});
+  std::array<Term<TypeParam>, kWhole.size() - 1> tooShort{};
+  std::copy(kWhole.begin(), kWhole.end() - 1, tooShort.begin());
+  std::array<Term<TypeParam>, kWhole.size()> swapped = kWhole;
+  std::swap(swapped[0], swapped[1]);
+
+  EXPECT_TRUE(isWholeTable(kWhole, TypeParam::kEnd));
+  EXPECT_FALSE(isWholeTable(tooShort, TypeParam::kEnd));
+  EXPECT_FALSE(isWholeTable(swapped, TypeParam::kEnd));
+}
+
+// Frozen: records of the first release contain them.
+TEST(AuditTermTexts, OfTheFirstReleaseAreFrozen) {
+  EXPECT_EQ(storedText(AuditAction::kMarkSubmit), "mark.submit");
+  EXPECT_EQ(storedText(AuditAction::kUserSignInFailed), "user.sign_in_failed");
+  EXPECT_EQ(storedText(AuditAction::kRetentionExtend), "retention.extend");
+  EXPECT_EQ(storedText(AuditAction::kDiscrepancyAdjudicator), "alignment.third");
+  EXPECT_EQ(storedText(AuditAction::kCurriculumClosed), "curriculum.closed");
+  EXPECT_EQ(storedText(AuditAction::kDatabaseRestore), "database.restore");
+  EXPECT_EQ(storedText(AuditAction::kDemonstrationRemove), "demonstration.remove");
+  EXPECT_EQ(storedText(AuditObject::kTrainingMark), "training_mark");
+  EXPECT_EQ(storedText(AuditObject::kEvaluationMark), "evaluation_mark");
+  EXPECT_EQ(storedText(AuditObject::kTrial), "trial");
+}
+
+TEST(AuditLabels, DescribeActionAndObject) {
+  EXPECT_EQ(labelOfStored<AuditAction>("mark.submit").str(), "Mark submitted");
+  EXPECT_EQ(labelOfStored<AuditObject>("training_mark").str(), "mark");
+}
+
+TEST(AuditLabels, KeepCodesOfOtherVersions) {
+  EXPECT_EQ(labelOfStored<AuditAction>("mark.polish").str(), "mark.polish");
+  EXPECT_EQ(labelOfStored<AuditObject>("polish").str(), "polish");
+}
+
+}  // namespace
+
 }  // namespace torsio

@@ -7,13 +7,13 @@
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
 
-class CurriculumRepositoryTest : public DatabaseTest {
+class CurriculumRepositoryTest : public SampleTest {
  protected:
+  CurriculumRepository curricula() { return CurriculumRepository(connection()); }
   /// Paper section 6, groups 1 and 2: 40 min virtual; 20 min virtual and 20 min real; marks before, between,
   /// after.
   static CurriculumVersion versionFor(Connection& connection, SampleRecord& sample) {
@@ -46,14 +46,11 @@ class CurriculumRepositoryTest : public DatabaseTest {
 };
 
 TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  CurriculumRepository curricula(connection);
-  const CurriculumVersion version = versionFor(connection, sample);
+  const CurriculumVersion version = versionFor(connection(), sample());
 
-  curricula.addVersion(version, "admin");
+  curricula().addVersion(version, "admin");
 
-  const CurriculumVersion stored = curricula.version(version.id).value();
+  const CurriculumVersion stored = curricula().version(version.id).value();
   EXPECT_EQ(stored.state, CurriculumState::kDraft);
   ASSERT_EQ(stored.modules.size(), 2U);
   EXPECT_EQ(stored.modules[0].targetAngle_rad, 1.0 / 3.0);
@@ -72,32 +69,27 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
   EXPECT_EQ(stored.arms[1].phases[1].duration_us, 20 * kMinute_us);
   ASSERT_EQ(stored.plannedOccasions.size(), 3U);
   EXPECT_EQ(stored.plannedOccasions[2].code, "post");
-  EXPECT_EQ(curricula.versionIds(version.curriculumId), (std::vector<CurriculumVersionId>{version.id}));
-  EXPECT_EQ(curricula.curricula().at(0).name, "Paper protocol");
+  EXPECT_EQ(curricula().versionIds(version.curriculumId), (std::vector<CurriculumVersionId>{version.id}));
+  EXPECT_EQ(curricula().curricula().at(0).name, "Paper protocol");
 }
 
 TEST_F(CurriculumRepositoryTest, RejectsCyclicPrerequisites) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  CurriculumVersion version = versionFor(connection, sample);
+  CurriculumVersion version = versionFor(connection(), sample());
   version.modules[0].requires_ = {version.modules[1].id};
-  EXPECT_EQ(refusalFrom([&] { CurriculumRepository(connection).addVersion(version, "admin"); }).code,
+  EXPECT_EQ(refusalFrom([&] { CurriculumRepository(connection()).addVersion(version, "admin"); }).code,
             ErrorCode::kBadData);
 
   version.modules[0].requires_ = {"elsewhere"};
-  EXPECT_EQ(refusalFrom([&] { CurriculumRepository(connection).addVersion(version, "admin"); }).code,
+  EXPECT_EQ(refusalFrom([&] { CurriculumRepository(connection()).addVersion(version, "admin"); }).code,
             ErrorCode::kBadData);
-  EXPECT_TRUE(CurriculumRepository(connection).versionIds(version.curriculumId).empty());
+  EXPECT_TRUE(CurriculumRepository(connection()).versionIds(version.curriculumId).empty());
 }
 
 TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedAndMayRunAgain) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  CurriculumRepository curricula(connection);
-  const CurriculumVersion version = versionFor(connection, sample);
-  curricula.addVersion(version, "admin");
+  const CurriculumVersion version = versionFor(connection(), sample());
+  curricula().addVersion(version, "admin");
   const auto move = [&](CurriculumState state) {
-    curricula.moveTo(version.id, state, "admin", kSampleTime_us);
+    curricula().moveTo(version.id, state, "admin", kSampleTime_us);
   };
 
   EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kClosed); }).code, ErrorCode::kBadData);
@@ -105,31 +97,28 @@ TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedAndMayRunAgain) 
   EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kDraft); }).code, ErrorCode::kBadData);
   move(CurriculumState::kClosed);
   EXPECT_EQ(refusalFrom([&] { move(CurriculumState::kDraft); }).code, ErrorCode::kBadData);
-  EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kClosed);
+  EXPECT_EQ(curricula().version(version.id)->state, CurriculumState::kClosed);
   move(CurriculumState::kRunning);
-  EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kRunning);
+  EXPECT_EQ(curricula().version(version.id)->state, CurriculumState::kRunning);
   move(CurriculumState::kClosed);
-  EXPECT_EQ(curricula.version(version.id)->state, CurriculumState::kClosed);
+  EXPECT_EQ(curricula().version(version.id)->state, CurriculumState::kClosed);
 }
 
 TEST_F(CurriculumRepositoryTest, AVersionIsImmutable) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  CurriculumRepository(connection).addVersion(versionFor(connection, sample), "admin");
+  CurriculumRepository(connection()).addVersion(versionFor(connection(), sample()), "admin");
 
   for (const std::string table :
        {"curriculum_version", "curriculum_state", "module", "module_prerequisite", "mastery_rule",
         "curriculum_arm", "curriculum_phase", "curriculum_occasion"}) {
-    EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM " + table); }), DbFault::kAppendOnly) << table;
+    EXPECT_EQ(faultFrom([&] { connection().execute("DELETE FROM " + table); }), DbFault::kAppendOnly)
+        << table;
   }
 }
 
 TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsPermanently) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const CurriculumVersion version = versionFor(connection, sample);
-  CurriculumRepository(connection).addVersion(version, "admin");
-  CompetenceRepository designs(connection);
+  const CurriculumVersion version = versionFor(connection(), sample());
+  CurriculumRepository(connection()).addVersion(version, "admin");
+  CompetenceRepository designs(connection());
   CompetenceDesign design{.moduleId = version.modules[0].id,
                           .registeredUtc_us = kSampleTime_us,
                           .tolerance_rad = 1.0 / 3.0,
@@ -149,36 +138,31 @@ TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsPermanently) {
   design.version = 2;
   EXPECT_EQ(designs.ofModule(design.moduleId).at(1), design);
   EXPECT_TRUE(designs.ofModule(version.modules[1].id).empty());
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE competence_design SET attempts = 10"); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE competence_design SET attempts = 10"); }),
             DbFault::kAppendOnly);
-  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM competence_design"); }), DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection().execute("DELETE FROM competence_design"); }), DbFault::kAppendOnly);
 }
 
 TEST_F(CurriculumRepositoryTest, AssignsARunningVersionToACohort) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  CurriculumRepository curricula(connection);
-  const CurriculumVersion version = versionFor(connection, sample);
-  curricula.addVersion(version, "admin");
-  EXPECT_EQ(refusalFrom([&] { curricula.assign(sample.cohort.id, version.id); }).code, ErrorCode::kBadData);
-  curricula.moveTo(version.id, CurriculumState::kRunning, "admin", kSampleTime_us);
+  const CurriculumVersion version = versionFor(connection(), sample());
+  curricula().addVersion(version, "admin");
+  EXPECT_EQ(refusalFrom([&] { curricula().assign(sample().cohort.id, version.id); }).code,
+            ErrorCode::kBadData);
+  curricula().moveTo(version.id, CurriculumState::kRunning, "admin", kSampleTime_us);
 
-  curricula.assign(sample.cohort.id, version.id);
+  curricula().assign(sample().cohort.id, version.id);
 
-  EXPECT_EQ(numberFrom(connection,
+  EXPECT_EQ(numberFrom(connection(),
                        "SELECT count(*) FROM training_group g JOIN curriculum_arm a ON a.id = g.arm_id"
                        " WHERE a.number = g.number"),
             2);
 }
 
 TEST_F(CurriculumRepositoryTest, NeverOverwritesAnotherUsersDraft) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  CurriculumRepository curricula(connection);
-  const std::string id = versionFor(connection, sample).curriculumId;
-  EXPECT_FALSE(curricula.draft(id).has_value());
+  const std::string id = versionFor(connection(), sample()).curriculumId;
+  EXPECT_FALSE(curricula().draft(id).has_value());
   CurriculumDraftRow draft{0, "{}", "anna", kSampleTime_us};
-  EXPECT_EQ(curricula.saveDraft(id, draft), 1);
+  EXPECT_EQ(curricula().saveDraft(id, draft), 1);
 
   Connection other = open();
   EXPECT_EQ(faultFrom([&] {
@@ -186,10 +170,10 @@ TEST_F(CurriculumRepositoryTest, NeverOverwritesAnotherUsersDraft) {
             }),
             DbFault::kConflict);
   EXPECT_EQ(CurriculumRepository(other).saveDraft(id, {1, "[1]", "ben", 2}), 2);
-  EXPECT_EQ(faultFrom([&] { curricula.saveDraft(id, {1, "{}", "anna", 3}); }), DbFault::kConflict);
+  EXPECT_EQ(faultFrom([&] { curricula().saveDraft(id, {1, "{}", "anna", 3}); }), DbFault::kConflict);
 
-  EXPECT_EQ(curricula.draft(id)->contentJson, "[1]");
-  EXPECT_EQ(curricula.draft(id)->changedBy, "ben");
+  EXPECT_EQ(curricula().draft(id)->contentJson, "[1]");
+  EXPECT_EQ(curricula().draft(id)->changedBy, "ben");
 }
 
 }  // namespace

@@ -8,13 +8,13 @@
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/error.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
 
-class EvaluationRepositoryTest : public DatabaseTest {
+class EvaluationRepositoryTest : public SampleTest {
  protected:
+  EvaluationRepository evaluations() { return EvaluationRepository(connection()); }
   /// The paper's nine indices, two chiefs as the only raters, two models.
   static Campaign campaignFor(SampleRecord& sample) {
     Campaign campaign;
@@ -32,6 +32,11 @@ class EvaluationRepositoryTest : public DatabaseTest {
     campaign.demonstration = true;
     return campaign;
   }
+  Campaign addedCampaign() {
+    Campaign campaign = campaignFor(sample());
+    evaluations().addCampaign(campaign);
+    return campaign;
+  }
   static EvaluationMark markOf(SampleRecord& sample, std::size_t rater, const std::string& model,
                                std::int64_t index, std::int64_t score_steps) {
     EvaluationMark mark;
@@ -47,14 +52,11 @@ class EvaluationRepositoryTest : public DatabaseTest {
 };
 
 TEST_F(EvaluationRepositoryTest, ReturnsACampaignAsStored) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Campaign planned = campaignFor(sample);
-  EvaluationRepository evaluations(connection);
+  const Campaign planned = campaignFor(sample());
 
-  evaluations.addCampaign(planned);
+  evaluations().addCampaign(planned);
 
-  const Campaign stored = evaluations.campaign(planned.id).value();
+  const Campaign stored = evaluations().campaign(planned.id).value();
   ASSERT_EQ(stored.instrument.indices.size(), 9U);
   EXPECT_EQ(stored.instrument.indices[8].weight_milli, 50);
   EXPECT_EQ(stored.instrument.indices[0].name, planned.instrument.indices[0].name);
@@ -67,38 +69,32 @@ TEST_F(EvaluationRepositoryTest, ReturnsACampaignAsStored) {
   ASSERT_EQ(stored.raters.size(), 2U);
   EXPECT_EQ(stored.raters[0].modelOrder, "FEM,PM");
   EXPECT_TRUE(stored.demonstration);
-  EXPECT_EQ(evaluations.campaigns().at(0).second, "Evaluation");
-  EXPECT_FALSE(evaluations.campaign("none").has_value());
+  EXPECT_EQ(evaluations().campaigns().at(0).second, "Evaluation");
+  EXPECT_FALSE(evaluations().campaign("none").has_value());
 }
 
 TEST_F(EvaluationRepositoryTest, RefusesWeightsThatDoNotSumToOne) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  Campaign campaign = campaignFor(sample);
+  Campaign campaign = campaignFor(sample());
   campaign.instrument.classes[0].weight_milli = 201;
 
-  EXPECT_EQ(refusalFrom([&] { EvaluationRepository(connection).addCampaign(campaign); }).code,
+  EXPECT_EQ(refusalFrom([&] { EvaluationRepository(connection()).addCampaign(campaign); }).code,
             ErrorCode::kBadParameter);
 }
 
 TEST_F(EvaluationRepositoryTest, ReturnsMarksByModelClassRaterAndIndex) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Campaign campaign = campaignFor(sample);
-  EvaluationRepository evaluations(connection);
-  evaluations.addCampaign(campaign);
+  const Campaign campaign = addedCampaign();
   std::vector<EvaluationMark> marks;
   for (const char* model : {"FEM", "PM"}) {
     for (std::size_t rater = 0; rater < 2; ++rater) {
       for (std::int64_t index = 9; index >= 1; --index) {
-        marks.push_back(markOf(sample, rater, model, index, 10 * index + static_cast<std::int64_t>(rater)));
+        marks.push_back(markOf(sample(), rater, model, index, 10 * index + static_cast<std::int64_t>(rater)));
       }
     }
   }
 
-  evaluations.submit(campaign.id, marks);
+  evaluations().submit(campaign.id, marks);
 
-  const std::vector<EvaluationMark> stored = evaluations.marks(campaign.id);
+  const std::vector<EvaluationMark> stored = evaluations().marks(campaign.id);
   ASSERT_EQ(stored.size(), 36U);
   EXPECT_EQ(stored[0].modelCode, "PM");
   EXPECT_EQ(stored[0].raterCode, "C-01");
@@ -110,89 +106,69 @@ TEST_F(EvaluationRepositoryTest, ReturnsMarksByModelClassRaterAndIndex) {
 }
 
 TEST_F(EvaluationRepositoryTest, RejectsAScoreOffTheScaleNamingRaterModelAndIndex) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Campaign campaign = campaignFor(sample);
-  EvaluationRepository evaluations(connection);
-  evaluations.addCampaign(campaign);
+  const Campaign campaign = addedCampaign();
 
   const Refusal refusal = refusalFrom([&] {
-    evaluations.submit(campaign.id, std::vector<EvaluationMark>{markOf(sample, 0, "PM", 1, 50),
-                                                                markOf(sample, 0, "PM", 2, 101)});
+    evaluations().submit(campaign.id, std::vector<EvaluationMark>{markOf(sample(), 0, "PM", 1, 50),
+                                                                  markOf(sample(), 0, "PM", 2, 101)});
   });
 
   EXPECT_EQ(refusal.code, ErrorCode::kBadData);
   EXPECT_NE(refusal.text.find("index 2"), std::string::npos) << refusal.text;
-  EXPECT_TRUE(evaluations.marks(campaign.id).empty());
+  EXPECT_TRUE(evaluations().marks(campaign.id).empty());
 }
 
 TEST_F(EvaluationRepositoryTest, RejectsMarksOfUnknownRatersAndModels) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Campaign campaign = campaignFor(sample);
-  EvaluationRepository evaluations(connection);
-  evaluations.addCampaign(campaign);
-  EvaluationMark stranger = markOf(sample, 0, "PM", 1, 50);
-  stranger.raterId = sample.trainees[0].person.id;
+  const Campaign campaign = addedCampaign();
+  EvaluationMark stranger = markOf(sample(), 0, "PM", 1, 50);
+  stranger.raterId = sample().trainees[0].person.id;
   const std::vector<EvaluationMark> wrong[] = {
-      {stranger}, {markOf(sample, 0, "MSM", 1, 50)}, {markOf(sample, 0, "PM", 10, 50)}};
+      {stranger}, {markOf(sample(), 0, "MSM", 1, 50)}, {markOf(sample(), 0, "PM", 10, 50)}};
 
   for (const std::vector<EvaluationMark>& marks : wrong) {
-    EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, marks); }), DbFault::kForeignKey);
+    EXPECT_EQ(faultFrom([&] { evaluations().submit(campaign.id, marks); }), DbFault::kForeignKey);
   }
 }
 
 TEST_F(EvaluationRepositoryTest, MarksAreSealedAndCorrectedByVersions) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Campaign campaign = campaignFor(sample);
-  EvaluationRepository evaluations(connection);
-  evaluations.addCampaign(campaign);
-  evaluations.submit(campaign.id, std::vector<EvaluationMark>{markOf(sample, 0, "PM", 1, 50)});
-  EvaluationMark better = markOf(sample, 0, "PM", 1, 60);
-  EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, std::vector<EvaluationMark>{better}); }),
+  const Campaign campaign = addedCampaign();
+  evaluations().submit(campaign.id, std::vector<EvaluationMark>{markOf(sample(), 0, "PM", 1, 50)});
+  EvaluationMark better = markOf(sample(), 0, "PM", 1, 60);
+  EXPECT_EQ(faultFrom([&] { evaluations().submit(campaign.id, std::vector<EvaluationMark>{better}); }),
             DbFault::kUnique);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE evaluation_mark SET score_steps = ?", {60}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE evaluation_mark SET score_steps = ?", {60}); }),
             DbFault::kAppendOnly);
 
   better.version = 2;
   better.amendReason = "mixed up two models";
-  evaluations.submit(campaign.id, std::vector<EvaluationMark>{better});
+  evaluations().submit(campaign.id, std::vector<EvaluationMark>{better});
 
-  ASSERT_EQ(evaluations.marks(campaign.id).size(), 1U);
-  EXPECT_EQ(evaluations.marks(campaign.id)[0].score_steps, 60);
+  ASSERT_EQ(evaluations().marks(campaign.id).size(), 1U);
+  EXPECT_EQ(evaluations().marks(campaign.id)[0].score_steps, 60);
 }
 
 TEST_F(EvaluationRepositoryTest, ABatchRepeatedAfterALostAnswerIsStoredOnce) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Campaign campaign = campaignFor(sample);
-  EvaluationRepository evaluations(connection);
-  evaluations.addCampaign(campaign);
-  std::vector<EvaluationMark> marks{markOf(sample, 0, "PM", 1, 50), markOf(sample, 0, "PM", 2, 60)};
-  evaluations.submit(campaign.id, std::span(marks.data(), 1));
+  const Campaign campaign = addedCampaign();
+  std::vector<EvaluationMark> marks{markOf(sample(), 0, "PM", 1, 50), markOf(sample(), 0, "PM", 2, 60)};
+  evaluations().submit(campaign.id, std::span(marks.data(), 1));
 
-  evaluations.submit(campaign.id, marks);
-  evaluations.submit(campaign.id, marks);
+  evaluations().submit(campaign.id, marks);
+  evaluations().submit(campaign.id, marks);
 
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM evaluation_mark"), 2);
-  EXPECT_EQ(AuditRepository(connection).count(0), 2);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM evaluation_mark"), 2);
+  EXPECT_EQ(AuditRepository(connection()).count(0), 2);
   marks[0].score_steps = 51;
-  EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, marks); }), DbFault::kUnique);
+  EXPECT_EQ(faultFrom([&] { evaluations().submit(campaign.id, marks); }), DbFault::kUnique);
 }
 
 TEST_F(EvaluationRepositoryTest, EveryRunIsKeptWithItsResults) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Campaign campaign = campaignFor(sample);
-  EvaluationRepository evaluations(connection);
-  evaluations.addCampaign(campaign);
+  const Campaign campaign = addedCampaign();
   EvaluationRunRows run;
   run.run.formulaVersion = "evaluation-1";
   run.run.policy = "available-case";
   run.run.flags = {"available-case"};
   for (int i = 0; i < 2; ++i) {
-    run.run.id = sample.ids.newUuid();
+    run.run.id = sample().ids.newUuid();
     run.run.computedUtc_us = kSampleTime_us + i;
     run.results = {{.modelCode = "PM",
                     .indexNumber = 1,
@@ -208,11 +184,11 @@ TEST_F(EvaluationRepositoryTest, EveryRunIsKeptWithItsResults) {
                     .standardError = 0.125,
                     .flags = {}}};
     run.composites = {{"PM", 8.3, std::nullopt, {"few raters"}}};
-    evaluations.storeRun(campaign.id, run);
+    evaluations().storeRun(campaign.id, run);
   }
 
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM assessment_run"), 2);
-  Statement result = connection.prepare(
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM assessment_run"), 2);
+  Statement result = connection().prepare(
       "SELECT weighted_mean, variance, sample_variance, standard_error FROM evaluation_result"
       " WHERE run_id = ?");
   result.execute({run.run.id});
@@ -221,12 +197,13 @@ TEST_F(EvaluationRepositoryTest, EveryRunIsKeptWithItsResults) {
   EXPECT_EQ(result.real(1), 0.99 + 1);
   EXPECT_TRUE(result.isNull(2));
   EXPECT_EQ(result.real(3), 0.125);
-  Statement composite = connection.prepare("SELECT composite, flags FROM composite_result WHERE run_id = ?");
+  Statement composite =
+      connection().prepare("SELECT composite, flags FROM composite_result WHERE run_id = ?");
   composite.execute({run.run.id});
   ASSERT_TRUE(composite.step());
   EXPECT_EQ(composite.real(0), 8.3);
   EXPECT_EQ(composite.text(1), "few raters");
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE composite_result SET composite = ?", {9.9}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE composite_result SET composite = ?", {9.9}); }),
             DbFault::kAppendOnly);
 }
 

@@ -12,12 +12,11 @@
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
 
-class LearningRepositoryTest : public DatabaseTest {
+class LearningRepositoryTest : public SampleTest {
  protected:
   /// Switches sending on and lets a trainee consent.
   static void turnOn(Connection& connection, const PersonId& personId) {
@@ -45,22 +44,20 @@ class LearningRepositoryTest : public DatabaseTest {
 };
 
 TEST_F(LearningRepositoryTest, EachKindOfEventIsAddedOnceWithItsData) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const PersonId who = sample.trainees[0].person.id;
-  turnOn(connection, who);
-  const Enrolment enrolment = enrol(connection, sample, 0);
-  const Exposure rest{.id = sample.ids.newUuid(),
+  const PersonId who = sample().trainees[0].person.id;
+  turnOn(connection(), who);
+  const Enrolment enrolment = enrol(connection(), sample(), 0);
+  const Exposure rest{.id = sample().ids.newUuid(),
                       .enrolmentId = enrolment.id,
                       .kind = ExposureKind::kRest,
                       .startedUtc_us = kSampleTime_us,
                       .duration_us = 60'000'000,
                       .recordedBy = "office"};
-  StudyRepository(connection).addExposures({&rest, 1});
+  StudyRepository(connection()).addExposures({&rest, 1});
   Trial trial = sampleTrial();
-  trial.header.traineeCode = sample.trainees[0].person.code;
+  trial.header.traineeCode = sample().trainees[0].person.code;
   trial.header.demonstration = false;
-  TrialRepository trials(connection, {.station = "here", .enrolmentId = enrolment.id});
+  TrialRepository trials(connection(), {.station = "here", .enrolmentId = enrolment.id});
   trials.begin(trial.header);
   trials.append(trial.chunks.front());
   trials.finish({.samples = trial.chunks.front().samples, .contentHash = "hash"});
@@ -70,20 +67,20 @@ TEST_F(LearningRepositoryTest, EachKindOfEventIsAddedOnceWithItsData) {
   digest.tolerance_rad = 0.1;
   for (const std::int64_t version : {1, 2}) {  // a newer formula reports no run again
     digest.formulaVersion = version;
-    DigestRepository(connection).add({&digest, 1});
+    DigestRepository(connection()).add({&digest, 1});
   }
-  const RemarkId remark = sample.ids.newUuid();
-  RemarkRepository remarks(connection);
+  const RemarkId remark = sample().ids.newUuid();
+  RemarkRepository remarks(connection());
   remarks.add({.id = remark,
                .trialId = trial.header.trialId,
-               .author = sample.chiefs[0].person.id.text(),
-               .authorPersonId = sample.chiefs[0].person.id,
+               .author = sample().chiefs[0].person.id.text(),
+               .authorPersonId = sample().chiefs[0].person.id,
                .purpose = "remark",
                .text = "gently",
                .createdUtc_us = kSampleTime_us});
   remarks.markRead({.remarkId = remark, .reader = "user", .readerPersonId = who, .readUtc_us = 7});
 
-  LearningRepository outbox(connection);
+  LearningRepository outbox(connection());
   const std::vector<LearningEvent> due = outbox.due(kSampleTime_us * 2, 100);
 
   std::set<LearningEventKind> kinds;
@@ -98,19 +95,18 @@ TEST_F(LearningRepositoryTest, EachKindOfEventIsAddedOnceWithItsData) {
   EXPECT_EQ(due.size(), 6U);
   EXPECT_EQ(kinds.size(), 6U);
   EXPECT_EQ(due.front().kind, LearningEventKind::kRemarkRead) << "in the order in which things happened";
-  EXPECT_TRUE(agreesToLearningRecords(connection, who));
-  EXPECT_FALSE(agreesToLearningRecords(connection, sample.chiefs[0].person.id));
+  EXPECT_TRUE(agreesToLearningRecords(connection(), who));
+  EXPECT_FALSE(agreesToLearningRecords(connection(), sample().chiefs[0].person.id));
 }
 
 TEST_F(LearningRepositoryTest, AnEntryIsClaimedOnceAndEndsInOneState) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 2);
+  SampleRecord sample(connection(), 2);
   for (const Trainee& trainee : sample.trainees) {
-    turnOn(connection, trainee.person.id);
+    turnOn(connection(), trainee.person.id);
   }
-  enrol(connection, sample, 0);
-  enrol(connection, sample, 1);
-  LearningRepository outbox(connection);
+  enrol(connection(), sample, 0);
+  enrol(connection(), sample, 1);
+  LearningRepository outbox(connection());
   const std::vector<LearningEvent> due = outbox.due(0, 10);
   ASSERT_EQ(due.size(), 2U);
   EXPECT_TRUE(outbox.claim(due[0], 100));

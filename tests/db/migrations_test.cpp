@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "db/migrations/migrations.h"
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
+#include "assessment/domain/people/audit_entry.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/system/record_copy.h"
+#include "db/repository/system/schema_tables.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
+#include "sim/servo/replay_trial.h"
 #include "tests/db/test_database.h"
+#include "tests/sim/servo/recorded_bar.h"
 
 namespace torsio {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,13 +55,11 @@ TEST_F(MigrationsTest, EmbeddedMigrationsAreNumberedFromOneAndDescribed) {
 }
 
 TEST_F(MigrationsTest, MigrateAnEmptyDatabaseToTheNewestSchema) {
-  Connection connection = openWithSchema();
-
-  const SchemaState state = checkSchema(connection, embeddedMigrations());
+  const SchemaState state = checkSchema(connection(), embeddedMigrations());
 
   EXPECT_EQ(state.version, embeddedMigrations().back().version);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM schema_migration"), state.version);
-  EXPECT_TRUE(integrityFindings(connection).empty());
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM schema_migration"), state.version);
+  EXPECT_TRUE(integrityFindings(connection()).empty());
 }
 
 TEST_F(MigrationsTest, DoNothingTheSecondTime) {
@@ -193,12 +201,11 @@ class BackupTest : public DatabaseTest {
 };
 
 TEST_F(BackupTest, IsASingleCompleteFile) {
-  Connection connection = openWithSchema();
-  connection.execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
-                     {"chief", "chiefs", 3});
+  connection().execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
+                       {"chief", "chiefs", 3});
   const fs::path target = locator() + ".copy";
 
-  backupSqlite(connection, target);
+  backupSqlite(connection(), target);
 
   Connection copy = openRecord(target.string(), OpenMode::kReadOnly);
   EXPECT_EQ(numberFrom(copy, "SELECT count(*) FROM rater_class"), 1);
@@ -207,21 +214,19 @@ TEST_F(BackupTest, IsASingleCompleteFile) {
 }
 
 TEST_F(BackupTest, LeavesNothingIfItsFolderIsMissing) {
-  Connection connection = openWithSchema();
-  EXPECT_THROW(backupSqlite(connection, fs::path(locator()).parent_path() / "none" / "copy.sqlite"), Error);
+  EXPECT_THROW(backupSqlite(connection(), fs::path(locator()).parent_path() / "none" / "copy.sqlite"), Error);
   EXPECT_FALSE(fs::exists(fs::path(locator()).parent_path() / "none"));
 }
 
 TEST_F(BackupTest, IsRestoredOverAnUnusedDatabase) {
   const fs::path copy = locator() + ".copy";
   {
-    Connection connection = openWithSchema();
-    connection.execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
-                       {"a", "before", 1});
-    backupSqlite(connection, copy);
-    connection.execute("UPDATE rater_class SET label = ?", {"after"});
+    connection().execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
+                         {"a", "before", 1});
+    backupSqlite(connection(), copy);
+    connection().execute("UPDATE rater_class SET label = ?", {"after"});
     EXPECT_EQ(refusalFrom([&] { restoreSqlite(copy, locator()); }).code, ErrorCode::kDatabase);
-    EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM rater_class WHERE label = 'after'"), 1);
+    EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM rater_class WHERE label = 'after'"), 1);
   }
 
   restoreSqlite(copy, locator());
@@ -234,10 +239,7 @@ TEST_F(BackupTest, IsRestoredOverAnUnusedDatabase) {
 
 TEST_F(BackupTest, IsCheckedBeforeItReplacesAnything) {
   const fs::path copy = locator() + ".copy";
-  {
-    Connection connection = openWithSchema();
-    backupSqlite(connection, copy);
-  }
+  { backupSqlite(connection(), copy); }
   EXPECT_EQ(checkBackup(copy).schemaVersion, embeddedMigrations().back().version);
   EXPECT_EQ(checkBackup(copy).trials, 0);
   {
@@ -255,10 +257,7 @@ TEST_F(BackupTest, IsCheckedBeforeItReplacesAnything) {
 
 TEST_F(BackupTest, ReplacesADamagedDatabase) {
   const fs::path copy = locator() + ".copy";
-  {
-    Connection connection = openWithSchema();
-    backupSqlite(connection, copy);
-  }
+  { backupSqlite(connection(), copy); }
   std::ofstream(locator(), std::ios::binary | std::ios::trunc) << "no database any more";
 
   restoreSqlite(copy, locator());
@@ -269,4 +268,67 @@ TEST_F(BackupTest, ReplacesADamagedDatabase) {
 }
 
 }  // namespace
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A record with the first released schema (tests/data/records, made by write_first_release): every later
+/// version opens and migrates it and finds all its contents.
+class FirstReleaseTest : public DatabaseTest {
+ protected:
+  /// Opens a writable copy.
+  [[nodiscard]] Connection openCopy() const {
+    const fs::path copy = folder_.path() / "record.sqlite";
+    fs::copy_file(fs::path(TORSIO_TEST_DATA) / "records" / "schema_0001.sqlite", copy,
+                  fs::copy_options::overwrite_existing);
+    fs::permissions(copy, fs::perms::owner_read | fs::perms::owner_write);
+    return openRecord(copy.string(), OpenMode::kReadWrite, {.softwareVersion = "test"});
+  }
+  static void expectWhole(Connection& record) {
+    EXPECT_TRUE(integrityFindings(record).empty());
+    for (const AuditFinding& finding : verifyAuditTrail(record)) {
+      ADD_FAILURE() << finding.objectKind << " " << finding.objectId << ": " << finding.what;
+    }
+    const ReplayReport report = replayTrial(recordedBar(), TrialRepository(record).load("first-release"));
+    EXPECT_EQ(report.samples, 8'000);
+    EXPECT_TRUE(report.identical()) << (report.first ? report.first->field : "");
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(FirstReleaseTest, IsOpenedMigratedVerifiedAndReplayed) {
+  Connection record = openCopy();
+
+  const SchemaState state = checkSchema(record, embeddedMigrations());
+
+  EXPECT_EQ(state.version, embeddedMigrations().back().version);
+  expectWhole(record);
+}
+
+TEST_F(FirstReleaseTest, HasARowInEveryTable) {
+  Connection record = openCopy();
+
+  for (const SchemaTable& table : tablesInReferenceOrder(record)) {
+    if (table.name == "erasure_gate") {
+      continue;  // empty outside a transaction
+    }
+    EXPECT_GT(numberFrom(record, "SELECT count(*) FROM " + table.name), 0) << table.name;
+  }
+}
+
+TEST_F(FirstReleaseTest, CanBeCopiedToTheEngineOfThisSuite) {
+  Connection record = openCopy();
+  Connection target = openWithSchema();
+
+  const CopyReport report = copyRecord(record, target);
+
+  EXPECT_GT(report.rows, 80);
+  expectWhole(target);
+}
+
+}  // namespace
+
 }  // namespace torsio

@@ -9,18 +9,19 @@
 #include "db/connection/db_error.h"
 #include "db/repository/base/id_source.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
 
-using PeopleRepositoryTest = DatabaseTest;
+class PeopleRepositoryTest : public SampleTest {
+ protected:
+  PeopleRepository people() { return PeopleRepository(connection()); }
+};
 
 TEST_F(PeopleRepositoryTest, ReturnsTraineesAsStored) {
-  Connection connection = openWithSchema();
-  const SampleRecord sample(connection, 3);
+  const SampleRecord sample(connection(), 3);
 
-  const std::vector<Trainee> trainees = PeopleRepository(connection).trainees();
+  const std::vector<Trainee> trainees = people().trainees();
 
   ASSERT_EQ(trainees.size(), 3U);
   const Person& person = trainees[1].person;
@@ -37,101 +38,85 @@ TEST_F(PeopleRepositoryTest, ReturnsTraineesAsStored) {
 }
 
 TEST_F(PeopleRepositoryTest, KeepsRatersOrderedByClass) {
-  Connection connection = openWithSchema();
-  const SampleRecord sample(connection, 1);
-  PeopleRepository people(connection);
+  people().makeRater(sample().trainees[0].person.id, "intern");  // interns use the simulator and rate it
 
-  people.makeRater(sample.trainees[0].person.id, "intern");  // interns use the simulator and rate it
-
-  const std::vector<Rater> raters = people.raters();
+  const std::vector<Rater> raters = people().raters();
   ASSERT_EQ(raters.size(), 3U);
   EXPECT_EQ(raters[0].person.code, "T-01");
   EXPECT_EQ(raters[0].classCode, "intern");
   EXPECT_EQ(raters[2].person.code, "C-02");
-  EXPECT_EQ(people.findRater("C-01")->classCode, "chief");
-  EXPECT_FALSE(people.findRater("C-09").has_value());
-  EXPECT_EQ(people.raterClasses().size(), 3U);
+  EXPECT_EQ(people().findRater("C-01")->classCode, "chief");
+  EXPECT_FALSE(people().findRater("C-09").has_value());
+  EXPECT_EQ(people().raterClasses().size(), 3U);
 }
 
 TEST_F(PeopleRepositoryTest, StoresNobodyOfARosterWithADuplicateCode) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
   std::vector<Trainee> roster(2);
-  roster[0].person = {.id = sample.ids.newUuid(), .code = "T-50"};
-  roster[1].person = {.id = sample.ids.newUuid(), .code = "T-01"};
+  roster[0].person = {.id = sample().ids.newUuid(), .code = "T-50"};
+  roster[1].person = {.id = sample().ids.newUuid(), .code = "T-01"};
 
-  EXPECT_EQ(faultFrom([&] { PeopleRepository(connection).addTrainees(roster); }), DbFault::kUnique);
+  EXPECT_EQ(faultFrom([&] { people().addTrainees(roster); }), DbFault::kUnique);
 
-  EXPECT_EQ(PeopleRepository(connection).trainees().size(), 1U);
+  EXPECT_EQ(people().trainees().size(), 1U);
 }
 
 TEST_F(PeopleRepositoryTest, RefusesUnknownClassesAndSexes) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  PeopleRepository people(connection);
-
-  EXPECT_EQ(faultFrom([&] { people.makeRater(sample.trainees[0].person.id, "wizard"); }),
+  EXPECT_EQ(faultFrom([&] { people().makeRater(sample().trainees[0].person.id, "wizard"); }),
             DbFault::kForeignKey);
   std::vector<Trainee> odd(1);
-  odd[0].person = {.id = sample.ids.newUuid(), .code = "T-60", .sex = "yes"};
-  EXPECT_EQ(faultFrom([&] { people.addTrainees(odd); }), DbFault::kCheck);
+  odd[0].person = {.id = sample().ids.newUuid(), .code = "T-60", .sex = "yes"};
+  EXPECT_EQ(faultFrom([&] { people().addTrainees(odd); }), DbFault::kCheck);
 }
 
 TEST_F(PeopleRepositoryTest, KeepsNamesApartFromTheCodedRecord) {
-  Connection connection = openWithSchema();
-  const SampleRecord sample(connection, 2);
-  PeopleRepository people(connection);
+  const SampleRecord sample(connection(), 2);
   const std::string id = sample.trainees[0].person.id;
 
-  people.setIdentity({id, "Änne Müller", "", "S-123"});
+  people().setIdentity({id, "Änne Müller", "", "S-123"});
 
-  EXPECT_EQ(people.identity(id)->fullName, "Änne Müller");
-  EXPECT_EQ(people.identity(id)->externalId, "S-123");
-  EXPECT_FALSE(people.identity(sample.trainees[1].person.id).has_value());
+  EXPECT_EQ(people().identity(id)->fullName, "Änne Müller");
+  EXPECT_EQ(people().identity(id)->externalId, "S-123");
+  EXPECT_FALSE(people().identity(sample.trainees[1].person.id).has_value());
   EXPECT_EQ(faultFrom([&] {
-              people.setIdentity({sample.trainees[1].person.id, "Somebody", "", "S-123"});
+              people().setIdentity({sample.trainees[1].person.id, "Somebody", "", "S-123"});
             }),
             DbFault::kUnique);
 }
 
 TEST_F(PeopleRepositoryTest, NeverChangesAPseudonym) {
-  Connection connection = openWithSchema();
-  const SampleRecord sample(connection, 1);
+  const SampleRecord sample(connection(), 1);
 
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE person SET code = ?", {"T-99"}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE person SET code = ?", {"T-99"}); }),
             DbFault::kAppendOnly);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE person SET demonstration = ?", {false}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE person SET demonstration = ?", {false}); }),
             DbFault::kAppendOnly);
-  EXPECT_EQ(connection.execute("UPDATE person SET state = ? WHERE code = ?", {"left", "T-01"}), 1);
+  EXPECT_EQ(connection().execute("UPDATE person SET state = ? WHERE code = ?", {"left", "T-01"}), 1);
 }
 
 TEST_F(PeopleRepositoryTest, TheNewestConsentCounts) {
-  Connection connection = openWithSchema();
-  const SampleRecord sample(connection, 1);
-  PeopleRepository people(connection);
-  const std::string id = sample.trainees[0].person.id;
-  EXPECT_FALSE(people.hasConsent(id, "video"));
+  const std::string id = sample().trainees[0].person.id;
+  EXPECT_FALSE(people().hasConsent(id, "video"));
 
-  people.recordConsent({id, "video", true, "2", kSampleTime_us, "admin", true});
-  EXPECT_TRUE(people.hasConsent(id, "video"));
-  EXPECT_FALSE(people.hasConsent(id, "research"));
-  people.recordConsent({id, "video", false, "2", kSampleTime_us + 1, "admin", true});
+  people().recordConsent({id, "video", true, "2", kSampleTime_us, "admin", true});
+  EXPECT_TRUE(people().hasConsent(id, "video"));
+  EXPECT_FALSE(people().hasConsent(id, "research"));
+  people().recordConsent({id, "video", false, "2", kSampleTime_us + 1, "admin", true});
 
-  EXPECT_FALSE(people.hasConsent(id, "video"));
-  const std::vector<ConsentDecision> decisions = people.consents(id);
+  EXPECT_FALSE(people().hasConsent(id, "video"));
+  const std::vector<ConsentDecision> decisions = people().consents(id);
   ASSERT_EQ(decisions.size(), 2U);
   EXPECT_TRUE(decisions[0].granted);
   EXPECT_EQ(decisions[1].textVersion, "2");
   EXPECT_EQ(faultFrom([&] {
-              people.recordConsent({id, "selling", true, "1", 0, "admin", true});
+              people().recordConsent({id, "selling", true, "1", 0, "admin", true});
             }),
             DbFault::kForeignKey);
-  people.recordConsent(
+  people().recordConsent(
       {id, "video", true, "3", kSampleTime_us + 2, "admin", true, ConsentForm::kPaper, kSampleTime_us - 7});
-  EXPECT_EQ(people.consents(id).back().form, ConsentForm::kPaper);
-  EXPECT_EQ(people.consents(id).back().signedUtc_us, kSampleTime_us - 7);
-  EXPECT_EQ(people.consents(id).front().signedUtc_us, 0);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE consent SET granted = ?", {true}); }),
+  EXPECT_EQ(people().consents(id).back().form, ConsentForm::kPaper);
+  EXPECT_EQ(people().consents(id).back().signedUtc_us, kSampleTime_us - 7);
+  EXPECT_EQ(people().consents(id).front().signedUtc_us, 0);
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE consent SET granted = ?", {true}); }),
             DbFault::kAppendOnly);
 }
 

@@ -76,118 +76,113 @@ class QueryPlanTest : public DatabaseTest {
 };
 
 TEST_F(QueryPlanTest, TrialsUseAnIndexAndTheNewestNeedNoSorting) {
-  Connection connection = openWithSchema();
-  TrialRepository trials(connection);
-  const auto newest = plansOf(connection, [&] { (void)trials.list(); });
+  TrialRepository trials(connection());
+  const auto newest = plansOf(connection(), [&] { (void)trials.list(); });
   expectNoWalk(newest, true);
   expectNoSort(newest);
-  expectNoWalk(plansOf(connection, [&] { (void)trials.list({.traineeCode = "T-01"}); }));
-  expectNoWalk(plansOf(connection, [&] { (void)trials.list({.enrolmentId = "e"}); }));
-  expectNoWalk(plansOf(connection, [&] { (void)trials.unfinished("station"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)trials.find("t"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)trials.list({.traineeCode = "T-01"}); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)trials.list({.enrolmentId = "e"}); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)trials.unfinished("station"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)trials.find("t"); }));
 }
 
 TEST_F(QueryPlanTest, PeopleAreListedByAnIndex) {
-  Connection connection = openWithSchema();
-  PeopleRepository people(connection);
-  const auto trainees = plansOf(connection, [&] { (void)people.trainees(); });
+  PeopleRepository people(connection());
+  const auto trainees = plansOf(connection(), [&] { (void)people.trainees(); });
   expectNoWalk(trainees, true);
   expectNoSort(trainees);
-  expectNoWalk(plansOf(connection, [&] { (void)people.findTrainee("T-01"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)people.consents("p"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)people.findTrainee("T-01"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)people.consents("p"); }));
 }
 
 TEST_F(QueryPlanTest, MarksOfACohortUseAnIndex) {
-  Connection connection = openWithSchema();
-  expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).enrolments("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).exposures("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).deviations("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).marks("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)SheetRepository(connection).openAssignments("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).ofCohort("c", 1); }));
-  expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).ofTrial("t", 1); }));
-  expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).history("e", "r", "pre"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)EvaluationRepository(connection).marks("c"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)StudyRepository(connection()).enrolments("c"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)StudyRepository(connection()).exposures("c"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)StudyRepository(connection()).deviations("c"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)RatingRepository(connection()).marks("c"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)SheetRepository(connection()).openAssignments("c"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)DigestRepository(connection()).ofCohort("c", 1); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)DigestRepository(connection()).ofTrial("t", 1); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)RatingRepository(connection()).history("e", "r", "pre"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)EvaluationRepository(connection()).marks("c"); }));
 }
 
 TEST_F(QueryPlanTest, ARatersQueueAndTheAuditTrailUseAnIndex) {
-  Connection connection = openWithSchema();
-  SheetRepository sheets(connection);
-  expectNoWalk(plansOf(connection, [&] { (void)sheets.queue("r"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)sheets.allSubmitted("e", "pre"); }));
-  expectNoWalk(plansOf(
-      connection, [&] { (void)AuditRepository(connection).entries({.objectKind = AuditObject::kTrial}); }));
-  expectNoWalk(plansOf(connection, [&] { (void)AuditRepository(connection).entries({.fromUtc_us = 1}); }));
+  SheetRepository sheets(connection());
+  expectNoWalk(plansOf(connection(), [&] { (void)sheets.queue("r"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)sheets.allSubmitted("e", "pre"); }));
+  expectNoWalk(plansOf(connection(), [&] {
+    (void)AuditRepository(connection()).entries({.objectKind = AuditObject::kTrial});
+  }));
+  expectNoWalk(
+      plansOf(connection(), [&] { (void)AuditRepository(connection()).entries({.fromUtc_us = 1}); }));
   for (int i = 0; i < 2; ++i) {
-    AuditRepository(connection)
+    AuditRepository(connection())
         .append({.atUtc_us = 5,
                  .actor = "a",
                  .station = "s",
                  .action = AuditAction::kTrialFinish,
                  .objectKind = AuditObject::kTrial});
   }
-  const auto newest = plansOf(connection, [&] { (void)AuditRepository(connection).entries({.limit = 1}); });
+  const auto newest =
+      plansOf(connection(), [&] { (void)AuditRepository(connection()).entries({.limit = 1}); });
   expectNoWalk(newest, true);  // LIMIT ends it
   expectNoSort(newest);
 }
 
 TEST_F(QueryPlanTest, AStationsStartAndTheBoardUseAnIndex) {
-  Connection connection = openWithSchema();
-  TrialRepository trials(connection);
-  expectNoWalk(plansOf(connection, [&] { (void)trials.closeInterrupted("station", 0); }));
-  expectNoWalk(plansOf(connection, [&] { (void)trials.context("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)trials.list({.moduleId = "m"}); }));
-  StationRepository stations(connection);
-  const auto board = plansOf(connection, [&] { (void)stations.board(); });
+  TrialRepository trials(connection());
+  expectNoWalk(plansOf(connection(), [&] { (void)trials.closeInterrupted("station", 0); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)trials.context("t"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)trials.list({.moduleId = "m"}); }));
+  StationRepository stations(connection());
+  const auto board = plansOf(connection(), [&] { (void)stations.board(); });
   expectNoWalk(board, true);  // one row per station
   expectNoSort(board);
 }
 
 TEST_F(QueryPlanTest, RemarksAndUnreadRemarksUseAnIndex) {
-  Connection connection = openWithSchema();
-  RemarkRepository remarks(connection);
-  expectNoWalk(plansOf(connection, [&] { (void)remarks.remarks("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)remarks.earlierWordings("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)remarks.receipts("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)remarks.unreadOnTrialsOf("p", "r"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)remarks.unreadReplies("a"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)remarks.selfScores("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)remarks.calibrationScores("r"); }));
+  RemarkRepository remarks(connection());
+  expectNoWalk(plansOf(connection(), [&] { (void)remarks.remarks("t"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)remarks.earlierWordings("t"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)remarks.receipts("t"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)remarks.unreadOnTrialsOf("p", "r"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)remarks.unreadReplies("a"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)remarks.selfScores("t"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)remarks.calibrationScores("r"); }));
 }
 
 TEST_F(QueryPlanTest, ARatersDeskUsesAnIndex) {
-  Connection connection = openWithSchema();
-  DeskRepository desk(connection);
-  expectNoWalk(plansOf(connection, [&] { (void)desk.assignment("a"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.isWithdrawn("a"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.marksOfCase("e", "pre"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.committed("r"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.trialLength_us("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.draftViewing("a"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.workingTimes_us("r", 20); }));
-  expectNoWalk(plansOf(connection, [&] { (void)desk.evaluationDraft("c", "r"); }));
-  DiscrepancyRepository discrepancies(connection);
-  expectNoWalk(plansOf(connection, [&] { (void)discrepancies.history("a"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)discrepancies.latest("a"); }));
+  DeskRepository desk(connection());
+  expectNoWalk(plansOf(connection(), [&] { (void)desk.assignment("a"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)desk.isWithdrawn("a"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)desk.marksOfCase("e", "pre"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)desk.committed("r"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)desk.trialLength_us("t"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)desk.draftViewing("a"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)desk.workingTimes_us("r", 20); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)desk.evaluationDraft("c", "r"); }));
+  DiscrepancyRepository discrepancies(connection());
+  expectNoWalk(plansOf(connection(), [&] { (void)discrepancies.history("a"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)discrepancies.latest("a"); }));
 }
 
 TEST_F(QueryPlanTest, AdministratorsListsUseAnIndex) {
-  Connection connection = openWithSchema();
-  CurriculumRepository curricula(connection);
-  expectNoWalk(plansOf(connection, [&] { (void)curricula.draft("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)curricula.version("v"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)curricula.versionIds("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)FreezeRepository(connection).list("c"); }));
-  RetentionRepository(connection).setRule({kRetainTrainee, 1, "contract", 1});
-  const auto due = plansOf(connection, [&] { (void)RetentionRepository(connection).due(1); });
+  CurriculumRepository curricula(connection());
+  expectNoWalk(plansOf(connection(), [&] { (void)curricula.draft("c"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)curricula.version("v"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)curricula.versionIds("c"); }));
+  expectNoWalk(plansOf(connection(), [&] { (void)FreezeRepository(connection()).list("c"); }));
+  RetentionRepository(connection()).setRule({kRetainTrainee, 1, "contract", 1});
+  const auto due = plansOf(connection(), [&] { (void)RetentionRepository(connection()).due(1); });
   for (const std::string& line : due) {
     if (line.find(" m ") == std::string::npos) {
       continue;
     }
     EXPECT_NE(line.find("COVERING INDEX"), std::string::npos) << line;  // the marks themselves are not read
   }
-  AccessRepository access(connection, PasswordCost::kTest);
-  expectNoWalk(plansOf(connection, [&] { (void)access.allowed("u", "trial.view"); }));
+  AccessRepository access(connection(), PasswordCost::kTest);
+  expectNoWalk(plansOf(connection(), [&] { (void)access.allowed("u", "trial.view"); }));
 }
 
 }  // namespace

@@ -106,8 +106,7 @@ TEST_F(RandomTamper, ValuesOfAnotherTypeAndMissingColumnsAreFindings) {
   if (onPostgresql()) {
     GTEST_SKIP() << "a server keeps the kind of every column";
   }
-  Connection connection = openWithSchema();
-  const FullRecord real(connection, "real", false);
+  const FullRecord real(connection(), "real", false);
   Connection behind = open();
   disarm(behind);
   const std::set<std::string> before = findingsIn(behind);
@@ -126,9 +125,8 @@ TEST_F(RandomTamper, ValuesOfAnotherTypeAndMissingColumnsAreFindings) {
 }
 
 TEST_F(RandomTamper, EveryChangeOfAnyColumnIsDetected) {
-  Connection connection = openWithSchema();
-  const FullRecord real(connection, "real", false);
-  const FullRecord simulated(connection, "demo", true);
+  const FullRecord real(connection(), "real", false);
+  const FullRecord simulated(connection(), "demo", true);
   Connection behind = open();
   disarm(behind);
   const std::set<std::string> before = findingsIn(behind);

@@ -40,8 +40,7 @@ class RecordCopyTest : public DatabaseTest {
 };
 
 TEST_F(RecordCopyTest, TablesFollowTheirParents) {
-  Connection connection = openWithSchema();
-  const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
+  const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection());
 
   std::set<std::string> seen;
   std::size_t references = 0;
@@ -144,16 +143,15 @@ TEST_F(RecordCopyTest, RefusesARecordWhoseTrailDoesNotVerify) {
 }
 
 TEST_F(RecordCopyTest, AHashDependsOnEachValueButNotOnTheOrder) {
-  Connection connection = openWithSchema();
   const auto put = [&](const char* name, const char* value) {
-    connection.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)",
-                       {name, value, 1});
+    connection().execute("INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)",
+                         {name, value, 1});
   };
   const auto hash = [&] {
-    Transaction transaction(connection);
-    for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
+    Transaction transaction(connection());
+    for (const SchemaTable& table : tablesInReferenceOrder(connection())) {
       if (table.name == "setting") {
-        return digestOf(connection, table).hash;
+        return digestOf(connection(), table).hash;
       }
     }
     return std::string();
@@ -161,11 +159,11 @@ TEST_F(RecordCopyTest, AHashDependsOnEachValueButNotOnTheOrder) {
   put("a", "1");
   put("b", "2");
   const std::string ab = hash();
-  connection.execute("DELETE FROM setting");
+  connection().execute("DELETE FROM setting");
   put("b", "2");
   put("a", "1");
   EXPECT_EQ(hash(), ab);
-  connection.execute("UPDATE setting SET value = ? WHERE name = ?", {"3", "a"});
+  connection().execute("UPDATE setting SET value = ? WHERE name = ?", {"3", "a"});
   EXPECT_NE(hash(), ab);
 }
 

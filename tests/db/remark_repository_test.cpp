@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "db/repository/trial/remark_repository.h"
 
 #include "assessment/domain/ids.h"
@@ -13,6 +14,7 @@
 #include "tests/db/test_database.h"
 
 namespace torsio {
+
 namespace {
 
 class RemarkRepositoryTest : public DatabaseTest {
@@ -49,8 +51,7 @@ class RemarkRepositoryTest : public DatabaseTest {
 };
 
 TEST_F(RemarkRepositoryTest, ReturnsRemarksByTheirTimeInTheTrial) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const Remark late = desk.remark(desk.chief, "remark", 9'000'000, "too fast here");
   const Remark early = desk.remark(desk.trainee, "bookmark", 2'000'000, "");
   desk.remarks.add(late);
@@ -73,8 +74,7 @@ TEST_F(RemarkRepositoryTest, ReturnsRemarksByTheirTimeInTheTrial) {
 }
 
 TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilFirstRead) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const Remark remark = desk.remark(desk.chief, "remark", 1, "look");
   desk.remarks.add(remark);
   desk.remarks.add(desk.remark(desk.trainee, "bookmark", 2, "mine"));
@@ -93,8 +93,7 @@ TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilFirstRead) {
 }
 
 TEST_F(RemarkRepositoryTest, AReplyReachesTheAuthorOfTheRemark) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const Remark remark = desk.remark(desk.chief, "remark", 1, "why so fast?");
   desk.remarks.add(remark);
   const Remark reply = desk.remark(desk.trainee, "reply", 1, "it slipped", remark.id);
@@ -113,8 +112,7 @@ TEST_F(RemarkRepositoryTest, AReplyReachesTheAuthorOfTheRemark) {
 }
 
 TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndImmutable) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   Remark remark = desk.remark(desk.chief, "remark", 1, "look");
   desk.remarks.add(remark);
   desk.remarks.add(remark);
@@ -122,15 +120,14 @@ TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndImmutable) {
   remark.text = "look away";
 
   EXPECT_EQ(faultFrom([&] { desk.remarks.add(remark); }), DbFault::kUnique);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial_remark SET text = ?", {"x"}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE trial_remark SET text = ?", {"x"}); }),
             DbFault::kAppendOnly);
-  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM remark_receipt"); }), DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection().execute("DELETE FROM remark_receipt"); }), DbFault::kAppendOnly);
   EXPECT_EQ(desk.remarks.remarks(desk.trialId).size(), 1U);
 }
 
 TEST_F(RemarkRepositoryTest, AnEditKeepsTheOldTextAndIsUnreadAgain) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const Remark remark = desk.remark(desk.chief, "remark", 1, "look");
   desk.remarks.add(remark);
   desk.remarks.add(desk.remark(desk.chief, "remark", 2, "never edited"));
@@ -165,14 +162,13 @@ TEST_F(RemarkRepositoryTest, AnEditKeepsTheOldTextAndIsUnreadAgain) {
               desk.remarks.revise({"none", 2, desk.chief, desk.chief, "x"});
             }),
             DbFault::kForeignKey);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE remark_revision SET text = ?", {"x"}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE remark_revision SET text = ?", {"x"}); }),
             DbFault::kAppendOnly);
 }
 
 TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
-  RubricRepository rubrics(connection);
+  Desk desk(connection());
+  RubricRepository rubrics(connection());
   rubrics.addRubric("rubric", "Twist", kSampleTime_us, true);
   RubricRevision revision{.id = "revision", .rubricId = "rubric"};
   revision.overall = {10, 100, 10};
@@ -209,8 +205,7 @@ TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {
 }
 
 TEST_F(RemarkRepositoryTest, KeepsTheCalibrationScoresOfARater) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   CalibrationScore score{
       .id = desk.sample.ids.newUuid(), .raterId = desk.chief, .referenceTrialId = desk.trialId};
   score.score_steps = 80;
@@ -227,4 +222,99 @@ TEST_F(RemarkRepositoryTest, KeepsTheCalibrationScoresOfARater) {
 }
 
 }  // namespace
+
+namespace {
+
+class QuestionRepositoryTest : public DatabaseTest {
+ protected:
+  /// One trainee with one trial, two chiefs.
+  struct Desk {
+    explicit Desk(Connection& connection)
+        : sample(connection, 1), remarks(connection), questions(connection) {
+      trialId = sample.ids.newUuid();
+      trainee = sample.trainees[0].person.id;
+      TrialRepository(connection).begin(sampleHeader(trialId, "T-01"));
+    }
+    /// Asks chief number `chief`.
+    std::string ask(std::size_t chief, std::int64_t time_us, std::int64_t askedUtc_us) {
+      const std::string id = remark(trainee, "bookmark", time_us, "why?", "");
+      questions.add({.remarkId = id, .raterId = sample.chiefs[chief].person.id, .askedUtc_us = askedUtc_us});
+      return id;
+    }
+    std::string remark(const std::string& author, const std::string& purpose, std::int64_t time_us,
+                       const std::string& text, const std::string& replyTo) {
+      const std::string id = sample.ids.newUuid();
+      remarks.add({.id = id,
+                   .trialId = trialId,
+                   .author = author,
+                   .authorPersonId = author,
+                   .purpose = purpose,
+                   .replyTo = replyTo,
+                   .tick = time_us / 1000,
+                   .time_us = time_us,
+                   .text = text,
+                   .createdUtc_us = kSampleTime_us + 500,
+                   .demonstration = true});
+      return id;
+    }
+    SampleRecord sample;
+    RemarkRepository remarks;
+    QuestionRepository questions;
+    TrialId trialId;
+    std::string trainee;
+  };
+};
+
+TEST_F(QuestionRepositoryTest, UnansweredQuestionsComeFirstOldestFirst) {
+  Desk desk(connection());
+  const std::string chief = desk.sample.chiefs[0].person.id;
+  const std::string answered = desk.ask(0, 3'000'000, kSampleTime_us);
+  const std::string young = desk.ask(0, 1'000'000, kSampleTime_us + 200);
+  const std::string old = desk.ask(0, 2'000'000, kSampleTime_us + 100);
+  desk.ask(1, 4'000'000, kSampleTime_us + 300);
+  desk.remark(chief, "reply", 3'000'000, "so", answered);
+
+  const std::vector<TraineeQuestion> found = desk.questions.toRater(chief);
+
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].remarkId, old);
+  EXPECT_EQ(found[1].remarkId, young);
+  EXPECT_EQ(found[2].remarkId, answered);
+  EXPECT_EQ(found[2].answerText, "so");
+  EXPECT_EQ(found[2].answeredUtc_us, kSampleTime_us + 500);
+  EXPECT_EQ(found[0].personId, desk.trainee);
+  EXPECT_EQ(found[0].time_us, 2'000'000);
+  EXPECT_EQ(found[0].text, "why?");
+  EXPECT_TRUE(found[0].answerId.empty());
+  EXPECT_EQ(desk.questions.ofTrial(desk.trialId).size(), 4U);
+  EXPECT_EQ(desk.questions.lastAsked(desk.trainee), desk.sample.chiefs[1].person.id);
+  EXPECT_EQ(desk.questions.lastAsked(chief), "");
+}
+
+TEST_F(QuestionRepositoryTest, OnlyTheAskedRatersReplyIsTheAnswer) {
+  Desk desk(connection());
+  const std::string id = desk.ask(0, 1'000'000, kSampleTime_us);
+
+  desk.remark(desk.sample.chiefs[1].person.id, "reply", 1'000'000, "somebody else", id);
+
+  EXPECT_TRUE(desk.questions.find(id)->answerId.empty());
+  EXPECT_FALSE(desk.questions.find("none").has_value());
+}
+
+TEST_F(QuestionRepositoryTest, AQuestionIsSentOnceAndImmutable) {
+  Desk desk(connection());
+  const std::string id = desk.ask(0, 1'000'000, kSampleTime_us);
+
+  EXPECT_EQ(
+      faultFrom([&] { desk.questions.add({.remarkId = id, .raterId = desk.sample.chiefs[1].person.id}); }),
+      DbFault::kUnique);
+  EXPECT_EQ(faultFrom([&] { desk.questions.add({.remarkId = "none", .raterId = desk.trainee}); }),
+            DbFault::kForeignKey);
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE trial_question SET asked_utc_us = 1"); }),
+            DbFault::kAppendOnly);
+  EXPECT_FALSE(desk.questions.isScored(desk.trialId));
+}
+
+}  // namespace
+
 }  // namespace torsio

@@ -25,12 +25,11 @@
 #include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/tampering.h"
-#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
 
-class RowLedgerTest : public DatabaseTest {};
+class RowLedgerTest : public SampleTest {};
 
 std::vector<AuditEntry> sealsIn(Connection& connection) {
   std::vector<AuditEntry> seals;
@@ -43,8 +42,7 @@ std::vector<AuditEntry> sealsIn(Connection& connection) {
 }
 
 TEST_F(RowLedgerTest, EveryTableHasOneRuleWithExistingColumns) {
-  Connection connection = openWithSchema();
-  std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
+  std::vector<SchemaTable> tables = tablesInReferenceOrder(connection());
   tables.push_back({"schema_migration", {{"version"}, {"software_version"}, {"applied_utc_us"}}, {}});
   std::map<std::string, const SealRule*> rules;
   for (const SealRule& rule : kSealRules) {
@@ -70,10 +68,9 @@ TEST_F(RowLedgerTest, TheKeysOfTheRulesMatchTheSchema) {
   if (onPostgresql()) {
     GTEST_SKIP() << "both engines run the same steps";
   }
-  Connection connection = openWithSchema();
   for (const SealRule& rule : kSealRules) {
     EXPECT_EQ(columnsOf(rule.key),
-              selectAll(connection, "SELECT name FROM pragma_table_info(?) WHERE pk > 0 ORDER BY pk",
+              selectAll(connection(), "SELECT name FROM pragma_table_info(?) WHERE pk > 0 ORDER BY pk",
                         {rule.table}, readText))
         << rule.table;
   }
@@ -95,16 +92,15 @@ TEST_F(RowLedgerTest, PersonalDataAreSealedWithASalt) {
 }
 
 TEST_F(RowLedgerTest, OneTransactionIsSealedByOneEntryOfItsAuthor) {
-  Connection connection = openWithSchema();
-  const SampleRecord sample(connection, 2);
-  const std::size_t before = sealsIn(connection).size();
+  const SampleRecord sample(connection(), 2);
+  const std::size_t before = sealsIn(connection()).size();
 
   {
-    Transaction together(connection);
-    StudyRepository study(connection);
+    Transaction together(connection());
+    StudyRepository study(connection());
     study.setEnrolmentState(sample.enrolments[0].id, EnrolmentState::kCompleted);
     study.setEnrolmentState(sample.enrolments[1].id, EnrolmentState::kWithdrawn);
-    AuditRepository(connection)
+    AuditRepository(connection())
         .append({.atUtc_us = 77,
                  .actor = "admin",
                  .station = "office",
@@ -113,116 +109,115 @@ TEST_F(RowLedgerTest, OneTransactionIsSealedByOneEntryOfItsAuthor) {
     together.commit();
   }
 
-  const std::vector<AuditEntry> seals = sealsIn(connection);
+  const std::vector<AuditEntry> seals = sealsIn(connection());
   ASSERT_EQ(seals.size(), before + 1);
   EXPECT_EQ(seals.back().actor, "admin");
   EXPECT_EQ(seals.back().station, "office");
   EXPECT_EQ(seals.back().atUtc_us, 77);
   EXPECT_EQ(seals.back().newJson, R"({"entries":1,"rows":2})");
-  EXPECT_TRUE(verifyAuditTrail(connection).empty());
+  EXPECT_TRUE(verifyAuditTrail(connection()).empty());
 }
 
 TEST_F(RowLedgerTest, ChangesOutsideATransactionAreSealedAndRolledBackOnesAreNot) {
-  Connection connection = openWithSchema();
-  const SampleRecord sample(connection, 1);
-  const std::size_t before = sealsIn(connection).size();
+  const std::size_t before = sealsIn(connection()).size();
 
-  connection.execute("UPDATE enrolment SET state = ? WHERE id = ?", {"completed", sample.enrolments[0].id});
+  connection().execute("UPDATE enrolment SET state = ? WHERE id = ?",
+                       {"completed", sample().enrolments[0].id});
   {
-    const Transaction givenUp(connection);
-    connection.execute("UPDATE enrolment SET state = ? WHERE id = ?", {"withdrawn", sample.enrolments[0].id});
+    const Transaction givenUp(connection());
+    connection().execute("UPDATE enrolment SET state = ? WHERE id = ?",
+                         {"withdrawn", sample().enrolments[0].id});
   }
-  connection.execute("UPDATE enrolment SET state = ? WHERE id = ?", {"withdrawn", "nobody"});
+  connection().execute("UPDATE enrolment SET state = ? WHERE id = ?", {"withdrawn", "nobody"});
 
-  EXPECT_EQ(sealsIn(connection).size(), before + 1);
-  EXPECT_TRUE(verifyAuditTrail(connection).empty());
+  EXPECT_EQ(sealsIn(connection()).size(), before + 1);
+  EXPECT_TRUE(verifyAuditTrail(connection()).empty());
 }
 
 TEST_F(RowLedgerTest, EveryKindOfChangeIsSealed) {
-  Connection connection = openWithSchema();
-  const FullRecord record(connection, "real", false);
+  const FullRecord record(connection(), "real", false);
 
-  connection.execute(
+  connection().execute(
       "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
       " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
       {"a", "1", 1});
-  connection.execute(
+  connection().execute(
       "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
       " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
       {"a", "2", 2});
-  connection.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES ('b', 'literal', 1)");
-  connection.execute(
+  connection().execute("INSERT INTO setting (name, value, changed_utc_us) VALUES ('b', 'literal', 1)");
+  connection().execute(
       "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
       " ON CONFLICT (name) DO NOTHING",
       {"b", "never", 2});
-  connection.execute(
+  connection().execute(
       "INSERT INTO setting (name, value, changed_utc_us) SELECT name || '2', value, 3 FROM setting"
       " WHERE name = ?",
       {"b"});
-  connection.execute("UPDATE setting SET value = value || '!' WHERE name = 'b'");
-  connection.execute("DELETE FROM setting WHERE name = 'a'");
+  connection().execute("UPDATE setting SET value = value || '!' WHERE name = 'b'");
+  connection().execute("DELETE FROM setting WHERE name = 'a'");
 
-  EXPECT_EQ(allFindings(connection), std::vector<std::string>{});
-  EXPECT_EQ(numberFrom(connection,
+  EXPECT_EQ(allFindings(connection()), std::vector<std::string>{});
+  EXPECT_EQ(numberFrom(connection(),
                        "SELECT count(*) FROM row_seal WHERE table_name = 'setting' AND row_key ="
                        " 'a' AND removed"),
             1);
 }
 
 TEST_F(RowLedgerTest, ALegitimateChangeDoesNotHideATamperedRow) {
-  Connection connection = openWithSchema();
-  const FullRecord record(connection, "real", false);
+  const FullRecord record(connection(), "real", false);
   const auto set = [&](const char* name, const char* value) {
-    connection.execute(
+    connection().execute(
         "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)"
         " ON CONFLICT (name) DO UPDATE SET value = excluded.value",
         {name, value, 1});
   };
   set("a", "1");
   set("b", "1");
-  connection.executeVerbatim("UPDATE person SET level = 'expert' WHERE id = 'real trainee'");
-  connection.executeVerbatim("UPDATE setting SET value = '7' WHERE name = 'a'");
-  connection.executeVerbatim("INSERT INTO setting (name, value, changed_utc_us) VALUES ('c', '7', 1)");
+  connection().executeVerbatim("UPDATE person SET level = 'expert' WHERE id = 'real trainee'");
+  connection().executeVerbatim("UPDATE setting SET value = '7' WHERE name = 'a'");
+  connection().executeVerbatim("INSERT INTO setting (name, value, changed_utc_us) VALUES ('c', '7', 1)");
 
-  connection.execute("UPDATE person SET sex = ? WHERE id = ? AND state <> ?", {"female", "real trainee", ""});
+  connection().execute("UPDATE person SET sex = ? WHERE id = ? AND state <> ?",
+                       {"female", "real trainee", ""});
   set("a", "2");
   set("b", "2");
-  connection.execute("UPDATE setting SET changed_utc_us = 2 WHERE name = ?", {"c"});
-  connection.execute("UPDATE setting SET changed_utc_us = ? WHERE name = 'b'", {3});
+  connection().execute("UPDATE setting SET changed_utc_us = 2 WHERE name = ?", {"c"});
+  connection().execute("UPDATE setting SET changed_utc_us = ? WHERE name = 'b'", {3});
 
   const std::string behind = ": was changed behind the trail before this change of it";
-  EXPECT_EQ(allFindings(connection), (std::vector<std::string>{"person real trainee" + behind,
-                                                               "setting a" + behind, "setting c" + behind}));
+  EXPECT_EQ(
+      allFindings(connection()),
+      (std::vector<std::string>{"person real trainee" + behind, "setting a" + behind, "setting c" + behind}));
 }
 
 TEST_F(RowLedgerTest, CountingFailedSignInsIsNotSealed) {
-  Connection connection = openWithSchema();
-  const FullRecord record(connection, "real", false);
-  const std::size_t before = sealsIn(connection).size();
+  const FullRecord record(connection(), "real", false);
+  const std::size_t before = sealsIn(connection()).size();
 
-  connection.execute("UPDATE app_user SET failed_count = ?, locked_until_utc_us = ?", {3, 99});
+  connection().execute("UPDATE app_user SET failed_count = ?, locked_until_utc_us = ?", {3, 99});
 
-  EXPECT_EQ(sealsIn(connection).size(), before);
-  EXPECT_TRUE(verifyAuditTrail(connection).empty());
+  EXPECT_EQ(sealsIn(connection()).size(), before);
+  EXPECT_TRUE(verifyAuditTrail(connection()).empty());
 }
 
 TEST_F(RowLedgerTest, SealsContainNoPersonalDataAndAnEraseRemovesTheSalt) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 2);
+  SampleRecord sample(connection(), 2);
   const PersonId person = sample.trainees[0].person.id;
-  PeopleRepository(connection).setIdentity({person, "Hua Tuo", "hua@example.org", "7"});
+  PeopleRepository(connection()).setIdentity({person, "Hua Tuo", "hua@example.org", "7"});
   const auto saltsOf = [&] {
-    Statement row = connection.prepare("SELECT count(*) FROM seal_salt WHERE row_key = ?");
+    Statement row = connection().prepare("SELECT count(*) FROM seal_salt WHERE row_key = ?");
     row.execute({person});
     return row.step() ? row.int64(0) : -1;
   };
   ASSERT_GE(saltsOf(), 1);
 
-  erasePerson(connection, person, "admin", "asked for it", kSampleTime_us);
+  erasePerson(connection(), person, "admin", "asked for it", kSampleTime_us);
 
   EXPECT_EQ(saltsOf(), 0);
-  EXPECT_TRUE(verifyAuditTrail(connection).empty());
-  for (const std::string& hash : selectAll(connection, "SELECT personal_hash FROM row_seal", {}, readText)) {
+  EXPECT_TRUE(verifyAuditTrail(connection()).empty());
+  for (const std::string& hash :
+       selectAll(connection(), "SELECT personal_hash FROM row_seal", {}, readText)) {
     EXPECT_TRUE(hash.empty() || hash.size() == 64U);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/record/trial.h"
+#include "tests/db/test_database.h"
 
 namespace torsio {
 
@@ -28,6 +30,16 @@ struct SampleRecord {
   Cohort cohort;
   std::vector<StudyGroup> groups;
   std::vector<Enrolment> enrolments;
+};
+
+/// A test of a centre with one trainee.
+class SampleTest : public DatabaseTest {
+ protected:
+  /// Made at the first call.
+  SampleRecord& sample() { return sample_ ? *sample_ : sample_.emplace(connection(), 1); }
+
+ private:
+  std::optional<SampleRecord> sample_;
 };
 
 /// A header in which every field differs from its default.

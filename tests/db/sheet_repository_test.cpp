@@ -68,10 +68,9 @@ class SheetRepositoryTest : public DatabaseTest {
 };
 
 TEST_F(SheetRepositoryTest, ReturnsARubricRevisionWithItsAnchors) {
-  Connection connection = openWithSchema();
-  const Desk desk(connection);
+  const Desk desk(connection());
 
-  const RubricRevision stored = RubricRepository(connection).revision(desk.rubric.id).value();
+  const RubricRevision stored = RubricRepository(connection()).revision(desk.rubric.id).value();
 
   ASSERT_EQ(stored.rows.size(), 2U);
   EXPECT_EQ(stored.rows[0].code, "time");
@@ -79,14 +78,13 @@ TEST_F(SheetRepositoryTest, ReturnsARubricRevisionWithItsAnchors) {
   EXPECT_EQ(stored.rows[0].anchors[1].meaning, "as an expert");
   EXPECT_EQ(stored.rows[1].scale.hi, 5);
   EXPECT_EQ(stored.overall.lo, 10);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE rubric_row SET label = ?", {"x"}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE rubric_row SET label = ?", {"x"}); }),
             DbFault::kAppendOnly);
-  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM rubric_anchor"); }), DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection().execute("DELETE FROM rubric_anchor"); }), DbFault::kAppendOnly);
 }
 
 TEST_F(SheetRepositoryTest, TheQueueHasTheRatersOrderAndTheStates) {
-  Connection connection = openWithSchema();
-  Desk desk(connection, 3);
+  Desk desk(connection(), 3);
   desk.sheets.saveDraft(desk.assignments[1].id, {.revision = 0, .overall_steps = 50});
   desk.sheets.submit(desk.assignments[2].id, desk.sample.ids.newUuid(), fullSheet(), "", kSampleTime_us);
 
@@ -100,8 +98,7 @@ TEST_F(SheetRepositoryTest, TheQueueHasTheRatersOrderAndTheStates) {
 }
 
 TEST_F(SheetRepositoryTest, SavesDraftsWithoutOverwritingAnotherStations) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const std::string id = desk.assignments[0].id;
   Sheet sheet{.revision = 0, .overall_steps = std::nullopt, .rows = {{"time", 70, ""}}};
   sheet.revision = desk.sheets.saveDraft(id, sheet);
@@ -121,8 +118,7 @@ TEST_F(SheetRepositoryTest, SavesDraftsWithoutOverwritingAnotherStations) {
 }
 
 TEST_F(SheetRepositoryTest, SubmittingSealsTheSheetAndDeletesTheDraft) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const std::string id = desk.assignments[0].id;
   desk.sheets.saveDraft(id, {.revision = 0, .overall_steps = 20});
 
@@ -134,18 +130,17 @@ TEST_F(SheetRepositoryTest, SubmittingSealsTheSheetAndDeletesTheDraft) {
   ASSERT_EQ(sealed.rows.size(), 2U);
   EXPECT_EQ(sealed.rows[0].score_steps, 4);
   EXPECT_EQ(sealed.rows[1].notAssessableReason, "clock failed");
-  EXPECT_EQ(RatingRepository(connection).marks(desk.sample.cohort.id).at(0).assignmentId, id);
+  EXPECT_EQ(RatingRepository(connection()).marks(desk.sample.cohort.id).at(0).assignmentId, id);
   EXPECT_EQ(refusalFrom([&] { desk.sheets.saveDraft(id, fullSheet()); }).code, ErrorCode::kBadData);
   EXPECT_EQ(
       faultFrom([&] { desk.sheets.submit(id, desk.sample.ids.newUuid(), fullSheet(), "", kSampleTime_us); }),
       DbFault::kUnique);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE training_mark_row SET score_steps = ?", {5}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE training_mark_row SET score_steps = ?", {5}); }),
             DbFault::kAppendOnly);
 }
 
 TEST_F(SheetRepositoryTest, AnAmendmentIsTheNextVersion) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const std::string id = desk.assignments[0].id;
   desk.sheets.submit(id, desk.sample.ids.newUuid(), fullSheet(), "", kSampleTime_us);
   Sheet better = fullSheet();
@@ -154,14 +149,13 @@ TEST_F(SheetRepositoryTest, AnAmendmentIsTheNextVersion) {
   desk.sheets.submit(id, desk.sample.ids.newUuid(), better, "looked again", kSampleTime_us + 1);
 
   EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 80);
-  const SubmittedMark mark = RatingRepository(connection).marks(desk.sample.cohort.id).at(0);
+  const SubmittedMark mark = RatingRepository(connection()).marks(desk.sample.cohort.id).at(0);
   EXPECT_EQ(mark.version, 2);
   EXPECT_EQ(mark.amendReason, "looked again");
 }
 
 TEST_F(SheetRepositoryTest, SubmittingAgainAfterALostAnswerSealsOnce) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const std::string id = desk.assignments[0].id;
   const std::string first = desk.sample.ids.newUuid();
   const std::string second = desk.sample.ids.newUuid();
@@ -173,14 +167,13 @@ TEST_F(SheetRepositoryTest, SubmittingAgainAfterALostAnswerSealsOnce) {
   desk.sheets.submit(id, first, fullSheet(), "", kSampleTime_us + 2);
   desk.sheets.submit(id, second, better, "looked again", kSampleTime_us + 2);
 
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM training_mark"), 2);
-  EXPECT_EQ(AuditRepository(connection).count(0), 2);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM training_mark"), 2);
+  EXPECT_EQ(AuditRepository(connection()).count(0), 2);
   EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 80);
 }
 
 TEST_F(SheetRepositoryTest, RejectsAnotherSheetWithTheIdOfASealedOne) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const std::string id = desk.assignments[0].id;
   const std::string mark = desk.sample.ids.newUuid();
   desk.sheets.submit(id, mark, fullSheet(), "", kSampleTime_us);
@@ -201,8 +194,7 @@ TEST_F(SheetRepositoryTest, RejectsAnotherSheetWithTheIdOfASealedOne) {
 }
 
 TEST_F(SheetRepositoryTest, RejectsAnIncompleteSheetNamingTheRow) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const auto refused = [&](const Sheet& sheet) {
     return refusalFrom([&] {
              desk.sheets.submit(desk.assignments[0].id, desk.sample.ids.newUuid(), sheet, "", kSampleTime_us);
@@ -221,12 +213,11 @@ TEST_F(SheetRepositoryTest, RejectsAnIncompleteSheetNamingTheRow) {
   Sheet unmarked = fullSheet();
   unmarked.overall_steps.reset();
   EXPECT_NE(refused(unmarked).find("overall"), std::string::npos);
-  EXPECT_TRUE(RatingRepository(connection).marks(desk.sample.cohort.id).empty());
+  EXPECT_TRUE(RatingRepository(connection()).marks(desk.sample.cohort.id).empty());
 }
 
 TEST_F(SheetRepositoryTest, IsPrivateUntilAllHaveSubmitted) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const std::string enrolment = desk.sample.enrolments[0].id;
   EXPECT_FALSE(desk.sheets.allSubmitted(enrolment, "pre"));
   desk.sheets.submit(desk.assignments[0].id, desk.sample.ids.newUuid(), fullSheet(), "", kSampleTime_us);
@@ -245,8 +236,7 @@ TEST_F(SheetRepositoryTest, IsPrivateUntilAllHaveSubmitted) {
 }
 
 TEST_F(SheetRepositoryTest, AReturnedSheetKeepsItsDraftAndCanBeWithdrawnAgain) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const AssignmentId id = desk.assignments[0].id;
   const std::string rater = desk.sample.chiefs[0].person.id;
   const std::size_t waiting = desk.sheets.queue(rater).size();
@@ -265,8 +255,7 @@ TEST_F(SheetRepositoryTest, AReturnedSheetKeepsItsDraftAndCanBeWithdrawnAgain) {
 }
 
 TEST_F(SheetRepositoryTest, ReleasesAndRevokesMarks) {
-  Connection connection = openWithSchema();
-  Desk desk(connection);
+  Desk desk(connection());
   const std::string cohort = desk.sample.cohort.id;
   EXPECT_FALSE(desk.sheets.isReleased(cohort, "pre"));
   desk.sheets.setReleased(cohort, "pre", true, "all in", "admin", kSampleTime_us);

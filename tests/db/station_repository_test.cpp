@@ -6,23 +6,23 @@
 #include "db/connection/db_error.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/test_database.h"
 #include "tests/support/stored_rows.h"
 
 namespace torsio {
 namespace {
 
-class StationRepositoryTest : public DatabaseTest {};
+class StationRepositoryTest : public SampleTest {
+ protected:
+  StationRepository stations() { return StationRepository(connection()); }
+};
 
 TEST_F(StationRepositoryTest, ShowsWhichStationOwnsARunningTrial) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string id = sample.ids.newUuid();
-  TrialRepository trials(connection, {"room 2", ""});
+  const std::string id = sample().ids.newUuid();
+  TrialRepository trials(connection(), {"room 2", ""});
   trials.begin(sampleHeader(id, "T-01"));
-  StationRepository stations(connection);
 
-  stations.heartbeat({.station = "room 2", .trialId = id, .userId = "u", .heartbeatUtc_us = kSampleTime_us});
+  stations().heartbeat(
+      {.station = "room 2", .trialId = id, .userId = "u", .heartbeatUtc_us = kSampleTime_us});
 
   // Another station reads the board.
   Connection other = open();
@@ -39,52 +39,45 @@ TEST_F(StationRepositoryTest, ShowsWhichStationOwnsARunningTrial) {
 }
 
 TEST_F(StationRepositoryTest, TheBoardDistinguishesEndedFromRunningTrials) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string id = sample.ids.newUuid();
-  TrialRepository trials(connection, {"room 2", ""});
+  const std::string id = sample().ids.newUuid();
+  TrialRepository trials(connection(), {"room 2", ""});
   trials.begin(sampleHeader(id, "T-01"));
-  StationRepository stations(connection);
-  stations.heartbeat({.station = "room 2", .trialId = id, .heartbeatUtc_us = kSampleTime_us});
-  ASSERT_FALSE(stationOnBoard(connection, "room 2")->ended);
+  stations().heartbeat({.station = "room 2", .trialId = id, .heartbeatUtc_us = kSampleTime_us});
+  ASSERT_FALSE(stationOnBoard(connection(), "room 2")->ended);
 
   trials.finish({0, 0, 0, TrialOutcome::kCompleted, "hash"});
 
-  EXPECT_TRUE(stationOnBoard(connection, "room 2")->ended);
+  EXPECT_TRUE(stationOnBoard(connection(), "room 2")->ended);
 }
 
 TEST_F(StationRepositoryTest, EachHeartbeatOverwritesThePreviousOne) {
-  Connection connection = openWithSchema();
-  StationRepository stations(connection);
-  stations.heartbeat({.station = "b", .userId = "u", .softwareVersion = "0.1", .heartbeatUtc_us = 1});
-  stations.heartbeat({.station = "a", .heartbeatUtc_us = 2});
-  stations.heartbeat({.station = "b", .softwareVersion = "0.2", .heartbeatUtc_us = 3});
+  stations().heartbeat({.station = "b", .userId = "u", .softwareVersion = "0.1", .heartbeatUtc_us = 1});
+  stations().heartbeat({.station = "a", .heartbeatUtc_us = 2});
+  stations().heartbeat({.station = "b", .softwareVersion = "0.2", .heartbeatUtc_us = 3});
 
-  const std::vector<StationState> board = stations.board();
+  const std::vector<StationState> board = stations().board();
   ASSERT_EQ(board.size(), 2U);
   EXPECT_EQ(board[0].station, "a");
   EXPECT_EQ(board[1].userId, "");
   EXPECT_EQ(board[1].softwareVersion, "0.2");
   EXPECT_EQ(board[1].heartbeatUtc_us, 3);
-  stations.leave("a");
-  EXPECT_FALSE(stationOnBoard(connection, "a").has_value());
-  EXPECT_EQ(faultFrom([&] { stations.heartbeat({.station = "c", .trialId = "none"}); }),
+  stations().leave("a");
+  EXPECT_FALSE(stationOnBoard(connection(), "a").has_value());
+  EXPECT_EQ(faultFrom([&] { stations().heartbeat({.station = "c", .trialId = "none"}); }),
             DbFault::kForeignKey);
 }
 
 TEST_F(StationRepositoryTest, KeepsTheStateOfAStationsDevice) {
-  Connection connection = openWithSchema();
-  StationRepository stations(connection);
-  stations.heartbeat({.station = "office", .heartbeatUtc_us = 1});
-  stations.heartbeat({.station = "room 1",
-                      .heartbeatUtc_us = 1,
-                      .deviceJson = "[\"Touch\"]",
-                      .deviceHaptic = true,
-                      .deviceLight = "red",
-                      .deviceProblemJson = "[\"cable\"]",
-                      .deviceCheckedUtc_us = kSampleTime_us});
+  stations().heartbeat({.station = "office", .heartbeatUtc_us = 1});
+  stations().heartbeat({.station = "room 1",
+                        .heartbeatUtc_us = 1,
+                        .deviceJson = "[\"Touch\"]",
+                        .deviceHaptic = true,
+                        .deviceLight = "red",
+                        .deviceProblemJson = "[\"cable\"]",
+                        .deviceCheckedUtc_us = kSampleTime_us});
 
-  const std::vector<StationState> board = stations.board();
+  const std::vector<StationState> board = stations().board();
 
   ASSERT_EQ(board.size(), 2U);
   EXPECT_EQ(board[0].deviceJson, "");
@@ -95,11 +88,11 @@ TEST_F(StationRepositoryTest, KeepsTheStateOfAStationsDevice) {
   EXPECT_EQ(board[1].deviceLight, "red");
   EXPECT_EQ(board[1].deviceProblemJson, "[\"cable\"]");
   EXPECT_EQ(board[1].deviceCheckedUtc_us, kSampleTime_us);
-  stations.heartbeat(
+  stations().heartbeat(
       {.station = "room 1", .heartbeatUtc_us = 2, .deviceJson = "[\"Touch\"]", .deviceLight = "green"});
-  EXPECT_EQ(stationOnBoard(connection, "room 1")->deviceLight, "green");
-  EXPECT_EQ(stationOnBoard(connection, "room 1")->deviceProblemJson, "");
-  EXPECT_EQ(faultFrom([&] { stations.heartbeat({.station = "c", .deviceLight = "purple"}); }),
+  EXPECT_EQ(stationOnBoard(connection(), "room 1")->deviceLight, "green");
+  EXPECT_EQ(stationOnBoard(connection(), "room 1")->deviceProblemJson, "");
+  EXPECT_EQ(faultFrom([&] { stations().heartbeat({.station = "c", .deviceLight = "purple"}); }),
             DbFault::kCheck);
 }
 

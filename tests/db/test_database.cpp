@@ -56,6 +56,7 @@ void DatabaseTest::SetUp() {
 }
 
 void DatabaseTest::TearDown() {
+  connection_.reset();
   if (schema_.empty()) {
     return;
   }
@@ -70,6 +71,10 @@ Connection DatabaseTest::open(int busyTimeout_ms) const {
 
 Connection DatabaseTest::openWithSchema() const {
   return openRecord(locator_, OpenMode::kCreate, {.softwareVersion = "test"});
+}
+
+Connection& DatabaseTest::connection() {
+  return connection_ ? *connection_ : connection_.emplace(openWithSchema());
 }
 
 std::int64_t numberFrom(Connection& connection, const std::string& sql) {

@@ -38,11 +38,14 @@ class DatabaseTest : public ::testing::Test {
   [[nodiscard]] Connection open(int busyTimeout_ms = kBusyTimeout_ms) const;
   /// Opens it with the complete schema.
   [[nodiscard]] Connection openWithSchema() const;
+  /// The test's own connection, opened with the complete schema at the first call.
+  [[nodiscard]] Connection& connection();
 
  private:
   std::optional<TemporaryFolder> folder_;
   std::string locator_;
   std::string schema_;
+  std::optional<Connection> connection_;
 };
 
 /// Returns the number in the first column of the first row.

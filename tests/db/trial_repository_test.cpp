@@ -19,7 +19,6 @@
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
@@ -59,7 +58,7 @@ void expectSameChunk(const TrialChunk& a, const TrialChunk& b) {
   EXPECT_EQ(a.outputDigest, b.outputDigest);
 }
 
-class TrialRepositoryTest : public DatabaseTest {
+class TrialRepositoryTest : public SampleTest {
  protected:
   /// Records `chunks` seconds; `cut`: without finishing.
   static void record(TrialSink& sink, const TrialHeader& header, std::int64_t chunks, bool cut = false) {
@@ -74,10 +73,8 @@ class TrialRepositoryTest : public DatabaseTest {
 };
 
 TEST_F(TrialRepositoryTest, ReturnsATrialBitForBit) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
-  TrialRepository trials(connection, {"station-1", sample.enrolments[0].id});
+  const TrialHeader header = sampleHeader(sample().ids.newUuid(), "T-01");
+  TrialRepository trials(connection(), {"station-1", sample().enrolments[0].id});
 
   record(trials, header, 3);
 
@@ -96,11 +93,9 @@ TEST_F(TrialRepositoryTest, ReturnsATrialBitForBit) {
 }
 
 TEST_F(TrialRepositoryTest, StoresAndSealsTheServosTiming) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  TrialRepository trials(connection, {"station-1", sample.enrolments[0].id});
-  const TrialHeader uneven = sampleHeader(sample.ids.newUuid(), "T-01");
-  const TrialHeader scripted = sampleHeader(sample.ids.newUuid(), "T-01");
+  TrialRepository trials(connection(), {"station-1", sample().enrolments[0].id});
+  const TrialHeader uneven = sampleHeader(sample().ids.newUuid(), "T-01");
+  const TrialHeader scripted = sampleHeader(sample().ids.newUuid(), "T-01");
   const ServoHealth health{.priority = false, .memory = true, .skippedTicks = 12, .forceCuts = 3};
 
   record(trials, scripted, 1);
@@ -109,30 +104,29 @@ TEST_F(TrialRepositoryTest, StoresAndSealsTheServosTiming) {
 
   EXPECT_EQ(trials.load(uneven.trialId).summary.health, health);
   EXPECT_FALSE(trials.load(scripted.trialId).summary.health.has_value());
-  StationRepository stations(connection);
+  StationRepository stations(connection());
   stations.heartbeat({.station = "station-1", .heartbeatUtc_us = 1});
   stations.heartbeat({.station = "station-2", .heartbeatUtc_us = 1});
   EXPECT_EQ(stations.board().at(0).lastHealth, health);
   EXPECT_EQ(stations.board().at(0).lastTicks, 1000);
   EXPECT_FALSE(stations.board().at(1).lastHealth.has_value());
   const auto sealOf = [&] {
-    return trialHashes(connection, std::span(&uneven.trialId, 1)).at(uneven.trialId);
+    return trialHashes(connection(), std::span(&uneven.trialId, 1)).at(uneven.trialId);
   };
   const std::string seal = sealOf();
-  connection.executeVerbatim(onPostgresql() ? "DROP TRIGGER trial_end_append_only ON trial_end"
-                                            : "DROP TRIGGER trial_end_no_UPDATE");
+  connection().executeVerbatim(onPostgresql() ? "DROP TRIGGER trial_end_append_only ON trial_end"
+                                              : "DROP TRIGGER trial_end_no_UPDATE");
   for (const char* const change : {"force_cuts = 2", "skipped_ticks = 11", "real_time_priority = TRUE"}) {
-    Transaction undone(connection);
-    connection.executeVerbatim(std::string("UPDATE trial_end SET ") + change + " WHERE force_cuts = 3");
+    Transaction undone(connection());
+    connection().executeVerbatim(std::string("UPDATE trial_end SET ") + change + " WHERE force_cuts = 3");
     EXPECT_NE(sealOf(), seal) << change;
   }
 }
 
 TEST_F(TrialRepositoryTest, RecordsAnonymousPractice) {
-  Connection connection = openWithSchema();
   SeededIdSource ids(1);
   const TrialHeader header = sampleHeader(ids.newUuid(), "");
-  TrialRepository trials(connection, {"station-1", ""});
+  TrialRepository trials(connection(), {"station-1", ""});
 
   record(trials, header, 1);
 
@@ -140,9 +134,8 @@ TEST_F(TrialRepositoryTest, RecordsAnonymousPractice) {
 }
 
 TEST_F(TrialRepositoryTest, RejectsAnUnknownTrainee) {
-  Connection connection = openWithSchema();
   SeededIdSource ids(1);
-  TrialRepository trials(connection);
+  TrialRepository trials(connection());
 
   const Refusal refusal = refusalFrom([&] { trials.begin(sampleHeader(ids.newUuid(), "T-77")); });
 
@@ -152,11 +145,9 @@ TEST_F(TrialRepositoryTest, RejectsAnUnknownTrainee) {
 }
 
 TEST_F(TrialRepositoryTest, FindsOnlyTheInterruptedTrialsOfItsStation) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string mine = sample.ids.newUuid();
-  const std::string theirs = sample.ids.newUuid();
-  const std::string done = sample.ids.newUuid();
+  const std::string mine = sample().ids.newUuid();
+  const std::string theirs = sample().ids.newUuid();
+  const std::string done = sample().ids.newUuid();
   {
     Connection recorder = open();
     TrialRepository first(recorder, {"station-1", ""});
@@ -166,7 +157,7 @@ TEST_F(TrialRepositoryTest, FindsOnlyTheInterruptedTrialsOfItsStation) {
     record(second, sampleHeader(theirs, "T-01"), 2, true);
     record(third, sampleHeader(done, "T-01"), 2);
   }
-  TrialRepository trials(connection);
+  TrialRepository trials(connection());
 
   const std::vector<TrialListing> found = trials.unfinished("station-1");
 
@@ -190,18 +181,17 @@ TEST_F(TrialRepositoryTest, FindsOnlyTheInterruptedTrialsOfItsStation) {
 }
 
 TEST_F(TrialRepositoryTest, ListsTheNewestFirstWithFilters) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 2);
+  SampleRecord sample(connection(), 2);
   std::vector<std::string> ids;
   for (int i = 0; i < 4; ++i) {
     TrialHeader header = sampleHeader(sample.ids.newUuid(), i % 2 == 0 ? "T-01" : "T-02");
     header.startedUtc_us += i;
     header.sceneId = i < 2 ? "forearm" : "stomach";
     ids.push_back(header.trialId);
-    TrialRepository trials(connection, {"s", sample.enrolments[static_cast<std::size_t>(i % 2)].id});
+    TrialRepository trials(connection(), {"s", sample.enrolments[static_cast<std::size_t>(i % 2)].id});
     record(trials, header, 1, i == 3);
   }
-  TrialRepository trials(connection);
+  TrialRepository trials(connection());
 
   EXPECT_EQ(trials.list().size(), 4U);
   EXPECT_EQ(trials.list()[0].trialId, ids[3]);
@@ -215,20 +205,19 @@ TEST_F(TrialRepositoryTest, ListsTheNewestFirstWithFilters) {
 }
 
 TEST_F(TrialRepositoryTest, RecordedDataAreImmutable) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  TrialRepository trials(connection);
-  const std::string id = sample.ids.newUuid();
+  TrialRepository trials(connection());
+  const std::string id = sample().ids.newUuid();
   record(trials, sampleHeader(id, "T-01"), 2);
 
   for (const std::string table : {"trial", "trial_chunk", "trial_end"}) {
-    EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM " + table); }), DbFault::kAppendOnly) << table;
+    EXPECT_EQ(faultFrom([&] { connection().execute("DELETE FROM " + table); }), DbFault::kAppendOnly)
+        << table;
   }
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial_chunk SET bytes = ?", {Blob{}}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE trial_chunk SET bytes = ?", {Blob{}}); }),
             DbFault::kAppendOnly);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial SET organ_hash = ?", {""}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE trial SET organ_hash = ?", {""}); }),
             DbFault::kAppendOnly);
-  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial_end SET outcome = ?", {"interrupted"}); }),
+  EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE trial_end SET outcome = ?", {"interrupted"}); }),
             DbFault::kAppendOnly);
   EXPECT_EQ(trials.load(id).chunks.size(), 2U);
 }
@@ -237,13 +226,11 @@ TEST_F(TrialRepositoryTest, ReplacingARowIsAChangeToo) {
   if (onPostgresql()) {
     GTEST_SKIP() << "REPLACE is a word of SQLite";
   }
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  TrialRepository trials(connection);
-  record(trials, sampleHeader(sample.ids.newUuid(), "T-01"), 1);
+  TrialRepository trials(connection());
+  record(trials, sampleHeader(sample().ids.newUuid(), "T-01"), 1);
 
   EXPECT_EQ(faultFrom([&] {
-              connection.execute(
+              connection().execute(
                   "INSERT OR REPLACE INTO trial_chunk SELECT trial_id, chunk_index, 7,"
                   " sample_count, digest, output_digest, stored_utc_us, bytes FROM trial_chunk");
             }),
@@ -251,33 +238,29 @@ TEST_F(TrialRepositoryTest, ReplacingARowIsAChangeToo) {
 }
 
 TEST_F(TrialRepositoryTest, StoresRepeatedDataOnceAfterALostAnswer) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
+  const TrialHeader header = sampleHeader(sample().ids.newUuid(), "T-01");
   const TrialSummary summary{1000, 3, 2, TrialOutcome::kCompleted, "hash"};
-  const TrialContext context{"station-1", sample.enrolments[0].id};
-  TrialRepository(connection, context).begin(header);
+  const TrialContext context{"station-1", sample().enrolments[0].id};
+  TrialRepository(connection(), context).begin(header);
 
-  TrialRepository again(connection, context);
+  TrialRepository again(connection(), context);
   again.begin(header);
   again.append(sampleChunk(0, 100));
   again.append(sampleChunk(0, 100));
   again.finish(summary);
-  TrialRepository late(connection, context);
+  TrialRepository late(connection(), context);
   late.resume(header.trialId);
   late.finish(summary);
 
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial"), 1);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_chunk"), 1);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_end"), 1);
-  EXPECT_EQ(AuditRepository(connection).count(0), 1);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM trial"), 1);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM trial_chunk"), 1);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM trial_end"), 1);
+  EXPECT_EQ(AuditRepository(connection()).count(0), 1);
 }
 
 TEST_F(TrialRepositoryTest, RejectsTheSameIdWithOtherContent) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
-  TrialRepository trials(connection);
+  TrialHeader header = sampleHeader(sample().ids.newUuid(), "T-01");
+  TrialRepository trials(connection());
   trials.begin(header);
   trials.append(sampleChunk(0, 100));
   trials.append(sampleChunk(1, 100));
@@ -291,16 +274,16 @@ TEST_F(TrialRepositoryTest, RejectsTheSameIdWithOtherContent) {
       std::string::npos)
       << refusal.text;
   trials.finish({2000, 0, 0, TrialOutcome::kCompleted, "hash"});
-  TrialRepository late(connection);
+  TrialRepository late(connection());
   late.resume(header.trialId);
   EXPECT_EQ(faultFrom([&] {
               late.finish({2000, 0, 1, TrialOutcome::kCompleted, "hash"});
             }),
             DbFault::kUnique);
   header.sceneId = "stomach";
-  TrialRepository another(connection);
+  TrialRepository another(connection());
   EXPECT_EQ(faultFrom([&] { another.begin(header); }), DbFault::kUnique);
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_chunk"), 2);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM trial_chunk"), 2);
 }
 
 /// A trial with valid digests, as in a spill file.
@@ -316,30 +299,26 @@ Trial wholeTrial(const std::string& id, std::int64_t chunks) {
 }
 
 TEST_F(TrialRepositoryTest, AFileCompletesItsTrialInTheDatabase) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Trial trial = wholeTrial(sample.ids.newUuid(), 3);
-  TrialRepository recording(connection, {"station-1", sample.enrolments[0].id});
+  const Trial trial = wholeTrial(sample().ids.newUuid(), 3);
+  TrialRepository recording(connection(), {"station-1", sample().enrolments[0].id});
   recording.begin(trial.header);
   recording.append(trial.chunks[0]);
 
-  TrialRepository trials(connection, {"station-2", ""});
+  TrialRepository trials(connection(), {"station-2", ""});
   trials.import(trial);
   trials.import(trial);
 
   EXPECT_EQ(trials.load(trial.header.trialId).chunks.size(), 3U);
-  EXPECT_EQ(trials.context(trial.header.trialId)->enrolmentId, sample.enrolments[0].id);
-  EXPECT_EQ(AuditRepository(connection).count(0), 1);
+  EXPECT_EQ(trials.context(trial.header.trialId)->enrolmentId, sample().enrolments[0].id);
+  EXPECT_EQ(AuditRepository(connection()).count(0), 1);
 }
 
 TEST_F(TrialRepositoryTest, AFileOfATrialClosedWithoutItIsRefused) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const Trial trial = wholeTrial(sample.ids.newUuid(), 3);
-  TrialRepository recording(connection, {"station-1", ""});
+  const Trial trial = wholeTrial(sample().ids.newUuid(), 3);
+  TrialRepository recording(connection(), {"station-1", ""});
   recording.begin(trial.header);
   recording.append(trial.chunks[0]);
-  TrialRepository trials(connection, {"station-1", ""});
+  TrialRepository trials(connection(), {"station-1", ""});
   ASSERT_EQ(trials.closeInterrupted("station-1", INT64_MAX).size(), 1U);
 
   EXPECT_EQ(faultFrom([&] { trials.import(trial); }), DbFault::kUnique);
@@ -348,9 +327,7 @@ TEST_F(TrialRepositoryTest, AFileOfATrialClosedWithoutItIsRefused) {
 }
 
 TEST_F(TrialRepositoryTest, StoresPurposeAndMachineOfATrial) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  CurriculumRepository(connection).addCurriculum({"c", "Twist", "", kSampleTime_us, true});
+  CurriculumRepository(connection()).addCurriculum({"c", "Twist", "", kSampleTime_us, true});
   CurriculumVersion version;
   version.id = "v";
   version.curriculumId = "c";
@@ -365,15 +342,15 @@ TEST_F(TrialRepositoryTest, StoresPurposeAndMachineOfATrial) {
   arm.code = "A1";
   arm.phases = {{"p", PhaseKind::kVirtual, "first", 60, "m"}};
   version.arms = {arm};
-  CurriculumRepository(connection).addVersion(version, "admin");
+  CurriculumRepository(connection()).addVersion(version, "admin");
   const TrialContext context{.station = "station-1",
-                             .enrolmentId = sample.enrolments[0].id,
+                             .enrolmentId = sample().enrolments[0].id,
                              .moduleId = "m",
                              .phaseId = "p",
                              .attemptMode = AttemptMode::kGraded,
                              .host = {"pc-7", "Debian 12", "Core i5", "Arc A380"}};
-  const std::string id = sample.ids.newUuid();
-  TrialRepository trials(connection, context);
+  const std::string id = sample().ids.newUuid();
+  TrialRepository trials(connection(), context);
 
   record(trials, sampleHeader(id, "T-01"), 1);
 
@@ -387,10 +364,9 @@ TEST_F(TrialRepositoryTest, StoresPurposeAndMachineOfATrial) {
 }
 
 TEST_F(TrialRepositoryTest, RejectsAnUnknownMode) {
-  Connection connection = openWithSchema();
   const auto modeOf = [&](const char* sql) {
-    return selectFirst(connection, sql, {},
-                       [](RowReader& row) { return readMaybeTerm<AttemptMode>(row, "attempt_mode"); });
+    return selectFirst(connection(), sql, {},
+                       [](RowReader& row) { return readMaybeTerm<AttemptMode>(row); });
   };
 
   EXPECT_EQ(modeOf("SELECT CAST('graded' AS TEXT)").value(), AttemptMode::kGraded);
@@ -400,15 +376,13 @@ TEST_F(TrialRepositoryTest, RejectsAnUnknownMode) {
 }
 
 TEST_F(TrialRepositoryTest, LoadsSeveralTrialsAtOnceLikeSingleOnes) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
   std::vector<TrialId> ids;
   for (int seconds : {2, 0, 3, 1}) {
-    ids.emplace_back(sample.ids.newUuid());
-    TrialRepository trials(connection, {"station-1", ""});
+    ids.emplace_back(sample().ids.newUuid());
+    TrialRepository trials(connection(), {"station-1", ""});
     record(trials, sampleHeader(ids.back(), "T-01"), seconds, seconds == 3);
   }
-  TrialLoader loader(connection);
+  TrialLoader loader(connection());
 
   const std::vector<Trial> loaded = loader.load(ids);
 
@@ -432,44 +406,37 @@ TEST_F(TrialRepositoryTest, LoadsSeveralTrialsAtOnceLikeSingleOnes) {
 }
 
 TEST_F(TrialRepositoryTest, ThrowsForAnUnknownTrial) {
-  Connection connection = openWithSchema();
-  EXPECT_EQ(refusalFrom([&] { (void)TrialRepository(connection).load("none"); }).code, ErrorCode::kBadData);
-  EXPECT_FALSE(TrialRepository(connection).find("none").has_value());
+  EXPECT_EQ(refusalFrom([&] { (void)TrialRepository(connection()).load("none"); }).code, ErrorCode::kBadData);
+  EXPECT_FALSE(TrialRepository(connection()).find("none").has_value());
 }
 
 TEST_F(TrialRepositoryTest, StoresAThousandSeconds) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string id = sample.ids.newUuid();
-  TrialRepository trials(connection);
+  const std::string id = sample().ids.newUuid();
+  TrialRepository trials(connection());
 
   record(trials, sampleHeader(id, "T-01"), 1000);
 
-  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_chunk"), 1000);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM trial_chunk"), 1000);
   EXPECT_EQ(trials.load(id).summary.samples, 1'000'000);
 }
 
 TEST_F(TrialRepositoryTest, RecordsFromItsOwnThread) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string id = sample.ids.newUuid();
+  const std::string id = sample().ids.newUuid();
   OwnConnectionTrialSink sink(locator(), {"station-1", ""});
 
   std::thread recorder([&] { record(sink, sampleHeader(id, "T-01"), 5); });
   recorder.join();
 
-  EXPECT_EQ(TrialRepository(connection).load(id).chunks.size(), 5U);
+  EXPECT_EQ(TrialRepository(connection()).load(id).chunks.size(), 5U);
 }
 
 TEST_F(TrialRepositoryTest, ASinkDestroyedInAnotherThreadLeavesAnInterruptedTrial) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
   {
     OwnConnectionTrialSink sink(locator(), {"station-1", ""});
-    std::thread recorder([&] { record(sink, sampleHeader(sample.ids.newUuid(), "T-01"), 2, true); });
+    std::thread recorder([&] { record(sink, sampleHeader(sample().ids.newUuid(), "T-01"), 2, true); });
     recorder.join();
   }
-  EXPECT_EQ(TrialRepository(connection).unfinished("station-1").size(), 1U);
+  EXPECT_EQ(TrialRepository(connection()).unfinished("station-1").size(), 1U);
 }
 
 }  // namespace

@@ -3,34 +3,24 @@
 
 #include <array>
 
-#include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
+#include "db/repository/base/row_columns.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr const char* kColumns =
+constexpr auto kEntry = rowColumns<AuditEntry>(
+    "audit_entry",
     "sequence, at_utc_us, actor, station, action, object_kind, object_id, old_json, new_json, reason,"
-    " object_hash, previous_hash, entry_hash";
+    " object_hash, previous_hash, entry_hash",
+    &AuditEntry::sequence, &AuditEntry::atUtc_us, &AuditEntry::actor, &AuditEntry::station,
+    &AuditEntry::action, &AuditEntry::objectKind, &AuditEntry::objectId, &AuditEntry::oldJson,
+    &AuditEntry::newJson, &AuditEntry::reason, &AuditEntry::objectHash, &AuditEntry::previousHash,
+    &AuditEntry::entryHash);
+const std::string kSelectEntries = kEntry.select("n") + " FROM audit_entry n";
 constexpr const char* kInTime = " WHERE at_utc_us >= ? AND at_utc_us <= ?";
 constexpr const char* kActs = " AND action <> 'record.seal'";  // seals of rows are nobody's acts
-
-AuditEntry entryOf(RowReader& row) {
-  return {.sequence = row.int64(),
-          .atUtc_us = row.int64(),
-          .actor = row.text(),
-          .station = row.text(),
-          .action = row.text(),
-          .objectKind = row.text(),
-          .objectId = row.text(),
-          .oldJson = row.text(),
-          .newJson = row.text(),
-          .reason = row.text(),
-          .objectHash = row.text(),
-          .previousHash = row.text(),
-          .entryHash = row.text()};
-}
 
 /// Returns the entry that `added` becomes after `previous`, without its own hash.
 AuditEntry following(const NewAuditEntry& added, std::int64_t sequence, const std::string& previous) {
@@ -71,13 +61,11 @@ std::int64_t AuditRepository::append(std::span<const NewAuditEntry> entries) {
     connection_.executeVerbatim("SELECT pg_advisory_xact_lock(1414484563, hashtext(current_schema()::text))");
   }
   auto [sequence, previous] = head();
-  Statement insert = connection_.prepare(insertInto("audit_entry", kColumns));
+  Statement insert = connection_.prepare(kEntry.insert());
   for (const NewAuditEntry& added : entries) {
     AuditEntry entry = following(added, ++sequence, previous);
     entry.entryHash = auditHash(entry);
-    insert.execute({entry.sequence, entry.atUtc_us, entry.actor, entry.station, entry.action,
-                    entry.objectKind, entry.objectId, entry.oldJson, entry.newJson, entry.reason,
-                    entry.objectHash, entry.previousHash, entry.entryHash});
+    insert.execute(kEntry.values(entry));
     previous = entry.entryHash;
   }
   transaction.commit();
@@ -100,18 +88,14 @@ std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
   }
   where += kActs;
   values.emplace_back(filter.limit);
-  return selectAll(
-      connection_,
-      std::string("SELECT ") + kColumns + " FROM audit_entry" + where + " ORDER BY sequence DESC LIMIT ?",
-      values, entryOf);
+  return selectAll(connection_, kSelectEntries + where + " ORDER BY sequence DESC LIMIT ?", values, kEntry);
 }
 
 void AuditRepository::forEach(const std::function<void(const AuditEntry&)>& take) const {
-  Statement entries =
-      connection_.prepare(std::string("SELECT ") + kColumns + " FROM audit_entry ORDER BY sequence");
+  Statement entries = connection_.prepare(kSelectEntries + " ORDER BY sequence");
   entries.execute();
   while (entries.step()) {
-    take(readRow(entries, entryOf));
+    take(readRow(entries, kEntry));
   }
 }
 

@@ -113,12 +113,12 @@ std::string selectFacts(LearningEventKind kind) {
 }
 
 LearningEvent eventOf(RowReader& row) {
-  return {.kind = readTerm<LearningEventKind>(row, "kind"),
+  return {.kind = readTerm<LearningEventKind>(row),
           .objectId = row.text(),
           .personId = row.text(),
           .happenedUtc_us = row.int64(),
           .statement = row.text(),
-          .state = readTerm<LearningEventState>(row, "state"),
+          .state = readTerm<LearningEventState>(row),
           .tries = row.int64(),
           .nextTryUtc_us = row.int64(),
           .answer = row.text(),
@@ -194,7 +194,7 @@ LearningEventCounts LearningRepository::counts() const {
   statement.execute();
   while (statement.step()) {
     RowReader row(statement);
-    const auto state = readTerm<LearningEventState>(row, "state");
+    const auto state = readTerm<LearningEventState>(row);
     const std::int64_t count = row.int64();
     (state == LearningEventState::kWaiting     ? counts.waiting
      : state == LearningEventState::kDelivered ? counts.delivered

@@ -23,28 +23,26 @@ template <typename TermValue>
   return value ? Value(storedText(*value)) : Value();
 }
 
-/// Reads a nullable term column. `column`: its name, for the message. Throws DbError (kCheck) for an unknown
-/// text.
+/// Reads a nullable term column. Throws DbError (kCheck) for an unknown text.
 template <typename TermValue>
-[[nodiscard]] std::optional<TermValue> readMaybeTerm(RowReader& row, const std::string& column) {
+[[nodiscard]] std::optional<TermValue> readMaybeTerm(RowReader& row) {
   const std::optional<std::string> stored = row.maybeText();
   if (!stored) {
     return std::nullopt;
   }
   const std::optional<TermValue> value = fromStoredText<TermValue>(*stored);
   if (!value) {
-    refuseStoredTerm(column, *stored);
+    refuseStoredTerm(row.lastName(), *stored);
   }
   return value;
 }
 
-/// Reads a term column. `column`: its name, for the message. Throws DbError (kCheck) for null and for an
-/// unknown text.
+/// Reads a term column. Throws DbError (kCheck) for null and for an unknown text.
 template <typename TermValue>
-[[nodiscard]] TermValue readTerm(RowReader& row, const std::string& column) {
-  const std::optional<TermValue> value = readMaybeTerm<TermValue>(row, column);
+[[nodiscard]] TermValue readTerm(RowReader& row) {
+  const std::optional<TermValue> value = readMaybeTerm<TermValue>(row);
   if (!value) {
-    refuseStoredTerm(column, "");
+    refuseStoredTerm(row.lastName(), "");
   }
   return *value;
 }

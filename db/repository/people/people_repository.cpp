@@ -4,18 +4,19 @@
 #include <cstdint>
 
 #include "assessment/domain/ids.h"
-#include "db/connection/row_reader.h"
-#include "db/repository/base/stored_term.h"
+#include "db/repository/base/row_columns.h"
 
 namespace torsio {
 
 namespace {
 
-const std::string kPersonColumns =
-    "p.id, p.code, p.sex, p.level, p.experience, p.age_years, p.state, p.created_utc_us, p.demonstration";
+constexpr auto kPerson = rowColumns<Person>(
+    "person", "id, code, sex, level, experience, age_years, state, created_utc_us, demonstration",
+    &Person::id, &Person::code, OrNull{&Person::sex}, OrNull{&Person::level}, OrNull{&Person::experience},
+    &Person::age_years, &Person::state, &Person::createdUtc_us, &Person::demonstration);
 const std::string kTrainees =
-    "SELECT " + kPersonColumns + ", t.handedness FROM trainee t JOIN person p ON p.id = t.person_id";
-const std::string kRaters = "SELECT " + kPersonColumns +
+    kPerson.select("p") + ", t.handedness FROM trainee t JOIN person p ON p.id = t.person_id";
+const std::string kRaters = kPerson.select("p") +
                             ", r.class_code FROM rater r JOIN person p ON p.id = r.person_id"
                             " JOIN rater_class c ON c.code = r.class_code";
 const std::string kIdentities = "SELECT person_id, full_name, email, external_id FROM person_identity";
@@ -23,35 +24,12 @@ const std::string kConsents =
     "SELECT c.person_id, c.purpose, c.granted, c.text_version, c.decided_utc_us, c.recorded_by,"
     " c.demonstration, c.form, c.signed_utc_us FROM consent c";
 
-Statement preparePersonInsert(Connection& connection) {
-  return connection.prepare(insertInto(
-      "person", "id, code, sex, level, experience, age_years, state, created_utc_us, demonstration"));
-}
-
-void insertPerson(Statement& insert, const Person& person) {
-  insert.execute({person.id, person.code, textOrNull(person.sex), textOrNull(person.level),
-                  textOrNull(person.experience), person.age_years, storedText(person.state),
-                  person.createdUtc_us, person.demonstration});
-}
-
-Person personOf(RowReader& row) {
-  return {.id = row.text(),
-          .code = row.text(),
-          .sex = row.text(),
-          .level = row.text(),
-          .experience = row.text(),
-          .age_years = row.maybeInt64(),
-          .state = readTerm<PersonState>(row, "state"),
-          .createdUtc_us = row.int64(),
-          .demonstration = row.boolean()};
-}
-
 Trainee traineeOf(RowReader& row) {
-  return {.person = personOf(row), .handedness = row.text()};
+  return {.person = kPerson(row), .handedness = row.text()};
 }
 
 Rater raterOf(RowReader& row) {
-  return {.person = personOf(row), .classCode = row.text()};
+  return {.person = kPerson(row), .classCode = row.text()};
 }
 
 Identity identityOf(RowReader& row) {
@@ -66,7 +44,7 @@ ConsentDecision consentOf(RowReader& row) {
           .decidedUtc_us = row.int64(),
           .recordedBy = row.text(),
           .demonstration = row.boolean(),
-          .form = readTerm<ConsentForm>(row, "form"),
+          .form = readTerm<ConsentForm>(row),
           .signedUtc_us = row.maybeInt64().value_or(0)};
 }
 
@@ -90,10 +68,10 @@ std::vector<SeniorityClass> PeopleRepository::raterClasses() const {
 
 void PeopleRepository::addTrainees(std::span<const Trainee> trainees) {
   Transaction transaction(connection_);
-  Statement person = preparePersonInsert(connection_);
+  Statement person = connection_.prepare(kPerson.insert());
   Statement part = connection_.prepare(insertInto("trainee", "person_id, handedness"));
   for (const Trainee& trainee : trainees) {
-    insertPerson(person, trainee.person);
+    person.execute(kPerson.values(trainee.person));
     part.execute({trainee.person.id, textOrNull(trainee.handedness)});
   }
   transaction.commit();
@@ -101,9 +79,9 @@ void PeopleRepository::addTrainees(std::span<const Trainee> trainees) {
 
 void PeopleRepository::addRaters(std::span<const Rater> raters) {
   Transaction transaction(connection_);
-  Statement person = preparePersonInsert(connection_);
+  Statement person = connection_.prepare(kPerson.insert());
   for (const Rater& rater : raters) {
-    insertPerson(person, rater.person);
+    person.execute(kPerson.values(rater.person));
     makeRater(rater.person.id, rater.classCode);
   }
   transaction.commit();
@@ -134,8 +112,7 @@ void PeopleRepository::setRaterClass(const PersonId& personId, const std::string
 }
 
 std::optional<Person> PeopleRepository::find(const PersonId& personId) const {
-  return selectFirst(connection_, "SELECT " + kPersonColumns + " FROM person p WHERE p.id = ?", {personId},
-                     personOf);
+  return selectFirst(connection_, kPerson.select("p") + " FROM person p WHERE p.id = ?", {personId}, kPerson);
 }
 
 std::vector<std::string> PeopleRepository::codes() const {

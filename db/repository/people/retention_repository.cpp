@@ -7,9 +7,8 @@
 #include <string_view>
 
 #include "assessment/domain/ids.h"
-#include "db/connection/row_reader.h"
 #include "db/repository/base/id_source.h"
-#include "db/repository/base/stored_term.h"
+#include "db/repository/base/row_columns.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
@@ -82,7 +81,7 @@ std::optional<std::int64_t> since(const Activity& activity, std::string_view cat
 
 RetentionHold holdOf(RowReader& row) {
   return {.personId = row.text(),
-          .kind = readTerm<HoldKind>(row, "kind"),
+          .kind = readTerm<HoldKind>(row),
           .untilUtc_us = row.maybeInt64(),
           .reason = row.text(),
           .decidedBy = row.text(),
@@ -210,8 +209,8 @@ std::vector<PersonRequest> RequestRepository::all() const {
       " r.answered_utc_us, p.code FROM person_request r JOIN person p ON p.id = r.person_id"
       " ORDER BY r.asked_utc_us DESC, r.id",
       {}, [](RowReader& row) {
-        PersonRequest request{row.text(), row.text(), readTerm<PersonRequestKind>(row, "kind"), row.int64()};
-        request.answer = readMaybeTerm<PersonRequestAnswer>(row, "answer");
+        PersonRequest request{row.text(), row.text(), readTerm<PersonRequestKind>(row), row.int64()};
+        request.answer = readMaybeTerm<PersonRequestAnswer>(row);
         request.reason = row.text();
         request.answeredUtc_us = row.maybeInt64().value_or(0);
         request.personCode = row.text();
@@ -221,45 +220,35 @@ std::vector<PersonRequest> RequestRepository::all() const {
 
 namespace {
 
-constexpr const char* kListed =
-    "SELECT c.kind, c.place, c.station, c.person_id, c.made_utc_us, c.id FROM record_copy c"
-    " WHERE c.gone_utc_us IS NULL";
-
-RecordCopy copyOf(RowReader& row) {
-  return {.kind = readTerm<CopyKind>(row, "record_copy.kind"),
-          .place = row.text(),
-          .station = row.text(),
-          .personId = row.text(),
-          .madeUtc_us = row.int64(),
-          .id = row.text()};
-}
+constexpr auto kCopy = rowColumns<RecordCopy>(
+    "record_copy", "id, kind, place, station, person_id, made_utc_us", &RecordCopy::id, &RecordCopy::kind,
+    &RecordCopy::place, &RecordCopy::station, OrNull{&RecordCopy::personId}, &RecordCopy::madeUtc_us);
+const std::string kListed = kCopy.select("c") + " FROM record_copy c WHERE c.gone_utc_us IS NULL";
 
 }  // namespace
 
-std::string CopyRegister::add(const RecordCopy& copy) {
+std::string CopyRegister::add(RecordCopy copy) {
   Transaction transaction(connection_);
-  std::string id = SystemIdSource().newUuid();
+  copy.id = SystemIdSource().newUuid();
   connection_.execute(
       "UPDATE record_copy SET gone_utc_us = ? WHERE place = ? AND station = ? AND gone_utc_us IS NULL",
       {copy.madeUtc_us, copy.place, copy.station});
-  connection_.execute(
-      insertInto("record_copy", "id, kind, place, station, person_id, made_utc_us"),
-      {id, storedText(copy.kind), copy.place, copy.station, textOrNull(copy.personId), copy.madeUtc_us});
+  connection_.prepare(kCopy.insert()).execute(kCopy.values(copy));
   transaction.commit();
-  return id;
+  return copy.id;
 }
 
 std::vector<RecordCopy> CopyRegister::all() const {
-  return selectAll(connection_, std::string(kListed) + " ORDER BY c.made_utc_us DESC, c.id", {}, copyOf);
+  return selectAll(connection_, kListed + " ORDER BY c.made_utc_us DESC, c.id", {}, kCopy);
 }
 
 std::vector<RecordCopy> CopyRegister::holding(const PersonId& personId) const {
   return selectAll(connection_,
-                   std::string(kListed) +
+                   kListed +
                        " AND (c.person_id = ? OR (c.person_id IS NULL AND c.made_utc_us >="
                        " (SELECT p.created_utc_us FROM person p WHERE p.id = ?)))"
                        " ORDER BY c.made_utc_us DESC, c.id",
-                   {personId, personId}, copyOf);
+                   {personId, personId}, kCopy);
 }
 
 void CopyRegister::setGone(const std::string& id, std::int64_t utc_us) {

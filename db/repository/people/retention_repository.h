@@ -58,7 +58,7 @@ class CopyRegister {
   explicit CopyRegister(Connection& connection) : connection_(connection) {}
 
   /// Adds a copy and returns its new id. It replaces an older copy by the same station at the same place.
-  std::string add(const RecordCopy& copy);
+  std::string add(RecordCopy copy);
   /// Copies not known to be deleted, newest first.
   [[nodiscard]] std::vector<RecordCopy> all() const;
   /// Those of all() that contain this person: made since the person was added.

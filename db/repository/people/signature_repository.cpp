@@ -1,37 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/people/signature_repository.h"
 
-#include "db/connection/row_reader.h"
-#include "db/repository/base/stored_term.h"
+#include "db/repository/base/row_columns.h"
 
 namespace torsio {
 
+namespace {
+
+constexpr auto kSignature = rowColumns<Signature>(
+    "signature",
+    "object_kind, object_id, user_id, person_id, meaning, reason, signed_utc_us, password_shown_utc_us,"
+    " demonstration",
+    &Signature::kind, &Signature::objectId, &Signature::userId, OrNull{&Signature::personId},
+    &Signature::meaning, &Signature::reason, &Signature::signedUtc_us, &Signature::passwordShownUtc_us,
+    &Signature::demonstration);
+
+}  // namespace
+
 void SignatureRepository::add(const Signature& signature) {
-  connection_.execute(insertInto("signature",
-                                 "object_kind, object_id, user_id, person_id, meaning, reason, signed_utc_us,"
-                                 " password_shown_utc_us, demonstration"),
-                      {storedText(signature.kind), signature.objectId, signature.userId,
-                       textOrNull(signature.personId), storedText(signature.meaning), signature.reason,
-                       signature.signedUtc_us, signature.passwordShownUtc_us, signature.demonstration});
+  connection_.prepare(kSignature.insert()).execute(kSignature.values(signature));
 }
 
 std::map<std::string, Signature> SignatureRepository::all(SignedKind kind) const {
   std::map<std::string, Signature> found;
-  for (Signature& one : selectAll(
-           connection_,
-           "SELECT object_id, user_id, person_id, meaning, reason, signed_utc_us, password_shown_utc_us,"
-           " demonstration FROM signature WHERE object_kind = ?",
-           {storedText(kind)}, [kind](RowReader& row) {
-             return Signature{.kind = kind,
-                              .objectId = row.text(),
-                              .userId = row.text(),
-                              .personId = row.text(),
-                              .meaning = readTerm<SignatureMeaning>(row, "meaning"),
-                              .reason = row.text(),
-                              .signedUtc_us = row.int64(),
-                              .passwordShownUtc_us = row.int64(),
-                              .demonstration = row.boolean()};
-           })) {
+  for (Signature& one :
+       selectAll(connection_, kSignature.select("s") + " FROM signature s WHERE s.object_kind = ?",
+                 {storedText(kind)}, kSignature)) {
     found.emplace(one.objectId, std::move(one));
   }
   return found;
@@ -51,10 +45,9 @@ std::vector<DutyRequest> DutyRepository::open(std::int64_t sinceUtc_us) const {
                    " (SELECT 1 FROM duty_decision d WHERE d.request_id = r.id)"
                    " ORDER BY r.requested_utc_us, r.id",
                    {sinceUtc_us}, [](RowReader& row) {
-                     return DutyRequest{row.text(), readTerm<DutyAct>(row, "act"),
-                                        row.text(), row.text(),
-                                        row.text(), row.text(),
-                                        row.int64()};
+                     return DutyRequest{
+                         row.text(), readTerm<DutyAct>(row), row.text(), row.text(), row.text(), row.text(),
+                         row.int64()};
                    });
 }
 

@@ -2,32 +2,27 @@
 #include "db/repository/rating/call_repository.h"
 
 #include "assessment/domain/ids.h"
-#include "db/connection/row_reader.h"
+#include "db/repository/base/row_columns.h"
 #include "sim/core/error.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr const char* kSelectCalls =
-    "SELECT c.id, c.enrolment_id, c.occasion, c.room, c.called_by, c.called_utc_us, c.ended_utc_us, "
-    "c.cancelled"
-    " FROM live_call c";
+constexpr auto kCall = rowColumns<LiveCall>(
+    "live_call", "id, enrolment_id, occasion, room, called_by, called_utc_us, ended_utc_us, cancelled",
+    &LiveCall::id, &LiveCall::enrolmentId, &LiveCall::occasionCode, &LiveCall::room, &LiveCall::calledBy,
+    &LiveCall::calledUtc_us, &LiveCall::endedUtc_us, &LiveCall::cancelled);
 
-LiveCall readCall(RowReader& row) {
-  return LiveCall{row.text(), row.text(),  row.text(),       row.text(),
-                  row.text(), row.int64(), row.maybeInt64(), row.boolean()};
-}
+const std::string kSelectCalls = kCall.select("c") + " FROM live_call c";
 
 }  // namespace
 
 void CallRepository::add(std::span<const LiveCall> calls) {
   Transaction transaction(connection_);
-  Statement insert = connection_.prepare(insertInto(
-      "live_call", "id, enrolment_id, occasion, room, called_by, called_utc_us, ended_utc_us, cancelled"));
+  Statement insert = connection_.prepare(kCall.insert());
   for (const LiveCall& call : calls) {
-    insert.execute({call.id, call.enrolmentId, call.occasionCode, call.room, call.calledBy, call.calledUtc_us,
-                    call.endedUtc_us, call.cancelled});
+    insert.execute(kCall.values(call));
   }
   transaction.commit();
 }
@@ -43,15 +38,15 @@ void CallRepository::end(const LiveCallId& callId, bool cancelled, std::int64_t 
 
 std::vector<LiveCall> CallRepository::calls(const CohortId& cohortId) const {
   return selectAll(connection_,
-                   std::string(kSelectCalls) +
+                   kSelectCalls +
                        " JOIN enrolment e ON e.id = c.enrolment_id WHERE e.cohort_id = ?"
                        " ORDER BY c.called_utc_us, c.id",
-                   {cohortId}, readCall);
+                   {cohortId}, kCall);
 }
 
 std::optional<LiveCall> CallRepository::openIn(const std::string& room) const {
-  return selectFirst(connection_, std::string(kSelectCalls) + " WHERE c.room = ? AND c.ended_utc_us IS NULL",
-                     {room}, readCall);
+  return selectFirst(connection_, kSelectCalls + " WHERE c.room = ? AND c.ended_utc_us IS NULL", {room},
+                     kCall);
 }
 
 bool CallRepository::wasCalled(const EnrolmentId& enrolmentId, const std::string& occasionCode) const {

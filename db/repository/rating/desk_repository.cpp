@@ -4,10 +4,21 @@
 #include <utility>
 
 #include "assessment/domain/ids.h"
-#include "db/connection/row_reader.h"
+#include "db/repository/base/row_columns.h"
 #include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
+
+namespace {
+
+constexpr auto kReferenceRun = rowColumns<ReferenceRun>(
+    "reference_run",
+    "trial_id, position, rubric_revision_id, panel_steps, panel_raters, set_by, set_utc_us, demonstration",
+    &ReferenceRun::trialId, &ReferenceRun::position, &ReferenceRun::rubricRevisionId,
+    &ReferenceRun::panel_steps, &ReferenceRun::panelRaters, &ReferenceRun::setBy, &ReferenceRun::setUtc_us,
+    &ReferenceRun::demonstration);
+
+}  // namespace
 
 std::optional<Assignment> DeskRepository::assignment(const AssignmentId& assignmentId) const {
   return selectFirst(connection_, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
@@ -68,7 +79,7 @@ std::optional<std::int64_t> DeskRepository::trialLength_us(const TrialId& trialI
 
 std::optional<std::string> DeskRepository::contentHash(const TrialId& trialId) const {
   return selectFirst(connection_, "SELECT content_hash FROM trial_end WHERE trial_id = ?", {trialId},
-                     [](RowReader& row) { return row.text(); });
+                     readText);
 }
 
 void DeskRepository::saveDraftViewing(const AssignmentId& assignmentId, const SheetViewing& viewing) {
@@ -116,13 +127,9 @@ std::vector<TrialId> DeskRepository::assignedTrials() const {
 
 void DeskRepository::addReferenceRuns(std::span<const ReferenceRun> runs) {
   Transaction transaction(connection_);
-  Statement insert = connection_.prepare(
-      insertInto("reference_run",
-                 "trial_id, position, rubric_revision_id, panel_steps, panel_raters, set_by, set_utc_us,"
-                 " demonstration"));
+  Statement insert = connection_.prepare(kReferenceRun.insert());
   for (const ReferenceRun& run : runs) {
-    insert.execute({run.trialId, run.position, run.rubricRevisionId, run.panel_steps, run.panelRaters,
-                    run.setBy, run.setUtc_us, run.demonstration});
+    insert.execute(kReferenceRun.values(run));
   }
   transaction.commit();
 }
@@ -139,14 +146,8 @@ std::vector<ReferenceRun> DeskRepository::allReferenceRuns() const {
 std::vector<ReferenceRun> DeskRepository::referenceRunsWhere(const char* condition) const {
   return selectAll(
       connection_,
-      std::string(
-          "SELECT r.trial_id, r.position, r.rubric_revision_id, r.panel_steps, r.panel_raters, r.set_by,"
-          " r.set_utc_us, r.demonstration FROM reference_run r") +
-          condition + " ORDER BY r.position, r.trial_id",
-      {}, [](RowReader& row) {
-        return ReferenceRun{row.text(),  row.int64(), row.text(),  row.real(),
-                            row.int64(), row.text(),  row.int64(), row.boolean()};
-      });
+      kReferenceRun.select("r") + " FROM reference_run r" + condition + " ORDER BY r.position, r.trial_id",
+      {}, kReferenceRun);
 }
 
 void DeskRepository::withdrawReferenceRun(const ReferenceWithdrawal& withdrawal) {

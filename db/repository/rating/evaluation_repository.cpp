@@ -107,12 +107,9 @@ ScoreScale scaleOf(Connection& connection, const CampaignId& campaignId) {
   refuse(Text::tr("no such evaluation campaign"), campaignId, Text::tr("Choose an existing one"));
 }
 
-/// True if the mark is already stored; throws for another mark with its id.
-bool isStored(Connection& connection, const CampaignId& campaignId, const EvaluationMark& mark) {
+/// Stores a mark; throws for another mark with its id.
+Inserted insertMark(Connection& connection, const CampaignId& campaignId, const EvaluationMark& mark) {
   using Kind = IdempotentColumn::Kind;
-  if (!selectFirst(connection, "SELECT id FROM evaluation_mark WHERE id = ?", {mark.id}, readText)) {
-    return false;
-  }
   const std::array<IdempotentColumn, 10> columns{{{"id", mark.id, Kind::kKey},
                                                   {"campaign_id", campaignId},
                                                   {"rater_id", mark.raterId},
@@ -123,8 +120,7 @@ bool isStored(Connection& connection, const CampaignId& campaignId, const Evalua
                                                   {"amend_reason", textOrNull(mark.amendReason)},
                                                   {"submitted_utc_us", mark.submittedUtc_us, Kind::kIgnored},
                                                   {"demonstration", mark.demonstration}}};
-  insertIdempotent(connection, "evaluation_mark", columns, Text::tr("this mark"));
-  return true;
+  return insertIdempotent(connection, "evaluation_mark", columns, Text::tr("this mark"));
 }
 
 }  // namespace
@@ -168,40 +164,23 @@ void EvaluationRepository::submit(const CampaignId& campaignId, std::span<const 
   }
   Transaction transaction(connection_);
   const ScoreScale scale = scaleOf(connection_, campaignId);
-  Statement insert = connection_.prepare(
-      insertInto("evaluation_mark",
-                 "id, campaign_id, rater_id, model_code, index_number, version, score_steps, amend_reason,"
-                 " submitted_utc_us, demonstration"));
-  std::vector<const EvaluationMark*> added;
+  std::vector<NewAuditEntry> entries;
   for (const EvaluationMark& mark : marks) {
     if (!isOnScale(mark.score_steps, scale)) {
       refuse(Text::tr("mark of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
              Text::tr("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),
              Text::tr("Correct the mark"));
     }
-    if (isStored(connection_, campaignId, mark)) {
-      continue;
+    if (insertMark(connection_, campaignId, mark) == Inserted::kNew) {
+      entries.push_back(
+          {.atUtc_us = mark.submittedUtc_us,
+           .actor = mark.raterId,
+           .station = station_,
+           .action = mark.version == 1 ? AuditAction::kEvaluationSubmit : AuditAction::kEvaluationAmend,
+           .objectKind = AuditObject::kEvaluationMark,
+           .objectId = mark.id,
+           .reason = mark.amendReason});
     }
-    insert.execute({mark.id, campaignId, mark.raterId, mark.modelCode, mark.indexNumber, mark.version,
-                    mark.score_steps, textOrNull(mark.amendReason), mark.submittedUtc_us,
-                    mark.demonstration});
-    added.push_back(&mark);
-  }
-  if (added.empty()) {
-    transaction.commit();
-    return;
-  }
-  std::vector<NewAuditEntry> entries;
-  for (const EvaluationMark* mark : added) {
-    NewAuditEntry entry{
-        .atUtc_us = mark->submittedUtc_us,
-        .actor = mark->raterId,
-        .station = station_,
-        .action = mark->version == 1 ? AuditAction::kEvaluationSubmit : AuditAction::kEvaluationAmend,
-        .objectKind = AuditObject::kEvaluationMark,
-        .objectId = mark->id,
-        .reason = mark->amendReason};
-    entries.push_back(entry);
   }
   AuditRepository(connection_).append(entries);
   transaction.commit();

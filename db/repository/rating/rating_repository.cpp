@@ -2,7 +2,6 @@
 #include "db/repository/rating/rating_repository.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <tuple>
 #include <unordered_map>
@@ -10,42 +9,27 @@
 
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/audit_entry.h"
-#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
-#include "db/repository/base/insert_idempotent.h"
-#include "db/repository/base/stored_term.h"
+#include "db/repository/base/row_columns.h"
 #include "sim/core/error.h"
 
 namespace torsio {
 
 namespace {
 
-const std::string kMarkColumns =
-    "SELECT m.id, m.enrolment_id, m.rater_id, m.occasion, m.version, m.trial_id, m.score_steps,"
-    " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment,"
-    " m.assignment_id, m.amend_reason, m.submitted_utc_us, m.demonstration";
-
-/// Reads a mark without the codes of its people.
-SubmittedMark markOf(RowReader& row) {
-  return {.id = row.text(),
-          .enrolmentId = row.text(),
-          .raterId = row.text(),
-          .occasionCode = row.text(),
-          .version = row.int64(),
-          .trialId = row.text(),
-          .score_steps = row.maybeInt64(),
-          .scale = {row.int64(), row.int64(), row.int64()},
-          .notAssessableReason = row.text(),
-          .comment = row.text(),
-          .assignmentId = row.text(),
-          .rows = {},
-          .amendReason = row.text(),
-          .submittedUtc_us = row.int64(),
-          .demonstration = row.boolean()};
-}
+constexpr auto kMark = rowColumns<SubmittedMark>(
+    "training_mark",
+    "id, enrolment_id, rater_id, occasion, version, trial_id, score_steps, scale_lo_steps, scale_hi_steps,"
+    " steps_per_point, not_assessable_reason, comment, assignment_id, amend_reason, submitted_utc_us,"
+    " demonstration",
+    &SubmittedMark::id, &SubmittedMark::enrolmentId, &SubmittedMark::raterId, &SubmittedMark::occasionCode,
+    &SubmittedMark::version, OrNull{&SubmittedMark::trialId}, &SubmittedMark::score_steps,
+    &SubmittedMark::scale, OrNull{&SubmittedMark::notAssessableReason}, OrNull{&SubmittedMark::comment},
+    OrNull{&SubmittedMark::assignmentId}, OrNull{&SubmittedMark::amendReason},
+    &SubmittedMark::submittedUtc_us, &SubmittedMark::demonstration);
 
 SubmittedMark markWithCodes(RowReader& row) {
-  SubmittedMark mark = markOf(row);
+  SubmittedMark mark = kMark(row);
   mark.traineeCode = row.text();
   mark.raterCode = row.text();
   mark.groupCode = row.text();
@@ -125,92 +109,46 @@ class MarkedPeople {
   ByKey<Enrolled> enrolled_;
 };
 
-/// Throws if a stored mark with this id has other content; the time of submission is ignored.
-void requireSameMark(Connection& connection, const SubmittedMark& mark) {
-  using Kind = IdempotentColumn::Kind;
-  const std::array<IdempotentColumn, 16> columns{
-      {{"id", mark.id, Kind::kKey},
-       {"enrolment_id", mark.enrolmentId},
-       {"rater_id", mark.raterId},
-       {"occasion", mark.occasionCode},
-       {"version", mark.version},
-       {"trial_id", textOrNull(mark.trialId)},
-       {"score_steps", mark.score_steps},
-       {"scale_lo_steps", mark.scale.lo},
-       {"scale_hi_steps", mark.scale.hi},
-       {"steps_per_point", mark.scale.stepsPerPoint},
-       {"not_assessable_reason", textOrNull(mark.notAssessableReason)},
-       {"amend_reason", textOrNull(mark.amendReason)},
-       {"submitted_utc_us", mark.submittedUtc_us, Kind::kIgnored},
-       {"demonstration", mark.demonstration},
-       {"assignment_id", textOrNull(mark.assignmentId)},
-       {"comment", textOrNull(mark.comment)}}};
-  insertIdempotent(connection, "training_mark", columns, Text::tr("this mark"));
+MarkRow markRowOf(RowReader& row) {
+  return {row.text(), row.text(), row.maybeInt64(), row.text()};
+}
+
+/// Throws if the rows of a stored mark differ.
+void requireSameRows(Connection& connection, const SubmittedMark& mark) {
   const std::vector<MarkRow> stored =
       selectAll(connection,
                 "SELECT revision_id, row_code, score_steps, not_assessable_reason FROM training_mark_row"
                 " WHERE mark_id = ?",
-                {mark.id}, [](RowReader& row) {
-                  return MarkRow{row.text(), row.text(), row.maybeInt64(), row.text()};
-                });
-  const bool same = std::is_permutation(stored.begin(), stored.end(), mark.rows.begin(), mark.rows.end());
-  if (!same) {
+                {mark.id}, markRowOf);
+  if (!std::is_permutation(stored.begin(), stored.end(), mark.rows.begin(), mark.rows.end())) {
     refuseOtherContent(connection, "training_mark_row", Text::tr("this mark"));
   }
-}
-
-/// Returns the marks that are not stored yet.
-std::vector<SubmittedMark> newMarks(Connection& connection, std::span<const SubmittedMark> marks) {
-  std::vector<SubmittedMark> missing;
-  Statement stored = connection.prepare("SELECT id FROM training_mark WHERE id = ?");
-  for (const SubmittedMark& mark : marks) {
-    stored.execute({mark.id});
-    if (!readRows(stored, readText).empty()) {
-      requireSameMark(connection, mark);
-    } else {
-      missing.push_back(mark);
-    }
-  }
-  return missing;
 }
 
 }  // namespace
 
 void RatingRepository::submit(std::span<const SubmittedMark> marks) {
   Transaction transaction(connection_);
-  const std::vector<SubmittedMark> added = newMarks(connection_, marks);
-  if (added.empty()) {
-    transaction.commit();
-    return;
-  }
-  Statement insert = connection_.prepare(
-      insertInto("training_mark",
-                 "id, enrolment_id, rater_id, occasion, version, trial_id, score_steps,"
-                 " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment,"
-                 " amend_reason, submitted_utc_us, demonstration, assignment_id"));
   Statement insertRow = connection_.prepare(
       insertInto("training_mark_row", "mark_id, revision_id, row_code, score_steps, not_assessable_reason"));
-  for (const SubmittedMark& mark : added) {
-    insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.occasionCode, mark.version,
-                    textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
-                    mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
-                    textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration,
-                    textOrNull(mark.assignmentId)});
+  std::vector<NewAuditEntry> entries;
+  for (const SubmittedMark& mark : marks) {
+    if (kMark.insertOnce(connection_, mark, "id", "submitted_utc_us", Text::tr("this mark")) ==
+        Inserted::kThereAlready) {
+      requireSameRows(connection_, mark);
+      continue;
+    }
     for (const MarkRow& row : mark.rows) {
       insertRow.execute(
           {mark.id, row.rubricRevisionId, row.rowCode, row.score_steps, textOrNull(row.notAssessableReason)});
     }
-  }
-  std::vector<NewAuditEntry> entries;
-  for (const SubmittedMark& mark : added) {
-    NewAuditEntry entry{.atUtc_us = mark.submittedUtc_us,
-                        .actor = mark.raterId,
-                        .station = station_,
-                        .action = mark.version == 1 ? AuditAction::kMarkSubmit : AuditAction::kMarkAmend,
-                        .objectKind = AuditObject::kTrainingMark,
-                        .objectId = mark.id,
-                        .reason = mark.amendReason};
-    entries.push_back(entry);
+    entries.push_back({.atUtc_us = mark.submittedUtc_us,
+                       .actor = mark.raterId,
+                       .station = station_,
+                       .action = mark.version == 1 ? AuditAction::kMarkSubmit : AuditAction::kMarkAmend,
+                       .objectKind = AuditObject::kTrainingMark,
+                       .objectId = mark.id,
+                       .reason = mark.amendReason});
   }
   AuditRepository(connection_).append(entries);
   transaction.commit();
@@ -220,12 +158,12 @@ std::vector<SubmittedMark> RatingRepository::marks(const CohortId& cohortId) con
   Transaction oneMoment(connection_, Transaction::Purpose::kReadOnly);
   std::vector<SubmittedMark> marks =
       selectAll(connection_,
-                kMarkColumns +
+                kMark.select("m") +
                     " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
                     " WHERE e.cohort_id = ? AND NOT EXISTS (SELECT 1 FROM training_mark n"
                     "  WHERE n.enrolment_id = m.enrolment_id AND n.rater_id = m.rater_id"
                     "  AND n.occasion = m.occasion AND n.version > m.version)",
-                {cohortId}, markOf);
+                {cohortId}, kMark);
   marks = MarkedPeople(connection_, cohortId).named(std::move(marks));
   oneMoment.commit();
   return marks;
@@ -240,7 +178,7 @@ std::map<MarkId, std::vector<MarkRow>> RatingRepository::criteria(const CohortId
                  " FROM training_mark_row r JOIN training_mark m ON m.id = r.mark_id"
                  " JOIN enrolment e ON e.id = m.enrolment_id WHERE e.cohort_id = ?",
                  {cohortId}, [](RowReader& row) {
-                   return Answer{row.text(), MarkRow{row.text(), row.text(), row.maybeInt64(), row.text()}};
+                   return Answer{row.text(), markRowOf(row)};
                  })) {
     rows[answer.first].push_back(std::move(answer.second));
   }
@@ -250,7 +188,7 @@ std::map<MarkId, std::vector<MarkRow>> RatingRepository::criteria(const CohortId
 std::vector<SubmittedMark> RatingRepository::history(const EnrolmentId& enrolmentId, const RaterId& raterId,
                                                      const std::string& occasionCode) const {
   return selectAll(connection_,
-                   kMarkColumns +
+                   kMark.select("m") +
                        ", t.code, r.code, g.code, e.number_in_group"
                        " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
                        " JOIN person t ON t.id = e.trainee_id JOIN person r ON r.id = m.rater_id"
@@ -289,7 +227,7 @@ const std::string kDecisions =
 DiscrepancyDecision decisionOf(RowReader& row) {
   return {.assignmentId = row.text(),
           .sequence = row.int64(),
-          .choice = readTerm<DiscrepancyChoice>(row, "decision"),
+          .choice = readTerm<DiscrepancyChoice>(row),
           .reason = row.text(),
           .decidedBy = row.text(),
           .decidedUtc_us = row.int64()};

@@ -7,7 +7,7 @@
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/sheet_check.h"
 #include "db/connection/db_error.h"
-#include "db/connection/row_reader.h"
+#include "db/repository/base/row_columns.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "sim/core/error.h"
@@ -15,6 +15,15 @@
 namespace torsio {
 
 namespace {
+
+constexpr auto kAssignment = rowColumns<Assignment>(
+    "assignment",
+    "id, rater_id, enrolment_id, occasion, trial_id, rubric_revision_id, case_label, position, due_utc_us,"
+    " assigned_by, assigned_utc_us, demonstration",
+    &Assignment::id, &Assignment::raterId, &Assignment::enrolmentId, &Assignment::occasionCode,
+    OrNull{&Assignment::trialId}, &Assignment::rubricRevisionId, &Assignment::caseLabel,
+    &Assignment::position, &Assignment::dueUtc_us, &Assignment::assignedBy, &Assignment::assignedUtc_us,
+    &Assignment::demonstration);
 
 std::vector<SheetRow> sheetRows(Connection& connection, std::string_view fromWhere, const std::string& key) {
   std::string select = "SELECT row_code, score_steps, not_assessable_reason FROM ";
@@ -101,9 +110,7 @@ std::optional<std::int64_t> versionOf(Connection& connection, const MarkId& mark
 }  // namespace
 
 std::string selectAssignments(std::string_view more) {
-  std::string select =
-      "SELECT a.id, a.rater_id, a.enrolment_id, a.occasion, a.trial_id, a.rubric_revision_id,"
-      " a.case_label, a.position, a.due_utc_us, a.assigned_by, a.assigned_utc_us, a.demonstration";
+  std::string select = kAssignment.select("a");
   select.append(more).append(" FROM assignment a");
   return select;
 }
@@ -117,18 +124,7 @@ std::string isAskedFor(std::string_view alias) {
 }
 
 Assignment readAssignment(RowReader& row) {
-  return {.id = row.text(),
-          .raterId = row.text(),
-          .enrolmentId = row.text(),
-          .occasionCode = row.text(),
-          .trialId = row.text(),
-          .rubricRevisionId = row.text(),
-          .caseLabel = row.text(),
-          .position = row.int64(),
-          .dueUtc_us = row.maybeInt64(),
-          .assignedBy = row.text(),
-          .assignedUtc_us = row.int64(),
-          .demonstration = row.boolean()};
+  return kAssignment(row);
 }
 
 std::vector<SheetRow> draftRows(Connection& connection, const AssignmentId& assignmentId) {
@@ -141,14 +137,9 @@ std::vector<SheetRow> markRows(Connection& connection, const MarkId& markId) {
 
 void SheetRepository::assign(std::span<const Assignment> assignments) {
   Transaction transaction(connection_);
-  Statement insert = connection_.prepare(
-      insertInto("assignment",
-                 "id, rater_id, enrolment_id, occasion, trial_id, rubric_revision_id, case_label,"
-                 " position, due_utc_us, assigned_by, assigned_utc_us, demonstration"));
+  Statement insert = connection_.prepare(kAssignment.insert());
   for (const Assignment& part : assignments) {
-    insert.execute({part.id, part.raterId, part.enrolmentId, part.occasionCode, textOrNull(part.trialId),
-                    part.rubricRevisionId, part.caseLabel, part.position, part.dueUtc_us, part.assignedBy,
-                    part.assignedUtc_us, part.demonstration});
+    insert.execute(kAssignment.values(part));
   }
   transaction.commit();
 }

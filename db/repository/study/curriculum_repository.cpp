@@ -7,8 +7,7 @@
 
 #include "assessment/domain/ids.h"
 #include "db/connection/db_error.h"
-#include "db/connection/row_reader.h"
-#include "db/repository/base/stored_term.h"
+#include "db/repository/base/row_columns.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -101,7 +100,7 @@ TrainingModule moduleOf(RowReader& row) {
           .title = row.text(),
           .sceneId = row.text(),
           .patternId = row.text(),
-          .mode = readTerm<AttemptMode>(row, "mode"),
+          .mode = readTerm<AttemptMode>(row),
           .targetAngle_rad = row.real(),
           .tolerance_rad = row.real(),
           .hold_us = row.int64(),
@@ -141,7 +140,7 @@ std::vector<TrainingModule> modulesOf(Connection& connection, const CurriculumVe
 }
 
 TrainingPhase phaseOf(RowReader& row) {
-  return {row.text(), readTerm<PhaseKind>(row, "kind"), row.text(), row.int64(), row.text()};
+  return {row.text(), readTerm<PhaseKind>(row), row.text(), row.int64(), row.text()};
 }
 
 std::vector<StudyArm> armsOf(Connection& connection, const CurriculumVersionId& versionId) {
@@ -278,7 +277,7 @@ std::vector<CurriculumVersionId> CurriculumRepository::versionIds(const Curricul
 std::optional<CurriculumState> CurriculumRepository::stateOf(const CurriculumVersionId& versionId) const {
   return selectFirst(connection_,
                      "SELECT state FROM curriculum_state WHERE version_id = ? ORDER BY sequence DESC LIMIT 1",
-                     {versionId}, [](RowReader& row) { return readTerm<CurriculumState>(row, "state"); });
+                     {versionId}, [](RowReader& row) { return readTerm<CurriculumState>(row); });
 }
 
 void CurriculumRepository::moveTo(const CurriculumVersionId& versionId, CurriculumState state,
@@ -325,25 +324,14 @@ void CurriculumRepository::assign(const CohortId& cohortId, const CurriculumVers
 
 namespace {
 
-constexpr const char* kColumns =
+using Design = CompetenceDesign;
+constexpr auto kDesign = rowColumns<Design>(
+    "competence_design",
     "module_id, version, registered_utc_us, tolerance_rad, tolerance_source, experts, adequate, inadequate,"
-    " attempts, false_pass_most, false_fail_most, sum_limit, reason";
-
-CompetenceDesign designOf(RowReader& row) {
-  return {.moduleId = row.text(),
-          .version = row.int64(),
-          .registeredUtc_us = row.int64(),
-          .tolerance_rad = row.real(),
-          .source = readTerm<ToleranceSource>(row, "tolerance_source"),
-          .experts = row.int64(),
-          .adequate = row.real(),
-          .inadequate = row.real(),
-          .attempts = row.int64(),
-          .falsePassMost = row.real(),
-          .falseFailMost = row.real(),
-          .limit = row.real(),
-          .reason = row.text()};
-}
+    " attempts, false_pass_most, false_fail_most, sum_limit, reason",
+    &Design::moduleId, &Design::version, &Design::registeredUtc_us, &Design::tolerance_rad, &Design::source,
+    &Design::experts, &Design::adequate, &Design::inadequate, &Design::attempts, &Design::falsePassMost,
+    &Design::falseFailMost, &Design::limit, &Design::reason);
 
 }  // namespace
 
@@ -351,20 +339,15 @@ CompetenceDesign CompetenceRepository::add(CompetenceDesign design) {
   Transaction transaction(connection_);
   const std::vector<CompetenceDesign> before = ofModule(design.moduleId);
   design.version = before.empty() ? 1 : before.back().version + 1;
-  connection_.execute(
-      insertInto("competence_design", kColumns),
-      {design.moduleId, design.version, design.registeredUtc_us, design.tolerance_rad,
-       storedText(design.source), design.experts, design.adequate, design.inadequate, design.attempts,
-       design.falsePassMost, design.falseFailMost, design.limit, design.reason});
+  connection_.prepare(kDesign.insert()).execute(kDesign.values(design));
   transaction.commit();
   return design;
 }
 
 std::vector<CompetenceDesign> CompetenceRepository::ofModule(const ModuleId& moduleId) const {
-  return selectAll(
-      connection_,
-      "SELECT " + std::string(kColumns) + " FROM competence_design WHERE module_id = ? ORDER BY version",
-      {moduleId}, designOf);
+  return selectAll(connection_,
+                   kDesign.select("d") + " FROM competence_design d WHERE d.module_id = ? ORDER BY d.version",
+                   {moduleId}, kDesign);
 }
 
 }  // namespace torsio

@@ -1,47 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/study/freeze_repository.h"
 
-#include <array>
-
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/audit_entry.h"
-#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
-#include "db/repository/base/insert_idempotent.h"
+#include "db/repository/base/row_columns.h"
 
 namespace torsio {
 
 namespace {
 
-const std::string kFreezes =
-    "SELECT id, cohort_id, name, content_hash, manifest_json, created_by, created_utc_us, demonstration"
-    " FROM frozen_dataset";
+constexpr auto kFreeze = rowColumns<DataFreeze>(
+    "frozen_dataset",
+    "id, cohort_id, name, content_hash, manifest_json, created_by, created_utc_us, demonstration",
+    &DataFreeze::id, &DataFreeze::cohortId, &DataFreeze::name, &DataFreeze::contentHash,
+    &DataFreeze::manifestJson, &DataFreeze::createdBy, &DataFreeze::createdUtc_us,
+    &DataFreeze::demonstration);
 
-DataFreeze freezeOf(RowReader& row) {
-  return {.id = row.text(),
-          .cohortId = row.text(),
-          .name = row.text(),
-          .contentHash = row.text(),
-          .manifestJson = row.text(),
-          .createdBy = row.text(),
-          .createdUtc_us = row.int64(),
-          .demonstration = row.boolean()};
-}
+const std::string kFreezes = kFreeze.select("f") + " FROM frozen_dataset f";
 
 }  // namespace
 
 void FreezeRepository::add(const DataFreeze& freeze) {
-  using Kind = IdempotentColumn::Kind;
   Transaction transaction(connection_);
-  const std::array<IdempotentColumn, 8> columns{{{"id", freeze.id, Kind::kKey},
-                                                 {"cohort_id", freeze.cohortId},
-                                                 {"name", freeze.name},
-                                                 {"content_hash", freeze.contentHash},
-                                                 {"manifest_json", freeze.manifestJson},
-                                                 {"created_by", freeze.createdBy},
-                                                 {"created_utc_us", freeze.createdUtc_us, Kind::kIgnored},
-                                                 {"demonstration", freeze.demonstration}}};
-  if (insertIdempotent(connection_, "frozen_dataset", columns, Text::tr("this frozen data set")) ==
+  if (kFreeze.insertOnce(connection_, freeze, "id", "created_utc_us", Text::tr("this frozen data set")) ==
       Inserted::kNew) {
     NewAuditEntry entry{.atUtc_us = freeze.createdUtc_us,
                         .actor = freeze.createdBy,
@@ -56,12 +38,12 @@ void FreezeRepository::add(const DataFreeze& freeze) {
 }
 
 std::optional<DataFreeze> FreezeRepository::findByName(const std::string& name) const {
-  return selectFirst(connection_, kFreezes + " WHERE name = ?", {name}, freezeOf);
+  return selectFirst(connection_, kFreezes + " WHERE f.name = ?", {name}, kFreeze);
 }
 
 std::vector<DataFreeze> FreezeRepository::list(const CohortId& cohortId) const {
-  return selectAll(connection_, kFreezes + " WHERE cohort_id = ? ORDER BY created_utc_us, id", {cohortId},
-                   freezeOf);
+  return selectAll(connection_, kFreezes + " WHERE f.cohort_id = ? ORDER BY f.created_utc_us, f.id",
+                   {cohortId}, kFreeze);
 }
 
 }  // namespace torsio

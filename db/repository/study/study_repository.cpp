@@ -2,50 +2,44 @@
 #include "db/repository/study/study_repository.h"
 
 #include "assessment/domain/ids.h"
-#include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/learning_events.h"
-#include "db/repository/base/stored_term.h"
+#include "db/repository/base/row_columns.h"
 #include "sim/core/error.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr const char* kAllocationColumns =
+constexpr auto kAllocation = rowColumns<AllocationEntry>(
+    "allocation",
     "id, design_id, sequence, enrolment_id, group_id, number_in_group, covariates_json, counts_before_json,"
     " scores_json, draw_before, draw_after, enrolled_by, allocated_by, software_version, override_reason,"
-    " allocated_utc_us, demonstration, previous_hash, record_hash";
+    " allocated_utc_us, demonstration, previous_hash, record_hash",
+    &AllocationEntry::id, &AllocationEntry::designId, &AllocationEntry::sequence,
+    &AllocationEntry::enrolmentId, &AllocationEntry::groupId, &AllocationEntry::numberInGroup,
+    &AllocationEntry::covariatesJson, &AllocationEntry::countsBeforeJson, &AllocationEntry::scoresJson,
+    &AllocationEntry::drawBefore, &AllocationEntry::drawAfter, &AllocationEntry::enrolledBy,
+    &AllocationEntry::allocatedBy, &AllocationEntry::softwareVersion,
+    OrNull{&AllocationEntry::overrideReason}, &AllocationEntry::allocatedUtc_us,
+    &AllocationEntry::demonstration, &AllocationEntry::previousHash, &AllocationEntry::recordHash);
 
-AllocationEntry allocationOf(RowReader& row) {
-  return {.id = row.text(),
-          .designId = row.text(),
-          .sequence = row.int64(),
-          .enrolmentId = row.text(),
-          .groupId = row.text(),
-          .numberInGroup = row.int64(),
-          .covariatesJson = row.text(),
-          .countsBeforeJson = row.text(),
-          .scoresJson = row.text(),
-          .drawBefore = row.int64(),
-          .drawAfter = row.int64(),
-          .enrolledBy = row.text(),
-          .allocatedBy = row.text(),
-          .softwareVersion = row.text(),
-          .overrideReason = row.text(),
-          .allocatedUtc_us = row.int64(),
-          .demonstration = row.boolean(),
-          .previousHash = row.text(),
-          .recordHash = row.text()};
-}
+constexpr auto kCentre = rowColumns<Centre>("centre", "id, name, created_utc_us, demonstration", &Centre::id,
+                                            &Centre::name, &Centre::createdUtc_us, &Centre::demonstration);
 
-void insertAllocation(Statement& insert, const AllocationEntry& record) {
-  insert.execute({record.id, record.designId, record.sequence, record.enrolmentId, record.groupId,
-                  record.numberInGroup, record.covariatesJson, record.countsBeforeJson, record.scoresJson,
-                  record.drawBefore, record.drawAfter, record.enrolledBy, record.allocatedBy,
-                  record.softwareVersion, textOrNull(record.overrideReason), record.allocatedUtc_us,
-                  record.demonstration, record.previousHash, record.recordHash});
-}
+constexpr auto kExposure = rowColumns<Exposure>(
+    "exposure", "id, enrolment_id, phase_id, kind, started_utc_us, duration_us, recorded_by, demonstration",
+    &Exposure::id, &Exposure::enrolmentId, OrNull{&Exposure::phaseId}, &Exposure::kind,
+    &Exposure::startedUtc_us, &Exposure::duration_us, &Exposure::recordedBy, &Exposure::demonstration);
+
+using Deviation = ProtocolDeviation;
+constexpr auto kDeviation = rowColumns<Deviation>(
+    "deviation",
+    "id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by, reported_utc_us,"
+    " demonstration",
+    &Deviation::id, &Deviation::cohortId, OrNull{&Deviation::enrolmentId}, &Deviation::kind,
+    OrNull{&Deviation::description}, &Deviation::happenedUtc_us, &Deviation::reportedBy,
+    &Deviation::reportedUtc_us, &Deviation::demonstration);
 
 }  // namespace
 
@@ -62,16 +56,12 @@ std::string allocationHash(const AllocationEntry& record) {
 void StudyRepository::setCentre(const Centre& centre) {
   Transaction transaction(connection_);
   connection_.execute("DELETE FROM centre");
-  connection_.execute(insertInto("centre", "id, name, created_utc_us, demonstration"),
-                      {centre.id, centre.name, centre.createdUtc_us, centre.demonstration});
+  connection_.prepare(kCentre.insert()).execute(kCentre.values(centre));
   transaction.commit();
 }
 
 std::optional<Centre> StudyRepository::centre() const {
-  return selectFirst(connection_, "SELECT id, name, created_utc_us, demonstration FROM centre", {},
-                     [](RowReader& row) {
-                       return Centre{row.text(), row.text(), row.int64(), row.boolean()};
-                     });
+  return selectFirst(connection_, kCentre.select("c") + " FROM centre c", {}, kCentre);
 }
 
 void StudyRepository::addCohort(const Cohort& cohort, std::span<const StudyGroup> groups) {
@@ -94,7 +84,8 @@ std::vector<Cohort> StudyRepository::cohorts() const {
       " COALESCE((SELECT s.state FROM cohort_state s WHERE s.cohort_id = c.id ORDER BY s.sequence DESC"
       " LIMIT 1), CASE WHEN EXISTS (SELECT 1 FROM enrolment e WHERE e.cohort_id = c.id AND (e.group_id IS"
       " NOT NULL OR EXISTS (SELECT 1 FROM trial t WHERE t.enrolment_id = e.id) OR EXISTS (SELECT 1 FROM"
-      " exposure x WHERE x.enrolment_id = e.id))) THEN 'running' ELSE 'draft' END), c.equivalence_margin"
+      " exposure x WHERE x.enrolment_id = e.id))) THEN 'running' ELSE 'draft' END) AS state, "
+      "c.equivalence_margin"
       " FROM cohort c ORDER BY c.created_utc_us, c.name",
       {}, [](RowReader& row) {
         return Cohort{row.text(),
@@ -103,7 +94,7 @@ std::vector<Cohort> StudyRepository::cohorts() const {
                       row.int64(),
                       row.boolean(),
                       row.text(),
-                      readTerm<CohortState>(row, "state"),
+                      readTerm<CohortState>(row),
                       row.maybeReal()};
       });
 }
@@ -170,7 +161,7 @@ std::vector<Enrolment> StudyRepository::enrolments(const CohortId& cohortId) con
                          .traineeId = row.text(),
                          .groupId = row.text(),
                          .numberInGroup = row.int64(),
-                         .state = readTerm<EnrolmentState>(row, "state"),
+                         .state = readTerm<EnrolmentState>(row),
                          .enrolledUtc_us = row.int64(),
                          .demonstration = row.boolean(),
                          .traineeCode = row.text(),
@@ -239,7 +230,7 @@ std::vector<AllocationEntry> StudyRepository::allocate(std::span<const Allocatio
   Transaction transaction(connection_);
   Statement last = connection_.prepare(
       "SELECT sequence, record_hash FROM allocation WHERE design_id = ? ORDER BY sequence DESC LIMIT 1");
-  Statement insert = connection_.prepare(insertInto("allocation", kAllocationColumns));
+  Statement insert = connection_.prepare(kAllocation.insert());
   Statement move = connection_.prepare("UPDATE enrolment SET group_id = ?, number_in_group = ? WHERE id = ?");
   for (AllocationEntry record : records) {
     last.execute({record.designId});
@@ -255,7 +246,7 @@ std::vector<AllocationEntry> StudyRepository::allocate(std::span<const Allocatio
              Text::tr("allocation"), Text::tr("Read the list again and repeat"));
     }
     record.recordHash = allocationHash(record);
-    insertAllocation(insert, record);
+    insert.execute(kAllocation.values(record));
     move.execute({record.groupId, record.numberInGroup, record.enrolmentId});
     stored.push_back(std::move(record));
   }
@@ -264,10 +255,9 @@ std::vector<AllocationEntry> StudyRepository::allocate(std::span<const Allocatio
 }
 
 std::vector<AllocationEntry> StudyRepository::allocations(const DesignId& designId) const {
-  return selectAll(
-      connection_,
-      std::string("SELECT ") + kAllocationColumns + " FROM allocation WHERE design_id = ? ORDER BY sequence",
-      {designId}, allocationOf);
+  return selectAll(connection_,
+                   kAllocation.select("a") + " FROM allocation a WHERE a.design_id = ? ORDER BY a.sequence",
+                   {designId}, kAllocation);
 }
 
 std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const DesignId& designId) const {
@@ -288,13 +278,9 @@ std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const DesignI
 void StudyRepository::addExposures(std::span<const Exposure> exposures) {
   std::vector<std::string> rests;
   Transaction transaction(connection_);
-  Statement insert = connection_.prepare(insertInto(
-      "exposure",
-      "id, enrolment_id, phase_id, kind, started_utc_us, duration_us, recorded_by, demonstration"));
+  Statement insert = connection_.prepare(kExposure.insert());
   for (const Exposure& exposure : exposures) {
-    insert.execute({exposure.id, exposure.enrolmentId, textOrNull(exposure.phaseId),
-                    storedText(exposure.kind), exposure.startedUtc_us, exposure.duration_us,
-                    exposure.recordedBy, exposure.demonstration});
+    insert.execute(kExposure.values(exposure));
     if (exposure.kind == ExposureKind::kRest) {
       rests.push_back(exposure.id);
     }
@@ -304,15 +290,11 @@ void StudyRepository::addExposures(std::span<const Exposure> exposures) {
 }
 
 std::vector<Exposure> StudyRepository::exposures(const CohortId& cohortId) const {
-  return selectAll(
-      connection_,
-      "SELECT x.id, x.enrolment_id, x.phase_id, x.kind, x.started_utc_us, x.duration_us, x.recorded_by,"
-      " x.demonstration FROM exposure x JOIN enrolment e ON e.id = x.enrolment_id WHERE e.cohort_id = ?"
-      " ORDER BY x.enrolment_id, x.started_utc_us, x.id",
-      {cohortId}, [](RowReader& row) {
-        return Exposure{row.text(),  row.text(),  row.text(), readTerm<ExposureKind>(row, "kind"),
-                        row.int64(), row.int64(), row.text(), row.boolean()};
-      });
+  return selectAll(connection_,
+                   kExposure.select("x") +
+                       " FROM exposure x JOIN enrolment e ON e.id = x.enrolment_id WHERE e.cohort_id = ?"
+                       " ORDER BY x.enrolment_id, x.started_utc_us, x.id",
+                   {cohortId}, kExposure);
 }
 
 std::vector<TrialId> StudyRepository::trialIds(const CohortId& cohortId) const {
@@ -343,24 +325,14 @@ std::vector<CohortId> StudyRepository::cohortsAtWork(std::int64_t fromUtc_us, st
 }
 
 void StudyRepository::addDeviation(const ProtocolDeviation& deviation) {
-  connection_.execute(
-      insertInto("deviation",
-                 "id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by,"
-                 " reported_utc_us, demonstration"),
-      {deviation.id, deviation.cohortId, textOrNull(deviation.enrolmentId), deviation.kind,
-       textOrNull(deviation.description), deviation.happenedUtc_us, deviation.reportedBy,
-       deviation.reportedUtc_us, deviation.demonstration});
+  connection_.prepare(kDeviation.insert()).execute(kDeviation.values(deviation));
 }
 
 std::vector<ProtocolDeviation> StudyRepository::deviations(const CohortId& cohortId) const {
   return selectAll(
       connection_,
-      "SELECT id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by, reported_utc_us,"
-      " demonstration FROM deviation WHERE cohort_id = ? ORDER BY happened_utc_us, id",
-      {cohortId}, [](RowReader& row) {
-        return ProtocolDeviation{row.text(),  row.text(), row.text(),  row.text(),   row.text(),
-                                 row.int64(), row.text(), row.int64(), row.boolean()};
-      });
+      kDeviation.select("d") + " FROM deviation d WHERE d.cohort_id = ? ORDER BY d.happened_utc_us, d.id",
+      {cohortId}, kDeviation);
 }
 
 }  // namespace torsio

@@ -2,18 +2,44 @@
 #include "db/repository/trial/remark_repository.h"
 
 #include <algorithm>
-#include <array>
 
 #include "assessment/domain/ids.h"
-#include "db/connection/row_reader.h"
-#include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/learning_events.h"
+#include "db/repository/base/row_columns.h"
 
 namespace torsio {
 
 namespace {
 
-using Kind = IdempotentColumn::Kind;
+constexpr auto kRemark = rowColumns<Remark>(
+    "trial_remark",
+    "id, trial_id, author, author_person_id, purpose, reply_to, tick, time_us, text, created_utc_us,"
+    " demonstration",
+    &Remark::id, &Remark::trialId, &Remark::author, OrNull{&Remark::authorPersonId}, &Remark::purpose,
+    OrNull{&Remark::replyTo}, &Remark::tick, &Remark::time_us, OrNull{&Remark::text}, &Remark::createdUtc_us,
+    &Remark::demonstration);
+
+constexpr auto kRevision = rowColumns<RemarkRevision>(
+    "remark_revision", "remark_id, version, author, author_person_id, text, created_utc_us",
+    &RemarkRevision::remarkId, &RemarkRevision::version, &RemarkRevision::author,
+    OrNull{&RemarkRevision::authorPersonId}, &RemarkRevision::text, &RemarkRevision::createdUtc_us);
+
+constexpr auto kSelfScore = rowColumns<SelfScore>(
+    "self_score",
+    "id, trial_id, trainee_id, version, rubric_revision_id, score_steps, scale_lo_steps, scale_hi_steps,"
+    " steps_per_point, created_utc_us, demonstration",
+    &SelfScore::id, &SelfScore::trialId, &SelfScore::traineeId, &SelfScore::version,
+    OrNull{&SelfScore::rubricRevisionId}, &SelfScore::score_steps, &SelfScore::scale,
+    &SelfScore::createdUtc_us, &SelfScore::demonstration);
+
+using Calibration = CalibrationScore;
+constexpr auto kCalibration = rowColumns<Calibration>(
+    "rater_warmup",
+    "id, rater_id, reference_trial_id, rubric_revision_id, score_steps, scale_lo_steps, scale_hi_steps,"
+    " steps_per_point, panel_offset_steps, created_utc_us, demonstration",
+    &Calibration::id, &Calibration::raterId, &Calibration::referenceTrialId,
+    OrNull{&Calibration::rubricRevisionId}, &Calibration::score_steps, &Calibration::scale,
+    &Calibration::panelOffset_steps, &Calibration::createdUtc_us, &Calibration::demonstration);
 
 const std::string kRemarks =
     "SELECT m.id, m.trial_id, m.author, m.author_person_id, m.purpose, m.reply_to, m.tick, m.time_us, " +
@@ -54,18 +80,7 @@ std::vector<SelfScoreLine> selfScoreRows(Connection& connection, const SelfScore
 
 void RemarkRepository::add(const Remark& remark) {
   Transaction transaction(connection_);
-  const std::array<IdempotentColumn, 11> columns{{{"id", remark.id, Kind::kKey},
-                                                  {"trial_id", remark.trialId},
-                                                  {"author", remark.author},
-                                                  {"author_person_id", textOrNull(remark.authorPersonId)},
-                                                  {"purpose", remark.purpose},
-                                                  {"reply_to", textOrNull(remark.replyTo)},
-                                                  {"tick", remark.tick},
-                                                  {"time_us", remark.time_us},
-                                                  {"text", textOrNull(remark.text)},
-                                                  {"created_utc_us", remark.createdUtc_us, Kind::kIgnored},
-                                                  {"demonstration", remark.demonstration}}};
-  insertIdempotent(connection_, "trial_remark", columns, Text::tr("this remark"));
+  kRemark.insertOnce(connection_, remark, "id", "created_utc_us", Text::tr("this remark"));
   transaction.commit();
 }
 
@@ -80,13 +95,8 @@ std::vector<Remark> RemarkRepository::remarks(const TrialId& trialId) const {
 
 void RemarkRepository::revise(const RemarkRevision& revision) {
   Transaction transaction(connection_);
-  const std::array<IdempotentColumn, 6> columns{{{"remark_id", revision.remarkId, Kind::kKey},
-                                                 {"version", revision.version, Kind::kKey},
-                                                 {"author", revision.author},
-                                                 {"author_person_id", textOrNull(revision.authorPersonId)},
-                                                 {"text", revision.text},
-                                                 {"created_utc_us", revision.createdUtc_us, Kind::kIgnored}}};
-  insertIdempotent(connection_, "remark_revision", columns, Text::tr("this version of the remark"));
+  kRevision.insertOnce(connection_, revision, "remark_id, version", "created_utc_us",
+                       Text::tr("this version of the remark"));
   transaction.commit();
 }
 
@@ -150,18 +160,8 @@ std::vector<Remark> RemarkRepository::unreadReplies(const std::string& author) c
 
 void RemarkRepository::addSelfScore(const SelfScore& score) {
   Transaction transaction(connection_);
-  const std::array<IdempotentColumn, 11> columns{{{"id", score.id, Kind::kKey},
-                                                  {"trial_id", score.trialId},
-                                                  {"trainee_id", score.traineeId},
-                                                  {"version", score.version},
-                                                  {"rubric_revision_id", textOrNull(score.rubricRevisionId)},
-                                                  {"score_steps", score.score_steps},
-                                                  {"scale_lo_steps", score.scale.lo},
-                                                  {"scale_hi_steps", score.scale.hi},
-                                                  {"steps_per_point", score.scale.stepsPerPoint},
-                                                  {"created_utc_us", score.createdUtc_us, Kind::kIgnored},
-                                                  {"demonstration", score.demonstration}}};
-  if (insertIdempotent(connection_, "self_score", columns, Text::tr("this self-score")) == Inserted::kNew) {
+  if (kSelfScore.insertOnce(connection_, score, "id", "created_utc_us", Text::tr("this self-score")) ==
+      Inserted::kNew) {
     Statement insert = connection_.prepare(
         insertInto("self_score_row", "self_score_id, revision_id, row_code, score_steps"));
     for (const SelfScoreLine& row : score.rows) {
@@ -177,21 +177,8 @@ void RemarkRepository::addSelfScore(const SelfScore& score) {
 std::vector<SelfScore> RemarkRepository::selfScores(const TrialId& trialId) const {
   std::vector<SelfScore> scores = selectAll(
       connection_,
-      "SELECT id, trial_id, trainee_id, version, rubric_revision_id, score_steps, scale_lo_steps,"
-      " scale_hi_steps, steps_per_point, created_utc_us, demonstration FROM self_score WHERE trial_id = ?"
-      " ORDER BY trainee_id, version",
-      {trialId}, [](RowReader& row) {
-        return SelfScore{.id = row.text(),
-                         .trialId = row.text(),
-                         .traineeId = row.text(),
-                         .version = row.int64(),
-                         .rubricRevisionId = row.text(),
-                         .score_steps = row.int64(),
-                         .scale = {row.int64(), row.int64(), row.int64()},
-                         .rows = {},
-                         .createdUtc_us = row.int64(),
-                         .demonstration = row.boolean()};
-      });
+      kSelfScore.select("s") + " FROM self_score s WHERE s.trial_id = ? ORDER BY s.trainee_id, s.version",
+      {trialId}, kSelfScore);
   for (SelfScore& score : scores) {
     score.rows = selfScoreRows(connection_, score.id);
   }
@@ -200,38 +187,15 @@ std::vector<SelfScore> RemarkRepository::selfScores(const TrialId& trialId) cons
 
 void RemarkRepository::addCalibrationScore(const CalibrationScore& score) {
   Transaction transaction(connection_);
-  const std::array<IdempotentColumn, 11> columns{{{"id", score.id, Kind::kKey},
-                                                  {"rater_id", score.raterId},
-                                                  {"reference_trial_id", score.referenceTrialId},
-                                                  {"rubric_revision_id", textOrNull(score.rubricRevisionId)},
-                                                  {"score_steps", score.score_steps},
-                                                  {"scale_lo_steps", score.scale.lo},
-                                                  {"scale_hi_steps", score.scale.hi},
-                                                  {"steps_per_point", score.scale.stepsPerPoint},
-                                                  {"panel_offset_steps", score.panelOffset_steps},
-                                                  {"created_utc_us", score.createdUtc_us, Kind::kIgnored},
-                                                  {"demonstration", score.demonstration}}};
-  insertIdempotent(connection_, "rater_warmup", columns, Text::tr("this rater calibration"));
+  kCalibration.insertOnce(connection_, score, "id", "created_utc_us", Text::tr("this rater calibration"));
   transaction.commit();
 }
 
 std::vector<CalibrationScore> RemarkRepository::calibrationScores(const RaterId& raterId) const {
   return selectAll(
       connection_,
-      "SELECT id, rater_id, reference_trial_id, rubric_revision_id, score_steps, scale_lo_steps,"
-      " scale_hi_steps, steps_per_point, panel_offset_steps, created_utc_us, demonstration FROM rater_warmup"
-      " WHERE rater_id = ? ORDER BY created_utc_us, id",
-      {raterId}, [](RowReader& row) {
-        return CalibrationScore{.id = row.text(),
-                                .raterId = row.text(),
-                                .referenceTrialId = row.text(),
-                                .rubricRevisionId = row.text(),
-                                .score_steps = row.int64(),
-                                .scale = {row.int64(), row.int64(), row.int64()},
-                                .panelOffset_steps = row.real(),
-                                .createdUtc_us = row.int64(),
-                                .demonstration = row.boolean()};
-      });
+      kCalibration.select("s") + " FROM rater_warmup s WHERE s.rater_id = ? ORDER BY s.created_utc_us, s.id",
+      {raterId}, kCalibration);
 }
 
 namespace {

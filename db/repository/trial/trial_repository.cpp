@@ -117,7 +117,7 @@ TrialListing listingOf(RowReader& row) {
           .summary = maybeSummaryOf(row),
           .moduleId = row.text(),
           .phaseId = row.text(),
-          .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode"),
+          .attemptMode = readMaybeTerm<AttemptMode>(row),
           .model = modelOf(row.text())};
 }
 
@@ -351,7 +351,7 @@ std::optional<TrialContext> TrialRepository::context(const TrialId& trialId) con
             .enrolmentId = row.text(),
             .moduleId = row.text(),
             .phaseId = row.text(),
-            .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode"),
+            .attemptMode = readMaybeTerm<AttemptMode>(row),
             .host = {.name = row.text(), .os = row.text(), .cpu = row.text(), .gpu = row.text()}};
       });
 }
