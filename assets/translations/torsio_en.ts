@@ -311,13 +311,6 @@
 <context>
     <name>torsio::gui::MainWindow</name>
     <message numerus="yes">
-        <source>%n recording(s) of this station could not be stored</source>
-        <translation>
-            <numerusform>%n recording of this station could not be stored</numerusform>
-            <numerusform>%n recordings of this station could not be stored</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>The database permanently refused %Ln entries of this station. Please tell its administrator</source>
         <translation>
             <numerusform>The database permanently refused %Ln entry of this station. Please tell its administrator</numerusform>
@@ -599,6 +592,16 @@
         <translation>
             <numerusform>One sheet reassigned. Reassign can also return it.</numerusform>
             <numerusform>%n sheets reassigned. Reassign can also return them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::Settling</name>
+    <message numerus="yes">
+        <source>%n recording(s) of this station could not be stored</source>
+        <translation>
+            <numerusform>%n recording of this station could not be stored</numerusform>
+            <numerusform>%n recordings of this station could not be stored</numerusform>
         </translation>
     </message>
 </context>

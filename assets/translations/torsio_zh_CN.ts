@@ -24008,16 +24008,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>You were signed out because nobody was here</source>
         <translation>由于长时间无人操作，已退出登录</translation>
     </message>
-    <message numerus="yes">
-        <source>%n recording(s) of this station could not be stored</source>
-        <translation>
-            <numerusform>本工作站有 %n 份录制未能存入数据库</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The files are kept. Please show this to your administrator</source>
-        <translation>文件已保留，请将此信息告知管理员</translation>
-    </message>
     <message>
         <source>The database answers again, and what was kept meanwhile is stored</source>
         <translation>数据库已恢复应答，期间保存的内容已存入</translation>
@@ -24035,26 +24025,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>
             <numerusform>数据库最终拒绝了本工作站的 %Ln 条记录。请告知维护人员</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>No folder can be made for it: %1</source>
-        <translation>无法为此创建文件夹：%1</translation>
-    </message>
-    <message>
-        <source>Look round: simulated people</source>
-        <translation>浏览：模拟人员</translation>
-    </message>
-    <message>
-        <source>Everybody here is simulated. All of it is deleted when you sign out</source>
-        <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
-    </message>
-    <message>
-        <source>You are a simulated physician. Sign out to return to your own account</source>
-        <translation>您现在是模拟医师。退出登录即可恢复自己的身份</translation>
-    </message>
-    <message>
-        <source>You are a simulated trainee. Sign out to return to your own account</source>
-        <translation>您现在是模拟学员。退出登录即可恢复自己的身份</translation>
     </message>
     <message>
         <source>Close the window once more, when you have read this</source>
@@ -28937,6 +28907,19 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::Settling</name>
+    <message numerus="yes">
+        <source>%n recording(s) of this station could not be stored</source>
+        <translation>
+            <numerusform>本工作站有 %n 份录制未能存入数据库</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The files are kept. Please show this to your administrator</source>
+        <translation>文件已保留，请将此信息告知管理员</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::SeverityPage</name>
     <message>
         <source>points from the panel: you judge as the others do.</source>
@@ -29230,6 +29213,29 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Too many wrong tries. Please wait %1</source>
         <translation>错误次数过多，请等待 %1</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SimulatedDesks</name>
+    <message>
+        <source>No folder can be made for it: %1</source>
+        <translation>无法为此创建文件夹：%1</translation>
+    </message>
+    <message>
+        <source>Look round: simulated people</source>
+        <translation>浏览：模拟人员</translation>
+    </message>
+    <message>
+        <source>Everybody here is simulated. All of it is deleted when you sign out</source>
+        <translation>此处所有人员均为模拟。退出登录后全部删除</translation>
+    </message>
+    <message>
+        <source>You are a simulated physician. Sign out to return to your own account</source>
+        <translation>您现在是模拟医师。退出登录即可恢复自己的身份</translation>
+    </message>
+    <message>
+        <source>You are a simulated trainee. Sign out to return to your own account</source>
+        <translation>您现在是模拟学员。退出登录即可恢复自己的身份</translation>
     </message>
 </context>
 <context>

@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include <QCoreApplication>
-
 namespace torsio::gui {
 
 Background::Background(QObject* parent) : QObject(parent) {
@@ -20,22 +18,24 @@ void Background::setWorking(bool working) {
   Q_EMIT workingChanged(working);
 }
 
-void Background::run(std::function<Finish()> work, std::function<void(const std::exception_ptr&)> failed) {
+void Background::start(std::function<void()> work, std::function<void()> then, Failed failed) {
   if (working_) {
     return;
   }
   setWorking(true);
-  worker_.start([this, work = std::move(work), failed = std::move(failed)] {
-    Finish finish;
+  worker_.start([this, work = std::move(work), then = std::move(then), failed = std::move(failed)] {
+    std::exception_ptr problem;
     try {
-      finish = work();
+      work();
     } catch (...) {
-      finish = [failed, problem = std::current_exception()] { failed(problem); };
+      problem = std::current_exception();
     }
-    QMetaObject::invokeMethod(this, [this, finish = std::move(finish)] {
+    QMetaObject::invokeMethod(this, [this, then, failed, problem] {
       setWorking(false);
-      if (finish) {
-        finish();
+      if (problem) {
+        failed(problem);
+      } else {
+        then();
       }
     });
   });

@@ -169,23 +169,21 @@ void LivePage::lookForCalls() {
     return;
   }
   reader_->run(
-      [this, key = shell().session().key()]() -> Background::Finish {
-        SessionContext own(key);
-        return [this, lines = liveLines(own)] {
-          const auto stateOf = [](const std::vector<QueueLine>& all) {
-            std::vector<std::pair<AssignmentId, bool>> states;
-            for (const QueueLine& line : all) {
-              states.emplace_back(line.shown.assignmentId, line.call && line.call->open);
-            }
-            return states;
-          };
-          if (!follow_.isActive() || holdsButton(*this) || stateOf(lines) == stateOf(lines_)) {
-            return;  // lines are not rebuilt under a finger
+      shell().session().key(), [](SessionContext& own) { return liveLines(own); },
+      [this](std::vector<QueueLine> lines) {
+        const auto stateOf = [](const std::vector<QueueLine>& all) {
+          std::vector<std::pair<AssignmentId, bool>> states;
+          for (const QueueLine& line : all) {
+            states.emplace_back(line.shown.assignmentId, line.call && line.call->open);
           }
-          lines_ = lines;
-          showLines();
-          followCall();
+          return states;
         };
+        if (!follow_.isActive() || holdsButton(*this) || stateOf(lines) == stateOf(lines_)) {
+          return;  // lines are not rebuilt under a finger
+        }
+        lines_ = std::move(lines);
+        showLines();
+        followCall();
       },
       [](const std::exception_ptr&) {});  // the window shows a database outage; the next refresh tries again
 }

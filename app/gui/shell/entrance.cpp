@@ -43,10 +43,7 @@ void Entrance::setWorking(bool working) {
 
 void Entrance::attempt(Try attempt, Then then) {
   background_.run(
-      [key = record_.key(), attempt = std::move(attempt), then = std::move(then)]() -> Background::Finish {
-        SessionContext own(key);
-        return [then, answer = attempt(own)] { then(answer); };
-      },
+      record_.key(), std::move(attempt), std::move(then),
       [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
 }
 
@@ -102,19 +99,18 @@ void Entrance::beginChange(const QString& login, const QString& password, bool f
 
 void Entrance::change(const QString& login, const QString& oldPassword, const QString& newPassword) {
   background_.run(
-      [this, key = record_.key(), cost = record_.session()->passwordCost(), login, oldPassword,
-       newPassword]() -> Background::Finish {
-        SessionContext own(key);
+      record_.key(),
+      [=, cost = record_.session()->passwordCost()](SessionContext& own) {
         own.setPasswordCost(cost);
-        const SignInAnswer answer = torsio::changeOwnPassword(
-            own, login.toStdString(), oldPassword.toStdString(), newPassword.toStdString());
-        return [this, answer, login] {
-          if (forced_) {
-            took(answer, login, {});
-          } else {
-            Q_EMIT passwordChanged();
-          }
-        };
+        return torsio::changeOwnPassword(own, login.toStdString(), oldPassword.toStdString(),
+                                         newPassword.toStdString());
+      },
+      [this, login](const SignInAnswer& answer) {
+        if (forced_) {
+          took(answer, login, {});
+        } else {
+          Q_EMIT passwordChanged();
+        }
       },
       [this](const std::exception_ptr& problem) { password_->say(problemSentence(problem)); });
 }
@@ -127,21 +123,22 @@ void Entrance::leaveKiosk() {
     return;
   }
   background_.run(
-      [this, key = record_.key(), login = dialog.login(),
-       password = dialog.password()]() -> Background::Finish {
-        SessionContext own(key);
-        const SignInAnswer answer = torsio::signIn(own, login.toStdString(), password.toStdString());
-        const bool may = answer.outcome == SignIn::kOk && own.may(Operation::kSettingsEdit);
-        if (answer.outcome == SignIn::kOk) {
+      record_.key(),
+      [login = dialog.login().toStdString(),
+       password = dialog.password().toStdString()](SessionContext& own) {
+        const bool known = torsio::signIn(own, login, password).outcome == SignIn::kOk;
+        const bool may = known && own.may(Operation::kSettingsEdit);
+        if (known) {
           torsio::signOut(own);
         }
-        return [this, may] {
-          if (may) {
-            Q_EMIT kioskEnded();
-          } else {
-            signIn_->say(tr("Only an administrator can end the kiosk"), true);
-          }
-        };
+        return may;
+      },
+      [this](bool may) {
+        if (may) {
+          Q_EMIT kioskEnded();
+        } else {
+          signIn_->say(tr("Only an administrator can end the kiosk"), true);
+        }
       },
       [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
 }

@@ -244,16 +244,14 @@ void FirstRunPanel::testDatabase() {
   say({});
   test_->setEnabled(false);
   background_->run(
-      [this, where = locator().toStdString()]() -> Background::Finish {
-        const bool inUse = lookAtRecord(where) == RecordPlace::kCentre;
-        return [this, inUse] {
-          test_->setEnabled(true);
-          next_->setFocus();  // focus had moved to the back button while the test button was disabled
-          say(inUse ? tr("A centre keeps its records there already. You can sign in to it after this step")
-                    : tr("The database answers and is empty: it can be used"));
-          setLook(answer_, "caution", inUse);
-          setLook(answer_, "good", !inUse);
-        };
+      [where = locator().toStdString()] { return lookAtRecord(where) == RecordPlace::kCentre; },
+      [this](bool inUse) {
+        test_->setEnabled(true);
+        next_->setFocus();  // focus had moved to the back button while the test button was disabled
+        say(inUse ? tr("A centre keeps its records there already. You can sign in to it after this step")
+                  : tr("The database answers and is empty: it can be used"));
+        setLook(answer_, "caution", inUse);
+        setLook(answer_, "good", !inUse);
       },
       [this](const std::exception_ptr& problem) {
         test_->setEnabled(true);

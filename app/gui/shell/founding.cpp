@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/shell/founding.h"
 
+#include <optional>
+#include <utility>
+
 #include <QUrl>
 
 #include "app/gui/base/job_panel.h"
@@ -31,24 +34,30 @@ void Founding::begin(const FirstRunChoice& choice) {
   record_.setLocator(choice.locator);
   cancelled_.store(false);
   panel_->job().begin(tr("Setting up the centre"));
+  struct Founded {
+    Actor founder{};
+    std::vector<StartAccount> accounts{};
+  };
   background_.run(
-      [this, choice, key = record_.key()]() -> Background::Finish {
-        SessionContext own(key);
+      record_.key(),
+      [this, first = choice.first](SessionContext& own) -> std::optional<Founded> {
         own.setPasswordCost(setup_.passwordCost);
         if (!needsFirstRun(own.connectionWithoutRight())) {
-          return [this, choice] {  // a centre exists already: its people sign in
-            panel_->job().end();
-            Q_EMIT foundThere(choice.locator);
-          };
+          return std::nullopt;
         }
-        const auto accounts = performFirstRun(own, choice.first,
-                                              [this](SessionContext& session) { return addPeople(session); });
-        return [this, actor = own.actor(), choice, accounts] {
-          panel_->job().end();
-          record_.open();
-          record_.session()->setActor(actor);
-          Q_EMIT founded(choice, accounts);
-        };
+        std::vector<StartAccount> accounts =
+            performFirstRun(own, first, [this](SessionContext& session) { return addPeople(session); });
+        return Founded{own.actor(), std::move(accounts)};
+      },
+      [this, choice](const std::optional<Founded>& made) {
+        panel_->job().end();
+        if (!made) {  // a centre exists already: its people sign in
+          Q_EMIT foundThere(choice.locator);
+          return;
+        }
+        record_.open();
+        record_.session()->setActor(made->founder);
+        Q_EMIT founded(choice, made->accounts);
       },
       [this](const std::exception_ptr& problem) {
         panel_->job().end();

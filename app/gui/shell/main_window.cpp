@@ -23,18 +23,17 @@
 #include "app/gui/shell/entrance.h"
 #include "app/gui/shell/founding.h"
 #include "app/gui/shell/idle_warning.h"
-#include "app/gui/shell/look_round.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/screen_lock.h"
+#include "app/gui/shell/settling.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/shell/simulated_desks.h"
 #include "app/gui/shell/trouble_panel.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
-#include "app/services/recording/station_start.h"
 #include "app/services/recording/station_writer.h"
 #include "assessment/domain/people/account.h"
 
@@ -69,7 +68,6 @@ MainWindow::MainWindow(const ShellSetup& setup)
       mayClose_(!setup.kiosk),
       idle_(new IdleWarning(setup.clock, setup.idle.value_or(IdleLimits{}), this)),
       away_(new AwayBanner([this] { return reconnect(); }, this)),
-      visit_(new VisitBar(this)),
       stack_(new QStackedWidget(this)) {
   setWindowTitle(QStringLiteral("Torsio"));
   setObjectName(QStringLiteral("shell"));
@@ -81,10 +79,6 @@ MainWindow::MainWindow(const ShellSetup& setup)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  visit_->hide();
-  for (QWidget* part : std::initializer_list<QWidget*>{idle_, away_, visit_, stack_}) {
-    column->addWidget(part);
-  }
   connect(idle_, &IdleWarning::timeIsUp, this, [this] {
     if (endsWhenLeft()) {
       signOutBeyondDialogs(tr("You were signed out because nobody was here"));
@@ -92,7 +86,6 @@ MainWindow::MainWindow(const ShellSetup& setup)
       lock();
     }
   });
-  connect(away_, &AwayBanner::settleWanted, this, &MainWindow::settleAgain);
   connect(away_, &AwayBanner::refused, this, [this](int entries) {
     if (desk_ != nullptr) {
       desk_->context().notify(
@@ -100,10 +93,12 @@ MainWindow::MainWindow(const ShellSetup& setup)
              nullptr, entries));
     }
   });
-  connect(visit_, &VisitBar::wanted, this, &MainWindow::visit);
   SceneView::prepareWindow(*this);
   applyChoices({});
   createPanels();
+  for (QWidget* part : std::initializer_list<QWidget*>{idle_, away_, &simulated_->bar(), stack_}) {
+    column->addWidget(part);
+  }
   createKeys();
   qApp->installEventFilter(this);
   connect(&second_, &QTimer::timeout, this, &MainWindow::watchIdleness);
@@ -126,6 +121,9 @@ void MainWindow::createPanels() {
   founding_ = new Founding(background_, record_, setup_, this);
   entrance_ = new Entrance(background_, record_, this);
   lock_ = new ScreenLock(background_, this);
+  settling_ = new Settling(background_, record_, setup_, this);
+  simulated_ = new SimulatedDesks(record_, *founding_, this);
+  simulated_->bar().hide();
   const std::initializer_list<std::pair<QWidget*, const char*>> panels{{trouble_, "trouble"},
                                                                        {&founding_->panel(), "first run"},
                                                                        {&signIn(), "sign-in"},
@@ -139,6 +137,7 @@ void MainWindow::createPanels() {
   connect(trouble_, &TroublePanel::retryWanted, this, &MainWindow::openDatabase);
   connect(trouble_, &TroublePanel::otherDatabaseWanted, this, &MainWindow::enterFirstRun);
   connectFounding();
+  connectSettling();
   connect(&signIn(), &SignInPanel::languageWanted, this, &MainWindow::chooseLanguage);
   connectEntrance();
   connect(lock_, &ScreenLock::opened, this, [this] { show(desk_); });
@@ -157,13 +156,35 @@ void MainWindow::connectFounding() {
     chooseLanguage(language);
   });
   connect(panel, &FirstRunPanel::done, this, &MainWindow::enterDesk);
-  connect(panel, &FirstRunPanel::lookRoundWanted, this, &MainWindow::lookRound);
+  connect(panel, &FirstRunPanel::lookRoundWanted, simulated_, &SimulatedDesks::lookRound);
   connect(founding_, &Founding::founded, this, &MainWindow::begin);
   connect(founding_, &Founding::foundThere, this, [this](const QString& locator) {
     keepFirstRun(locator);
     openDatabase();
   });
-  connect(founding_, &Founding::failed, this, &MainWindow::endLookRound);
+  connect(founding_, &Founding::failed, simulated_, &SimulatedDesks::end);
+  connect(&simulated_->bar(), &VisitBar::wanted, this, [this](VisitedDesk desk) {
+    if (desk_ != nullptr && desk_->mayLeave()) {
+      simulated_->visit(desk, desk_->context());
+    }
+  });
+  connect(simulated_, &SimulatedDesks::wanted, this, &MainWindow::enterDeskAs);
+}
+
+void MainWindow::connectSettling() {
+  connect(settling_, &Settling::ended, this, [this](const QString& said, bool trouble) {
+    if (!said.isEmpty()) {
+      signIn().say(said, trouble);
+    }
+    startLine();
+  });
+  connect(settling_, &Settling::stored, this, [this] {
+    if (desk_ != nullptr) {
+      desk_->context().notify(tr("The database answers again, and what was kept meanwhile is stored"));
+    }
+  });
+  connect(settling_, &Settling::dueChanged, away_, &AwayBanner::setSettleDue);
+  connect(away_, &AwayBanner::settleWanted, settling_, &Settling::again);
 }
 
 void MainWindow::connectEntrance() {
@@ -228,12 +249,12 @@ void MainWindow::watchIdleness() {
 
 /// Returns whether leaving this desk signs out instead of locking, because there is nothing to return to.
 bool MainWindow::endsWhenLeft() const {
-  return setup_.kiosk || record_.session()->actor().practiceOnly || lookRound_ || simulated_;
+  return setup_.kiosk || record_.session()->actor().practiceOnly || simulated_->active();
 }
 
 void MainWindow::show(QWidget* panel) {
   stack_->setCurrentWidget(panel);
-  visit_->setVisible(lookRound_ != nullptr && panel == desk_);
+  simulated_->bar().setVisible(simulated_->lookingRound() && panel == desk_);
 }
 
 void MainWindow::start() {
@@ -281,41 +302,11 @@ void MainWindow::openDatabase() {
       }
     }
     enterSignIn();
-    settle();
+    settling_->begin();
   } catch (...) {
     trouble_->tell(std::current_exception());
     show(trouble_);
   }
-}
-
-/// Storing recordings that wait in files can take long; until then nobody may sign in.
-void MainWindow::settle() {
-  const bool begins = !std::exchange(filesClosed_, true);
-  background_.run(
-      [this, begins, key = record_.key(),
-       folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
-        sweepLeftovers(key.locator);
-        std::vector<Text> closed = begins ? closeRecordFiles(key.locator, folder) : std::vector<Text>{};
-        SessionContext own(key);
-        if (begins) {
-          const std::vector<Text> copies = closeKnownCopies(own.connectionWithoutRight());
-          closed.insert(closed.end(), copies.begin(), copies.end());
-        }
-        const StationStart start = settleStation(own, folder);
-        return [this, kept = start.kept, closed] {
-          kept_ = kept;
-          if (!kept_.empty()) {
-            signIn().say(translatedLines(kept_), true);
-          } else if (!closed.empty()) {
-            signIn().say(translatedLines(closed), false);
-          }
-          startLine();
-        };
-      },
-      [this](const std::exception_ptr& problem) {
-        signIn().say(problemSentence(problem), true);
-        startLine();
-      });
 }
 
 void MainWindow::startLine() {
@@ -325,27 +316,6 @@ void MainWindow::startLine() {
     desk_->context().setLine(record_.line());
   }
   heartbeat();
-}
-
-/// Stores the recordings that went to files during a database outage.
-void MainWindow::settleAgain() {
-  if (background_.working()) {
-    return;
-  }
-  away_->setSettleDue(false);
-  background_.run(
-      [this, key = record_.key(),
-       folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
-        SessionContext own(key);
-        const StationStart start = settleStation(own, folder);
-        return [this, start] {
-          if (desk_ == nullptr || start.trials.empty()) {
-            return;
-          }
-          desk_->context().notify(tr("The database answers again, and what was kept meanwhile is stored"));
-        };
-      },
-      [this](const std::exception_ptr&) { away_->setSettleDue(true); });
 }
 
 void MainWindow::changeRecord(const RecordChange& change) {
@@ -389,39 +359,16 @@ void MainWindow::keepFirstRun(const QString& locator) {
 void MainWindow::begin(const FirstRunChoice& choice, const std::vector<StartAccount>& accounts) {
   startLine();
   centre_ = toQString(choice.first.centre);
-  if (!lookRound_) {
+  if (!simulated_->lookingRound()) {
     keepFirstRun(choice.locator);
     founding_->panel().showAccounts(accounts);
     return;
   }
-  // A visitor has no device, and results do not count.
-  setCentreSetting<kGradedWithMouse>(*record_.session(), true);
-  lookRound_->visitor = record_.session()->actor();
-  visit_->setSeen(VisitedDesk::kAdministrator);
+  const VisitedDesk first = simulated_->begin();
   enterDesk();
-  desk_->context().notify(tr("Everybody here is simulated. All of it is deleted when you sign out"));
-  if (lookRound_->first != VisitedDesk::kAdministrator) {
-    visit(lookRound_->first);
-  }
-}
-
-void MainWindow::lookRound(VisitedDesk desk) {
-  lookRound_ = std::make_unique<LookRound>();
-  if (!lookRound_->folder.isValid()) {
-    founding_->panel().say(tr("No folder can be made for it: %1").arg(lookRound_->folder.errorString()));
-    lookRound_.reset();
-    return;
-  }
-  lookRound_->before = record_.locator();
-  lookRound_->first = desk;
-  founding_->begin(lookRound_->choice(tr("Look round: simulated people"), founding_->panel().language()));
-}
-
-void MainWindow::endLookRound() {
-  if (lookRound_) {
-    record_.close();  // the record is closed now
-    record_.setLocator(lookRound_->before);
-    lookRound_.reset();
+  desk_->context().notify(SimulatedDesks::visitorsSentence());
+  if (first != VisitedDesk::kAdministrator) {
+    simulated_->visit(first, desk_->context());
   }
 }
 
@@ -440,25 +387,13 @@ void MainWindow::enterDesk() {
   }
   applyChoices(userId());
   openDesk();
-  tellKept();
-}
-
-void MainWindow::tellKept() {
-  if (kept_.empty() || record_.session()->actor().practiceOnly) {
-    return;
-  }
-  desk_->context().tell([kept = kept_] {
-    return TranslatedError{
-        tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept.size())),
-        tr("The files are kept. Please show this to your administrator"), translatedLines(kept)};
-  });
-  kept_.clear();
+  settling_->tellKept(desk_->context());
 }
 
 void MainWindow::openDesk() {
   DeskSetup setup;
   setup.assets = setup_.assets;
-  setup.centre = lookRound_ ? QString() : centre_;  // shown in the visitor's line instead
+  setup.centre = simulated_->lookingRound() ? QString() : centre_;  // shown in the visitor's line instead
   setup.language = language_.present();
   setup.theme = theme_;
   setup.kiosk = setup_.kiosk;
@@ -473,7 +408,11 @@ void MainWindow::openDesk() {
   connect(desk_, &Desk::themeWanted, this, &MainWindow::chooseTheme);
   connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
-  connect(desk_, &Desk::simulatedWanted, this, &MainWindow::enterAsSimulated);
+  connect(desk_, &Desk::simulatedWanted, this, [this](SimulatedRole role) {
+    if (desk_->mayLeave()) {
+      simulated_->view(role, desk_->context());
+    }
+  });
   connect(desk_, &Desk::passwordChangeWanted, entrance_, &Entrance::changeOwnPassword);
   // Deferred, because the requesting page is destroyed with the desk.
   connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
@@ -504,10 +443,8 @@ bool MainWindow::signOut(const QString& reason) {
     return false;
   }
   leaveDesk();
-  simulated_ = false;
   const std::optional<LeftHead> head = forgetActor();
-  if (lookRound_) {
-    endLookRound();
+  if (simulated_->end()) {
     openDatabase();
     return true;
   }
@@ -523,7 +460,7 @@ bool MainWindow::lock() {
   if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) {
     return false;
   }
-  if (record_.session()->actor().practiceOnly || lookRound_ || simulated_) {
+  if (record_.session()->actor().practiceOnly || simulated_->active()) {
     return signOut();  // nothing to return to
   }
   lock_->close(*record_.session(), record_.key());
@@ -548,7 +485,7 @@ void MainWindow::signOutBeyondDialogs(const QString& reason) {
 }
 
 std::optional<LeftHead> MainWindow::forgetActor() {
-  if (lookRound_ && record_.session() != nullptr) {
+  if (simulated_->lookingRound() && record_.session() != nullptr) {
     record_.session()->setActor({});  // the audit trail is deleted with the folder
     return std::nullopt;
   }
@@ -574,56 +511,12 @@ void MainWindow::tellHead(const std::optional<LeftHead>& head) {
   signIn().tellHead(*head);
 }
 
-void MainWindow::enterAsSimulated(SimulatedRole role) {
-  if (desk_ == nullptr || !desk_->mayLeave()) {
-    return;
-  }
-  if (lookRound_) {
-    visit(role == SimulatedRole::kTrainee ? VisitedDesk::kTrainee : VisitedDesk::kPhysician);
-    return;
-  }
-  Actor person;
-  if (!attempt(desk_->context(), [&] { person = simulatedPerson(desk_->context().session(), role); })) {
-    return;
-  }
-  enterDeskAs(person, true,
-              role == SimulatedRole::kTrainee
-                  ? tr("You are a simulated trainee. Sign out to return to your own account")
-                  : tr("You are a simulated physician. Sign out to return to your own account"));
-}
-
-void MainWindow::visit(VisitedDesk desk) {
-  if (!lookRound_ || desk_ == nullptr || !desk_->mayLeave()) {
-    return;
-  }
-  const Actor before = record_.session()->actor();
-  Actor next = lookRound_->visitor;
-  const bool simulated = desk != VisitedDesk::kAdministrator;
-  if (simulated) {
-    record_.session()->setActor(lookRound_->visitor);
-    const bool found = attempt(desk_->context(), [&] {
-      next = simulatedPerson(*record_.session(), desk == VisitedDesk::kTrainee ? SimulatedRole::kTrainee
-                                                                               : SimulatedRole::kPhysician);
-    });
-    record_.session()->setActor(before);
-    if (!found) {
-      return;
-    }
-  }
-  if (!simulated) {  // the visitor has no known password, and signatures are deleted with the folder
-    next.passwordShownUtc_us = record_.session()->now_us();
-  }
-  visit_->setSeen(desk);
-  enterDeskAs(next, simulated, tr("Everybody here is simulated. All of it is deleted when you sign out"));
-}
-
-void MainWindow::enterDeskAs(const Actor& actor, bool simulated, const QString& sentence) {
+void MainWindow::enterDeskAs(const Actor& actor, const QString& sentence) {
   // Deferred, because the requesting menu or page is destroyed with the desk.
-  QTimer::singleShot(0, this, [this, actor, simulated, sentence] {
+  QTimer::singleShot(0, this, [this, actor, sentence] {
     leaveDesk();
     forgetActor();
     record_.session()->setActor(actor);
-    simulated_ = simulated;
     enterDesk();
     desk_->context().notify(sentence);
   });

@@ -24,12 +24,11 @@ class Entrance;
 class Founding;
 class IdleWarning;
 class ScreenLock;
+class Settling;
 class SignInPanel;
+class SimulatedDesks;
 class TroublePanel;
-class VisitBar;
 struct FirstRunChoice;
-struct LookRound;
-enum class VisitedDesk;
 
 /// The program's window. Shows one of: trouble with the record, first run, sign-in (Entrance), the actor's
 /// desk, or its lock (ScreenLock); decides what follows.
@@ -70,14 +69,13 @@ class MainWindow : public QWidget {
   [[nodiscard]] SignInPanel& signIn() const;
   void createPanels();
   void connectFounding();
+  void connectSettling();
   void connectEntrance();
   void createKeys();
   void toggleFullScreen();
   void show(QWidget* panel);
 
   void openDatabase();
-  void settle();
-  void settleAgain();
   void startLine();
   bool reconnect();
   void changeRecord(const RecordChange& change);
@@ -87,16 +85,11 @@ class MainWindow : public QWidget {
   void begin(const FirstRunChoice& choice, const std::vector<StartAccount>& accounts);
   /// Called when a centre has been set up or found there: this station remembers settings from now on.
   void keepFirstRun(const QString& locator);
-  /// Opens a temporary record of simulated people, for a visitor.
-  void lookRound(VisitedDesk desk);
-  /// Deletes that record, and the settings chosen meanwhile.
-  void endLookRound();
 
   void enterSignIn();
   void enterDesk();
   void openDesk();
   void leaveDesk();
-  void tellKept();
   [[nodiscard]] bool endsWhenLeft() const;
   /// Signs out after the open dialogs have been rejected.
   void signOutBeyondDialogs(const QString& reason);
@@ -107,12 +100,8 @@ class MainWindow : public QWidget {
   /// stored.
   [[nodiscard]] static bool staysSilent(const LeftHead& head);
 
-  /// Replaces the signed-in administrator by a simulated person; signing out leads to sign-in.
-  void enterAsSimulated(SimulatedRole role);
-  /// Takes a visitor to another desk, as a simulated person or as themselves.
-  void visit(VisitedDesk desk);
-  /// Opens an actor's desk after the present events have been processed.
-  void enterDeskAs(const Actor& actor, bool simulated, const QString& sentence);
+  /// Replaces the actor, after the present events have been processed; signing out leads to sign-in.
+  void enterDeskAs(const Actor& actor, const QString& sentence);
 
   void applyChoices(const QString& userId);
   [[nodiscard]] QString userId() const;
@@ -122,23 +111,20 @@ class MainWindow : public QWidget {
   LanguageSwitch language_;
   Background background_;
   QTimer second_;
-  std::unique_ptr<LookRound> lookRound_;      ///< its record must outlive the session
   std::optional<Language> firstRunLanguage_;  ///< chosen before a centre was set up
   OpenRecord record_;
-  bool simulated_ = false;    ///< an administrator is viewing a simulated person's desk
-  bool filesClosed_ = false;  ///< files readable by others have been searched since the start
-  std::vector<Text> kept_;    ///< recordings that could not be stored; shown until somebody signs in
   bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;
   bool cardsOpen_ = false;  ///< the kiosk accepts cards (centre setting at opening)
   IdleWarning* idle_;
   AwayBanner* away_;
-  VisitBar* visit_;
   QStackedWidget* stack_;
   TroublePanel* trouble_ = nullptr;
   Founding* founding_ = nullptr;
   Entrance* entrance_ = nullptr;
+  Settling* settling_ = nullptr;
+  SimulatedDesks* simulated_ = nullptr;  ///< its temporary record must outlive the session
   ScreenLock* lock_ = nullptr;
   int deskLevel_ = 0;  ///< event loop level without open dialogs
   Desk* desk_ = nullptr;

@@ -50,21 +50,21 @@ void ScreenLock::setWorking(bool working) {
 
 void ScreenLock::unlock(const QString& password) {
   background_.run(
-      [this, key = key_, login = session_->actor().login, password]() -> Background::Finish {
-        SessionContext own(key);
-        const SignInAnswer answer = torsio::signIn(own, login, password.toStdString());
-        return [this, answer] {
-          if (answer.outcome == SignIn::kOk && answer.actor.userId == session_->actor().userId) {
-            session_->setActor(answer.actor);  // re-entered with the password
-            dialogs_->uncover();
-            Q_EMIT opened();
-          } else if (answer.outcome == SignIn::kWait) {
-            say(tr("Too many wrong tries. Please wait %1")
-                    .arg(clockTimeLeft(answer.waitUntilUtc_us - session_->now_us())));
-          } else {
-            say(tr("The password is not correct. Please try again"));
-          }
-        };
+      key_,
+      [login = session_->actor().login, password = password.toStdString()](SessionContext& own) {
+        return torsio::signIn(own, login, password);
+      },
+      [this](const SignInAnswer& answer) {
+        if (answer.outcome == SignIn::kOk && answer.actor.userId == session_->actor().userId) {
+          session_->setActor(answer.actor);  // re-entered with the password
+          dialogs_->uncover();
+          Q_EMIT opened();
+        } else if (answer.outcome == SignIn::kWait) {
+          say(tr("Too many wrong tries. Please wait %1")
+                  .arg(clockTimeLeft(answer.waitUntilUtc_us - session_->now_us())));
+        } else {
+          say(tr("The password is not correct. Please try again"));
+        }
       },
       [this](const std::exception_ptr& problem) { say(problemSentence(problem)); });
 }

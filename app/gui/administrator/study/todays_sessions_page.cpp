@@ -2,6 +2,7 @@
 #include "app/gui/administrator/study/todays_sessions_page.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QAction>
 #include <QComboBox>
@@ -27,11 +28,13 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/fold_line.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/held_button.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/services/access/database_away.h"
+#include "assessment/domain/study/station_state.h"
 
 namespace torsio::gui {
 
@@ -41,6 +44,10 @@ constexpr int kReadAgain_ms = 10'000;
 constexpr int kReadCalls_ms = 2'000;   // while a trainee is at the arm
 constexpr int kRoomForStations = 860;  // page height that fits the stations and enough of the board
 const QString kStationsKey = QStringLiteral("today/stations");
+
+constexpr int kStationsFrame = 74;  // height of summary, headings, borders
+constexpr int kStationHeight = 32;
+constexpr std::size_t kMaxStations = 4;
 
 }  // namespace
 
@@ -161,18 +168,19 @@ void TodaysSessionsPage::refresh() {
     return;
   }
   reader_->run(
-      [this, key = shell().session().key(), cohort]() -> Background::Finish {
-        SessionContext own(key);
+      shell().session().key(),
+      [cohort](SessionContext& own) {
         DayBoard board = dayBoard(own, cohort);
         own.beginCall();
-        return [this, cohort, board = std::move(board), calls = calledCases(own, cohort)] {
-          if (cohort != chosenId(cohort_) || holdsButton(*this)) {
-            return;  // another cohort was chosen meanwhile, or the next refresh shows it
-          }
-          board_ = board;
-          calls_ = calls;
-          showContent();
-        };
+        return std::pair(std::move(board), calledCases(own, cohort));
+      },
+      [this, cohort](auto read) {
+        if (cohort != chosenId(cohort_) || holdsButton(*this)) {
+          return;  // another cohort was chosen meanwhile, or the next refresh shows it
+        }
+        board_ = std::move(read.first);
+        calls_ = std::move(read.second);
+        showContent();
       },
       [this](const std::exception_ptr& problem) {
         if (saysDatabaseAway(problem)) {
@@ -342,6 +350,70 @@ void TodaysSessionsPage::retranslate() {
                       {tr("Deviations"), true, true},
                       {tr("Planned")}});
   showContent();
+}
+
+QString TodaysSessionsPage::checkText(const StationDevice& device) const {
+  if (device.device.empty()) {
+    return QStringLiteral("\u2013");
+  }
+  const QDateTime checked = QDateTime::fromMSecsSinceEpoch(device.checkedUtc_us / 1000);
+  const QDateTime now = QDateTime::fromMSecsSinceEpoch(board_->asOfUtc_us / 1000);
+  if (!device.light) {
+    return tr("\u25CB not checked yet");
+  }
+  if (checked.date() != now.date()) {
+    return tr("\u25CB not checked today, last on %1").arg(dateText(checked.date(), locale()));
+  }
+  const QString time = locale().toString(checked.time(), QLocale::ShortFormat);
+  switch (*device.light) {
+    case Light::kGreen:
+      return tr("\u2713 fit at %1").arg(time);
+    case Light::kAmber:
+      return tr("! practice only at %1: %2").arg(time, toQString(device.problem));
+    case Light::kRed:
+      break;
+  }
+  return tr("\u2717 not fit at %1: %2").arg(time, toQString(device.problem));
+}
+
+void TodaysSessionsPage::showStations() {
+  std::vector<Row> rows;
+  int recording = 0;
+  int lost = 0;
+  if (board_) {
+    for (const StationState& station : board_->stations) {
+      const bool silent = board_->asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
+      const bool records = !station.trialId.empty() && !station.ended;
+      recording += records && !silent ? 1 : 0;
+      lost += silent ? 1 : 0;
+      const StationDevice device = storedDevice(station);
+      const QString check = checkText(device);
+      rows.push_back(
+          {toQString(station.station),
+           {{toQString(station.station)},
+            {silent    ? tr("! does not answer")
+             : records ? tr("\u25CF records")
+                       : tr("\u25CB free")},
+            {records ? toQString(station.traineeCode) : QStringLiteral("\u2013")},
+            {records && !station.phaseLabel.empty() ? toQString(Text(station.phaseLabel))
+                                                    : QStringLiteral("\u2013")},
+            {records ? clockTime(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
+            timeCell(station.heartbeatUtc_us),
+            {orDash(station.softwareVersion)},
+            {device.device.empty() ? orDash({}) : toQString(device.device)},
+            {check, {}, check}}});
+    }
+  }
+  const bool some = !rows.empty();
+  stationsLine_->setText(tr("Stations: %1 \u00b7 recording: %2 \u00b7 not answering: %3")
+                             .arg(rows.size())
+                             .arg(recording)
+                             .arg(lost));
+  stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
+                                                                  rows.size(), 1, kMaxStations)));
+  stations_->setRows(std::move(rows));
+  stations_->setVisible(some && stationsLine_->isOpen());
+  stationsLine_->setVisible(some);
 }
 
 }  // namespace torsio::gui
