@@ -26,6 +26,10 @@
 #include "app/gui/widgets/page_heading.h"
 #include "app/gui/widgets/scroll_gap.h"
 #include "app/services/organs/person_arm.h"
+#include "sim/imaging/apart/scan_process.h"
+#include "sim/imaging/surface/scan_steps.h"
+#include "sim/scene/instrument_file.h"
+#include "sim/scene/instrument_import.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio::gui {
@@ -366,6 +370,79 @@ void OrganWizard::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
   scan_->setTheme(theme);
   instrument_->setTheme(theme);
+}
+
+void OrganWizard::openInstrument(const std::filesystem::path& source) {
+  if (!mayWork()) {
+    return;
+  }
+  ToolRequest tool;
+  tool.source = source;
+  tool.series = series_->value();
+  tool.resample = resample_->isChecked();
+  source_ = source;
+  instrument_->begin(tool);
+  pages_->setCurrentWidget(instrument_);
+  findInstrument();
+}
+
+void OrganWizard::openToolMesh(const std::filesystem::path& file) {
+  if (!mayWork()) {
+    return;
+  }
+  showToolMesh(file);
+  findInstrument();
+}
+
+void OrganWizard::showToolMesh(const std::filesystem::path& file) {
+  source_ = file;
+  instrument_->beginMesh(file);
+  pages_->setCurrentWidget(instrument_);
+}
+
+void OrganWizard::findInstrument() {
+  if (!mayWork()) {
+    return;
+  }
+  const auto show = [this](const ToolSurface& found) { instrument_->setTool(found); };
+  if (instrument_->ofMesh()) {
+    shell_.run(
+        this, tr("Looking for the instrument"),
+        [request = instrument_->meshRequest()](SessionContext&, const ProgressCallback& progress) {
+          tellProgress(progress, Text::tr("Reading the mesh"), 0.0);
+          return importInstrument(request);
+        },
+        show);
+    return;
+  }
+  shell_.run(
+      this, tr("Looking for the instrument"),
+      [request = instrument_->request()](SessionContext&, const ProgressCallback& progress) {
+        return toolApart(request, [&progress](ScanStep step, double fraction) {
+          const ScanStepShare share = shareOf(step);
+          tellProgress(progress, share.words, share.at(fraction));
+        });
+      },
+      show);
+}
+
+void OrganWizard::saveInstrument(const std::filesystem::path& file) {
+  writeInstrument(file, instrument_->tool(), instrument_->facts());
+}
+
+void OrganWizard::chooseInstrumentName() {
+  QString file = askFileToSave(this, tr("Save instrument"), QStringLiteral("instrument.json"),
+                               tr("Instruments (*.json)"));
+  if (file.isEmpty()) {
+    return;
+  }
+  if (!file.endsWith(QStringLiteral(".json"))) {
+    file += QStringLiteral(".json");
+  }
+  attempt(shell_, [&] {
+    saveInstrument(toPath(file));
+    shell_.notify(tr("Saved %1").arg(file));
+  });
 }
 
 }  // namespace torsio::gui
