@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/cli.h"
-#include "app/gui/program/window_options.h"
+#include "app/gui/program/window_main.h"
 #include "sim/core/file_io.h"
 
 int main(int argc, char** argv) {

@@ -652,6 +652,90 @@
         <source>Save</source>
         <translation>保存</translation>
     </message>
+    <message>
+        <source>Move the instrument</source>
+        <translation>移动器械</translation>
+    </message>
+    <message>
+        <source>Mouse, or arrow keys</source>
+        <translation>鼠标或方向键</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Wheel, or Page Up and Page Down</source>
+        <translation>滚轮，或 Page Up、Page Down 键</translation>
+    </message>
+    <message>
+        <source>Grip</source>
+        <translation>夹持</translation>
+    </message>
+    <message>
+        <source>Left button or Space (hold), G (keep)</source>
+        <translation>左键或空格键（按住），G 键（保持）</translation>
+    </message>
+    <message>
+        <source>Twist what is held</source>
+        <translation>扭转所夹组织</translation>
+    </message>
+    <message>
+        <source>Drag, Shift + wheel, or Q and E</source>
+        <translation>拖动、Shift + 滚轮，或 Q、E 键</translation>
+    </message>
+    <message>
+        <source>Tilt the instrument</source>
+        <translation>倾斜器械</translation>
+    </message>
+    <message>
+        <source>A, D, W, S</source>
+        <translation>A、D、W、S</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>Release the button, or Esc</source>
+        <translation>松开按键，或按 Esc</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>转动视图</translation>
+    </message>
+    <message>
+        <source>Right drag, or Ctrl + arrow keys</source>
+        <translation>右键拖动，或 Ctrl + 方向键</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>平移视图</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel, or + and −</source>
+        <translation>Ctrl + 滚轮，或 + 和 −</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>操作方法</translation>
+    </message>
 </context>
 <context>
     <name>PrintedCards</name>
@@ -24005,10 +24089,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>此处有未完成的内容，只有本人可以退出登录</translation>
     </message>
     <message>
-        <source>You were signed out because nobody was here</source>
-        <translation>由于长时间无人操作，已退出登录</translation>
-    </message>
-    <message>
         <source>The database answers again, and what was kept meanwhile is stored</source>
         <translation>数据库已恢复应答，期间保存的内容已存入</translation>
     </message>
@@ -24017,18 +24097,18 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>新密码已生效</translation>
     </message>
     <message>
-        <source>The head of the audit trail was not kept: %1</source>
-        <translation>未能保存审计记录的链头：%1</translation>
+        <source>Close the window once more, when you have read this</source>
+        <translation>阅读后请再次关闭窗口</translation>
+    </message>
+    <message>
+        <source>You were signed out because nobody was here</source>
+        <translation>由于长时间无人操作，已退出登录</translation>
     </message>
     <message numerus="yes">
         <source>The database permanently refused %Ln entries of this station. Please tell its administrator</source>
         <translation>
             <numerusform>数据库最终拒绝了本工作站的 %Ln 条记录。请告知维护人员</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Close the window once more, when you have read this</source>
-        <translation>阅读后请再次关闭窗口</translation>
     </message>
 </context>
 <context>
@@ -25045,10 +25125,14 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
 </context>
 <context>
-    <name>torsio::gui::OrganWizard</name>
+    <name>torsio::gui::OrganSources</name>
     <message>
         <source>Mesh of an organ</source>
         <translation>器官的网格</translation>
+    </message>
+    <message>
+        <source>Mesh of an instrument</source>
+        <translation>器械网格</translation>
     </message>
     <message>
         <source>Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
@@ -25066,6 +25150,69 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>Folder of DICOM files</source>
         <translation>DICOM 文件夹</translation>
     </message>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in a separate process, checked, repaired where that is safe, and test-twisted.</source>
+        <translation>一个器官的封闭表面：obj、stl、ply、off、glb、gltf 或 dae。程序在独立进程中读取、检查，在安全时修补，并进行试扭转。</translation>
+    </message>
+    <message>
+        <source>Choose a mesh…</source>
+        <translation>选择网格…</translation>
+    </message>
+    <message>
+        <source>A CT, or a label mask from another program. You view its slices, mark the organ and correct the result. Patient names are neither shown nor kept.</source>
+        <translation>CT，或其他程序给出的标签掩膜。您可查看切片，指明器官，并修正找到的结果。患者姓名既不显示也不保存。</translation>
+    </message>
+    <message>
+        <source>&amp;Series, where a folder holds several</source>
+        <translation>序列（文件夹含多个时）(&amp;S)</translation>
+    </message>
+    <message>
+        <source>the one with the most slices</source>
+        <translation>切片最多的一个</translation>
+    </message>
+    <message>
+        <source>Accept unevenly spaced slices</source>
+        <translation>接受间距不均的切片</translation>
+    </message>
+    <message>
+        <source>NIfTI file…</source>
+        <translation>NIfTI 文件…</translation>
+    </message>
+    <message>
+        <source>DICOM folder…</source>
+        <translation>DICOM 文件夹…</translation>
+    </message>
+    <message>
+        <source>Arm from a person&apos;s measurements</source>
+        <translation>按个人尺寸绘制的手臂</translation>
+    </message>
+    <message>
+        <source>A drawn forearm and hand: wrist and fingers as measured on the trainee or the patient. The preset values are a man&apos;s; the girth of the forearm follows the wrist.</source>
+        <translation>绘制的前臂与手：腕部和手指按学员或患者的测量值。预设值为男性尺寸；前臂围度随腕部而变。</translation>
+    </message>
+    <message>
+        <source>Draw the arm</source>
+        <translation>绘制手臂</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>器械</translation>
+    </message>
+    <message>
+        <source>The mesh of a tool, or its CT with the jaws closed, becomes an instrument: you place its tip, hinge and jaws on a picture. The choices for scans apply to its CT, too.</source>
+        <translation>工具的网格，或钳口闭合时的 CT，可成为器械：您在图上放置其尖端、铰链和钳口。为扫描所选的设置也适用于其 CT。</translation>
+    </message>
+    <message>
+        <source>Mesh…</source>
+        <translation>网格…</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::OrganWizard</name>
     <message>
         <source>Wait until the current work has finished</source>
         <translation>请等待当前的工作结束</translation>
@@ -25107,30 +25254,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>返回练习</translation>
     </message>
     <message>
-        <source>Mesh</source>
-        <translation>网格</translation>
-    </message>
-    <message>
-        <source>Choose a mesh…</source>
-        <translation>选择网格…</translation>
-    </message>
-    <message>
-        <source>A CT, or a label mask from another program. You view its slices, mark the organ and correct the result. Patient names are neither shown nor kept.</source>
-        <translation>CT，或其他程序给出的标签掩膜。您可查看切片，指明器官，并修正找到的结果。患者姓名既不显示也不保存。</translation>
-    </message>
-    <message>
-        <source>Accept unevenly spaced slices</source>
-        <translation>接受间距不均的切片</translation>
-    </message>
-    <message>
-        <source>NIfTI file…</source>
-        <translation>NIfTI 文件…</translation>
-    </message>
-    <message>
-        <source>DICOM folder…</source>
-        <translation>DICOM 文件夹…</translation>
-    </message>
-    <message>
         <source>Findings</source>
         <translation>所得结果</translation>
     </message>
@@ -25167,34 +25290,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>先保存器官，以便在其上所作的录制能够重放</translation>
     </message>
     <message>
-        <source>&amp;Series, where a folder holds several</source>
-        <translation>序列（文件夹含多个时）(&amp;S)</translation>
-    </message>
-    <message>
-        <source>the one with the most slices</source>
-        <translation>切片最多的一个</translation>
-    </message>
-    <message>
-        <source>A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in a separate process, checked, repaired where that is safe, and test-twisted.</source>
-        <translation>一个器官的封闭表面：obj、stl、ply、off、glb、gltf 或 dae。程序在独立进程中读取、检查，在安全时修补，并进行试扭转。</translation>
-    </message>
-    <message>
-        <source>Arm from a person&apos;s measurements</source>
-        <translation>按个人尺寸绘制的手臂</translation>
-    </message>
-    <message>
-        <source>A drawn forearm and hand: wrist and fingers as measured on the trainee or the patient. The preset values are a man&apos;s; the girth of the forearm follows the wrist.</source>
-        <translation>绘制的前臂与手：腕部和手指按学员或患者的测量值。预设值为男性尺寸；前臂围度随腕部而变。</translation>
-    </message>
-    <message>
-        <source>Draw the arm</source>
-        <translation>绘制手臂</translation>
-    </message>
-    <message>
-        <source>Instrument</source>
-        <translation>器械</translation>
-    </message>
-    <message>
         <source>Looking for the instrument</source>
         <translation>正在查找器械</translation>
     </message>
@@ -25213,18 +25308,6 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Import an organ: once checked, a mesh, a scan or a person&apos;s measurements become an organ that can be twisted.</source>
         <translation>导入器官：网格、扫描或个人尺寸经检验后，即成为可扭转的器官。</translation>
-    </message>
-    <message>
-        <source>Mesh of an instrument</source>
-        <translation>器械网格</translation>
-    </message>
-    <message>
-        <source>The mesh of a tool, or its CT with the jaws closed, becomes an instrument: you place its tip, hinge and jaws on a picture. The choices for scans apply to its CT, too.</source>
-        <translation>工具的网格，或钳口闭合时的 CT，可成为器械：您在图上放置其尖端、铰链和钳口。为扫描所选的设置也适用于其 CT。</translation>
-    </message>
-    <message>
-        <source>Mesh…</source>
-        <translation>网格…</translation>
     </message>
 </context>
 <context>
@@ -29214,6 +29297,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>Too many wrong tries. Please wait %1</source>
         <translation>错误次数过多，请等待 %1</translation>
     </message>
+    <message>
+        <source>The head of the audit trail was not kept: %1</source>
+        <translation>未能保存审计记录的链头：%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::SimulatedDesks</name>
@@ -29338,90 +29425,6 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>● Recording  %1</source>
         <translation>● 正在录制  %1</translation>
-    </message>
-    <message>
-        <source>Move the instrument</source>
-        <translation>移动器械</translation>
-    </message>
-    <message>
-        <source>Mouse, or arrow keys</source>
-        <translation>鼠标或方向键</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>深度</translation>
-    </message>
-    <message>
-        <source>Wheel, or Page Up and Page Down</source>
-        <translation>滚轮，或 Page Up、Page Down 键</translation>
-    </message>
-    <message>
-        <source>Grip</source>
-        <translation>夹持</translation>
-    </message>
-    <message>
-        <source>Left button or Space (hold), G (keep)</source>
-        <translation>左键或空格键（按住），G 键（保持）</translation>
-    </message>
-    <message>
-        <source>Twist what is held</source>
-        <translation>扭转所夹组织</translation>
-    </message>
-    <message>
-        <source>Drag, Shift + wheel, or Q and E</source>
-        <translation>拖动、Shift + 滚轮，或 Q、E 键</translation>
-    </message>
-    <message>
-        <source>Tilt the instrument</source>
-        <translation>倾斜器械</translation>
-    </message>
-    <message>
-        <source>A, D, W, S</source>
-        <translation>A、D、W、S</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>松开</translation>
-    </message>
-    <message>
-        <source>Release the button, or Esc</source>
-        <translation>松开按键，或按 Esc</translation>
-    </message>
-    <message>
-        <source>Bookmark</source>
-        <translation>书签</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Turn the view</source>
-        <translation>转动视图</translation>
-    </message>
-    <message>
-        <source>Right drag, or Ctrl + arrow keys</source>
-        <translation>右键拖动，或 Ctrl + 方向键</translation>
-    </message>
-    <message>
-        <source>Move the view</source>
-        <translation>平移视图</translation>
-    </message>
-    <message>
-        <source>Middle drag</source>
-        <translation>中键拖动</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>缩放</translation>
-    </message>
-    <message>
-        <source>Ctrl + wheel, or + and −</source>
-        <translation>Ctrl + 滚轮，或 + 和 −</translation>
-    </message>
-    <message>
-        <source>Controls</source>
-        <translation>操作方法</translation>
     </message>
     <message>
         <source>About Torsio</source>

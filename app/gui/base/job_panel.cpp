@@ -12,8 +12,9 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/gui/widgets/window_events.h"
 
 namespace torsio::gui {
 
@@ -63,7 +64,7 @@ JobPanel::JobPanel(QWidget* parent)
     step_->setText(tr("Stopping\u2026"));
     Q_EMIT cancelled();
   });
-  retranslate();
+  followLanguage(this, [this] { retranslate(); });
   hide();
 }
 
@@ -98,13 +99,6 @@ void JobPanel::retranslate() {
   setAccessibleName(tr("Work in progress"));
   bar_->setAccessibleName(tr("Progress"));
   cancel_->setText(tr("Cancel"));
-}
-
-void JobPanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) {
-    retranslate();
-  }
-  QFrame::changeEvent(event);
 }
 
 }  // namespace torsio::gui

@@ -27,9 +27,6 @@ class JobPanel : public QFrame {
  Q_SIGNALS:
   void cancelled();
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   void retranslate();
   QLabel* title_;

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include <QEvent>
+#include <QMetaType>
 #include <QString>
 #include <QVariant>
 #include <QWidget>
 
-#include "app/gui/base/page_id.h"
 #include "app/services/access/operation.h"
 
 namespace torsio {
@@ -20,6 +22,65 @@ namespace torsio::gui {
 
 class ShellContext;
 struct Theme;
+
+/// All pages, in the order of the navigation.
+enum class PageId {
+  // Trainee and free practice.
+  kNextStep,
+  kDebrief,
+  kTrend,
+  kRemarks,
+  kTranscript,
+  kDeviceCheck,
+  kConsent,
+  kBriefing,
+  kRun,
+  kPractice,
+  kCompare,
+  // Physician.
+  kQueue,
+  kRaterCalibration,
+  kLiveSheet,
+  kDiscrepancyReview,
+  kSeverity,
+  kEvaluation,
+  kCase,
+  // Administrator.
+  kTodaysSessions,
+  kRoster,
+  kCurricula,
+  kCohorts,
+  kAllocation,
+  kScoring,
+  kCampaigns,
+  kResults,
+  kReports,
+  kUsers,
+  kAudit,
+  kHeads,
+  kMaintenance,
+  kRestore,
+  kMove,
+  kDevices,
+};
+
+/// Static properties of a page.
+struct PageFacts {
+  PageId id;
+  const char* text;   ///< "station.next": object name of the page, also used by tests and messages
+  const char* icon;   ///< of assets/icons; "": only reached through other pages
+  const char* title;  ///< English; translated by pageTitle()
+  Operation needs;
+  std::optional<Operation> alsoNeeds = std::nullopt;
+  bool needsDatabase = true;  ///< false: available without the database
+};
+
+/// Looks a page up in the table of pages. Thread-safe.
+[[nodiscard]] const PageFacts& factsOf(PageId id) noexcept;
+/// Returns a page's title in the window's language. GUI thread.
+[[nodiscard]] QString pageTitle(PageId id);
+/// Returns a page's id for messages, tests and findChild(): "station.next". Thread-safe.
+[[nodiscard]] QString pageText(PageId id);
 
 /// A page of the navigation, such as a trainee's "Next step", a physician's "Queue", the administrator's
 /// "Roster". Pages contain no logic: they show what the services provide, through ShellContext::session().
@@ -52,7 +113,7 @@ class Page : public QWidget {
   ShellContext& shell_;
 };
 
-/// How the shell creates a page; everything else about it is in the table of page_id.h.
+/// How the shell creates a page; everything else about it is in its PageFacts.
 struct PageEntry {
   PageId id;
   std::function<Page*(ShellContext&)> make;
@@ -67,4 +128,13 @@ struct ScreenEntry {
   std::function<void(Page&)> prepare;                 ///< called after enter(); may be empty
 };
 
+/// Sent to the current page when the database answers again after an outage, so that it retries what it could
+/// not read or store.
+[[nodiscard]] inline QEvent::Type databaseAnsweredEvent() {
+  static const auto kType = static_cast<QEvent::Type>(QEvent::registerEventType());
+  return kType;
+}
+
 }  // namespace torsio::gui
+
+Q_DECLARE_METATYPE(torsio::gui::PageId)

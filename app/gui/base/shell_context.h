@@ -19,8 +19,8 @@
 #include <QThreadPool>
 #include <QVariant>
 
-#include "app/gui/base/page_id.h"
-#include "app/gui/base/problem.h"
+#include "app/gui/base/page.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/access/session_context.h"
 #include "app/services/base/progress.h"

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include "app/outputs/wording/wording.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
 
@@ -165,6 +166,28 @@ QString translatedLine(const Error& error) {
     return said.happened;
   }
   return QCoreApplication::translate("Text", "%1. %2").arg(said.happened, said.remedy);
+}
+
+Problem problemOf(const std::exception_ptr& thrown, const Surprise& surprise) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const Error& error) {
+    return [error] { return translated(error); };
+  } catch (const std::exception& error) {
+    return [surprise, details = QString::fromUtf8(error.what())] {
+      return TranslatedError{surprise.happened(), surprise.remedy(), details};
+    };
+  }
+}
+
+QString problemSentence(const std::exception_ptr& problem) {
+  try {
+    std::rethrow_exception(problem);
+  } catch (const Error& error) {
+    return translatedLine(error);
+  } catch (const std::exception& error) {
+    return QString::fromUtf8(error.what());
+  }
 }
 
 }  // namespace torsio::gui

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,5 +52,21 @@ struct TranslatedError {
 [[nodiscard]] TranslatedError translated(const Error& error);
 /// Translates an error into one line, "What happened. What to do". GUI thread.
 [[nodiscard]] QString translatedLine(const Error& error);
+
+/// A problem as a function that returns its text in the present language, so that it follows a change of
+/// language. GUI thread.
+using Problem = std::function<TranslatedError()>;
+
+/// Text for an unexpected exception; its what() goes to the details.
+struct Surprise {
+  std::function<QString()> happened;
+  std::function<QString()> remedy;
+};
+
+/// Converts an exception: an Error with its own text, anything else as `surprise`.
+[[nodiscard]] Problem problemOf(const std::exception_ptr& thrown, const Surprise& surprise);
+
+/// Returns problem and remedy in one line, for screens before sign-in, which have no problem panel.
+[[nodiscard]] QString problemSentence(const std::exception_ptr& problem);
 
 }  // namespace torsio::gui

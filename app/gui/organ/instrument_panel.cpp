@@ -19,7 +19,6 @@
 #include "app/gui/organ/instrument_view.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/scroll_gap.h"
 
 namespace torsio::gui {
 
@@ -47,9 +46,7 @@ QDoubleSpinBox* box(QWidget* parent, const char* name, double least, double most
 }  // namespace
 
 InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(2 * kSpace);
+  auto* row = bareLayout<QHBoxLayout>(this, 2 * kSpace);
   pictureCard_ = new Card(QString(), this);
   view_ = new InstrumentView(pictureCard_);
   pictureCard_->content()->addWidget(view_, 1);
@@ -89,8 +86,7 @@ InstrumentPanel::InstrumentPanel(QWidget* parent) : QWidget(parent) {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFixedWidth(kPlacesWidth);
   auto* ground = new QWidget;
-  auto* places = new QVBoxLayout(ground);
-  places->setContentsMargins(0, 0, 0, 0);
+  auto* places = bareLayout<QVBoxLayout>(ground);
   keepOffScrollBar(*scroll, *places);
   places->addWidget(placesCard_);
   places->addStretch(1);

@@ -9,8 +9,8 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 
@@ -46,8 +46,7 @@ QString number(double value, int decimals) {
 
 OrganFindings::OrganFindings(QWidget* parent)
     : QWidget(parent), verdict_(new QLabel(this)), measures_(sentence(this)), lines_(new QVBoxLayout) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
   verdict_->setObjectName(QStringLiteral("verdict"));
   verdict_->setWordWrap(true);
   QFont large = verdict_->font();

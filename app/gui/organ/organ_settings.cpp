@@ -49,10 +49,8 @@ QComboBox* narrowBox() {
 
 OrganSettings::OrganSettings(const std::filesystem::path& assets, QWidget* parent)
     : QWidget(parent), assets_(assets), ofMesh_(new QWidget(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* mesh = new QVBoxLayout(ofMesh_);
-  mesh->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
+  auto* mesh = bareLayout<QVBoxLayout>(ofMesh_);
   unit_ = narrowBox();
   unit_->addItems({QString(), QString(), QString(), QString(), QString()});
   unitLabel_ = addField(mesh, unit_);
@@ -89,8 +87,7 @@ OrganSettings::OrganSettings(const std::filesystem::path& assets, QWidget* paren
 
 QWidget* OrganSettings::createEnds() {
   auto* ends = new QWidget(this);
-  auto* column = new QVBoxLayout(ends);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(ends);
   endsLabel_ = new QLabel(ends);
   found_ = new QRadioButton(ends);
   given_ = new QRadioButton(ends);

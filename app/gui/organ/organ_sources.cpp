@@ -1,23 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wizard's first page: sources of organs and instruments.
+#include "app/gui/organ/organ_sources.h"
+
+#include <cstddef>
+
 #include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "app/gui/base/translated_text.h"
-#include "app/gui/organ/arm_form.h"
-#include "app/gui/organ/organ_wizard.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 
 namespace {
+
+// Indices of the fields, in the order in which they are added.
+constexpr std::size_t kWidth = 0;
+constexpr std::size_t kThickness = 1;
+constexpr std::size_t kForearm = 2;
+constexpr std::size_t kPalm = 3;
+constexpr std::size_t kBreadth = 4;
+constexpr std::size_t kHand = 5;
+constexpr std::size_t kFirstFinger = 6;
 
 constexpr int kCardWidth = 620;
 constexpr int kWholePage = 1000;  // stretch: margins only grow at the page's maximum width
@@ -25,19 +37,84 @@ constexpr int kMaxSeries = 100'000;
 
 }  // namespace
 
-QWidget* OrganWizard::createSourcePage() {
-  auto* ground = new QWidget(pages_);
-  auto* middle = new QHBoxLayout(ground);
-  middle->setContentsMargins(0, 0, 0, 0);
-  middle->setSpacing(0);
-  auto* page = new QWidget(ground);
+ArmForm::ArmForm(QWidget* parent) : QWidget(parent) {
+  auto* row = bareLayout<QHBoxLayout>(this, 2 * kSpace);
+  auto* hand = new QFormLayout;
+  auto* fingers = new QFormLayout;
+  for (QFormLayout* form : {hand, fingers}) {
+    form->setVerticalSpacing(kSpace);
+  }
+  row->addLayout(hand, 1);
+  row->addLayout(fingers, 1);
+  addLength(*hand, "wristWidth", kWristWidth);
+  addLength(*hand, "wristThickness", kWristThickness);
+  addLength(*hand, "forearmLength", kForearmLength);
+  addLength(*hand, "palmLength", kPalmLength);
+  addLength(*hand, "handBreadth", kHandBreadth);
+  addLength(*hand, "handThickness", kHandThickness);
+  for (const char* name : {"thumb", "indexFinger", "middleFinger", "ringFinger", "littleFinger"}) {
+    addLength(*fingers, name, kFingers[fields_.size() - kFirstFinger]);
+  }
+}
+
+void ArmForm::addLength(QFormLayout& form, const char* name, const PersonLength& range) {
+  auto* box = new QDoubleSpinBox(this);
+  box->setObjectName(QLatin1String(name));
+  box->setRange(range.least_mm, range.most_mm);
+  box->setDecimals(0);
+  box->setSuffix(QStringLiteral(" mm"));
+  box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  box->setValue(range.man_mm);
+  auto* label = new QLabel(this);
+  label->setBuddy(box);
+  form.addRow(label, box);
+  fields_.push_back({box, label, range.man_mm});
+}
+
+PersonArm ArmForm::person() const {
+  const auto value_mm = [this](std::size_t field) { return fields_[field].box->value(); };
+  const auto changed = [this, value_mm](std::size_t field) {
+    return value_mm(field) != fields_[field].man_mm;
+  };
+  PersonArm person;
+  if (changed(kWidth) || changed(kThickness)) {
+    person.wristWidth_mm = value_mm(kWidth);
+    person.wristThickness_mm = value_mm(kThickness);
+  }
+  person.forearmLength_mm = value_mm(kForearm);
+  person.palmLength_mm = value_mm(kPalm);
+  person.handBreadth_mm = value_mm(kBreadth);
+  person.handThickness_mm = value_mm(kHand);
+  for (std::size_t finger = 0; finger < person.fingers_mm.size(); ++finger) {
+    person.fingers_mm[finger] = value_mm(kFirstFinger + finger);
+  }
+  return person;
+}
+
+void ArmForm::reset() {
+  for (const Field& field : fields_) {
+    field.box->setValue(field.man_mm);
+  }
+}
+
+void ArmForm::retranslate() {
+  const QString names[] = {tr("Wrist, width"), tr("Wrist, thickness"), tr("Forearm, elbow to wrist"),
+                           tr("Palm, length"), tr("Hand, breadth"),    tr("Hand, thickness"),
+                           tr("Thumb"),        tr("Index finger"),     tr("Middle finger"),
+                           tr("Ring finger"),  tr("Little finger")};
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    nameField(fields_[i].label, names[i]);
+  }
+}
+
+OrganSources::OrganSources(QWidget* parent) : QWidget(parent) {
+  auto* middle = bareLayout<QHBoxLayout>(this, 0);
+  auto* page = new QWidget(this);
   page->setMaximumWidth(2 * kCardWidth + 2 * kSpace);  // keeps its cards side by side on a wide screen
   middle->addStretch(1);
   middle->addWidget(page, kWholePage);
   middle->addStretch(1);
-  auto* row = new QHBoxLayout(page);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(2 * kSpace);
+  auto* row = bareLayout<QHBoxLayout>(page, 2 * kSpace);
   auto* column = new QVBoxLayout;
   column->setSpacing(2 * kSpace);
   row->addLayout(column, 1);
@@ -72,10 +149,14 @@ QWidget* OrganWizard::createSourcePage() {
   right->addWidget(createInstrumentCard(page));
   right->addStretch(1);
   row->addLayout(right, 1);
-  return ground;
+  connect(mesh_, &QPushButton::clicked, this,
+          [this] { chooseMesh(tr("Mesh of an organ"), &OrganSources::meshChosen); });
+  connect(scanFile_, &QPushButton::clicked, this, [this] { chooseScanFile(&OrganSources::scanChosen); });
+  connect(scanFolder_, &QPushButton::clicked, this, [this] { chooseScanFolder(&OrganSources::scanChosen); });
+  connect(makeArm_, &QPushButton::clicked, this, &OrganSources::armWanted);
 }
 
-QWidget* OrganWizard::createInstrumentCard(QWidget* page) {
+QWidget* OrganSources::createInstrumentCard(QWidget* page) {
   instrumentCard_ = new Card(QString(), page);
   instrumentCard_->setMaximumWidth(kCardWidth);
   instrumentText_ = sentence(instrumentCard_);
@@ -90,15 +171,15 @@ QWidget* OrganWizard::createInstrumentCard(QWidget* page) {
   buttons->addStretch(1);
   instrumentCard_->content()->addLayout(buttons);
   connect(instrumentMesh_, &QPushButton::clicked, this,
-          [this] { chooseMesh(tr("Mesh of an instrument"), &OrganWizard::openToolMesh); });
+          [this] { chooseMesh(tr("Mesh of an instrument"), &OrganSources::instrumentMeshChosen); });
   connect(instrumentFile_, &QPushButton::clicked, this,
-          [this] { chooseScanFile(&OrganWizard::openInstrument); });
+          [this] { chooseScanFile(&OrganSources::instrumentScanChosen); });
   connect(instrumentFolder_, &QPushButton::clicked, this,
-          [this] { chooseScanFolder(&OrganWizard::openInstrument); });
+          [this] { chooseScanFolder(&OrganSources::instrumentScanChosen); });
   return instrumentCard_;
 }
 
-QWidget* OrganWizard::createArmCard(QWidget* page) {
+QWidget* OrganSources::createArmCard(QWidget* page) {
   armCard_ = new Card(QString(), page);
   armCard_->setMaximumWidth(kCardWidth);
   armText_ = sentence(armCard_);
@@ -110,30 +191,46 @@ QWidget* OrganWizard::createArmCard(QWidget* page) {
   return armCard_;
 }
 
-void OrganWizard::chooseMesh(const QString& title, Opening open) {
+PersonArm OrganSources::person() const {
+  return arm_->person();
+}
+
+void OrganSources::reset() {
+  arm_->reset();
+}
+
+int OrganSources::series() const {
+  return series_->value();
+}
+
+bool OrganSources::resample() const {
+  return resample_->isChecked();
+}
+
+void OrganSources::chooseMesh(const QString& title, Chosen chosen) {
   const QString file =
       askFileToOpen(this, title, tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
   if (!file.isEmpty()) {
-    (this->*open)(toPath(file));
+    Q_EMIT(this->*chosen)(toPath(file));
   }
 }
 
-void OrganWizard::chooseScanFile(Opening open) {
+void OrganSources::chooseScanFile(Chosen chosen) {
   const QString file =
       askFileToOpen(this, tr("Scan"), tr("NIfTI files (*.nii *.nii.gz *.hdr *.hdr.gz);;All files (*)"));
   if (!file.isEmpty()) {
-    (this->*open)(toPath(file));
+    Q_EMIT(this->*chosen)(toPath(file));
   }
 }
 
-void OrganWizard::chooseScanFolder(Opening open) {
+void OrganSources::chooseScanFolder(Chosen chosen) {
   const QString folder = askFolder(this, tr("Folder of DICOM files"));
   if (!folder.isEmpty()) {
-    (this->*open)(toPath(folder));
+    Q_EMIT(this->*chosen)(toPath(folder));
   }
 }
 
-void OrganWizard::retranslateSources() {
+void OrganSources::retranslate() {
   meshCard_->setTitle(tr("Mesh"));
   meshText_->setText(
       tr("A closed surface of one organ: obj, stl, ply, off, glb, gltf or dae. It is read in a separate "

@@ -3,28 +3,24 @@
 
 #include <utility>
 
-#include <QCheckBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSpinBox>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/organ/arm_form.h"
 #include "app/gui/organ/instrument_panel.h"
 #include "app/gui/organ/organ_findings.h"
 #include "app/gui/organ/organ_picture.h"
 #include "app/gui/organ/organ_settings.h"
+#include "app/gui/organ/organ_sources.h"
 #include "app/gui/organ/scan_panel.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/gui/widgets/scroll_gap.h"
 #include "app/services/organs/person_arm.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "sim/imaging/surface/scan_steps.h"
@@ -49,25 +45,26 @@ OrganWizard::OrganWizard(ShellContext& shell, QWidget* parent)
       shell_(shell),
       heading_(new PageHeading(this)),
       pages_(new QStackedWidget(this)),
-      close_(new QPushButton(this)) {
+      close_(new QPushButton(this)),
+      sources_(new OrganSources(pages_)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace);
   column->setSpacing(2 * kSpace);
   heading_->addAction(close_);
   column->addWidget(heading_);
   column->addWidget(pages_, 1);
-  pages_->addWidget(createSourcePage());
+  pages_->addWidget(sources_);
   scan_ = new ScanPanel(pages_);
   pages_->addWidget(scan_);
   pages_->addWidget(createJudgingPage());
   instrument_ = new InstrumentPanel(pages_);
   pages_->addWidget(instrument_);
   connect(close_, &QPushButton::clicked, this, &OrganWizard::closed);
-  connect(mesh_, &QPushButton::clicked, this,
-          [this] { chooseMesh(tr("Mesh of an organ"), &OrganWizard::judgeMesh); });
-  connect(makeArm_, &QPushButton::clicked, this, &OrganWizard::makeArm);
-  connect(scanFile_, &QPushButton::clicked, this, [this] { chooseScanFile(&OrganWizard::openScan); });
-  connect(scanFolder_, &QPushButton::clicked, this, [this] { chooseScanFolder(&OrganWizard::openScan); });
+  connect(sources_, &OrganSources::meshChosen, this, &OrganWizard::judgeMesh);
+  connect(sources_, &OrganSources::scanChosen, this, &OrganWizard::openScan);
+  connect(sources_, &OrganSources::armWanted, this, &OrganWizard::makeArm);
+  connect(sources_, &OrganSources::instrumentMeshChosen, this, &OrganWizard::openToolMesh);
+  connect(sources_, &OrganSources::instrumentScanChosen, this, &OrganWizard::openInstrument);
   connect(scan_, &ScanPanel::findWanted, this, &OrganWizard::findOrgan);
   connect(scan_, &ScanPanel::surfaceWanted, this, &OrganWizard::makeSurface);
   connect(scan_, &ScanPanel::backWanted, this, &OrganWizard::begin);
@@ -85,9 +82,7 @@ OrganWizard::OrganWizard(ShellContext& shell, QWidget* parent)
 
 QWidget* OrganWizard::createJudgingPage() {
   auto* page = new QWidget(pages_);
-  auto* row = new QHBoxLayout(page);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(2 * kSpace);
+  auto* row = bareLayout<QHBoxLayout>(page, 2 * kSpace);
   pictureCard_ = new Card(QString(), page);
   picture_ = new OrganPicture(pictureCard_);
   pictureCard_->content()->addWidget(picture_, 1);
@@ -101,8 +96,7 @@ QWidget* OrganWizard::createJudgingPage() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFixedWidth(kPanelWidth);
   auto* panel = new QWidget;
-  auto* column = new QVBoxLayout(panel);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(panel);
   keepOffScrollBar(*scroll, *column);
   column->setSpacing(2 * kSpace);
   findingsCard_ = new Card(QString(), panel);
@@ -140,7 +134,7 @@ void OrganWizard::begin() {
   changed_ = false;
   picture_->setTrial({});
   settings_->reset();
-  arm_->reset();
+  sources_->reset();
   pages_->setCurrentIndex(kSourcePage);
   showButtons();
 }
@@ -195,7 +189,8 @@ void OrganWizard::makeArm() {
   ofMeasures_ = true;
   shell_.run(
       this, tr("Drawing the arm"),
-      [person = arm_->person(), assets = shell_.assets()](SessionContext&, const ProgressCallback& progress) {
+      [person = sources_->person(), assets = shell_.assets()](SessionContext&,
+                                                              const ProgressCallback& progress) {
         tellProgress(progress, Text::tr("Drawing the arm"), 0.0);
         JudgedArm arm = importArm(person, assets);
         tellProgress(progress, Text::tr("Drawing the organ"), 0.8);
@@ -209,8 +204,8 @@ void OrganWizard::makeArm() {
 
 ScanRequest OrganWizard::ofSource(ScanRequest scan) const {
   scan.source = source_;
-  scan.series = series_->value();
-  scan.resample = resample_->isChecked();
+  scan.series = sources_->series();
+  scan.resample = sources_->resample();
   return scan;
 }
 
@@ -346,7 +341,7 @@ void OrganWizard::openSaved() {
 }
 
 void OrganWizard::retranslate() {
-  retranslateSources();
+  sources_->retranslate();
   heading_->setTexts({}, tr("Import an organ: once checked, a mesh, a scan or a person's measurements become "
                             "an organ that can be twisted."));
   close_->setText(tr("Back to practice"));
@@ -378,8 +373,8 @@ void OrganWizard::openInstrument(const std::filesystem::path& source) {
   }
   ToolRequest tool;
   tool.source = source;
-  tool.series = series_->value();
-  tool.resample = resample_->isChecked();
+  tool.series = sources_->series();
+  tool.resample = sources_->resample();
   source_ = source;
   instrument_->begin(tool);
   pages_->setCurrentWidget(instrument_);

@@ -10,10 +10,7 @@
 #include "app/gui/organ/organ_trial.h"
 #include "app/gui/widgets/theme.h"
 
-class QCheckBox;
-class QLabel;
 class QPushButton;
-class QSpinBox;
 class QStackedWidget;
 
 namespace torsio {
@@ -23,11 +20,11 @@ struct Arm;
 namespace torsio::gui {
 
 class Card;
-class ArmForm;
 class InstrumentPanel;
 class OrganFindings;
 class OrganPicture;
 class OrganSettings;
+class OrganSources;
 class PageHeading;
 class ScanPanel;
 class ShellContext;
@@ -82,16 +79,8 @@ class OrganWizard : public QWidget {
   void closed();
 
  private:
-  QWidget* createSourcePage();
-  QWidget* createArmCard(QWidget* page);
-  QWidget* createInstrumentCard(QWidget* page);
-  void retranslateSources();
   void chooseInstrumentName();
   QWidget* createJudgingPage();
-  using Opening = void (OrganWizard::*)(const std::filesystem::path& source);
-  void chooseMesh(const QString& title, Opening open);
-  void chooseScanFile(Opening open);
-  void chooseScanFolder(Opening open);
   [[nodiscard]] bool mayWork();
   [[nodiscard]] OrganImportRequest request() const;
   [[nodiscard]] ScanRequest ofSource(ScanRequest scan) const;
@@ -117,25 +106,7 @@ class OrganWizard : public QWidget {
   PageHeading* heading_;
   QStackedWidget* pages_;
   QPushButton* close_;
-  Card* meshCard_ = nullptr;
-  QLabel* meshText_ = nullptr;
-  QPushButton* mesh_ = nullptr;
-  Card* scanCard_ = nullptr;
-  QLabel* scanText_ = nullptr;
-  QLabel* seriesLabel_ = nullptr;
-  QSpinBox* series_ = nullptr;
-  QCheckBox* resample_ = nullptr;
-  QPushButton* scanFile_ = nullptr;
-  QPushButton* scanFolder_ = nullptr;
-  Card* armCard_ = nullptr;
-  QLabel* armText_ = nullptr;
-  ArmForm* arm_ = nullptr;
-  QPushButton* makeArm_ = nullptr;
-  Card* instrumentCard_ = nullptr;
-  QLabel* instrumentText_ = nullptr;
-  QPushButton* instrumentMesh_ = nullptr;
-  QPushButton* instrumentFile_ = nullptr;
-  QPushButton* instrumentFolder_ = nullptr;
+  OrganSources* sources_;
   InstrumentPanel* instrument_ = nullptr;
   ScanPanel* scan_ = nullptr;
   Card* pictureCard_ = nullptr;

@@ -25,8 +25,7 @@
 #include "app/gui/organ/slice_view.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/number_text.h"
-#include "app/gui/widgets/scroll_gap.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 
@@ -50,9 +49,7 @@ QString sliceName(SlicePlane plane) {
 }
 
 ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(2 * kSpace);
+  auto* row = bareLayout<QHBoxLayout>(this, 2 * kSpace);
   auto* slices = new QGridLayout;
   slices->setSpacing(kSpace);
   constexpr std::array<std::pair<SlicePlane, std::array<int, 2>>, 3> kPlaces{
@@ -86,15 +83,13 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
 QWidget* ScanPanel::createControls() {
   auto* side = new QWidget(this);
   side->setFixedWidth(kControlsWidth);
-  auto* outer = new QVBoxLayout(side);
-  outer->setContentsMargins(0, 0, 0, 0);
+  auto* outer = bareLayout<QVBoxLayout>(side);
   auto* scroll = new QScrollArea(side);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* panel = new QWidget;
-  auto* column = new QVBoxLayout(panel);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(panel);
   keepOffScrollBar(*scroll, *column);
   column->setSpacing(kSpace);
   createTissue(column);

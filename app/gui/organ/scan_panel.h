@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "app/gui/organ/slice_state.h"
+#include "app/gui/organ/slice_view.h"
 #include "app/gui/widgets/theme.h"
 
 class QButtonGroup;

@@ -16,7 +16,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/database_answered.h"
+#include "app/gui/base/page.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/replay_panel.h"

@@ -8,17 +8,16 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "app/gui/base/clock_time.h"
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "assessment/domain/rating/rubric.h"
 
 namespace torsio::gui {

@@ -8,7 +8,7 @@
 #include <QPainter>
 
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 

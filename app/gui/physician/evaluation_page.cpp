@@ -13,7 +13,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/base/database_answered.h"
+#include "app/gui/base/page.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/choice_row.h"

@@ -15,19 +15,18 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/background.h"
-#include "app/gui/base/clock_time.h"
-#include "app/gui/base/database_answered.h"
+#include "app/gui/base/page.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/held_button.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/gui/widgets/scroll_gap.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {

@@ -12,7 +12,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_plot.h"
@@ -21,6 +20,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {

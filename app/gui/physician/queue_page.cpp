@@ -15,16 +15,15 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/questions_card.h"
 #include "app/gui/physician/replies_card.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/time_units.h"
 
 namespace torsio::gui {

@@ -11,7 +11,6 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/choice_row.h"
@@ -22,6 +21,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/sheet.h"
 

@@ -12,13 +12,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "assessment/catalogue/quantity.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"

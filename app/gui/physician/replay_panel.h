@@ -15,7 +15,7 @@
 
 #include "app/gui/physician/trace_view.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/async_view.h"
+#include "app/gui/simulator/loaded_scene.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/recording/trial_playback.h"
 #include "app/services/review/blinded_case.h"

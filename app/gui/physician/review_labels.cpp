@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 

@@ -15,7 +15,6 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/scroll_gap.h"
 
 namespace torsio::gui {
 

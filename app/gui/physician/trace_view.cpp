@@ -9,9 +9,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/physician/review_labels.h"
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/load_decimals.h"
 
 namespace torsio::gui {

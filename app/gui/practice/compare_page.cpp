@@ -23,12 +23,12 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/marker_editor.h"
 #include "app/gui/practice/model_comparison.h"
-#include "app/gui/simulator/film_strip.h"
+#include "app/gui/simulator/replay_bar.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/picture.h"
+#include "app/gui/widgets/value_text.h"
 #include "assessment/statistics/descriptive.h"
 #include "sim/core/angle.h"
 #include "sim/core/load_decimals.h"
@@ -57,8 +57,7 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
   tabs_->addTab(createFormulations(), QString());
   for (int tab : {kModelsTab, kMarkersTab}) {
     auto* empty = new QWidget(tabs_);  // filled when first shown: three more scenes take a while
-    auto* inside = new QVBoxLayout(empty);
-    inside->setContentsMargins(0, 0, 0, 0);
+    auto* inside = bareLayout<QVBoxLayout>(empty);
     tabs_->insertTab(tab, empty, QString());
   }
   connect(tabs_, &QTabWidget::currentChanged, this, &ComparePage::showTab);
@@ -137,9 +136,7 @@ void ComparePage::showTab(int index) {
 
 QWidget* ComparePage::createBar() {
   auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kSpace);
+  auto* row = bareLayout<QHBoxLayout>(bar, kSpace);
   organLabel_ = new QLabel(bar);
   organ_ = new QComboBox(bar);
   organLabel_->setBuddy(organ_);

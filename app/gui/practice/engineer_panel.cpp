@@ -47,8 +47,7 @@ QComboBox* comboOfTwo() {
 EngineerPanel::EngineerPanel(QWidget* parent)
     : QWidget(parent), card_(new Card(QString(), this)), head_(new QToolButton(card_)) {
   body_ = createFields();
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
   column->addWidget(card_);
   head_->setCheckable(false);
   head_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -74,9 +73,7 @@ EngineerPanel::EngineerPanel(QWidget* parent)
 
 QWidget* EngineerPanel::createFields() {
   auto* body = new QWidget(card_);
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace);
+  auto* column = bareLayout<QVBoxLayout>(body, kSpace);
   hint_ = sentence(body);
   column->addWidget(hint_);
   modulus_ = numberOrNone(1e6, 0, 500.0);

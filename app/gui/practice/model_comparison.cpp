@@ -19,12 +19,12 @@
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/scene/view_turn.h"
+#include "app/gui/scene/orbit_camera.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/signed_box.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/services/base/build_info.h"
 #include "app/services/comparison/comparison_report.h"
@@ -99,9 +99,7 @@ ModelComparison::ModelComparison(ShellContext& shell, QWidget* parent) : QWidget
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2 * kSpace);
+  auto* column = bareLayout<QVBoxLayout>(content, 2 * kSpace);
   auto* row = new QHBoxLayout;
   row->setSpacing(2 * kSpace);
   sides_[0].id = "pm";
@@ -139,9 +137,7 @@ void ModelComparison::resizeEvent(QResizeEvent* event) {
 
 QWidget* ModelComparison::createBar() {
   auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kSpace);
+  auto* row = bareLayout<QHBoxLayout>(bar, kSpace);
   organLabel_ = new QLabel(bar);
   organChoice_ = new QComboBox(bar);
   organLabel_->setBuddy(organChoice_);

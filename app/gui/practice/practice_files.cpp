@@ -4,15 +4,14 @@
 #include <QInputDialog>
 #include <QMessageBox>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/simulator/shown_tool.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/picture.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/error.h"
 #include "sim/scene/organ_file.h"
 

@@ -8,7 +8,7 @@
 #include <QImage>
 #include <QObject>
 
-#include "app/gui/simulator/film_strip.h"
+#include "app/gui/simulator/replay_bar.h"
 #include "app/gui/simulator/simulation_controller.h"
 
 namespace torsio::gui {

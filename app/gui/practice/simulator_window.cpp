@@ -16,7 +16,6 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/practice/engineer_panel.h"
 #include "app/gui/practice/hint_line.h"
@@ -29,7 +28,8 @@
 #include "app/gui/simulator/readout_panel.h"
 #include "app/gui/simulator/replay_bar.h"
 #include "app/gui/simulator/shown_tool.h"
-#include "app/gui/simulator/validity_button.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/base/build_info.h"
 
 namespace torsio::gui {
@@ -84,9 +84,7 @@ SimulatorWindow::~SimulatorWindow() {
 
 void SimulatorWindow::createLayout() {
   auto* centre = new QWidget(this);
-  auto* row = new QHBoxLayout(centre);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
+  auto* row = bareLayout<QHBoxLayout>(centre, 0);
 
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
@@ -160,7 +158,7 @@ void SimulatorWindow::connectCommands() {
   on(Command::kTop, [this] { look(ViewPreset::kTop); });
   on(Command::kWhole, [this] { view_->frameOrgan(); });
   on(Command::kKeys, [this] { chooseKeys(); });
-  on(Command::kHelp, [this] { showHelp(); });
+  on(Command::kHelp, [this] { showPointerKeys(this); });
   on(Command::kFull, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   on(Command::kQuit, [this] { close(); });
   on(Command::kAbout, [this] { showAbout(); });
@@ -423,41 +421,10 @@ void SimulatorWindow::toggleRecording() {
   }
 }
 
-std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
-  std::vector<std::pair<QString, QString>> all{
-      {tr("Move the instrument"), tr("Mouse, or arrow keys")},
-      {tr("Depth"), tr("Wheel, or Page Up and Page Down")},
-      {tr("Grip"), tr("Left button or Space (hold), G (keep)")},
-      {tr("Twist what is held"), tr("Drag, Shift + wheel, or Q and E")},
-      {tr("Tilt the instrument"), tr("A, D, W, S")},
-      {tr("Release"), tr("Release the button, or Esc")},
-      {tr("Bookmark"), tr("B")},
-      {tr("Turn the view"), tr("Right drag, or Ctrl + arrow keys")},
-      {tr("Move the view"), tr("Middle drag")},
-      {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
-  };
-  for (auto& key : DetorsionPanel::keys()) {
-    all.push_back(std::move(key));
-  }
-  return all;
-}
-
 void SimulatorWindow::chooseKeys() {
   if (askPointerKeys(this)) {
     pointer_->setKeys(PointerKeys::stored());
   }
-}
-
-void SimulatorWindow::showHelp() {
-  QString text = QStringLiteral("<table cellspacing='6'>");
-  for (const auto& [what, how] : pointerKeys()) {
-    text +=
-        QStringLiteral("<tr><td style='padding-right:24px'><b>%1</b></td><td>%2</td></tr>").arg(what, how);
-  }
-  text += QStringLiteral("</table>");
-  QMessageBox box(QMessageBox::NoIcon, tr("Controls"), text, QMessageBox::Close, this);
-  box.setTextFormat(Qt::RichText);
-  box.exec();
 }
 
 void SimulatorWindow::showAbout() {

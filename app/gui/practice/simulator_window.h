@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <utility>
-#include <vector>
 
 #include <QElapsedTimer>
 #include <QMainWindow>
@@ -68,8 +66,6 @@ class SimulatorWindow : public QMainWindow {
   void pause();
   void resume();
   [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
-  /// Returns how mouse and keys move instrument and camera: input and effect.
-  [[nodiscard]] static std::vector<std::pair<QString, QString>> pointerKeys();
   /// Unfolds the panel of the model's parts and scrolls to it.
   void unfoldEngineerPanel();
   /// One tick of the frame timer; tests call it directly.
@@ -95,7 +91,6 @@ class SimulatorWindow : public QMainWindow {
   void look(ViewPreset preset);
   void toggleRecording();
   void chooseKeys();
-  void showHelp();
   void showAbout();
   void showScene();
   void showGhost();

@@ -14,8 +14,8 @@
 #include <QPixmap>
 #include <QTimer>
 
-#include "app/gui/simulator/film_strip.h"
-#include "app/gui/simulator/scripted_twist.h"
+#include "app/gui/simulator/posed_states.h"
+#include "app/gui/simulator/replay_bar.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/picture.h"
 #include "app/services/recording/recorded_run.h"

@@ -12,7 +12,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "app/gui/scene/markers.h"
+#include "app/gui/scene/skin_overlays.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {

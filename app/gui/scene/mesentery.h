@@ -8,8 +8,8 @@
 #include <QImage>
 #include <QVector3D>
 
-#include "app/gui/scene/lattice_overlay.h"
 #include "app/gui/scene/moving_geometry.h"
+#include "app/gui/scene/skin_overlays.h"
 
 namespace torsio::gui {
 

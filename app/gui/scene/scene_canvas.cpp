@@ -18,10 +18,9 @@
 
 #include "app/gui/scene/drapery.h"
 #include "app/gui/scene/instrument_geometry.h"
-#include "app/gui/scene/lattice_overlay.h"
-#include "app/gui/scene/markers.h"
 #include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/organ_geometry.h"
+#include "app/gui/scene/skin_overlays.h"
 #include "app/gui/scene/view_frame.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/scene/tissue_look.h"
@@ -105,7 +104,7 @@ constexpr std::array<std::array<double, 2>, 6> kPortSeal_mm{
 // The force arrow's parts, each of unit length and unit radius.
 constexpr std::array<std::array<double, 2>, 4> kStem_mm{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}};
 constexpr std::array<std::array<double, 2>, 3> kHead_mm{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
-constexpr int kSides = 20;
+constexpr int kBodySides = 20;
 
 TriangleMesh ball() {
   constexpr int kRings = 10;
@@ -114,7 +113,7 @@ TriangleMesh ball() {
     const double angle = std::numbers::pi * static_cast<double>(i) / kRings;
     profile_mm[i] = {std::sin(angle), -std::cos(angle)};
   }
-  return turnedBody(profile_mm, kSides);
+  return turnedBody(profile_mm, kBodySides);
 }
 
 }  // namespace
@@ -159,10 +158,10 @@ void SceneCanvas::shapeSolids() {
   const auto shape = [this](const char* name, const TriangleMesh& mesh) {
     root_->property(name).value<InstrumentGeometry*>()->setMesh(mesh);
   };
-  shape("portBody", turnedBody(kPortBody_mm, kSides));
-  shape("portSeal", turnedBody(kPortSeal_mm, kSides));
-  shape("arrowStem", turnedBody(kStem_mm, kSides));
-  shape("arrowHead", turnedBody(kHead_mm, kSides));
+  shape("portBody", turnedBody(kPortBody_mm, kBodySides));
+  shape("portSeal", turnedBody(kPortSeal_mm, kBodySides));
+  shape("arrowStem", turnedBody(kStem_mm, kBodySides));
+  shape("arrowHead", turnedBody(kHead_mm, kBodySides));
   shape("arrowFoot", ball());
   for (const QVariant& entry : root_->property("solids").toList()) {
     auto* model = entry.value<QObject*>();

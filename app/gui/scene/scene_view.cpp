@@ -15,6 +15,9 @@
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/stress_legend.h"
 #include "sim/servo/contact_coupling.h"
+#include "app/gui/scene/shear_map.h"
+#include "app/gui/widgets/form.h"
+#include "sim/servo/indentation.h"
 
 namespace torsio::gui {
 
@@ -61,8 +64,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   connect(canvas_, &SceneCanvas::frameDrawn, this, &SceneView::endWaiting, Qt::QueuedConnection);
   legend_ = new StressLegend(this);
   legend_->hide();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = bareLayout<QVBoxLayout>(this);
   if (canvas_->drawn()) {
     layout->addWidget(canvas_->widget());
   } else {

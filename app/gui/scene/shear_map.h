@@ -6,6 +6,9 @@
 #include <span>
 #include <vector>
 
+#include <QWidget>
+
+#include "app/gui/widgets/theme.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {
@@ -39,5 +42,26 @@ class ShearMap {
 /// Returns the colour of a fraction of the scale, sRGB 0..1: the map "cividis" in seven stops, from dark blue
 /// over grey to yellow, with evenly increasing lightness, distinguishable with every kind of colour vision.
 [[nodiscard]] std::array<float, 3> shearColour(float share) noexcept;
+
+/// Legend of the shear map: a colour bar with numbers, over the scene. Its accessible description says the
+/// same.
+class StressLegend : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StressLegend(QWidget* parent = nullptr);
+  void setTop(double top_Pa);
+  void setTheme(const Theme& theme);
+  [[nodiscard]] QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void describe();
+  [[nodiscard]] QString figure(double stress_Pa) const;
+  const Theme* theme_;
+  double top_Pa_ = 0.0;
+};
 
 }  // namespace torsio::gui

@@ -8,11 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/scene/lattice_overlay.h"
-#include "app/gui/scene/markers.h"
 #include "app/gui/scene/mesentery.h"
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/shear_map.h"
+#include "app/gui/scene/skin_overlays.h"
 #include "app/gui/scene/surroundings.h"
 #include "sim/core/vec3.h"
 #include "sim/scene/blood_map.h"

@@ -18,13 +18,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/database_answered.h"
 #include "app/gui/base/job_panel.h"
+#include "app/gui/base/page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/toast.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
+#include "app/gui/widgets/window_events.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/signing.h"
 #include "app/services/maintenance/retention.h"
@@ -72,9 +74,7 @@ std::size_t homeGroup(const Actor& actor) {
 
 Desk::Desk(SessionContext& session, const DeskSetup& setup, QWidget* parent)
     : QWidget(parent), context_(session, setup.assets, setup.theme), setup_(setup) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
+  auto* row = bareLayout<QHBoxLayout>(this, 0);
   createRail(setup.groups());
   row->addWidget(rail_);
   auto* column = new QVBoxLayout;
@@ -84,7 +84,7 @@ Desk::Desk(SessionContext& session, const DeskSetup& setup, QWidget* parent)
   row->addLayout(column, 1);
   connectContext();
   setLanguage(setup.language);
-  retranslate();
+  followLanguage(this, [this] { retranslate(); });
   applyColours(setup.theme);
 }
 
@@ -199,9 +199,7 @@ QWidget* Desk::createHeader() {
 
 QWidget* Desk::createBody() {
   auto* body = new QWidget(this);
-  auto* column = new QVBoxLayout(body);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = bareLayout<QVBoxLayout>(body, 0);
   problem_ = new ProblemPanel(body);
   problem_->hide();
   job_ = new JobPanel(body);
@@ -386,13 +384,6 @@ void Desk::retranslate() {
   if (currentId_) {
     title_->setText(pageTitle(*currentId_));
   }
-}
-
-void Desk::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) {
-    retranslate();
-  }
-  QWidget::changeEvent(event);
 }
 
 void Desk::choosePin() {

@@ -89,9 +89,6 @@ class Desk : public QWidget {
   void aboutWanted();
   void simulatedWanted(SimulatedRole role);
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   [[nodiscard]] bool allowed(PageId id);
   void createRail(const std::vector<PageGroup>& groups);

@@ -3,15 +3,44 @@
 
 #include <utility>
 
-#include "app/gui/base/problem_labels.h"
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
 #include "app/gui/base/translated_text.h"
-#include "app/gui/shell/credentials_dialog.h"
 #include "app/gui/shell/open_record.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 #include "app/services/access/kiosk_codes.h"
 
 namespace torsio::gui {
+
+CredentialsDialog::CredentialsDialog(const QString& title, const QString& why, QWidget* parent)
+    : QDialog(parent), login_(new QLineEdit(this)), password_(secretField(this)) {
+  setWindowTitle(title);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  QLabel* reason = sentence(this);
+  reason->setText(why);
+  column->addWidget(reason);
+  nameField(addField(column, login_), tr("Sign-in &name"));
+  nameField(addField(column, password_), tr("&Password"));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  column->addWidget(buttons);
+}
+
+QString CredentialsDialog::login() const {
+  return login_->text().trimmed();
+}
+
+QString CredentialsDialog::password() const {
+  return password_->text();
+}
 
 Entrance::Entrance(Background& background, OpenRecord& record, QWidget* window)
     : QObject(window),

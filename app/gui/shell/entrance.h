@@ -3,12 +3,30 @@
 
 #include <functional>
 
+#include <QDialog>
 #include <QObject>
+#include <QString>
 
 #include "app/gui/base/background.h"
 #include "app/services/access/access_service.h"
 
+class QLineEdit;
+
 namespace torsio::gui {
+
+/// Asks for another user's name and password, for one action that needs special rights.
+class CredentialsDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  CredentialsDialog(const QString& title, const QString& why, QWidget* parent = nullptr);
+  [[nodiscard]] QString login() const;
+  [[nodiscard]] QString password() const;
+
+ private:
+  QLineEdit* login_;
+  QLineEdit* password_;
+};
 
 class OpenRecord;
 class PasswordPanel;

@@ -17,7 +17,6 @@
 
 #include "app/gui/base/background.h"
 #include "app/gui/base/job_panel.h"
-#include "app/gui/base/problem_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -34,9 +33,7 @@ constexpr int kNumberedSteps = 4;
 
 QWidget* page(QVBoxLayout*& column) {
   auto* widget = new QWidget;
-  column = new QVBoxLayout(widget);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace - 2);
+  column = bareLayout<QVBoxLayout>(widget, kSpace - 2);
   return widget;
 }
 

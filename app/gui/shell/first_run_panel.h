@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "app/gui/base/language.h"
-#include "app/gui/shell/visit_bar.h"
+#include "app/gui/shell/simulated_desks.h"
 #include "app/services/access/first_run.h"
 
 class QCheckBox;

@@ -7,7 +7,6 @@
 #include <QUrl>
 
 #include "app/gui/base/job_panel.h"
-#include "app/gui/base/problem_labels.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/services/demonstration/demonstration_people.h"

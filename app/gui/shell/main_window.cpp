@@ -2,35 +2,30 @@
 #include "app/gui/shell/main_window.h"
 
 #include <initializer_list>
-#include <iostream>
 #include <utility>
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QKeyEvent>
-#include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QThread>
-#include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/problem_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/shell/about_box.h"
-#include "app/gui/shell/away_banner.h"
+#include "app/gui/shell/banners.h"
 #include "app/gui/shell/entrance.h"
 #include "app/gui/shell/founding.h"
-#include "app/gui/shell/idle_warning.h"
+#include "app/gui/shell/help_dialogs.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/screen_lock.h"
 #include "app/gui/shell/settling.h"
-#include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/simulated_desks.h"
 #include "app/gui/shell/trouble_panel.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/window_events.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/kiosk_codes.h"
 #include "app/services/maintenance/database_maintenance.h"
@@ -41,22 +36,9 @@ namespace torsio::gui {
 
 namespace {
 
-/// Makes Enter press the focused button, as in dialogs. True: handled.
-bool pressedByEnter(const QWidget& window, QObject* watched, const QEvent& event) {
-  if (event.type() != QEvent::KeyPress) {
-    return false;
-  }
-  const auto& key = static_cast<const QKeyEvent&>(event);
-  const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
-  const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-  auto* button = qobject_cast<QAbstractButton*>(watched);
-  const bool pressable =
-      qobject_cast<QPushButton*>(watched) != nullptr || qobject_cast<QToolButton*>(watched) != nullptr;
-  if (!enter || !plain || key.isAutoRepeat() || !pressable || button->window() != &window) {
-    return false;
-  }
-  button->click();
-  return true;
+/// A kiosk is in a dark room; other places follow the desktop, from the first page on.
+ThemeKind usualTheme(const ShellSetup& setup) {
+  return setup.kiosk || setup.systemIsDark ? ThemeKind::kDark : ThemeKind::kLight;
 }
 
 }  // namespace
@@ -64,11 +46,14 @@ bool pressedByEnter(const QWidget& window, QObject* watched, const QEvent& event
 MainWindow::MainWindow(const ShellSetup& setup)
     : setup_(setup),
       preferences_(setup.remember),
+      appearance_(preferences_, setup.theme, usualTheme(setup)),
       record_(setup_),
       mayClose_(!setup.kiosk),
-      idle_(new IdleWarning(setup.clock, setup.idle.value_or(IdleLimits{}), this)),
       away_(new AwayBanner([this] { return reconnect(); }, this)),
       stack_(new QStackedWidget(this)) {
+  pressButtonsByEnter(*this);
+  // After it, so that the key that presses a button counts as activity: later filters are called first.
+  idle_ = new IdleWarning(setup.clock, setup.idle.value_or(IdleLimits{}), this);
   setWindowTitle(QStringLiteral("Torsio"));
   setObjectName(QStringLiteral("shell"));
   setAutoFillBackground(true);
@@ -76,9 +61,7 @@ MainWindow::MainWindow(const ShellSetup& setup)
   // screen.
   setMinimumSize(640, 400);
   resize(1366, 768);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = bareLayout<QVBoxLayout>(this, 0);
   connect(idle_, &IdleWarning::timeIsUp, this, [this] {
     if (endsWhenLeft()) {
       signOutBeyondDialogs(tr("You were signed out because nobody was here"));
@@ -94,13 +77,12 @@ MainWindow::MainWindow(const ShellSetup& setup)
     }
   });
   SceneView::prepareWindow(*this);
-  applyChoices({});
+  appearance_.apply({});
   createPanels();
   for (QWidget* part : std::initializer_list<QWidget*>{idle_, away_, &simulated_->bar(), stack_}) {
     column->addWidget(part);
   }
   createKeys();
-  qApp->installEventFilter(this);
   connect(&second_, &QTimer::timeout, this, &MainWindow::watchIdleness);
   connect(&second_, &QTimer::timeout, this, &MainWindow::heartbeat);
   second_.start(1000);
@@ -108,7 +90,6 @@ MainWindow::MainWindow(const ShellSetup& setup)
 }
 
 MainWindow::~MainWindow() {
-  qApp->removeEventFilter(this);
   delete desk_;  // before its session
 }
 
@@ -133,7 +114,9 @@ void MainWindow::createPanels() {
     panel->setObjectName(QLatin1String(name));
     stack_->addWidget(panel);
   }
-  trouble_->setTheme(theme(theme_));
+  trouble_->setTheme(theme(appearance_.themeKind()));
+  connect(&appearance_, &Appearance::themeChanged, trouble_,
+          [this](ThemeKind kind) { trouble_->setTheme(theme(kind)); });
   connect(trouble_, &TroublePanel::retryWanted, this, &MainWindow::openDatabase);
   connect(trouble_, &TroublePanel::otherDatabaseWanted, this, &MainWindow::enterFirstRun);
   connectFounding();
@@ -223,22 +206,6 @@ void MainWindow::toggleFullScreen() {
   if (!setup_.kiosk) {
     setWindowState(windowState() ^ Qt::WindowFullScreen);
   }
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  switch (event->type()) {
-    case QEvent::KeyPress:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonPress:
-    case QEvent::Wheel:
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-      idle_->activity();
-      break;
-    default:
-      break;
-  }
-  return pressedByEnter(*this, watched, *event) || QWidget::eventFilter(watched, event);
 }
 
 void MainWindow::watchIdleness() {
@@ -337,14 +304,14 @@ void MainWindow::changeRecord(const RecordChange& change) {
     failed = true;
   }
   openDatabase();
-  tellHead(head);
+  signIn().tellHead(head);
   signIn().say(sentence, failed);
 }
 
 /// Stores nothing before the last step, not even settings of this station.
 void MainWindow::enterFirstRun() {
   preferences_.keep(false);
-  founding_->panel().setLanguage(language_.present());
+  founding_->panel().setLanguage(appearance_.languageSwitch().present());
   show(&founding_->panel());
 }
 
@@ -373,7 +340,7 @@ void MainWindow::begin(const FirstRunChoice& choice, const std::vector<StartAcco
 }
 
 void MainWindow::enterSignIn() {
-  applyChoices({});
+  appearance_.apply({});
   signIn().setCentre(centre_);
   signIn().setCards(cardsOpen_);
   signIn().clear();
@@ -385,7 +352,7 @@ void MainWindow::enterDesk() {
   if (!setup_.idle) {
     idle_->setLimits(centreIdleLimits(record_.session()->connectionWithoutRight()));
   }
-  applyChoices(userId());
+  appearance_.apply(userId());
   openDesk();
   settling_->tellKept(desk_->context());
 }
@@ -394,8 +361,8 @@ void MainWindow::openDesk() {
   DeskSetup setup;
   setup.assets = setup_.assets;
   setup.centre = simulated_->lookingRound() ? QString() : centre_;  // shown in the visitor's line instead
-  setup.language = language_.present();
-  setup.theme = theme_;
+  setup.language = appearance_.languageSwitch().present();
+  setup.theme = appearance_.themeKind();
   setup.kiosk = setup_.kiosk;
   setup.groups = setup_.groups;
   desk_ = new Desk(*record_.session(), setup, this);
@@ -452,7 +419,7 @@ bool MainWindow::signOut(const QString& reason) {
   if (!reason.isEmpty()) {
     signIn().say(reason, false);
   }
-  tellHead(head);
+  signIn().tellHead(head);
   return true;
 }
 
@@ -492,25 +459,6 @@ std::optional<LeftHead> MainWindow::forgetActor() {
   return record_.signOut();
 }
 
-bool MainWindow::staysSilent(const LeftHead& head) {
-  if (!head.witness.empty()) {
-    std::cerr << "torsio: the head of the audit trail was added to " << head.witness.string() << ": "
-              << head.line << "\n";
-  }
-  return head.trouble.empty() || qGuiApp->isSavingSession();  // a shutdown cannot wait
-}
-
-void MainWindow::tellHead(const std::optional<LeftHead>& head) {
-  if (!head) {
-    return;
-  }
-  if (head->line.empty()) {
-    signIn().say(tr("The head of the audit trail was not kept: %1").arg(toQString(head->trouble)), true);
-    return;
-  }
-  signIn().tellHead(*head);
-}
-
 void MainWindow::enterDeskAs(const Actor& actor, const QString& sentence) {
   // Deferred, because the requesting menu or page is destroyed with the desk.
   QTimer::singleShot(0, this, [this, actor, sentence] {
@@ -526,39 +474,15 @@ QString MainWindow::userId() const {
   return record_.session() != nullptr ? toQString(record_.session()->actor().userId) : QString();
 }
 
-void MainWindow::applyChoices(const QString& user) {
-  const auto language = preferences_.language(user);
-  const auto stations = preferences_.language({});
-  if (language || stations) {
-    language_.choose(language ? *language : *stations);
-  }
-  // A kiosk is in a dark room; other places follow the desktop, from the first page on.
-  const ThemeKind usual = setup_.kiosk || setup_.systemIsDark ? ThemeKind::kDark : ThemeKind::kLight;
-  auto remembered = preferences_.themeKind(user);
-  if (!remembered) {
-    remembered = preferences_.themeKind({});
-  }
-  theme_ = setup_.theme.value_or(remembered.value_or(usual));
-  applyTheme(*qApp, theme(theme_));
-  if (trouble_ != nullptr) {
-    trouble_->setTheme(theme(theme_));
-  }
-}
-
 void MainWindow::chooseLanguage(Language language) {
-  language_.choose(language);
-  preferences_.setLanguage(userId(), language);
+  appearance_.choose(userId(), language);
   if (desk_ != nullptr) {
     desk_->setLanguage(language);
   }
 }
 
 void MainWindow::chooseTheme(ThemeKind kind) {
-  theme_ = kind;
-  setup_.theme.reset();
-  preferences_.setThemeKind(userId(), kind);
-  applyTheme(*qApp, theme(kind));
-  trouble_->setTheme(theme(kind));
+  appearance_.choose(userId(), kind);
   if (desk_ != nullptr) {
     desk_->setThemeKind(kind);
   }
@@ -571,10 +495,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   preferences_.setLayout(QStringLiteral("window"), saveGeometry());
   leaveDesk();
-  if (const std::optional<LeftHead> head = forgetActor(); head && !staysSilent(*head)) {
+  if (const std::optional<LeftHead> head = forgetActor(); head && !closesSilently(*head)) {
     enterSignIn();
     signIn().say(tr("Close the window once more, when you have read this"), true);
-    tellHead(head);
+    signIn().tellHead(head);
     event->ignore();
     return;
   }

@@ -44,7 +44,7 @@ class MainWindow : public QWidget {
   [[nodiscard]] Desk* desk() noexcept { return desk_; }
   [[nodiscard]] SessionContext* session() noexcept { return record_.session(); }
   [[nodiscard]] Background& background() noexcept { return background_; }
-  [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return language_; }
+  [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return appearance_.languageSwitch(); }
 
   /// Signs out. False: the desk is busy or a page is unfinished.
   bool signOut(const QString& reason = {});
@@ -62,7 +62,6 @@ class MainWindow : public QWidget {
   [[nodiscard]] StationWriter* line() noexcept { return record_.line(); }
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
@@ -95,29 +94,23 @@ class MainWindow : public QWidget {
   void signOutBeyondDialogs(const QString& reason);
   /// Like OpenRecord::signOut(), but a visitor leaves no head.
   std::optional<LeftHead> forgetActor();
-  void tellHead(const std::optional<LeftHead>& head);
-  /// Returns whether the window may close without showing the head. Prints to standard error where it was
-  /// stored.
-  [[nodiscard]] static bool staysSilent(const LeftHead& head);
 
   /// Replaces the actor, after the present events have been processed; signing out leads to sign-in.
   void enterDeskAs(const Actor& actor, const QString& sentence);
 
-  void applyChoices(const QString& userId);
   [[nodiscard]] QString userId() const;
 
   ShellSetup setup_;
   Preferences preferences_;
-  LanguageSwitch language_;
+  Appearance appearance_;
   Background background_;
   QTimer second_;
   std::optional<Language> firstRunLanguage_;  ///< chosen before a centre was set up
   OpenRecord record_;
   bool mayClose_ = true;
-  ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;
   bool cardsOpen_ = false;  ///< the kiosk accepts cards (centre setting at opening)
-  IdleWarning* idle_;
+  IdleWarning* idle_ = nullptr;
   AwayBanner* away_;
   QStackedWidget* stack_;
   TroublePanel* trouble_ = nullptr;

@@ -50,4 +50,8 @@ class OpenRecord {
   std::shared_ptr<void> lessons_;  ///< an LrsWorker, if that connector is built in
 };
 
+/// Returns whether the window may close without showing the head. Prints to standard error where it was
+/// stored.
+[[nodiscard]] bool closesSilently(const LeftHead& head);
+
 }  // namespace torsio::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/shell/preferences.h"
 
+#include <QApplication>
 #include <QSettings>
 
 namespace torsio::gui {
@@ -69,6 +70,36 @@ QVariant Preferences::layout(const QString& name) const {
 
 void Preferences::setLayout(const QString& name, const QVariant& value) {
   write(QStringLiteral("layout/%1").arg(name), value);
+}
+
+Appearance::Appearance(Preferences& preferences, std::optional<ThemeKind> fixed, ThemeKind usual)
+    : preferences_(preferences), fixed_(fixed), usual_(usual), theme_(usual) {}
+
+void Appearance::apply(const QString& userId) {
+  const auto language = preferences_.language(userId);
+  if (const auto shown = language ? language : preferences_.language({})) {
+    language_.choose(*shown);
+  }
+  const auto own = preferences_.themeKind(userId);
+  const auto stored = own ? own : preferences_.themeKind({});
+  show(fixed_.value_or(stored.value_or(usual_)));
+}
+
+void Appearance::choose(const QString& userId, Language language) {
+  language_.choose(language);
+  preferences_.setLanguage(userId, language);
+}
+
+void Appearance::choose(const QString& userId, ThemeKind kind) {
+  fixed_.reset();
+  preferences_.setThemeKind(userId, kind);
+  show(kind);
+}
+
+void Appearance::show(ThemeKind kind) {
+  theme_ = kind;
+  applyTheme(*qApp, theme(kind));
+  Q_EMIT themeChanged(kind);
 }
 
 }  // namespace torsio::gui

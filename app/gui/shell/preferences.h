@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include <QObject>
 #include <QString>
 #include <QVariant>
 
@@ -43,6 +44,36 @@ class Preferences {
   void write(const QString& key, const QVariant& value) const;
   bool remember_;
   bool keep_ = true;
+};
+
+/// Language and theme of the window: those of the signed-in user, else the station's. Stores what is chosen.
+/// GUI thread.
+class Appearance : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `preferences` must outlive it. `fixed`: shown until a theme is chosen, whatever is stored; `usual`: if
+  /// none is stored.
+  Appearance(Preferences& preferences, std::optional<ThemeKind> fixed, ThemeKind usual);
+
+  [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return language_; }
+  [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
+  /// Shows what a user has stored; empty: the station.
+  void apply(const QString& userId);
+  void choose(const QString& userId, Language language);
+  void choose(const QString& userId, ThemeKind kind);
+
+ Q_SIGNALS:
+  void themeChanged(ThemeKind kind);
+
+ private:
+  void show(ThemeKind kind);
+
+  Preferences& preferences_;
+  std::optional<ThemeKind> fixed_;
+  ThemeKind usual_;
+  ThemeKind theme_;
+  LanguageSwitch language_;
 };
 
 }  // namespace torsio::gui

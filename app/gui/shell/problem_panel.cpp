@@ -12,6 +12,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/window_events.h"
 
 namespace torsio::gui {
 
@@ -61,7 +62,7 @@ ProblemPanel::ProblemPanel(QWidget* parent)
   connect(fold_, &QPushButton::clicked, this, [this] { showDetails(details_->isHidden()); });
   connect(copy_, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(wholeText()); });
   connect(close_, &QPushButton::clicked, this, &QWidget::hide);
-  retranslate();
+  followLanguage(this, [this] { retranslate(); });
 }
 
 void ProblemPanel::tell(const Problem& problem) {
@@ -117,13 +118,6 @@ void ProblemPanel::retranslate() {
     say();
   }
   showDetails(!details_->isHidden());
-}
-
-void ProblemPanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) {
-    retranslate();
-  }
-  QFrame::changeEvent(event);
 }
 
 }  // namespace torsio::gui

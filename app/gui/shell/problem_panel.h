@@ -4,7 +4,7 @@
 #include <QFrame>
 #include <QString>
 
-#include "app/gui/base/problem.h"
+#include "app/gui/base/translated_text.h"
 
 class QLabel;
 class QPlainTextEdit;
@@ -29,9 +29,6 @@ class ProblemPanel : public QFrame {
   [[nodiscard]] QString wholeText() const;
   void setTheme(const Theme& theme);
   void retranslate();
-
- protected:
-  void changeEvent(QEvent* event) override;
 
  private:
   void say();

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/widgets/accessible_role.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
 
@@ -40,9 +41,7 @@ Rail::Rail(const std::vector<RailGroup>& groups, QWidget* parent)
   auto* list = list_;
   list->setObjectName(QStringLiteral("pages"));
   setAccessibleRole(list, QAccessible::List);
-  auto* lines = new QVBoxLayout(list);
-  lines->setContentsMargins(0, 0, 0, 0);
-  lines->setSpacing(2);
+  auto* lines = bareLayout<QVBoxLayout>(list, 2);
   for (const RailGroup& group : groups) {
     if (groups.size() > 1) {
       auto* label = new QLabel(list);

@@ -8,7 +8,7 @@
 #include <QFrame>
 #include <QString>
 
-#include "app/gui/base/page_id.h"
+#include "app/gui/base/page.h"
 
 class QLabel;
 class QPushButton;

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "app/gui/base/problem_labels.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/open_record.h"

@@ -2,24 +2,45 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include <QString>
 #include <QTimer>
 #include <QWidget>
 
 #include "app/gui/base/language.h"
+#include "app/services/maintenance/station_anchor.h"
 
 class QLabel;
 class QLineEdit;
 class QPushButton;
 
-namespace torsio {
-struct LeftHead;
-}
-
 namespace torsio::gui {
 
-class HeadNotice;
+/// What an administrator takes along when signing out: length, time and hash of the audit trail's head, where
+/// it was stored, and a copy button. Hidden until there is one.
+class HeadNotice : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HeadNotice(QWidget* parent = nullptr);
+
+  void tell(const LeftHead& head);
+  void forget();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void retranslate();
+
+  LeftHead head_;
+  QLabel* heading_;
+  QLabel* facts_;
+  QLabel* hash_;
+  QLabel* where_;
+  QPushButton* copy_;
+};
 
 /// The first screen: sign in with a password for one's own work, or with a station PIN or as a guest for
 /// unrecorded practice. Keeps no secret longer than the attempt.
@@ -35,8 +56,9 @@ class SignInPanel : public QWidget {
   /// After too many failures: counts down and blocks further attempts. Microseconds since 1970 UTC.
   void waitUntil(std::int64_t utc_us, std::int64_t now_us);
   void setWorking(bool working);
-  /// Shows the audit head that an administrator should take along after signing out, until clear().
-  void tellHead(const LeftHead& head);
+  /// Shows the audit head that an administrator should take along after signing out, until clear(); empty:
+  /// nothing changes.
+  void tellHead(const std::optional<LeftHead>& head);
   /// Shows an unobtrusive way out for administrators.
   void setKiosk(bool kiosk);
   /// Sets whether cards can be scanned or their codes typed here.
@@ -54,7 +76,6 @@ class SignInPanel : public QWidget {
   void languageWanted(torsio::gui::Language language);
 
  protected:
-  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:

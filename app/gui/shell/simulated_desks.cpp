@@ -1,16 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/shell/simulated_desks.h"
 
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/shell/founding.h"
 #include "app/gui/shell/open_record.h"
+#include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/window_events.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
 
 namespace torsio::gui {
+
+VisitBar::VisitBar(QWidget* parent) : QFrame(parent), sentence_(new QLabel(this)) {
+  setObjectName(QStringLiteral("visit"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(3 * kSpace, kSpace / 2, 3 * kSpace, kSpace / 2);
+  row->setSpacing(kSpace);
+  row->addWidget(sentence_);
+  row->addSpacing(kSpace);
+  constexpr std::pair<VisitedDesk, const char*> kDesks[] = {
+      {VisitedDesk::kTrainee, "visitTrainee"},
+      {VisitedDesk::kPhysician, "visitPhysician"},
+      {VisitedDesk::kAdministrator, "visitAdministrator"}};
+  for (const auto& [desk, name] : kDesks) {
+    auto* button = new QPushButton(this);
+    button->setObjectName(QLatin1String(name));
+    button->setCheckable(true);
+    row->addWidget(button);
+    desks_.emplace(desk, button);
+    connect(button, &QPushButton::clicked, this, [this, desk = desk] {
+      setSeen(seen_);
+      if (desk != seen_) {
+        Q_EMIT wanted(desk);
+      }
+    });
+  }
+  row->addStretch(1);
+  setSeen(seen_);
+  followLanguage(this, [this] { retranslate(); });
+}
+
+void VisitBar::setSeen(VisitedDesk desk) {
+  seen_ = desk;
+  for (const auto& [which, button] : desks_) {
+    button->setChecked(which == desk);
+  }
+}
+
+void VisitBar::retranslate() {
+  sentence_->setText(tr("You are looking round among simulated people. Whose desk?"));
+  desks_.at(VisitedDesk::kTrainee)->setText(tr("Trainee"));
+  desks_.at(VisitedDesk::kPhysician)->setText(tr("Physician"));
+  desks_.at(VisitedDesk::kAdministrator)->setText(tr("Administrator"));
+}
 
 /// A temporary record for a visitor; its folder is deleted with it.
 struct SimulatedDesks::Round {

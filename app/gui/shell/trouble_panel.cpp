@@ -9,6 +9,7 @@
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/window_events.h"
 
 namespace torsio::gui {
 
@@ -32,7 +33,7 @@ TroublePanel::TroublePanel(QWidget* parent) : QWidget(parent), problem_(new Prob
   column->addLayout(row);
   connect(retry_, &QPushButton::clicked, this, &TroublePanel::retryWanted);
   connect(other_, &QPushButton::clicked, this, &TroublePanel::otherDatabaseWanted);
-  retranslate();
+  followLanguage(this, [this] { retranslate(); });
 }
 
 void TroublePanel::tell(const std::exception_ptr& problem) {
@@ -48,13 +49,6 @@ void TroublePanel::setTheme(const Theme& theme) {
 void TroublePanel::retranslate() {
   retry_->setText(tr("Try again"));
   other_->setText(tr("Use another database\u2026"));
-}
-
-void TroublePanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) {
-    retranslate();
-  }
-  QWidget::changeEvent(event);
 }
 
 }  // namespace torsio::gui

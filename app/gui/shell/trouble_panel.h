@@ -25,9 +25,6 @@ class TroublePanel : public QWidget {
   void retryWanted();
   void otherDatabaseWanted();
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   void retranslate();
   ProblemPanel* problem_;

@@ -16,11 +16,12 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/angle.h"
 #include "sim/core/organ_pose.h"
 #include "sim/core/time_units.h"
@@ -53,8 +54,7 @@ void setText(QLabel* label, const QString& text) {
 
 DetorsionPanel::DetorsionPanel(QWidget* parent) : QWidget(parent), card_(new Card(QString(), this)) {
   setObjectName(QStringLiteral("detorsion"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
   column->addWidget(card_);
   auto* grid = new QGridLayout;
   grid->setContentsMargins(0, 0, 0, 0);

@@ -9,16 +9,19 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMessageBox>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/angle.h"
 #include "sim/core/time_units.h"
+#include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {
 
@@ -79,8 +82,7 @@ ExercisePanel::ExercisePanel(QWidget* parent)
       pattern_(makeBox()),
       formulation_(makeBox()),
       target_(new SignedBox) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
   auto* grid = new QGridLayout;
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(kSpace);
@@ -222,6 +224,34 @@ void ExercisePanel::setChangeable(bool changeable) {
                          static_cast<QWidget*>(formulation_), static_cast<QWidget*>(target_)}) {
     field->setEnabled(changeable);
   }
+}
+
+ValidityButton::ValidityButton(QWidget* parent) : QToolButton(parent) {
+  setObjectName(QStringLiteral("validity"));
+  setText(QStringLiteral("?"));
+  setFocusPolicy(Qt::TabFocus);
+  connect(this, &QToolButton::clicked, this, &ValidityButton::tell);
+  retranslate();
+  hide();
+}
+
+void ValidityButton::setScene(const Scene* scene) {
+  words_.clear();
+  if (scene != nullptr && scene->comesTwisted()) {
+    words_ = scene->hollow->detorsion().validity;
+  }
+  setVisible(!words_.empty());
+}
+
+void ValidityButton::retranslate() {
+  setToolTip(tr("What of this scene is measured, sourced and assumed"));
+  setAccessibleName(toolTip());
+}
+
+void ValidityButton::tell() {
+  QMessageBox box(QMessageBox::NoIcon, tr("How far this scene holds"), toQString(Text(words_)),
+                  QMessageBox::Close, this);
+  box.exec();
 }
 
 }  // namespace torsio::gui

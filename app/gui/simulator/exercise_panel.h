@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
+#include <QToolButton>
 #include <QWidget>
 
 #include "app/gui/base/scene_titles.h"
@@ -59,6 +61,24 @@ class ExercisePanel : public QWidget {
   QComboBox* pattern_;
   QComboBox* formulation_;
   QDoubleSpinBox* target_;
+};
+
+/// A "?" beside a scene's title: shows what is measured, sourced and assumed in an untwisting. Hidden for
+/// other scenes.
+class ValidityButton : public QToolButton {
+  Q_OBJECT
+
+ public:
+  explicit ValidityButton(QWidget* parent = nullptr);
+
+  /// Takes the text of a scene; null: none.
+  void setScene(const Scene* scene);
+  void retranslate();
+
+ private:
+  void tell();
+
+  std::string words_;  // as in the scene file
 };
 
 }  // namespace torsio::gui

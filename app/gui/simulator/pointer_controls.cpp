@@ -12,7 +12,7 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
-#include "app/gui/simulator/tool_tilt.h"
+#include "app/gui/simulator/tool_pose.h"
 #include "sim/core/angle.h"
 
 namespace torsio::gui {

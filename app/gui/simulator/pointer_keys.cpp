@@ -2,17 +2,18 @@
 #include "app/gui/simulator/pointer_keys.h"
 
 #include <algorithm>
-#include <vector>
 
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QKeySequenceEdit>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -166,6 +167,37 @@ bool askPointerKeys(QWidget* parent) {
   }
   keys.store();
   return true;
+}
+
+std::vector<std::pair<QString, QString>> PointerKeys::help() {
+  std::vector<std::pair<QString, QString>> all{
+      {tr("Move the instrument"), tr("Mouse, or arrow keys")},
+      {tr("Depth"), tr("Wheel, or Page Up and Page Down")},
+      {tr("Grip"), tr("Left button or Space (hold), G (keep)")},
+      {tr("Twist what is held"), tr("Drag, Shift + wheel, or Q and E")},
+      {tr("Tilt the instrument"), tr("A, D, W, S")},
+      {tr("Release"), tr("Release the button, or Esc")},
+      {tr("Bookmark"), tr("B")},
+      {tr("Turn the view"), tr("Right drag, or Ctrl + arrow keys")},
+      {tr("Move the view"), tr("Middle drag")},
+      {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
+  };
+  for (auto& key : DetorsionPanel::keys()) {
+    all.push_back(std::move(key));
+  }
+  return all;
+}
+
+void showPointerKeys(QWidget* parent) {
+  QString text = QStringLiteral("<table cellspacing='6'>");
+  for (const auto& [what, how] : PointerKeys::help()) {
+    text +=
+        QStringLiteral("<tr><td style='padding-right:24px'><b>%1</b></td><td>%2</td></tr>").arg(what, how);
+  }
+  text += QStringLiteral("</table>");
+  QMessageBox box(QMessageBox::NoIcon, PointerKeys::tr("Controls"), text, QMessageBox::Close, parent);
+  box.setTextFormat(Qt::RichText);
+  box.exec();
 }
 
 }  // namespace torsio::gui

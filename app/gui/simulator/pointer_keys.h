@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include <QCoreApplication>
 #include <QString>
@@ -34,6 +36,9 @@ class PointerKeys {
   /// or as 0 if it is the default key of a reassigned movement.
   [[nodiscard]] int usualFor(int pressed) const;
 
+  /// Returns how mouse and default keys move instrument and camera: effect and input.
+  [[nodiscard]] static std::vector<std::pair<QString, QString>> help();
+
   /// Reads from the user's settings; invalid values get the defaults.
   [[nodiscard]] static PointerKeys stored();
   void store() const;
@@ -44,5 +49,7 @@ class PointerKeys {
 
 /// Asks for the keys, one per movement, and stores them if accepted. True if they have changed.
 bool askPointerKeys(QWidget* parent);
+/// Shows PointerKeys::help().
+void showPointerKeys(QWidget* parent);
 
 }  // namespace torsio::gui

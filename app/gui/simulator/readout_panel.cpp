@@ -11,6 +11,7 @@
 
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/load_decimals.h"
@@ -52,9 +53,7 @@ void nameRow(QLabel* title, QLabel* value, const QString& name, const QString& t
 }  // namespace
 
 ReadoutPanel::ReadoutPanel(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace + 2);
+  auto* column = bareLayout<QVBoxLayout>(this, kSpace + 2);
 
   twist_ = new Card(QString(), this);
   dial_ = new AngleDial(twist_);

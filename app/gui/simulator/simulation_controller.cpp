@@ -6,9 +6,9 @@
 
 #include <QUuid>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/simulator/parking_place.h"
+#include "app/gui/simulator/tool_pose.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/recording/recording_spec.h"
 #include "sim/core/clock.h"
 #include "sim/core/contracts.h"
@@ -24,7 +24,6 @@ SimulationController::SimulationController(SceneLoader loader, TrialRecording re
 }
 
 SimulationController::~SimulationController() {
-  ++hapticWanted_;  // cancels the attempt in progress
   workers_.clear();
   workers_.waitForDone();
 }
@@ -119,7 +118,7 @@ void SimulationController::freeze(const LiveState& state) {
 
 void SimulationController::replace(const SceneRequest& request, LoadedScene loaded,
                                    std::optional<TrialPlayback> playback) {
-  retireHaptic(takeHaptic());  // its workspace is centred on the old scene
+  opening_.retire(takeHaptic());  // its workspace is centred on the old scene
   request_ = request;
   request_.formulation = loaded.scene->model.options().formulation;
   loaded_ = std::move(loaded);
@@ -164,34 +163,8 @@ void SimulationController::enter(SimulationStage next) {
   }
 }
 
-SimulationController::Mode SimulationController::mode() const noexcept {
-  switch (stage()) {
-    case StageKind::kEmpty:
-      break;
-    case StageKind::kPractising:
-    case StageKind::kStill:
-      return Mode::kPractice;
-    case StageKind::kRecording:
-    case StageKind::kTraining:
-      return Mode::kRecording;
-    case StageKind::kReplaying:
-      return Mode::kReplay;
-  }
-  return Mode::kEmpty;
-}
-
-const stage::Running* SimulationController::running() const noexcept {
-  if (const auto* practising = std::get_if<stage::Practising>(&stage_)) {
-    return practising;
-  }
-  if (const auto* recording = std::get_if<stage::Recording>(&stage_)) {
-    return recording;
-  }
-  return std::get_if<stage::Training>(&stage_);
-}
-
 stage::Running* SimulationController::running() noexcept {
-  return const_cast<stage::Running*>(std::as_const(*this).running());
+  return const_cast<stage::Running*>(runningOf(stage_));
 }
 
 RecordedRun* SimulationController::run() noexcept {
@@ -268,7 +241,7 @@ std::unique_ptr<AsyncModelPlayback> SimulationController::asyncPlayback() const 
 }
 
 std::optional<double> SimulationController::asyncRate_per_s() const {
-  const stage::Running* now = running();
+  const stage::Running* now = runningOf(stage_);
   if (now == nullptr || now->run->asyncModel() == nullptr) {
     return std::nullopt;
   }
@@ -279,7 +252,8 @@ bool SimulationController::toolRidesOnTissue() const noexcept {
   if (const auto* replaying = std::get_if<stage::Replaying>(&stage_)) {
     return replaying->playback.header().drive == TwistDrive::kRoll;
   }
-  return running() != nullptr && running()->run->header().drive == TwistDrive::kRoll;
+  const stage::Running* now = runningOf(stage_);
+  return now != nullptr && now->run->header().drive == TwistDrive::kRoll;
 }
 
 std::optional<SurfacePoint> SimulationController::nearby(const LiveState& state) const {
@@ -427,6 +401,97 @@ void SimulationController::shutDown() {
     static_cast<void>(finishRun(TrialOutcome::kInterrupted));
   }
   enter(stage::Still{state()});
+}
+
+void SimulationController::useHapticDevice(HapticOpener opener) {
+  const bool was = static_cast<bool>(openHaptic_);
+  if (was && !opener) {
+    opening_.cancel();
+    if (stage() == StageKind::kPractising) {
+      takeHaptic().reset();  // immediately, because another page may open it next
+      practise(nullptr);
+    }
+  }
+  openHaptic_ = std::move(opener);
+  openHaptic();
+}
+
+void SimulationController::openHaptic() {
+  if (!openHaptic_ || scene() == nullptr || mode() == Mode::kReplay || !hapticModel().isEmpty()) {
+    return;
+  }
+  opening_.begin(
+      [open = openHaptic_, scene = loaded_.scene] { return open(*scene); },
+      [this](std::unique_ptr<HapticDevice> device) { tookHaptic(std::move(device)); },
+      [this](const std::exception_ptr& problem) {
+        Q_EMIT noticed(tr("You practise with mouse and keyboard: %1").arg(problemSentence(problem)));
+      });
+}
+
+void SimulationController::tookHaptic(std::unique_ptr<HapticDevice> device) {
+  if (!device) {
+    Q_EMIT noticed(tr("No haptic device was found. You practise with mouse and keyboard"));
+    return;
+  }
+  const QString model = toQString(device->capabilities().model);
+  const bool felt = device->capabilities().rendersForce;
+  if (stage() != StageKind::kPractising) {
+    return;  // released, and requested again with the next scene
+  }
+  practise(std::move(device));
+  Q_EMIT noticed(felt ? tr("You practise with %1. The force is felt").arg(model)
+                      : tr("You practise with %1. The force is shown, not felt").arg(model));
+}
+
+/// Stops free practice with the haptic device, and returns the device, which is reused because opening it
+/// takes seconds. Null: there is none, or it is no longer wanted.
+std::unique_ptr<HapticDevice> SimulationController::takeHaptic() {
+  stage::Running* now = stage() == StageKind::kTraining ? nullptr : running();
+  if (now == nullptr || !now->usesHaptic()) {
+    return nullptr;
+  }
+  std::unique_ptr<HapticDevice> device = now->run->releaseDevice();
+  return openHaptic_ ? std::move(device) : nullptr;
+}
+
+void SimulationController::watchDevice() {
+  stage::Running* now = running();
+  if (now == nullptr || !now->usesHaptic()) {
+    return;
+  }
+  if ((now->run->latest().deviceStatus & kDeviceLost) == 0) {
+    return;
+  }
+  auto* training = std::get_if<stage::Training>(&stage_);
+  if (training == nullptr) {
+    loseHaptic();
+  } else if (!training->lossTold) {
+    training->lossTold = true;
+    Q_EMIT deviceLost();
+  }
+}
+
+/// Handles the loss of the device. The servo has already set the force to zero: a lost device gets none.
+void SimulationController::loseHaptic() {
+  const bool recorded = stage() == StageKind::kRecording;
+  if (recorded) {
+    static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  }
+  opening_.retire(takeHaptic());
+  practise(nullptr);
+  Q_EMIT noticed(recorded
+                     ? tr("The haptic device was disconnected. The recording up to then is kept; continue "
+                          "with the mouse")
+                     : tr("The haptic device was disconnected. Put it down and continue with the mouse"));
+}
+
+QString SimulationController::hapticModel() const {
+  const bool free = stage() == StageKind::kPractising || stage() == StageKind::kRecording;
+  const stage::Running* now = free ? runningOf(stage_) : nullptr;
+  if (now == nullptr || !now->usesHaptic()) {
+    return {};
+  }
+  return toQString(now->run->header().deviceModel);
 }
 
 }  // namespace torsio::gui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -13,9 +12,9 @@
 #include <QString>
 #include <QThreadPool>
 
-#include "app/gui/base/problem.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/async_view.h"
+#include "app/gui/simulator/device_opening.h"
 #include "app/gui/simulator/loaded_scene.h"
 #include "app/gui/simulator/simulation_stage.h"
 #include "app/gui/simulator/trial_recording.h"
@@ -33,8 +32,7 @@ class SimulationController : public QObject {
   Q_OBJECT
 
  public:
-  /// The stage, reduced to what views need.
-  enum class Mode { kEmpty, kPractice, kRecording, kReplay };
+  using Mode = SimulationMode;
 
   SimulationController(SceneLoader loader, TrialRecording recording, QObject* parent = nullptr);
   ~SimulationController() override;
@@ -57,7 +55,7 @@ class SimulationController : public QObject {
   [[nodiscard]] const Scene* scene() const noexcept { return loaded_.scene.get(); }
   [[nodiscard]] const std::shared_ptr<const Scene>& sharedScene() const noexcept { return loaded_.scene; }
   [[nodiscard]] const ViewScene& viewScene() const noexcept { return loaded_.view; }
-  [[nodiscard]] Mode mode() const noexcept;
+  [[nodiscard]] Mode mode() const noexcept { return modeOf(stage()); }
   /// Returns the stage; mode() is the reduced form for views.
   [[nodiscard]] StageKind stage() const noexcept { return kindOf(stage_); }
 
@@ -136,7 +134,6 @@ class SimulationController : public QObject {
   /// Changes the stage; the only place where it changes.
   void enter(SimulationStage next);
   [[nodiscard]] stage::Running* running() noexcept;
-  [[nodiscard]] const stage::Running* running() const noexcept;
   [[nodiscard]] stage::Running newRun(std::unique_ptr<HapticDevice> device, const RecordingSpec& recording,
                                       std::shared_ptr<TrialSink> sink) const;
   [[nodiscard]] std::unique_ptr<AsyncModelPlayback> asyncPlayback() const;
@@ -144,9 +141,8 @@ class SimulationController : public QObject {
   [[nodiscard]] std::optional<RecordingResult> finishRun(TrialOutcome outcome);
   void openHaptic();
   void tellWarnings();
-  void tookHaptic(std::unique_ptr<HapticDevice> device, const QString& problem);
+  void tookHaptic(std::unique_ptr<HapticDevice> device);
   [[nodiscard]] std::unique_ptr<HapticDevice> takeHaptic();
-  void retireHaptic(std::unique_ptr<HapticDevice> device);
   void watchDevice();
   void loseHaptic();
   /// Runs `action` and reports exceptions through problemMet(). True on success.
@@ -166,8 +162,8 @@ class SimulationController : public QObject {
   double target_rad_ = 0.0;
   PointerInput pointer_;  // latest input
   SimulationStage stage_;
-  HapticOpener openHaptic_;                     // empty: free practice with the pointer
-  std::atomic<std::uint64_t> hapticWanted_{0};  // number of the latest attempt to open it
+  HapticOpener openHaptic_;  // empty: free practice with the pointer
+  DeviceOpening opening_;    // of the haptic device of free practice
 };
 
 }  // namespace torsio::gui

@@ -64,6 +64,35 @@ inline constexpr std::size_t kStageKinds = std::variant_size_v<SimulationStage>;
   return static_cast<StageKind>(stage.index());
 }
 
+/// Returns the run of a stage; null if none runs.
+[[nodiscard]] inline const stage::Running* runningOf(const SimulationStage& stage) noexcept {
+  if (const auto* practising = std::get_if<stage::Practising>(&stage)) {
+    return practising;
+  }
+  if (const auto* recording = std::get_if<stage::Recording>(&stage)) {
+    return recording;
+  }
+  return std::get_if<stage::Training>(&stage);
+}
+
+/// A stage, reduced to what views need.
+enum class SimulationMode { kEmpty, kPractice, kRecording, kReplay };
+[[nodiscard]] constexpr SimulationMode modeOf(StageKind stage) noexcept {
+  switch (stage) {
+    case StageKind::kEmpty:
+      break;
+    case StageKind::kPractising:
+    case StageKind::kStill:
+      return SimulationMode::kPractice;
+    case StageKind::kRecording:
+    case StageKind::kTraining:
+      return SimulationMode::kRecording;
+    case StageKind::kReplaying:
+      return SimulationMode::kReplay;
+  }
+  return SimulationMode::kEmpty;
+}
+
 /// Returns whether a stage may directly follow another. A recording never changes its scene: it must end
 /// first, and a trainee's run ends in kStill.
 [[nodiscard]] constexpr bool mayFollow(StageKind before, StageKind after) noexcept {

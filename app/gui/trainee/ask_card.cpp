@@ -8,14 +8,13 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {

@@ -21,7 +21,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/recording/recorded_run.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"

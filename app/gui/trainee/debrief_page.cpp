@@ -12,8 +12,6 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/ask_card.h"
@@ -24,10 +22,10 @@
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/card.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "assessment/domain/ids.h"
 #include "sim/core/load_decimals.h"
 

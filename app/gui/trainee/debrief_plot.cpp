@@ -11,9 +11,8 @@
 #include <QPainterPath>
 #include <QWheelEvent>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/trainee/trainee_labels.h"
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/angle.h"
 #include "sim/core/load_decimals.h"
 

@@ -12,11 +12,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

@@ -12,7 +12,7 @@
 #include <QWidget>
 
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/async_view.h"
+#include "app/gui/simulator/loaded_scene.h"
 #include "app/services/recording/trial_playback.h"
 #include "app/services/training/debrief.h"
 

@@ -10,9 +10,8 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/simulator/detorsion_panel.h"
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
 

@@ -12,9 +12,10 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/people/consent_service.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/services/people/person_requests.h"
 
 namespace torsio::gui {
 

@@ -11,9 +11,9 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 

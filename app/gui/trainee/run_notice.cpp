@@ -6,11 +6,11 @@
 #include <QVBoxLayout>
 
 #include "app/connectors/built_in.h"
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/tracker_panel.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/training/training_run.h"
 
 namespace torsio::gui {

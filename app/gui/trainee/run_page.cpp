@@ -21,7 +21,7 @@
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/tracker_panel.h"
 #include "app/gui/trainee/twist_guide.h"
-#include "app/gui/widgets/held_button.h"
+#include "app/gui/widgets/child.h"
 #include "app/services/recording/station_writer.h"
 #include "app/services/recording/unstored_trials.h"
 #include "assessment/domain/study/curriculum.h"

@@ -8,8 +8,8 @@
 
 #include "app/connectors/tracker/tracked_recording.h"
 #include "app/gui/base/page.h"
-#include "app/gui/base/problem.h"
-#include "app/gui/trainee/device_opening.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/simulator/device_opening.h"
 #include "app/services/training/run_session.h"
 #include "sim/core/live_types.h"
 

@@ -11,17 +11,17 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/detorsion_panel.h"
+#include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/readout_panel.h"
 #include "app/gui/simulator/simulation_controller.h"
-#include "app/gui/simulator/validity_button.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/training/run_session.h"
 #include "sim/core/load_decimals.h"
 #include "sim/servo/surface_proxy.h"

@@ -17,8 +17,8 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/angle.h"
 
 namespace torsio::gui {

@@ -3,8 +3,8 @@
 
 #include <QStringList>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/recording/competence.h"
 #include "assessment/catalogue/quantity.h"
 

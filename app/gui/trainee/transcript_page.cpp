@@ -13,16 +13,15 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
-#include "app/gui/base/clock_time.h"
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "sim/core/error.h"
 #include "sim/core/file_lock.h"
 

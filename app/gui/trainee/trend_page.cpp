@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
@@ -17,9 +16,10 @@
 #include "app/gui/trainee/trend_plot.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "assessment/domain/study/curriculum.h"
 
 namespace torsio::gui {

@@ -10,7 +10,7 @@
 #include <QPainterPath>
 
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 

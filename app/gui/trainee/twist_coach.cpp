@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/gui/simulator/readout_panel.h"
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/angle.h"
 
 namespace torsio::gui {

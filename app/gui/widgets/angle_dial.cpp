@@ -8,7 +8,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "sim/core/angle.h"
 
 namespace torsio::gui {

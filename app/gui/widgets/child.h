@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
+#include <QAbstractButton>
+#include <QList>
 #include <QString>
 #include <QWidget>
 
@@ -15,6 +19,14 @@ template <typename Widget>
   auto* found = parent.findChild<Widget*>(QLatin1String(name));
   TORSIO_EXPECTS(found != nullptr);
   return *found;
+}
+
+/// Returns whether a button on `page` is pressed. A page that refreshes itself must wait: a button that
+/// moves, disappears or is disabled under the pointer loses its click.
+[[nodiscard]] inline bool holdsButton(const QWidget& page) {
+  const auto buttons = page.findChildren<QAbstractButton*>();
+  return std::any_of(buttons.begin(), buttons.end(),
+                     [](const QAbstractButton* button) { return button->isDown(); });
 }
 
 }  // namespace torsio::gui

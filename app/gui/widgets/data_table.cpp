@@ -2,7 +2,6 @@
 #include "app/gui/widgets/data_table.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include <QAction>
@@ -22,9 +21,10 @@
 
 #include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/data_table_model.h"
-#include "app/gui/widgets/number_text.h"
-#include "app/gui/widgets/row_view.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/gui/widgets/window_events.h"
 #include "app/outputs/wording/printed_minus.h"
 
 namespace torsio::gui {
@@ -32,10 +32,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kRowHeight = 32;
-constexpr int kToolHeight = 36;     // of a button, so that adjacent lists align with and without tools
-constexpr int kMeasuredRows = 200;  // for column widths: a long list would take too long
-
-constexpr int kLeastWidth = 12 * kSpace;  // minimum of a wider column before the list scrolls horizontally
+constexpr int kToolHeight = 36;  // of a button, so that adjacent lists align with and without tools
 
 }  // namespace
 
@@ -53,9 +50,9 @@ DataTable::DataTable(const QString& name, QWidget* parent)
       count_(new QLabel(this)),
       empty_(new QLabel(view_)),
       tools_(new QWidget(this)),
-      totals_(new QLabel(this)) {
+      totals_(new QLabel(this)),
+      widths_(new ColumnWidths(*view_)) {
   view_->setItemDelegate(new PaddedCells(view_));
-  view_->setHorizontalHeader(new ColumnTitles(view_));
   proxy_->setSourceModel(model_);
   view_->setModel(proxy_);
   view_->setSortingEnabled(true);
@@ -71,7 +68,6 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
   view_->horizontalHeader()->setSectionsMovable(true);
   view_->horizontalHeader()->setStretchLastSection(true);
-  view_->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
   view_->horizontalHeader()->setHighlightSections(false);
   view_->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
   view_->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -90,12 +86,8 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   bar->addWidget(count_);
   bar->addStretch(1);
   bar->addWidget(tools_);
-  auto* tools = new QHBoxLayout(tools_);
-  tools->setContentsMargins(0, 0, 0, 0);
-  tools->setSpacing(kSpace);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace);
+  bareLayout<QHBoxLayout>(tools_, kSpace);
+  auto* column = bareLayout<QVBoxLayout>(this, kSpace);
   column->addLayout(bar);
   column->addWidget(view_, 1);
   totals_->setProperty("quiet", true);
@@ -114,21 +106,9 @@ DataTable::DataTable(const QString& name, QWidget* parent)
           [this] { Q_EMIT currentChanged(currentId()); });
   connect(view_, &QTableView::doubleClicked, this,
           [this](const QModelIndex& index) { Q_EMIT activated(idAt(index)); });
-  QHeaderView* header = view_->horizontalHeader();
-  connect(header, &QHeaderView::customContextMenuRequested, this, &DataTable::showColumnMenu);
-  connect(header, &QHeaderView::sectionMoved, this, [this] { touched_ = true; });
-  connect(header, &QHeaderView::sectionResized, this, [this] {
-    if (!sharing_ && QApplication::mouseButtons().testFlag(Qt::LeftButton)) {
-      touched_ = true;
-    }
-  });
-  connect(header, &QHeaderView::sortIndicatorChanged, this, [this](int sorted) {
-    if (sorted >= 0) {
-      makeRoomForArrow(sorted);
-      touched_ = true;
-    }
-  });
-  retranslate();
+  connect(view_->horizontalHeader(), &QHeaderView::customContextMenuRequested, this,
+          &DataTable::showColumnMenu);
+  followLanguage(this, [this] { retranslate(); });
 }
 
 DataTable::~DataTable() {
@@ -164,7 +144,7 @@ void DataTable::setColumns(const std::vector<Column>& columns) {
     restore();
   }
   restored_ = true;
-  letLastFill();
+  widths_->letLastFill();
 }
 
 void DataTable::setRows(std::vector<Row> rows) {
@@ -172,9 +152,7 @@ void DataTable::setRows(std::vector<Row> rows) {
   const QStringList chosen = selectedIds();
   const bool first = model_->rowCount({}) == 0;
   model_->setRows(std::move(rows));
-  if (!touched_) {
-    fitColumns(first);
-  }
+  widths_->fit(first);
   if (!current.isEmpty()) {
     select(current);
   }
@@ -289,7 +267,7 @@ void DataTable::showColumnMenu(const QPoint& at) {
     shown->setEnabled(shown->isChecked() ? header->count() - header->hiddenSectionCount() > 1 : true);
     connect(shown, &QAction::toggled, header, [this, column](bool on) {
       setColumnHidden(column, !on);
-      touched_ = true;
+      widths_->setChosen(true);
     });
   }
   menu.exec(header->mapToGlobal(at));
@@ -335,16 +313,9 @@ void DataTable::retranslate() {
   showCount();
 }
 
-void DataTable::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) {
-    retranslate();
-  }
-  QWidget::changeEvent(event);
-}
-
 bool DataTable::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize && watched == view_->viewport()) {
-    shareWidth();
+    widths_->share();
     showCount();
   }
   if (event->type() == QEvent::KeyPress && watched == view_) {
@@ -375,7 +346,7 @@ QString DataTable::settingsKey() const {
 }
 
 void DataTable::remember() const {
-  if (name_.isEmpty() || !touched_ || model_->columnCount({}) == 0) {
+  if (name_.isEmpty() || !widths_->chosen() || model_->columnCount({}) == 0) {
     return;
   }
   QSettings().setValue(key_, view_->horizontalHeader()->saveState());
@@ -387,130 +358,23 @@ void DataTable::restore() {
   }
   key_ = settingsKey();
   const QByteArray state = QSettings().value(key_).toByteArray();
-  touched_ = !state.isEmpty() && view_->horizontalHeader()->restoreState(state);
-}
-
-/// Fits columns to their content; with new rows they only grow, so that a list that refreshes itself does not
-/// move.
-void DataTable::fitColumns(bool first) {
-  QHeaderView* header = view_->horizontalHeader();
-  if (wraps_) {
-    view_->setWordWrap(false);  // while measuring the names
-  }
-  header->setStretchLastSection(false);  // a stretched last column is wider than its content
-  wanted_.resize(static_cast<std::size_t>(header->count()), 0);
-  cells_.resize(wanted_.size(), 0);
-  for (int column = 0; column < header->count(); ++column) {
-    const auto at = static_cast<std::size_t>(column);
-    const bool hidden = header->isSectionHidden(column);
-    const int cells = hidden ? 0 : static_cast<QAbstractItemView*>(view_)->sizeHintForColumn(column);
-    const int all = hidden ? 0 : std::max(cells, header->sectionSizeHint(column));
-    cells_[at] = first ? cells : std::max(cells_[at], cells);
-    wanted_[at] = first ? all : std::max(wanted_[at], all);
-  }
-  shareWidth();
-  letLastFill();
-}
-
-/// Lets the last column fill a wide list, except for a number, which would be far from its context.
-void DataTable::letLastFill() {
-  QHeaderView* header = view_->horizontalHeader();
-  const std::vector<Column>& columns = model_->columns();
-  int place = header->count() - 1;
-  while (place >= 0 && header->isSectionHidden(header->logicalIndex(place))) {
-    --place;
-  }
-  header->setStretchLastSection(place < 0 ||
-                                !columns[static_cast<std::size_t>(header->logicalIndex(place))].number);
+  widths_->setChosen(!state.isEmpty() && view_->horizontalHeader()->restoreState(state));
 }
 
 void DataTable::wrapWhatIsCut() {
-  wraps_ = true;
-  QHeaderView* lines = view_->verticalHeader();
-  lines->setMinimumSectionSize(lines->defaultSectionSize());
-  lines->setSectionResizeMode(QHeaderView::ResizeToContents);
+  widths_->wrapWhatIsCut();
 }
 
 int DataTable::wholeWidth() const {
-  const QHeaderView& header = *view_->horizontalHeader();
-  int width = 2 * view_->frameWidth() + view_->verticalScrollBar()->sizeHint().width();
-  for (std::size_t column = 0; column < wanted_.size(); ++column) {
-    width += header.isSectionHidden(static_cast<int>(column)) ? 0 : wanted_[column];
-  }
-  return width;
-}
-
-/// Shrinks columns down to their titles, which are not clipped.
-std::vector<int> DataTable::widthsOf(bool crowded) const {
-  const auto& titles = static_cast<const ColumnTitles&>(*view_->horizontalHeader());
-  std::vector<ColumnWidth> columns;
-  for (int column = 0; column < titles.count(); ++column) {
-    const int title = crowded && titles.sortIndicatorSection() != column ? titles.unsortedWidth(column)
-                                                                         : titles.sectionSizeHint(column);
-    columns.push_back(titles.isSectionHidden(column)
-                          ? ColumnWidth{0, 0}
-                          : ColumnWidth{std::max(title, cells_[static_cast<std::size_t>(column)]),
-                                        std::max(kLeastWidth, title)});
-  }
-  return sharedWidths(columns, view_->viewport()->width());
-}
-
-/// Makes room in a crowded list, taken from the widest other column.
-void DataTable::makeRoomForArrow(int column) {
-  QHeaderView* header = view_->horizontalHeader();
-  const int lacks = header->sectionSizeHint(column) - header->sectionSize(column);
-  if (touched_ || lacks <= 0 || header->isSectionHidden(column)) {
-    return;
-  }
-  int widest = -1;
-  for (int other = 0; other < header->count(); ++other) {
-    if (other != column && (widest < 0 || header->sectionSize(other) > header->sectionSize(widest))) {
-      widest = other;
-    }
-  }
-  sharing_ = true;
-  if (widest >= 0 && header->sectionSize(widest) - lacks >= kLeastWidth) {
-    header->resizeSection(widest, header->sectionSize(widest) - lacks);
-  }
-  header->resizeSection(column, header->sectionSize(column) + lacks);
-  sharing_ = false;
-}
-
-void DataTable::shareWidth() {
-  QHeaderView* header = view_->horizontalHeader();
-  if (touched_ || wanted_.size() != static_cast<std::size_t>(header->count())) {
-    return;
-  }
-  const bool crowded = std::accumulate(wanted_.begin(), wanted_.end(), 0) > view_->viewport()->width();
-  const std::vector<int> widths = widthsOf(crowded);
-  sharing_ = true;
-  for (int column = 0; column < header->count(); ++column) {
-    if (!header->isSectionHidden(column)) {
-      header->resizeSection(column, widths[static_cast<std::size_t>(column)]);
-    }
-  }
-  sharing_ = false;
-  if (wraps_) {
-    view_->setWordWrap(wholeWidth() > width());
-  }
+  return widths_->whole_px();
 }
 
 void DataTable::setColumnHidden(int column, bool hidden) {
-  QHeaderView* header = view_->horizontalHeader();
-  if (header->isSectionHidden(column) == hidden) {
-    return;
-  }
-  header->setSectionHidden(column, hidden);
-  // It had no width while hidden: fits it now, not when the list is filled next.
-  if (!touched_) {
-    fitColumns(false);
-  } else if (!hidden && header->sectionSize(column) < kLeastWidth) {
-    view_->resizeColumnToContents(column);
-  }
+  widths_->setHidden(column, hidden);
 }
 
 void DataTable::hideAtFirst(int column) {
-  if (!touched_) {
+  if (!widths_->chosen()) {
     setColumnHidden(column, true);
   }
 }

@@ -18,6 +18,8 @@ class QTableView;
 
 namespace torsio::gui {
 
+class ColumnWidths;
+
 /// A cell: its text, and its sort key.
 struct Cell {
   QString text;
@@ -87,21 +89,14 @@ class DataTable : public QWidget {
   void activated(const QString& id);  ///< double click or Enter
 
  protected:
-  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   class Model;
-  /// Returns widths that fill the list, px; in a crowded one, titles have no room for the sort arrow.
-  [[nodiscard]] std::vector<int> widthsOf(bool crowded) const;
-  void makeRoomForArrow(int column);
   void createActions();
   void copy() const;
   void showColumnMenu(const QPoint& at);
   void sortByCurrent();
-  void fitColumns(bool first);
-  void shareWidth();
-  void letLastFill();
   void showCount();
   void retranslate();
   [[nodiscard]] QString settingsKey() const;
@@ -119,15 +114,11 @@ class DataTable : public QWidget {
   QLabel* empty_;
   QWidget* tools_;
   QLabel* totals_;
+  ColumnWidths* widths_;
   QAction* copyAction_ = nullptr;
   QAction* sortAction_ = nullptr;
   QAction* columnsAction_ = nullptr;
-  std::vector<int> cells_;   // width of each column without clipping, px
-  std::vector<int> wanted_;  // width of its title with the sort arrow
-  bool wraps_ = false;
-  bool sharing_ = false;  // the table is resizing columns, not the user
   bool restored_ = false;
-  bool touched_ = false;  // the user has moved, resized, hidden or sorted columns, so that they are stored
 };
 
 }  // namespace torsio::gui

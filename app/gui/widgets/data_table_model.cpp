@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/widgets/data_table_model.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QHeaderView>
 #include <QHelpEvent>
+#include <QPaintEvent>
 #include <QPainter>
 #include <QToolTip>
 
-#include "app/gui/widgets/date_text.h"
-#include "app/gui/widgets/row_view.h"
+#include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 
@@ -21,11 +24,6 @@ namespace {
 QLocale collation() {
   const QLocale locale;
   return locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
-}
-
-/// Extra padding, px, right of a number, before the next column.
-int afterNumber(Qt::Alignment alignment) {
-  return alignment.testFlag(Qt::AlignRight) ? kSpace : 0;
 }
 
 /// Returns the rectangle of a cell's text.
@@ -121,35 +119,6 @@ bool SortedRows::lessThan(const QModelIndex& left, const QModelIndex& right) con
   return a.toDouble() < b.toDouble();
 }
 
-ColumnTitles::ColumnTitles(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) {
-  setSectionsClickable(true);
-}
-
-int ColumnTitles::afterNumber(int column) const {
-  return torsio::gui::afterNumber(
-      Qt::Alignment(model()->headerData(column, Qt::Horizontal, Qt::TextAlignmentRole).toInt()));
-}
-
-void ColumnTitles::paintSection(QPainter* painter, const QRect& rect, int column) const {
-  QHeaderView::paintSection(painter, rect.adjusted(0, 0, -afterNumber(column), 0), column);
-}
-
-QSize ColumnTitles::sectionSizeFromContents(int column) const {
-  return QHeaderView::sectionSizeFromContents(column) + QSize(afterNumber(column), 0);
-}
-
-int ColumnTitles::unsortedWidth(int column) const {
-  QStyleOptionHeader title;
-  initStyleOption(&title);
-  title.section = column;
-  title.text = model()->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-  QFont bold = font();
-  bold.setBold(true);
-  title.fontMetrics = QFontMetrics(bold);
-  return style()->sizeFromContents(QStyle::CT_HeaderSection, &title, QSize(), this).width() +
-         afterNumber(column);
-}
-
 void PaddedCells::paint(QPainter* painter, const QStyleOptionViewItem& option,
                         const QModelIndex& index) const {
   QStyleOptionViewItem cell = option;
@@ -200,6 +169,56 @@ bool PaddedCells::helpEvent(QHelpEvent* event, QAbstractItemView* view, const QS
     return true;
   }
   return QStyledItemDelegate::helpEvent(event, view, option, index);
+}
+
+void paintRowFocus(QPainter& painter, const QRect& row, const QPalette& palette, bool selected) {
+  constexpr int kWidth_px = 1;
+  const int inset = selected ? 2 : 0;  // within the selection's background
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(palette.color(selected ? QPalette::HighlightedText : QPalette::Highlight), kWidth_px));
+  painter.drawRect(row.adjusted(inset, inset, -inset - kWidth_px, -inset - kWidth_px));
+  painter.restore();
+}
+
+void RowView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+  QTableView::currentChanged(current, previous);
+  viewport()->update();  // the outline spans every cell of the row
+}
+
+void RowView::paintEvent(QPaintEvent* event) {
+  const int end = horizontalHeader()->length() - horizontalHeader()->offset();
+  const int rows = model() != nullptr ? model()->rowCount(rootIndex()) : 0;
+  if (rows > 0 && end < viewport()->width()) {
+    QPainter painter(viewport());
+    QStyleOptionViewItem option;
+    initViewItemOption(&option);
+    for (int row = std::max(0, rowAt(0)); row < rows; ++row) {
+      const int top = rowViewportPosition(row);
+      if (top > event->rect().bottom()) {
+        break;
+      }
+      option.rect = QRect(end, top, viewport()->width() - end, rowHeight(row));
+      option.features.setFlag(QStyleOptionViewItem::Alternate, row % 2 == 1);
+      option.state.setFlag(QStyle::State_Selected, selectionModel()->isRowSelected(row, rootIndex()));
+      style()->drawPrimitive(QStyle::PE_PanelItemViewRow, &option, &painter, this);
+      style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, &painter, this);
+    }
+  }
+  QTableView::paintEvent(event);
+  const QModelIndex current = currentIndex();
+  if (!hasFocus() || !current.isValid()) {
+    return;
+  }
+  const bool selected = selectionModel()->isRowSelected(current.row(), rootIndex());
+  if (selected && selectionModel()->selectedRows().size() == 1) {
+    return;  // the selection shows the current row
+  }
+  QPainter painter(viewport());
+  paintRowFocus(painter,
+                QRect(0, rowViewportPosition(current.row()), viewport()->width(), rowHeight(current.row())),
+                palette(), selected);
 }
 
 }  // namespace torsio::gui

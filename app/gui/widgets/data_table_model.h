@@ -5,15 +5,19 @@
 
 #include <QAbstractTableModel>
 #include <QCollator>
-#include <QHeaderView>
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
+#include <QTableView>
 
 #include "app/gui/widgets/data_table.h"
 
+class QPainter;
+class QPalette;
+class QRect;
+
 namespace torsio::gui {
 
-// Models and views of DataTable; used only by data_table.cpp.
+// Model and views of DataTable; other lists use the views for its look.
 
 inline constexpr int kSortRole = Qt::UserRole;    ///< sort key of a cell
 inline constexpr int kIdRole = Qt::UserRole + 1;  ///< Row::id
@@ -52,21 +56,6 @@ class SortedRows final : public QSortFilterProxyModel {
   QCollator collator_;
 };
 
-/// Column titles; a number's title has the same padding as the numbers below.
-class ColumnTitles final : public QHeaderView {
- public:
-  explicit ColumnTitles(QWidget* parent);
-  /// Returns a title's unclipped width without the sort arrow, px.
-  [[nodiscard]] int unsortedWidth(int column) const;
-
- protected:
-  void paintSection(QPainter* painter, const QRect& rect, int column) const override;
-  [[nodiscard]] QSize sectionSizeFromContents(int column) const override;
-
- private:
-  [[nodiscard]] int afterNumber(int column) const;
-};
-
 /// Draws cells with the padding of the headers, so that a number never touches the next text. Clipped text is
 /// shown in the tool tip.
 class PaddedCells final : public QStyledItemDelegate {
@@ -77,6 +66,20 @@ class PaddedCells final : public QStyledItemDelegate {
   [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
                  const QModelIndex& index) override;
+};
+
+/// Outlines the current row, from edge to edge. `row`: in pixels of the list.
+void paintRowFocus(QPainter& painter, const QRect& row, const QPalette& palette, bool selected);
+
+/// A list whose row colours extend to the list's edge beyond the last column, so that narrow tables do not
+/// look cut off. Focus is on a row, never on a cell.
+class RowView final : public QTableView {
+ public:
+  using QTableView::QTableView;
+
+ protected:
+  void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+  void paintEvent(QPaintEvent* event) override;
 };
 
 }  // namespace torsio::gui

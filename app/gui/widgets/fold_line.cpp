@@ -14,9 +14,7 @@ FoldLine::FoldLine(QWidget* parent) : QWidget(parent), label_(new QLabel(this)),
   label_->setTextFormat(Qt::PlainText);
   label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   button_->setObjectName(QStringLiteral("unfold"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kSpace);
+  auto* row = bareLayout<QHBoxLayout>(this, kSpace);
   row->addWidget(label_, 1);
   row->addWidget(button_);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);

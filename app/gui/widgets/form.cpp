@@ -3,15 +3,19 @@
 
 #include <algorithm>
 
+#include <QEvent>
 #include <QFrame>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QWidget>
 
 #include "app/gui/widgets/theme.h"
 
@@ -67,11 +71,28 @@ class Sentence : public QLabel {
   }
 };
 
+class ScrollGap final : public QObject {
+ public:
+  explicit ScrollGap(QLayout& content) : QObject(&content), content_(content) {}
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Show || event->type() == QEvent::Hide) {
+      QMargins margins = content_.contentsMargins();
+      margins.setRight(event->type() == QEvent::Show ? kSpace : 0);
+      content_.setContentsMargins(margins);
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QLayout& content_;
+};
+
 }  // namespace
 
 QVBoxLayout* centredCard(QWidget* ground, int width) {
-  auto* outer = new QVBoxLayout(ground);
-  outer->setContentsMargins(0, 0, 0, 0);
+  auto* outer = bareLayout<QVBoxLayout>(ground);
   auto* scroll = new QScrollArea(ground);  // at 200 %, a card may be taller than a small screen
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -145,6 +166,19 @@ void setLook(QWidget* widget, const char* property, bool on) {
   widget->setProperty(property, on);
   widget->style()->unpolish(widget);
   widget->style()->polish(widget);
+}
+
+void keepOffScrollBar(QScrollArea& area, QLayout& content) {
+  QMargins margins = content.contentsMargins();
+  margins.setRight(0);
+  content.setContentsMargins(margins);
+  area.verticalScrollBar()->installEventFilter(new ScrollGap(content));
+}
+
+void growToSentences(QWidget* dialog) {
+  dialog->layout()->activate();
+  const int width = std::max(dialog->width(), dialog->minimumWidth());
+  dialog->setMinimumHeight(std::max(dialog->minimumHeight(), dialog->layout()->totalHeightForWidth(width)));
 }
 
 }  // namespace torsio::gui

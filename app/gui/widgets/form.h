@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <QString>
 
 class QBoxLayout;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 class QVBoxLayout;
 class QWidget;
 
@@ -15,6 +19,17 @@ namespace torsio::gui {
 /// Centres a card of this width in `ground`, for screens before the desk; it grows if a button would be
 /// clipped. Returns the column for its content.
 QVBoxLayout* centredCard(QWidget* ground, int width);
+
+/// Creates the layout of a widget, without margins. `spacing`: empty: the style's.
+template <typename Layout>
+Layout* bareLayout(QWidget* widget, std::optional<int> spacing = std::nullopt) {
+  auto* layout = new Layout(widget);
+  layout->setContentsMargins(0, 0, 0, 0);
+  if (spacing) {
+    layout->setSpacing(*spacing);
+  }
+  return layout;
+}
 
 /// Adds a label and its field to `layout`: above it in a column, beside it in a row. The label's mnemonic
 /// focuses the field. Returns the label, whose text the caller sets.
@@ -30,5 +45,12 @@ QPushButton* linkButton(QWidget* parent);
 QLabel* sentence(QWidget* parent, bool quiet = true);
 /// Sets a dynamic property of the style sheet ("caution", "good", "quiet") and updates the style.
 void setLook(QWidget* widget, const char* property, bool on);
+
+/// Keeps `content`, the layout of the area's widget, clear of the vertical scroll bar if there is one;
+/// otherwise it is as wide as what is above and below the area.
+void keepOffScrollBar(QScrollArea& area, QLayout& content);
+
+/// Makes a dialog high enough for its wrapped sentences; call when one has changed. Never shrinks it.
+void growToSentences(QWidget* dialog);
 
 }  // namespace torsio::gui

@@ -7,7 +7,7 @@
 #include <QLocale>
 #include <QPainter>
 
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 

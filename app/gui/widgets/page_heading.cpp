@@ -18,9 +18,7 @@ PageHeading::PageHeading(QWidget* parent)
   texts->addWidget(title_);
   texts->addWidget(sentence_);
   actions_->setSpacing(kSpace);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(2 * kSpace);
+  auto* row = bareLayout<QHBoxLayout>(this, 2 * kSpace);
   row->addLayout(texts, 1);
   row->addLayout(actions_);
   row->setAlignment(actions_, Qt::AlignTop);

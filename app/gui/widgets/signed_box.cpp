@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/widgets/signed_box.h"
 
-#include "app/gui/widgets/number_text.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/printed_minus.h"
 
 namespace torsio::gui {
 

@@ -16,7 +16,7 @@
 #include <QStyleFactory>
 #include <QStyledItemDelegate>
 
-#include "app/gui/widgets/row_view.h"
+#include "app/gui/widgets/data_table_model.h"
 #include "app/outputs/charts/typeface.h"
 
 namespace torsio::gui {

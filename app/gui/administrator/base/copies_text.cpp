@@ -10,7 +10,7 @@
 #include <QCoreApplication>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/widgets/date_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/maintenance/copies.h"
 
 namespace torsio::gui {

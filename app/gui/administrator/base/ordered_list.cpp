@@ -16,7 +16,6 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/scroll_gap.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {

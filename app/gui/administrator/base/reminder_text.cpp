@@ -8,7 +8,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/widgets/date_text.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 

@@ -18,7 +18,6 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
 #include "app/services/recording/competence.h"
 #include "sim/core/angle.h"

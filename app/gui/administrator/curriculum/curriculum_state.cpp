@@ -6,9 +6,9 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/study_labels.h"
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/date_text.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/joined_sentences.h"
 
 namespace torsio::gui {
 

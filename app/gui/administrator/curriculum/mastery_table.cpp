@@ -13,9 +13,9 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "assessment/catalogue/quantity.h"
 
 namespace torsio::gui {

@@ -11,10 +11,9 @@
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
 
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/study/standard_tables.h"
 #include "assessment/statistics/standard_setting.h"

@@ -12,7 +12,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/date_text.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/access/invitations.h"
 
 namespace torsio::gui {

@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "app/gui/base/page_id.h"
+#include "app/gui/base/page.h"
 #include "app/services/access/two_people.h"
 
 class QPushButton;

@@ -8,12 +8,12 @@
 
 #include "app/gui/administrator/people/roster_labels.h"
 #include "app/gui/administrator/people/roster_wizard.h"
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {

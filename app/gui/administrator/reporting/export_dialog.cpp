@@ -19,12 +19,13 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/job_panel.h"
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/column_widths.h"
 #include "app/gui/widgets/data_table_model.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "app/outputs/wording/wording.h"
 
 namespace torsio::gui {

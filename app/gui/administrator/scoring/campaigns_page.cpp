@@ -12,8 +12,8 @@
 #include "app/gui/administrator/scoring/campaign_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/value_text.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/campaign.h"
 

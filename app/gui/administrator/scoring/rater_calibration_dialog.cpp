@@ -20,11 +20,11 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/access/all_or_none.h"
 
 namespace torsio::gui {

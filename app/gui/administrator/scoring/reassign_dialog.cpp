@@ -13,10 +13,10 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/study_labels.h"
-#include "app/gui/base/sentences.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
+#include "app/outputs/wording/joined_sentences.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"
 

@@ -21,9 +21,9 @@
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "assessment/domain/people/person.h"
 
 namespace torsio::gui {

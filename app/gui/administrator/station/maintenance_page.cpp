@@ -22,8 +22,8 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/station_anchor.h"
 

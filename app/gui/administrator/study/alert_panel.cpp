@@ -14,10 +14,10 @@
 #include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/fold_line.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/study/day_board.h"
 
 namespace torsio::gui {

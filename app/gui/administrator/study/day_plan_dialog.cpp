@@ -24,9 +24,9 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/date_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/study/day_plan.h"
 #include "sim/core/time_units.h"
 

@@ -11,7 +11,6 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "app/gui/widgets/dialog_height.h"
 #include "app/gui/widgets/form.h"
 #include "assessment/statistics/power.h"
 

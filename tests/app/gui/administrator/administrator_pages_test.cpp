@@ -28,7 +28,6 @@
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/administrator/station/audit_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
-#include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"

@@ -27,7 +27,7 @@
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/background.h"
-#include "app/gui/base/database_answered.h"
+#include "app/gui/base/page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"

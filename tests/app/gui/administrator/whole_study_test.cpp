@@ -23,7 +23,6 @@
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/administrator/study/cohorts_page.h"
 #include "app/gui/administrator/study/todays_sessions_page.h"
-#include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"

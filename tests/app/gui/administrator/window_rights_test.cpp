@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/base/page_id.h"
+#include "app/gui/base/page.h"
 #include "app/gui/program/all_pages.h"
 #include "sim/core/error.h"
 #include "tests/app/gui/support/administrator_desk.h"

@@ -22,9 +22,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/gui/organ/arm_form.h"
-#include "app/gui/organ/organ_marks.h"
 #include "app/gui/organ/organ_picture.h"
+#include "app/gui/organ/organ_sources.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/child.h"

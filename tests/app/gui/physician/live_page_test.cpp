@@ -15,8 +15,8 @@
 #include <QToolButton>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/database_answered.h"
 #include "app/gui/base/language.h"
+#include "app/gui/base/page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/services/review/sheet_editor.h"

@@ -17,7 +17,6 @@
 #include "app/gui/base/figure_card.h"
 #include "app/gui/practice/compare_page.h"
 #include "app/gui/practice/marker_editor.h"
-#include "app/gui/practice/marker_labels.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/services/comparison/comparison_report.h"
 #include "sim/core/error.h"

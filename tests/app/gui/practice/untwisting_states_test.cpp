@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The states in which organs that come twisted are pictured, and the buttons that explain them.
-#include "app/gui/simulator/untwisting_states.h"
-
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -13,6 +11,7 @@
 
 #include "app/gui/practice/simulator_window.h"
 #include "app/gui/simulator/exercise_panel.h"
+#include "app/gui/simulator/posed_states.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/tissue/hollow/perfusion.h"

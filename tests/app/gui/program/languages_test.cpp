@@ -177,7 +177,7 @@ void retranslated() {
   }
 }
 
-/// Returns whether a duration of a minute or more is in plain seconds, or has a leading zero: clock_time.h
+/// Returns whether a duration of a minute or more is in plain seconds, or has a leading zero: value_text.h
 /// formats 1:15.
 bool hasUnformattedDuration(const QString& text) {
   static const QRegularExpression kOtherwise(

@@ -14,9 +14,9 @@
 
 #include "app/gui/scene/drapery.h"
 #include "app/gui/scene/instrument_geometry.h"
-#include "app/gui/scene/markers.h"
 #include "app/gui/scene/mesentery.h"
 #include "app/gui/scene/organ_surface.h"
+#include "app/gui/scene/skin_overlays.h"
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/theme.h"

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/scene/markers.h"
 #include "app/gui/scene/quality_control.h"
 #include "app/gui/scene/shear_map.h"
-#include "app/gui/simulator/film_strip.h"
+#include "app/gui/scene/skin_overlays.h"
+#include "app/gui/simulator/replay_bar.h"
 #include "sim/scene/scene.h"
 #include "tests/app/gui/support/bar_view.h"
 

@@ -14,12 +14,11 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/scene/instrument_geometry.h"
-#include "app/gui/scene/lattice_overlay.h"
-#include "app/gui/scene/neighbours.h"
 #include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/organ_shadow.h"
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/outline.h"
+#include "app/gui/scene/skin_overlays.h"
 #include "app/gui/scene/studio_light.h"
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/scene/view_frame.h"

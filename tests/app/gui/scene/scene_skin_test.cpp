@@ -19,7 +19,6 @@
 #include "app/gui/scene/scene_canvas.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/shear_map.h"
-#include "app/gui/scene/stress_legend.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/angle.h"
 #include "sim/scene/skin/skin_charts.h"

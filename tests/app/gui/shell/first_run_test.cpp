@@ -26,7 +26,7 @@
 #include "assessment/domain/people/account.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
-#include "tests/app/gui/support/shown_screen.h"
+#include "tests/app/gui/support/program_window.h"
 
 namespace torsio::gui {
 namespace {
@@ -56,17 +56,9 @@ class UnwrittenFirstRun : public ::testing::Test {
 
   [[nodiscard]] QString file() const { return folder_.filePath(QStringLiteral("torsio.sqlite")); }
   void open() {
-    ShellSetup setup;
-    setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";
-    setup.station = "test";
-    setup.locator = file();
-    setup.groups = [] { return std::vector<PageGroup>{}; };
-    setup.unstored = folder_.filePath(QStringLiteral("unstored")).toStdString();
-    setup.passwordCost = PasswordCost::kTest;
-    window_ = std::make_unique<MainWindow>(setup);
-    window_->QWidget::show();
-    window_->start();
-    testing::waitFor(window_->background());
+    ShellSetup setup = testing::windowSetup(folder_.path().toStdString());
+    setup.remember = true;
+    window_ = testing::openWindow(setup);
     ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   }
   /// Returns every file of the folder with its hash.

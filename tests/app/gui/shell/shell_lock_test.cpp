@@ -11,8 +11,8 @@
 
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/main_window.h"
+#include "app/gui/shell/screen_lock.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/kiosk_codes.h"
@@ -20,7 +20,7 @@
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/signature.h"
 #include "tests/app/gui/shell/shell_window.h"
-#include "tests/app/gui/support/shown_screen.h"
+#include "tests/app/gui/support/program_window.h"
 
 namespace torsio::gui {
 namespace {

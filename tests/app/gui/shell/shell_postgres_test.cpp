@@ -3,8 +3,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include <QApplication>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
@@ -17,7 +15,7 @@
 #include "app/gui/shell/main_window.h"
 #include "app/services/access/first_run.h"
 #include "assessment/domain/people/account.h"
-#include "tests/app/gui/support/shown_screen.h"
+#include "tests/app/gui/support/program_window.h"
 #include "tests/db/test_database.h"
 
 namespace torsio::gui {
@@ -42,48 +40,16 @@ class FirstRunOnServer : public DatabaseTest {
     qputenv("PGPASSFILE", QByteArray::fromStdString(file.string()));
     address.setPassword({});
     address_ = address.toString();
-    ShellSetup setup;
-    setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-    setup.station = "test";
-    setup.locator = toQString((folder_.path() / "unused.sqlite"));
-    setup.remember = false;
-    setup.unstored = folder_.path() / "unstored";
-    setup.passwordCost = PasswordCost::kTest;
-    window_ = std::make_unique<MainWindow>(setup);
-    window_->QWidget::show();
-    window_->start();
+    window_ = testing::openWindow(testing::windowSetup(folder_.path()));
   }
   void TearDown() override {
     window_.reset();
     qunsetenv("PGPASSFILE");
     DatabaseTest::TearDown();
   }
-  QLineEdit* field(const char* name) {
-    for (QLineEdit* field : window_->findChildren<QLineEdit*>()) {
-      if (field->accessibleName() == QLatin1String(name) && field->isVisible()) {
-        return field;
-      }
-    }
-    ADD_FAILURE() << "no field " << name;
-    return nullptr;
-  }
-  void press(const char* text) {
-    for (QPushButton* button : window_->findChildren<QPushButton*>()) {
-      if (button->text().remove(QLatin1Char('&')) == QLatin1String(text) && button->isVisible()) {
-        QTest::mouseClick(button, Qt::LeftButton);
-        return;
-      }
-    }
-    FAIL() << "no button " << text;
-  }
-  bool says(const char* part) {
-    for (const QLabel* label : window_->findChildren<QLabel*>()) {
-      if (label->isVisible() && label->text().contains(QLatin1String(part))) {
-        return true;
-      }
-    }
-    return false;
-  }
+  QLineEdit* field(const char* name) { return testing::named<QLineEdit>(*window_, QLatin1String(name)); }
+  void press(const char* text) { testing::press(*window_, QLatin1String(text)); }
+  bool says(const char* part) { return testing::says(*window_, QLatin1String(part)); }
   void fillUntilTheDatabase() {
     field("Name of the centre")->setText(QStringLiteral("City hospital"));
     press("Next");
@@ -124,7 +90,7 @@ TEST_F(FirstRunOnServer, CreatesTheCentreOnTheServerAndSignsItsAdministratorIn) 
   ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk")) << address_.toStdString();
   EXPECT_EQ(window_->session()->connectionWithoutRight().engine(), Engine::kPostgresql);
   EXPECT_EQ(centreSign(window_->session()->connectionWithoutRight()).name, "City hospital");
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "unused.sqlite-wal"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "torsio.sqlite-wal"));
   ASSERT_TRUE(window_->line()->settled(std::chrono::seconds(20)));
   EXPECT_EQ(numberFrom(window_->session()->connectionWithoutRight(), "SELECT count(*) FROM station_state"),
             1);

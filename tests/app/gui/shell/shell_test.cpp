@@ -19,7 +19,7 @@
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/shell/about_box.h"
+#include "app/gui/shell/help_dialogs.h"
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
@@ -32,7 +32,7 @@
 #include "db/repository/people/people_repository.h"
 #include "sim/core/error.h"
 #include "tests/app/gui/shell/shell_window.h"
-#include "tests/app/gui/support/shown_screen.h"
+#include "tests/app/gui/support/program_window.h"
 #include "tests/support/stored_rows.h"
 
 namespace torsio::gui {

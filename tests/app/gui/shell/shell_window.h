@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include <QLineEdit>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/database_answered.h"
 #include "app/gui/base/page.h"
 #include "app/gui/shell/main_window.h"
 #include "assessment/domain/people/account.h"
 #include "tests/app/gui/support/founded_centre.h"
-#include "tests/app/gui/support/shown_screen.h"
+#include "tests/app/gui/support/program_window.h"
 
 namespace torsio::gui {
 
@@ -70,24 +67,13 @@ class Shell : public ::testing::Test {
   std::unique_ptr<MainWindow> window_;
 
   ShellSetup setup() {
-    ShellSetup setup;
-    setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-    setup.station = "test";
-    setup.locator = folder_.filePath(QStringLiteral("torsio.sqlite"));
+    ShellSetup setup = testing::windowSetup(folder_.path().toStdString());
     setup.groups = bareGroups;
-    setup.remember = false;
     setup.clock = &clock_;
-    setup.unstored = folder_.filePath(QStringLiteral("unstored")).toStdString();
-    setup.passwordCost = PasswordCost::kTest;
     return setup;
   }
 
-  void open(const ShellSetup& with) {
-    window_ = std::make_unique<MainWindow>(with);
-    window_->QWidget::show();
-    window_->start();
-    testing::waitFor(window_->background());  // recordings waiting in files are stored first
-  }
+  void open(const ShellSetup& with) { window_ = testing::openWindow(with); }
 
   /// A centre with an administrator and a trainee with a start password, nobody signed in.
   void openFoundedCentre(ShellSetup with) {
@@ -99,12 +85,7 @@ class Shell : public ::testing::Test {
     open(with);
   }
 
-  void enter(const QString& login, const QString& password) {
-    testing::named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(login);
-    testing::named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(password);
-    testing::press(*window_, QStringLiteral("Sign in"));
-    testing::waitFor(window_->background());
-  }
+  void enter(const QString& login, const QString& password) { testing::enter(*window_, login, password); }
 
   BarePage& page() { return static_cast<BarePage&>(*window_->desk()->page()); }
 };

@@ -23,7 +23,7 @@
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/file_io.h"
 #include "tests/app/gui/shell/shell_window.h"
-#include "tests/app/gui/support/shown_screen.h"
+#include "tests/app/gui/support/program_window.h"
 
 namespace torsio::gui {
 namespace {

@@ -26,7 +26,7 @@
 #include "app/gui/base/language.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "app/gui/widgets/date_text.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 namespace {

@@ -14,7 +14,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/gui/simulator/validity_button.h"
+#include "app/gui/simulator/exercise_panel.h"
 #include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
 #include "tests/sim/servo/hollow_bar.h"

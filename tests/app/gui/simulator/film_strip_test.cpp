@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/simulator/film_strip.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "app/gui/simulator/replay_bar.h"
 #include "sim/core/angle.h"
 #include "sim/record/sample_codec.h"
 

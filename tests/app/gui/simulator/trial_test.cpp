@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/gui/simulator/scripted_twist.h"
+#include "app/gui/simulator/posed_states.h"
 #include "app/gui/simulator/trial_recording.h"
 #include "app/services/recording/recorded_run.h"
 #include "app/services/recording/trial_playback.h"

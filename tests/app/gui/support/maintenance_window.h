@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -27,7 +25,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/support/founded_centre.h"
-#include "tests/app/gui/support/shown_screen.h"
+#include "tests/app/gui/support/program_window.h"
 
 namespace torsio::gui {
 
@@ -52,22 +50,13 @@ class MaintenancePages : public ::testing::Test {
       addPerson(*office, person());
       addPerson(*office, person());
     }
-    ShellSetup setup;
-    setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";
-    setup.station = "test";
-    setup.locator = toQString(record());
+    ShellSetup setup = testing::windowSetup(toPath(folder_.path()));
     setup.groups = [] {
       return std::vector<PageGroup>{{[] { return QStringLiteral("Administration"); }, administratorPages()}};
     };
-    setup.remember = false;
     setup.clock = &clock_;
-    setup.unstored = in("unstored");
-    setup.passwordCost = PasswordCost::kTest;
     setup.lessonsAgain = std::chrono::hours(24);
-    window_ = std::make_unique<MainWindow>(setup);
-    window_->QWidget::show();
-    window_->start();
-    testing::waitFor(window_->background());
+    window_ = testing::openWindow(setup);
     signIn();
   }
 
@@ -79,18 +68,7 @@ class MaintenancePages : public ::testing::Test {
 
   void signIn() {
     ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
-    const auto named = [this](const char* name) -> QLineEdit* {
-      for (QLineEdit* field : window_->findChildren<QLineEdit*>()) {
-        if (field->accessibleName() == QLatin1String(name) && field->isVisible()) {
-          return field;
-        }
-      }
-      return nullptr;
-    };
-    named("Sign-in name")->setText(QStringLiteral("admin"));
-    named("Password")->setText(QString::fromLatin1(kAdminPassword));
-    QTest::keyClick(named("Password"), Qt::Key_Return);
-    testing::waitFor(window_->background());
+    testing::enter(*window_, QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
     ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
     QObject::connect(&context(), &ShellContext::failed, window_.get(),
                      [this](const QString& happened) { failures_ << happened; });
@@ -111,18 +89,7 @@ class MaintenancePages : public ::testing::Test {
     return dynamic_cast<MaintenancePage&>(*window_->desk()->page());
   }
 
-  void press(QWidget& in, const char* text) {
-    for (QPushButton* found : in.findChildren<QPushButton*>()) {
-      QString plain = found->text();
-      if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) != QLatin1String(text)) {
-        continue;
-      }
-      ASSERT_TRUE(found->isEnabled()) << text;
-      QTest::mouseClick(found, Qt::LeftButton);
-      return;
-    }
-    ADD_FAILURE() << "no button " << text;
-  }
+  void press(QWidget& in, const char* text) { testing::press(in, QLatin1String(text)); }
 
   void click(QPushButton& button) {
     ASSERT_TRUE(button.isVisible() && button.isEnabled()) << button.text().toStdString();
@@ -138,14 +105,7 @@ class MaintenancePages : public ::testing::Test {
     click(button);
   }
 
-  bool says(const QString& part) {
-    for (const QLabel* label : window_->findChildren<QLabel*>()) {
-      if (label->isVisible() && label->text().contains(part)) {
-        return true;
-      }
-    }
-    return false;
-  }
+  bool says(const QString& part) { return testing::says(*window_, part); }
 
   std::vector<std::string> trail(const std::string& locator) {
     Connection connection = openDatabase(locator, OpenMode::kReadOnly);

@@ -18,9 +18,9 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/widgets/column_widths.h"
-#include "app/gui/widgets/number_text.h"
 #include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {
 namespace {

@@ -30,12 +30,11 @@
 #include <QVBoxLayout>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/page_id.h"
+#include "app/gui/base/page.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/level_bar.h"
-#include "app/gui/widgets/scroll_gap.h"
 
 namespace torsio::gui {
 namespace {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/shell/banners.h"
+
+#include <utility>
+
+#include <QApplication>
+#include <QEvent>
+
+#include "app/gui/widgets/value_text.h"
+#include "app/gui/widgets/window_events.h"
+#include "app/services/recording/station_writer.h"
+
+namespace torsio::gui {
+
+IdleWarning::IdleWarning(const Clock* clock, const IdleLimits& limits, QWidget* parent)
+    : QLabel(parent), guard_(clock != nullptr ? *clock : machineClock_, limits) {
+  setObjectName(QStringLiteral("idleWarning"));
+  followLanguage(this, [this] { setAccessibleName(tr("Warning of the idle lock")); });
+  setAlignment(Qt::AlignCenter);
+  hide();
+  qApp->installEventFilter(this);
+}
+
+bool IdleWarning::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::Wheel:
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+      guard_.activity();
+      break;
+    default:
+      break;
+  }
+  return QLabel::eventFilter(watched, event);
+}
+
+void IdleWarning::watch(bool watched, bool busy, End end) {
+  const bool counts = watched && !busy;
+  if (counts == guard_.busy()) {
+    guard_.setBusy(!counts);  // each call restarts the idle timer
+  }
+  const IdleState state = guard_.state();
+  setVisible(watched && state == IdleState::kWarning);
+  if (!watched) {
+    return;
+  }
+  if (state == IdleState::kWarning) {
+    const QString left = clockTimeLeft(guard_.untilLock_us());
+    setText(end == End::kSignOut
+                ? tr("Still there? You will be signed out in %1. Press any key to stay").arg(left)
+                : tr("Still there? The screen will be locked in %1. Press any key to stay").arg(left));
+  } else if (state == IdleState::kLocked) {
+    guard_.unlock();  // the lock follows; the timer restarts after unlocking
+    Q_EMIT timeIsUp();
+  }
+}
+
+AwayBanner::AwayBanner(std::function<bool()> reconnect, QWidget* parent)
+    : QLabel(parent), reconnect_(std::move(reconnect)) {
+  setObjectName(QStringLiteral("databaseAway"));
+  followLanguage(this, [this] { setAccessibleName(tr("State of the database")); });
+  setAlignment(Qt::AlignCenter);
+  setWordWrap(true);
+  hide();
+}
+
+void AwayBanner::reset() {
+  answered_ = true;
+  settleDue_ = false;
+}
+
+void AwayBanner::follow(const StationWriter& line, bool running) {
+  const bool answers = line.answers();
+  setVisible(!answers);
+  if (!answers) {
+    QString said = running
+                       ? tr("The database does not answer. Your run continues; it is kept on this computer "
+                            "and stored as soon as the database answers")
+                       : tr("The database does not answer. Torsio tries again by itself; what is stored is "
+                            "safe");
+    if (const std::size_t waiting = line.waiting(); waiting > 0) {
+      said = tr("%1. Waiting to be stored: %2").arg(said).arg(waiting);
+    }
+    setText(said);
+    settleDue_ = true;
+  }
+  answered_ = answers && (answered_ || reconnect_());
+  if (answers && settleDue_ && !running) {
+    Q_EMIT settleWanted();
+  }
+  if (const std::size_t now = line.refused(); now != refusedTold_) {
+    refusedTold_ = now;
+    if (now > 0) {
+      Q_EMIT refused(static_cast<int>(now));
+    }
+  }
+}
+
+}  // namespace torsio::gui

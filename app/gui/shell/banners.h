@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include <QLabel>
+
+#include "app/services/access/idle_guard.h"
+
+namespace torsio {
+class StationWriter;
+}
+
+namespace torsio::gui {
+
+/// The line that warns before the idle lock. GUI thread.
+class IdleWarning : public QLabel {
+  Q_OBJECT
+
+ public:
+  /// What happens to an idle desk.
+  enum class End { kLock, kSignOut };
+
+  /// `clock` must outlive it; null: the system's.
+  IdleWarning(const Clock* clock, const IdleLimits& limits, QWidget* parent = nullptr);
+
+  void setLimits(const IdleLimits& limits) { guard_.setLimits(limits); }
+  /// Call about once a second. `watched`: a desk is shown; `busy`: a run is in progress on it.
+  void watch(bool watched, bool busy, End end);
+
+ Q_SIGNALS:
+  void timeIsUp();
+
+ protected:
+  /// Restarts the timer on the user's activity anywhere.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  MonotonicClock machineClock_;
+  IdleGuard guard_;
+};
+
+/// Shows a database outage and its consequences for the present work; requests the deferred tasks when the
+/// database answers again. GUI thread.
+class AwayBanner : public QLabel {
+  Q_OBJECT
+
+ public:
+  /// `reconnect`: restores the connection of the pages; false: not yet.
+  explicit AwayBanner(std::function<bool()> reconnect, QWidget* parent = nullptr);
+
+  /// Resets for a new writer: nothing is known to be waiting.
+  void reset();
+  /// Call about once a second. `running`: a run is in progress.
+  void follow(const StationWriter& line, bool running);
+  /// Sets whether recordings may be waiting in files.
+  void setSettleDue(bool due) noexcept { settleDue_ = due; }
+
+ Q_SIGNALS:
+  /// The database has permanently rejected this number of the station's entries.
+  void refused(int entries);
+  void settleWanted();
+
+ private:
+  std::function<bool()> reconnect_;
+  std::size_t refusedTold_ = 0;
+  bool answered_ = true;  // at the last check
+  bool settleDue_ = false;
+};
+
+}  // namespace torsio::gui
