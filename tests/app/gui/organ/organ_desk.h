@@ -5,13 +5,12 @@
 #include <string>
 #include <unistd.h>
 
-#include <QApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/shell_context.h"
 #include "app/gui/organ/organ_wizard.h"
+#include "tests/app/gui/support/watched_shell.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio::gui::testing {
@@ -41,13 +40,10 @@ inline QPushButton& wizardButton(const OrganWizard& wizard, const QString& text)
   return *wizard.findChild<QPushButton*>();
 }
 
-/// A desk with the wizard; collects failures.
+/// A desk with the wizard.
 class OrganDesk {
  public:
-  OrganDesk() : shell_(centre_.session(), centre_.assets(), ThemeKind::kLight), wizard(shell_) {
-    QObject::connect(
-        &shell_, &ShellContext::failed,
-        [this](const QString& happened, const QString&, const QString&) { failures << happened; });
+  OrganDesk() {
     wizard.resize(1366, 768);
     wizard.retranslate();
     wizard.begin();
@@ -85,19 +81,15 @@ class OrganDesk {
     settle();
   }
 
-  /// Waits for background work.
-  void settle() {
-    shell_.waitForJobs();
-    QApplication::processEvents();
-  }
+  void settle() { watched_.settle(); }
 
  private:
   torsio::testing::StudyCentre centre_;
-  ShellContext shell_;
+  WatchedShell watched_{centre_.session()};
 
  public:
-  OrganWizard wizard;
-  QStringList failures;
+  OrganWizard wizard{watched_.shell()};
+  QStringList& failures = watched_.failures;
 };
 
 }  // namespace torsio::gui::testing

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -9,12 +8,12 @@
 #include <QApplication>
 #include <QTest>
 
-#include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/widgets/child.h"
+#include "tests/app/gui/support/watched_shell.h"
 #include "tests/app/support/review_centre.h"
 
 namespace torsio::gui {
@@ -28,23 +27,12 @@ inline const SheetEditor* editorOf(const QWidget& page) {
 class DeskOf {
  public:
   DeskOf(torsio::testing::ReviewCentre& centre, std::size_t index)
-      : session_(centre.physician(index)),
-        shell_(*session_, std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", ThemeKind::kLight) {
-    QObject::connect(&shell_, &ShellContext::pageWanted,
-                     [this](PageId id, const QVariant& argument) { wanted_.emplace_back(id, argument); });
-    QObject::connect(&shell_, &ShellContext::failed,
-                     [this](const QString& happened, const QString& remedy, const QString& details) {
-                       failures_ << happened + remedy + details;
-                     });
-    QObject::connect(&shell_, &ShellContext::noticed, [this](const QString& text) { notices_ << text; });
-    QObject::connect(&shell_, &ShellContext::jobStarted, [this](const QString& text) { notices_ << text; });
-  }
-  ~DeskOf() { shell_.waitForJobs(); }
+      : session_(centre.physician(index)), watched_(*session_) {}
 
   template <class T>
   T& open(const QVariant& argument = {}) {
     page_.reset();
-    auto made = std::make_unique<T>(shell_);
+    auto made = std::make_unique<T>(shell());
     T& page = *made;
     page_ = std::move(made);
     page_->retranslate();
@@ -54,21 +42,21 @@ class DeskOf {
     page_->activateWindow();
     QApplication::processEvents();
     page_->enter(argument);
-    shell_.waitForJobs();
+    shell().waitForJobs();
     return page;
   }
   /// Opens the last requested page; false: none, or not a case.
   bool follow() {
-    if (wanted_.empty()) {
+    if (wanted().empty()) {
       return false;
     }
-    const auto [id, argument] = wanted_.back();
-    wanted_.clear();
+    const auto [id, argument] = wanted().back();
+    wanted().clear();
     if (id != PageId::kCase) {
       return false;
     }
     page_->enter(argument);
-    shell_.waitForJobs();
+    shell().waitForJobs();
     return true;
   }
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -86,19 +74,18 @@ class DeskOf {
     session_->beginCall();
     return *session_;
   }
-  [[nodiscard]] ShellContext& shell() { return shell_; }
+  [[nodiscard]] ShellContext& shell() { return watched_.shell(); }
   [[nodiscard]] Page& page() { return *page_; }
-  [[nodiscard]] const QStringList& failures() const { return failures_; }
-  [[nodiscard]] const QStringList& notices() const { return notices_; }
-  [[nodiscard]] std::vector<std::pair<PageId, QVariant>>& wanted() { return wanted_; }
+  /// What the pages report and request.
+  [[nodiscard]] testing::WatchedShell& watched() { return watched_; }
+  [[nodiscard]] const QStringList& failures() const { return watched_.failures; }
+  [[nodiscard]] const QStringList& notices() const { return watched_.notices; }
+  [[nodiscard]] std::vector<std::pair<PageId, QVariant>>& wanted() { return watched_.wanted; }
 
  private:
   std::unique_ptr<SessionContext> session_;
-  ShellContext shell_;
+  testing::WatchedShell watched_;
   std::unique_ptr<Page> page_;
-  std::vector<std::pair<PageId, QVariant>> wanted_;
-  QStringList failures_;
-  QStringList notices_;
 };
 
 inline Qt::Key digit(int value) {

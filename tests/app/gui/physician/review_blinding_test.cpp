@@ -160,7 +160,7 @@ TEST(Blinding, NothingReadableRevealsPersonGroupOrStage) {
   visitOtherPages(desk, gathering);
   visitCaseStates(desk, gathering, inputOf(centre.caseAbout(0, 1)));
   gathering.add(desk.notices());
-  gathering.add(desk.failures());
+  gathering.add(desk.watched().told);
 
   const QStringList found = gathering.all(centre.folder());
   std::vector<std::string> secrets = centre.secrets();

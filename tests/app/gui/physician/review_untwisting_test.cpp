@@ -199,7 +199,7 @@ TEST_F(DeskOfAnUntwisting, RevealsNeitherPersonTimeNorSeed) {
   }
   QStringList found = wordsOf(page_) + traces_.laneTexts() + traces_.readings();
   replay_.seek_us(replay_.recording()->playback.duration_us() / 2);
-  found << wordsOf(page_) << traces_.readings() << desk_.notices() << desk_.failures();
+  found << wordsOf(page_) << traces_.readings() << desk_.notices() << desk_.watched().told;
 
   EXPECT_TRUE(found.contains(QStringLiteral("Black share 0…100 %")));
   const QRegularExpression occasion(QStringLiteral("\\b(mid|post|stage|group)\\b"));

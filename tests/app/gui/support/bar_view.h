@@ -36,12 +36,12 @@ inline LoadedScene loadBar(const SceneRequest& request) {
   return loaded;
 }
 
-/// Runs the event loop until `done`, for loads in a worker thread; false after ten seconds.
+/// Runs the event loop until `done`, for loads in a worker thread; false after twenty seconds.
 template <typename Condition>
 bool eventually(const Condition& done) {
   QElapsedTimer waited;
   waited.start();
-  while (!done() && waited.elapsed() < 10'000) {
+  while (!done() && waited.elapsed() < 20'000) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
   }
   return done();

@@ -5,39 +5,24 @@
 #include <memory>
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
 #include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QStringList>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/shell_context.h"
 #include "app/gui/trainee/live_scene.h"
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_pages.h"
 #include "app/gui/widgets/child.h"
-#include "app/services/base/assets.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/gui/support/bar_view.h"
+#include "tests/app/gui/support/watched_shell.h"
 #include "tests/app/support/training_centre.h"
 
 namespace torsio::gui {
-
-inline constexpr int kPatience_ms = 20'000;
-
-/// Runs the event loop until `done`; false on timeout.
-template <typename Condition>
-bool soon(const Condition& done) {
-  QElapsedTimer waited;
-  waited.start();
-  while (!done() && waited.elapsed() < kPatience_ms) {
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-  }
-  return done();
-}
 
 /// Returns a fully practised hand.
 inline ScriptedHandOptions practised(const Scene& scene, double target_rad) {
@@ -52,8 +37,7 @@ inline ScriptedHandOptions practised(const Scene& scene, double target_rad) {
 /// A shell without a frame: shows the page that a page requests, like the desk.
 class Station {
  public:
-  explicit Station(torsio::testing::TrainingCentre& centre)
-      : centre_(centre), shell_(centre.session(), assetsFolder(), ThemeKind::kLight) {
+  explicit Station(torsio::testing::TrainingCentre& centre) : centre_(centre), watched_(centre.session()) {
     StationDesk& desk = *desk_;
     desk.loader = testing::loadBar;
     desk.realTime = false;
@@ -62,18 +46,14 @@ class Station {
     desk.openDevice = [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
       return std::make_unique<ScriptedHand>(practised(scene, target_rad));
     };
-    QObject::connect(&shell_, &ShellContext::pageWanted, &shell_,
+    QObject::connect(&shell(), &ShellContext::pageWanted,
                      [this](PageId id, const QVariant& argument) { open(id, argument); });
-    QObject::connect(&shell_, &ShellContext::failed, &shell_,
-                     [this](const QString& happened) { problems << happened; });
-    QObject::connect(&shell_, &ShellContext::noticed, &shell_,
-                     [this](const QString& sentence) { notices << sentence; });
   }
   /// Pages are destroyed before their shell, including previous ones whose scene is still loading.
   ~Station() {
     page.reset();
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    shell_.waitForJobs();
+    shell().waitForJobs();
   }
 
   void open(PageId id, const QVariant& argument = {}) {
@@ -88,12 +68,12 @@ class Station {
       if (page) {
         page.release()->deleteLater();
       }
-      page.reset(entry.make(shell_));
+      page.reset(entry.make(shell()));
       pageId = id;
       page->retranslate();
       page->resize(1366, 768);
       page->enter(argument);
-      shell_.waitForJobs();
+      shell().waitForJobs();
       return;
     }
     FAIL() << "no page " << pageText(id).toStdString();
@@ -124,7 +104,7 @@ class Station {
   }
   /// Advances the time of hand and run.
   void train(std::int64_t span_us) {
-    ASSERT_TRUE(soon([&] { return !run().fetchesDevice(); }));
+    ASSERT_TRUE(testing::eventually([&] { return !run().fetchesDevice(); }));
     for (std::int64_t t = 0; t < span_us; t += torsio::testing::kSecond_us) {
       if (RecordedRun* live = child<LiveScene>(run(), "scene").controller().run();
           live != nullptr && live->recorded()) {
@@ -141,17 +121,19 @@ class Station {
 
   std::shared_ptr<ManualClock> clock = std::make_shared<ManualClock>();
   Light light = Light::kGreen;
-  QStringList problems;
-  QStringList notices;
-  std::unique_ptr<Page> page;
   std::optional<PageId> pageId;
-  ShellContext& shell() { return shell_; }
+  ShellContext& shell() { return watched_.shell(); }
   StationDesk& desk() { return *desk_; }
 
  private:
   torsio::testing::TrainingCentre& centre_;
-  ShellContext shell_;
+  testing::WatchedShell watched_;
   std::shared_ptr<StationDesk> desk_ = std::make_shared<StationDesk>();
+
+ public:
+  QStringList& problems = watched_.failures;
+  QStringList& notices = watched_.notices;
+  std::unique_ptr<Page> page;
 };
 
 }  // namespace torsio::gui

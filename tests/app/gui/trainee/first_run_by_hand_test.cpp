@@ -116,7 +116,7 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   ASSERT_EQ(station.pageId, PageId::kBriefing);
   newcomer.click("start");
   ASSERT_EQ(station.pageId, PageId::kRun);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
 
   const TrainingModule module = station.run().runSession()->module();
   const auto off_rad = [&] { return newcomer.state().response.angle_rad - module.targetAngle_rad; };
@@ -171,7 +171,7 @@ TEST(FirstRunByHand, HoldingEnterOnTheEndQuestionUsesNoAttempt) {
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
   station.openRun(false, nullptr);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   bool asked = false;
   QTimer::singleShot(0, qApp, [&asked] {
     auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -192,7 +192,7 @@ TEST(FirstRunByHand, ATwistReleasedTooFarIsReportedImmediately) {
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
   station.openRun(false, nullptr);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   const TrainingModule module = station.run().runSession()->module();
   newcomer.pass(0.5);
   newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
@@ -216,7 +216,7 @@ TEST(FirstRunByHand, ATwistInTheWrongDirectionIsNamed) {
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
   station.openRun(false, nullptr);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   const TrainingModule module = station.run().runSession()->module();
   newcomer.pass(0.5);
   newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
@@ -241,7 +241,7 @@ TEST(FirstRunByHand, TheTimerMovesNoButtonBetweenPressAndRelease) {
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
   station.openRun(false, nullptr);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.page->show();
   QApplication::processEvents();
   auto* stop = station.find<QPushButton>("stop");
@@ -274,7 +274,7 @@ TEST(FirstRunByHand, AJawOpenedByALossOfFocusIsReportedAndTheMouseRestoresIt) {
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
   station.openRun(false, nullptr);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.page->show();
   QApplication::setActiveWindow(station.page.get());
   SceneView& view = child<LiveScene>(station.run(), "scene").view();
@@ -303,7 +303,7 @@ TEST(FirstRunByHand, TheTimerRemovesNoPressedButton) {
   TrainingCentre centre(setup);
   Station station(centre);
   station.openRun(false, nullptr);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.page->show();
   station.press("rest");
   QApplication::processEvents();

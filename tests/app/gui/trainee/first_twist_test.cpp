@@ -90,7 +90,7 @@ TEST(FirstTwist, IsGuidedInTheFirstPracticeAndOnRequestLater) {
     return std::make_unique<ScriptedHand>(practised(scene, target_rad));
   };
   station.openRun(false, hand);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   auto* guide = station.find<TwistGuide>("guide");
   EXPECT_TRUE(guide->going());
   Step farthest = Step::kReach;
@@ -105,7 +105,7 @@ TEST(FirstTwist, IsGuidedInTheFirstPracticeAndOnRequestLater) {
   station.desk().moduleId = centre.module("first");
   Station later(centre);
   later.openRun(false, hand);
-  ASSERT_TRUE(soon([&] { return later.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return later.run().busy(); }));
   EXPECT_FALSE(later.find<TwistGuide>("guide")->going());
   later.press("guideMe");
   EXPECT_TRUE(later.find<TwistGuide>("guide")->going());
@@ -137,7 +137,7 @@ TEST(FirstTwist, AVisitorStartsWithTheFirstExerciseWhateverTheSimulatedTraineeHa
     station.press("goOn");
     station.press("start");
     ASSERT_EQ(station.pageId, PageId::kRun);
-    ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+    ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
     EXPECT_FALSE(station.run().runSession()->graded());
     EXPECT_TRUE(station.find<TwistGuide>("guide")->going());
   }
@@ -152,7 +152,7 @@ TEST(FirstTwist, TheBriefingDescribesTheExpertsActionsAndSlowsDown) {
   EXPECT_FALSE(scene->pictured());
   EXPECT_FALSE(scene->findChild<QLabel*>(QStringLiteral("waitingForOrgan"))->isHidden())
       << "not a black picture";
-  ASSERT_TRUE(soon([&] { return scene->controller().playback() != nullptr; }));
+  ASSERT_TRUE(testing::eventually([&] { return scene->controller().playback() != nullptr; }));
   scene->frame(0.04);
   EXPECT_TRUE(scene->findChild<QLabel*>(QStringLiteral("waitingForOrgan"))->isHidden());
   auto* caption = station.find<QLabel>("caption");
@@ -201,7 +201,7 @@ TEST(FirstTwist, ASoundPlaysOnceAtALimitIfTheCentreWantsIt) {
     int sounds = 0;
     station.desk().sound = [&sounds] { ++sounds; };
     station.openRun(false, {});
-    ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+    ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
     auto* scene = station.find<LiveScene>("scene");
     for (const double force_N : {0.1, 99.0, 99.0, 0.1, 99.0}) {
       LiveState state = inPhase(ExercisePhase::kTwisting);

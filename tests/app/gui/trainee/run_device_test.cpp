@@ -77,7 +77,7 @@ TEST(RunDevice, ARefusedRunShowsNothingOfThePreviousRun) {
   TrainingCentre centre;
   Station station(centre);
   station.openRun(false, nullptr);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   const std::unique_ptr<Page> kept = std::move(station.page);  // the desk keeps its pages
   auto& run = static_cast<RunPage&>(*kept);
   QTimer::singleShot(0, qApp, [] {
@@ -107,7 +107,7 @@ TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
   station.openRun(true, [wire](const Scene& scene, double target_rad) {
     return std::make_unique<Wired>(wire, practised(scene, target_rad));
   });
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.train(5 * kSecond_us);
 
   unplug(station, *wire);
@@ -132,7 +132,7 @@ TEST(RunDevice, PracticeThatLosesItsDeviceContinuesWithTheMouse) {
   station.openRun(false, [wire](const Scene& scene, double target_rad) {
     return std::make_unique<Wired>(wire, practised(scene, target_rad));
   });
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.train(5 * kSecond_us);
 
   unplug(station, *wire);
@@ -160,13 +160,13 @@ TEST(RunDevice, TheClockWaitsForTheDeviceButTheWindowDoesNot) {
     gate->acquire();  // a slow driver
     return std::make_unique<ScriptedHand>(practised(scene, target_rad));
   });
-  ASSERT_TRUE(soon([&] { return station.run().fetchesDevice(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().fetchesDevice(); }));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Getting the haptic device ready")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Your time has not begun yet")));
   EXPECT_FALSE(station.run().busy());
   station.clock->advance_us(5 * kSecond_us);
   gate->release();
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("1:00"));
   station.train(10 * kSecond_us);
 
@@ -199,13 +199,13 @@ TEST(RunDevice, WaitingForTheDeviceCanBeCancelled) {
     ++*given;
     return std::make_unique<ScriptedHand>(practised(scene, target_rad));
   });
-  ASSERT_TRUE(soon([&] { return station.run().fetchesDevice(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().fetchesDevice(); }));
 
   gate->release();  // arrives when nobody waits any more
   station.press("goOn");
 
   EXPECT_EQ(station.pageId, PageId::kNextStep);
-  EXPECT_TRUE(soon([&] { return given->load() == 1; }));
+  EXPECT_TRUE(testing::eventually([&] { return given->load() == 1; }));
   EXPECT_TRUE(outcomes(centre).empty());
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
@@ -218,7 +218,7 @@ TEST(RunDevice, AGradedRunDoesNotStartWithADeviceThatCannotBeOpened) {
                 Text::verbatim("Check its cable"));
   });
 
-  ASSERT_TRUE(soon([&] { return !station.problems.empty(); }));
+  ASSERT_TRUE(testing::eventually([&] { return !station.problems.empty(); }));
 
   EXPECT_EQ(station.problems[0],
             QStringLiteral("The haptic device is not ready: the graded run did not begin"));

@@ -77,7 +77,7 @@ TEST(RunScene, DrawsDentForceClosingJawsAndHandOfATraineesRun) {
     return std::make_unique<ScriptedHand>(hand);
   });
   auto& scene = child<LiveScene>(station.run(), "scene");
-  ASSERT_TRUE(soon([&] {
+  ASSERT_TRUE(testing::eventually([&] {
     const RecordedRun* live = scene.controller().run();
     return !station.run().fetchesDevice() && live != nullptr && live->recorded();
   }));
@@ -136,19 +136,20 @@ TEST(SceneOfTheNextCase, ReplacesTheLastOneInAWindowThatWasResized) {
   view.resize(500, 400);
   view.show();
   view.setScene(makeViewScene(organ));
-  ASSERT_TRUE(soon([&] { return view.framesDrawn() > 0; }));
+  ASSERT_TRUE(testing::eventually([&] { return view.framesDrawn() > 0; }));
   const auto* waiting = view.findChild<QWidget*>("waiting");
   ASSERT_NE(waiting, nullptr);
-  ASSERT_TRUE(soon([&] { return !waiting->isVisible(); }));
+  ASSERT_TRUE(testing::eventually([&] { return !waiting->isVisible(); }));
 
   view.forgetScene();
   view.resize(640, 480);
-  EXPECT_TRUE(soon([&] { return waiting->isVisible(); })) << "the organ of the case before is not left there";
+  EXPECT_TRUE(testing::eventually([&] { return waiting->isVisible(); }))
+      << "the organ of the case before is not left there";
   view.hide();
   view.resize(520, 410);
   view.show();
   view.setScene(makeViewScene(organ));
-  EXPECT_TRUE(soon([&] { return !waiting->isVisible(); }));
+  EXPECT_TRUE(testing::eventually([&] { return !waiting->isVisible(); }));
 }
 
 /// A scene with only the requested surroundings.
@@ -164,7 +165,7 @@ struct SceneShown {
     view.show();
     view.setToolVisible(false);
     view.setScene(makeViewScene(scene));
-    EXPECT_TRUE(soon([&] { return view.framesDrawn() > 0; }));
+    EXPECT_TRUE(testing::eventually([&] { return view.framesDrawn() > 0; }));
   }
   QQuickItem& root() { return *view.findChild<QQuickWidget*>()->rootObject(); }
 

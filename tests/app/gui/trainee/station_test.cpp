@@ -22,7 +22,6 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/gui/base/clock_time.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_page.h"
@@ -38,6 +37,7 @@
 #include "app/gui/widgets/angle_dial.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/recording/station_writer.h"
 #include "app/services/training/run_session.h"
@@ -83,7 +83,7 @@ TEST(StationPages, TheRingFillsWhileTheTargetIsHeldAndEmptiesOffTarget) {
   station.press("goOn");
   station.press("start");
   ASSERT_EQ(station.pageId, PageId::kRun);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   auto* dial = station.page->findChild<AngleDial*>();
   auto* scene = station.page->findChild<LiveScene*>();
   ASSERT_NE(dial, nullptr);
@@ -153,7 +153,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   station.press("start");
 
   ASSERT_EQ(station.pageId, PageId::kRun);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   EXPECT_TRUE(station.run().runSession()->graded());
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("0:40"));
   EXPECT_EQ(station.find<QProgressBar>("timeLeft")->value(), 1000);
@@ -296,7 +296,7 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsAutomatically) {
   station.desk().moduleId = centre.module("first");
   station.desk().readiness = deviceWith(Light::kGreen);
   station.open(PageId::kRun);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.train(20 * kSecond_us);
   EXPECT_TRUE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // practice has help
 
@@ -331,11 +331,11 @@ TEST(StationPages, ADoubleClickOnRestStartsASingleRest) {
   station.open(PageId::kRun);
   station.page->resize(1176, 652);
   station.page->show();
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.train(5 * kSecond_us);
   auto* rest = station.find<QPushButton>("rest");
   QPoint at;
-  ASSERT_TRUE(soon([&] {
+  ASSERT_TRUE(testing::eventually([&] {
     at = rest->mapTo(station.page.get(), rest->rect().center());
     return rest->isEnabled() && station.page->childAt(at) == rest;
   }));
@@ -366,7 +366,7 @@ TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
   station.desk().readiness = deviceWith(Light::kGreen);
 
   station.open(PageId::kRun);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.page->resize(1146, 650);  // 1366 x 768 without navigation and bars
   station.page->show();
   station.find<QLabel>("cue")->setText(QStringLiteral("Nearly there. Slow down."));
@@ -385,7 +385,7 @@ TEST(StationPages, AWarningIsFullyVisibleInTheSmallestWindow) {
   Station station(centre);
   applyTheme(*qApp, theme(ThemeKind::kLight));
   station.openRun(false, nullptr);
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.page->resize(1146, 602);
   station.page->show();
   auto* scene = station.find<LiveScene>("scene");
@@ -436,7 +436,7 @@ TEST(StationPages, AnAbortedRunIsShownAsInterrupted) {
     station.desk().moduleId = centre.module("first");
     station.desk().readiness = deviceWith(Light::kGreen);
     station.open(PageId::kRun);
-    ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+    ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
     station.train(5 * kSecond_us);
     // Destroys everything without notice, like a power failure; tests/app/services/training kills a real
     // program.
@@ -556,7 +556,7 @@ TEST(StationPages, TheRunCountsItsTwists) {
   station.openRun(false, [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
     return std::make_unique<ScriptedHand>(practised(scene, target_rad));
   });
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   auto* count = station.find<QLabel>("twistCount");
   EXPECT_EQ(count->text(), QStringLiteral("0 of 3 twists"));
   for (int i = 0; i < 40 && !count->text().startsWith(QLatin1Char('2')); ++i) {
@@ -641,7 +641,7 @@ TEST(StationPages, TheDebriefFitsTheWidthOfASmallWindow) {
   station.page->show();
   const auto& replay = child<QWidget>(*station.page, "replay");
   const auto& plot = child<QWidget>(*station.page, "plot");
-  ASSERT_TRUE(soon([&] { return replay.isVisible() && plot.isVisible(); }));
+  ASSERT_TRUE(testing::eventually([&] { return replay.isVisible() && plot.isVisible(); }));
   const auto topOf = [&](const QWidget& part) { return part.mapTo(station.page.get(), QPoint()).y(); };
   const auto below = [&] { return topOf(plot) > topOf(replay) + replay.height(); };
   EXPECT_FALSE(below());
@@ -650,9 +650,9 @@ TEST(StationPages, TheDebriefFitsTheWidthOfASmallWindow) {
     station.page->resize(size);
     const QScrollArea& area = scrolledOf(*station.page);
 
-    EXPECT_TRUE(soon([&] { return area.widget()->width() <= area.viewport()->width(); }))
+    EXPECT_TRUE(testing::eventually([&] { return area.widget()->width() <= area.viewport()->width(); }))
         << size.width() << ": " << area.widget()->width() - area.viewport()->width() << " too wide";
-    EXPECT_TRUE(soon([&] { return below() == (size.width() < 900); })) << size.width();
+    EXPECT_TRUE(testing::eventually([&] { return below() == (size.width() < 900); })) << size.width();
   }
 }
 

@@ -84,7 +84,7 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   line.send(25);
   const TrackerLink& link = *station.run().findChild<TrackerPanel*>()->link();
   bool recorded = false;
-  ASSERT_TRUE(soon([&] {
+  ASSERT_TRUE(testing::eventually([&] {
     if (recorded) {
       return true;  // another pose would be alone in the recording
     }
@@ -100,7 +100,7 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   line.skip();
   line.send(kRecorded);
   const QString counts = QStringLiteral("Poses: %1, missing: %2,").arg(line.sent()).arg(line.leftOut());
-  ASSERT_TRUE(soon([&] {
+  ASSERT_TRUE(testing::eventually([&] {
     station.run().tick();
     return station.find<QLabel>("trackerCounts")->text().startsWith(counts);
   })) << station.find<QLabel>("trackerCounts")->text().toStdString();
@@ -144,7 +144,7 @@ TEST(TrackerPanel, ConnectsToTheGivenAddressAndRemembersIt) {
   EXPECT_EQ(rememberedTracker().tracker,
             (TrackerPlace{.port = tracker.port(), .instrument = "NeedleToReference"}));
   ASSERT_TRUE(tracker.sendBytes("HTTP/1.1 400 Bad Request\r\n" + std::string(200, '-')));
-  ASSERT_TRUE(soon([&] {
+  ASSERT_TRUE(testing::eventually([&] {
     station.run().tick();
     return station.find<QLabel>("trackerStatus")->text().contains(QStringLiteral("no OpenIGTLink"));
   }));

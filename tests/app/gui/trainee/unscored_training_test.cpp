@@ -84,7 +84,7 @@ TEST(StationPages, TrainingBeforeAnySheetIsExplainedAndStartsOnlyWithANotedReaso
   ASSERT_EQ(read.size(), 1);
   EXPECT_TRUE(read[0].contains(QStringLiteral("Only 0 of 10 sheet(s) for this occasion are in")))
       << read[0].toStdString();
-  EXPECT_TRUE(soon([&] { return station.pageId == PageId::kNextStep; }));
+  EXPECT_TRUE(testing::eventually([&] { return station.pageId == PageId::kNextStep; }));
   EXPECT_TRUE(noted().empty());
   EXPECT_TRUE(StudyRepository(centre.connection()).trialIds(centre.cohort().id).empty());
 
@@ -93,7 +93,7 @@ TEST(StationPages, TrainingBeforeAnySheetIsExplainedAndStartsOnlyWithANotedReaso
     asked.accept();
   });
 
-  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   ASSERT_EQ(noted().size(), 1U);
   EXPECT_EQ(noted()[0].kind, "trained before scoring");
   EXPECT_TRUE(noted()[0].description.ends_with("0 of 10 sheets were in: the arm is out of order"))
