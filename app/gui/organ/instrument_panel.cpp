@@ -17,8 +17,8 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/organ/instrument_view.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_parts.h"
 
 namespace torsio::gui {
 

@@ -36,22 +36,10 @@ constexpr int kMaxTwist_deg = 60;  // range of the judged twist, both ways
 
 }  // namespace
 
-OrganMarks::OrganMarks(SceneView& view) : QWidget(&view), view_(view), theme_(theme(ThemeKind::kLight)) {
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  view.installEventFilter(this);
-  connect(&view, &SceneView::cameraChanged, this, qOverload<>(&QWidget::update));
-  resize(view.size());
-}
-
 void OrganMarks::setAxis(std::vector<Vec3> axis_m, std::vector<OrganLandmark> landmarks) {
   axis_m_ = std::move(axis_m);
   landmarks_ = std::move(landmarks);
   raise();
-  update();
-}
-
-void OrganMarks::setTheme(const Theme& theme) {
-  theme_ = theme;
   update();
 }
 
@@ -69,18 +57,6 @@ QString OrganMarks::nameOf(OrganLandmark::Kind kind) {
   return tr("narrowest");
 }
 
-bool OrganMarks::eventFilter(QObject*, QEvent* event) {
-  if (event->type() == QEvent::Resize) {
-    resize(view_.size());
-    raise();
-  }
-  return false;
-}
-
-QPointF OrganMarks::pixelOf(const Vec3& place_m) const {
-  return view_.camera().pixel(toView(place_m), QSizeF(view_.size()));
-}
-
 void OrganMarks::drawName(QPainter& painter, const QPointF& at, const QString& name) const {
   const QFontMetricsF metrics(painter.font());
   QRectF box(at.x() + kNameAway_px, at.y() - 0.5 * metrics.height(),
@@ -89,14 +65,14 @@ void OrganMarks::drawName(QPainter& painter, const QPointF& at, const QString& n
     box.moveRight(at.x() - kNameAway_px);
   }
   painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.surface);
+  painter.setBrush(colours().surface);
   painter.drawRoundedRect(box, kNameMargin_px, kNameMargin_px);
-  painter.setPen(theme_.text);
+  painter.setPen(colours().text);
   painter.drawText(box, Qt::AlignCenter, name);
 }
 
 void OrganMarks::paintEvent(QPaintEvent*) {
-  if (!view_.draws()) {
+  if (!view().draws()) {
     return;  // the view shows only an explanation
   }
   QPainter painter(this);
@@ -108,12 +84,12 @@ void OrganMarks::paintEvent(QPaintEvent*) {
   for (const Vec3& place_m : axis_m_) {
     line << pixelOf(place_m);
   }
-  painter.setPen(QPen(theme_.accent, kAxis_px, Qt::DashLine));
+  painter.setPen(QPen(colours().accent, kAxis_px, Qt::DashLine));
   painter.drawPolyline(line);
   for (const OrganLandmark& landmark : landmarks_) {
     const QPointF at = pixelOf(landmark.place_m);
-    painter.setPen(QPen(theme_.surface, 1.0));
-    painter.setBrush(theme_.accent);
+    painter.setPen(QPen(colours().surface, 1.0));
+    painter.setBrush(colours().accent);
     painter.drawEllipse(at, kDot_px, kDot_px);
     drawName(painter, at, nameOf(landmark.kind));
   }

@@ -20,31 +20,24 @@ namespace torsio::gui {
 class SceneView;
 
 /// Overlay with an organ's axis and named landmarks. Follows the camera; ignores the mouse.
-class OrganMarks : public QWidget {
+class OrganMarks : public ViewOverlay {
   Q_OBJECT
 
  public:
-  /// Covers all of `view`, its parent.
-  explicit OrganMarks(SceneView& view);
+  using ViewOverlay::ViewOverlay;
 
   void setAxis(std::vector<Vec3> axis_m, std::vector<OrganLandmark> landmarks);
-  void setTheme(const Theme& theme);
   /// Names a landmark in the window's language.
   [[nodiscard]] static QString nameOf(OrganLandmark::Kind kind);
-
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  [[nodiscard]] QPointF pixelOf(const Vec3& place_m) const;
   void drawName(QPainter& painter, const QPointF& at, const QString& name) const;
 
-  SceneView& view_;
   std::vector<Vec3> axis_m_;
   std::vector<OrganLandmark> landmarks_;
-  Theme theme_;
 };
 
 class SceneView;

@@ -13,9 +13,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {

@@ -23,8 +23,8 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/organ/slice_view.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 
 namespace torsio::gui {

@@ -21,7 +21,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/services/review/case_sheet.h"
 #include "assessment/domain/rating/sheet.h"
 #include "assessment/domain/rating/written_words.h"

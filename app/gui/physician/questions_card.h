@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/services/training/questions.h"
 #include "assessment/domain/ids.h"
 

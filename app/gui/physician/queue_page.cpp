@@ -19,10 +19,9 @@
 #include "app/gui/physician/questions_card.h"
 #include "app/gui/physician/replies_card.h"
 #include "app/gui/physician/review_labels.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "sim/core/time_units.h"
 

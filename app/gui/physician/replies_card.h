@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/page_parts.h"
 
 class QVBoxLayout;
 

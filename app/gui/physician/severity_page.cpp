@@ -13,10 +13,9 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/review_labels.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 
 namespace torsio::gui {
 

@@ -22,9 +22,9 @@
 #include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_parts.h"
 #include "sim/core/portable_math.h"
 
 namespace torsio::gui {
@@ -49,13 +49,6 @@ QLabel* field(QGridLayout* grid, int row, QWidget* widget) {
 
 }  // namespace
 
-MarkerLabels::MarkerLabels(SceneView& view) : QWidget(&view), view_(view), theme_(theme(ThemeKind::kLight)) {
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  view.installEventFilter(this);
-  connect(&view, &SceneView::cameraChanged, this, qOverload<>(&QWidget::update));
-  resize(view.size());
-}
-
 void MarkerLabels::setMarkers(std::shared_ptr<const Scene> scene, std::vector<OrganMarker> markers,
                               int chosen) {
   scene_ = std::move(scene);
@@ -64,32 +57,19 @@ void MarkerLabels::setMarkers(std::shared_ptr<const Scene> scene, std::vector<Or
   update();
 }
 
-void MarkerLabels::setTheme(const Theme& theme) {
-  theme_ = theme;
-  update();
-}
-
-bool MarkerLabels::eventFilter(QObject*, QEvent* event) {
-  if (event->type() == QEvent::Resize) {
-    resize(view_.size());
-    raise();
-  }
-  return false;
-}
-
 QPointF MarkerLabels::pixelOf(const OrganMarker& marker) const {
-  return view_.camera().pixel(toView(marker.position_m), QSizeF(view_.size()));
+  return ViewOverlay::pixelOf(marker.position_m);
 }
 
 bool MarkerLabels::isHidden(const OrganMarker& marker) const {
-  const QVector3D eye = view_.camera().position();
+  const QVector3D eye = view().camera().position();
   const QVector3D way = toView(marker.position_m) - eye;
   const std::optional<SightHit> hit = sightHit(scene_->mesh, {eye, way.normalized()});
   return hit && hit->distance_mm < static_cast<double>(way.length()) - kSkinThickness_mm;
 }
 
 void MarkerLabels::paintEvent(QPaintEvent*) {
-  if (scene_ == nullptr || !view_.draws()) {
+  if (scene_ == nullptr || !view().draws()) {
     return;
   }
   QPainter painter(this);
@@ -104,11 +84,11 @@ void MarkerLabels::paintEvent(QPaintEvent*) {
                       QSizeF(2.0 * kLabelRadius_px, 2.0 * kLabelRadius_px));
     const bool hidden = isHidden(marker) && !chosen;
     painter.setOpacity(hidden ? kHiddenShare : 1.0);
-    painter.setPen(QPen(theme_.accent, 2.0));
-    painter.setBrush(chosen ? theme_.accent : theme_.surface);
+    painter.setPen(QPen(colours().accent, 2.0));
+    painter.setBrush(chosen ? colours().accent : colours().surface);
     painter.drawEllipse(disc);
     painter.setOpacity(hidden ? kHiddenNumber : 1.0);
-    painter.setPen(chosen ? theme_.onAccent : theme_.text);
+    painter.setPen(chosen ? colours().onAccent : colours().text);
     painter.drawText(disc, Qt::AlignCenter, QString::number(marker.number));
   };
   for (const OrganMarker& marker : markers_) {

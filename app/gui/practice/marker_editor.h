@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/comparison/organ_markers.h"
@@ -23,19 +24,15 @@ class SceneView;
 
 /// Overlay with the numbers of an organ's markers at rest, the current one filled, those on the far side
 /// faint. Follows the camera; ignores the mouse.
-class MarkerLabels : public QWidget {
+class MarkerLabels : public ViewOverlay {
   Q_OBJECT
 
  public:
-  /// Covers all of `view`, its parent.
-  explicit MarkerLabels(SceneView& view);
+  using ViewOverlay::ViewOverlay;
 
   void setMarkers(std::shared_ptr<const Scene> scene, std::vector<OrganMarker> markers, int chosen);
-  void setTheme(const Theme& theme);
   /// Returns the position of a marker in the view, pixels.
   [[nodiscard]] QPointF pixelOf(const OrganMarker& marker) const;
-
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -43,11 +40,9 @@ class MarkerLabels : public QWidget {
  private:
   [[nodiscard]] bool isHidden(const OrganMarker& marker) const;
 
-  SceneView& view_;
   std::shared_ptr<const Scene> scene_;
   std::vector<OrganMarker> markers_;
   int chosen_ = 0;  // marker number; 0: none
-  Theme theme_;
 };
 
 class Card;

@@ -15,7 +15,6 @@
 #include <QTemporaryDir>
 
 #include "app/gui/practice/simulator_window.h"
-#include "app/gui/program/all_pages.h"
 #include "app/gui/program/window_main.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/first_run_panel.h"

@@ -7,16 +7,22 @@
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QCoreApplication>
 #include <QPalette>
 #include <QScreen>
 #include <QStandardPaths>
 
+#include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/translated_text.h"
+#include "app/gui/physician/review_pages.h"
+#include "app/gui/practice/compare_page.h"
+#include "app/gui/practice/practice_page.h"
 #include "app/gui/practice/simulator_window.h"
-#include "app/gui/program/all_pages.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/main_window.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_pages.h"
 #include "app/gui/widgets/icons.h"
 #include "app/outputs/charts/typeface.h"
 #include "app/services/access/first_run.h"
@@ -29,6 +35,10 @@
 namespace torsio::gui {
 
 namespace {
+
+QString named(const char* text) {
+  return QCoreApplication::translate("Desk", text);
+}
 
 constexpr QSize kMaxSize(7680, 4320);
 
@@ -218,6 +228,29 @@ void runShell(const WindowOptions& options) {
 }
 
 }  // namespace
+
+std::vector<PageGroup> allPages() {
+  const std::shared_ptr<StationDesk> desk = deskOfThisStation();
+  std::vector<PageEntry> training = stationPages(desk);
+  training.push_back(practicePage(desk));
+  training.push_back(comparePage());
+  return {{[] { return named(QT_TRANSLATE_NOOP("Desk", "Training")); }, training},
+          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Review")); }, reviewPages()},
+          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Administration")); }, administratorPages()}};
+}
+
+std::vector<ScreenEntry> allScreens() {
+  std::vector<ScreenEntry> screens = stationScreens();
+  for (const std::vector<ScreenEntry>& more :
+       {practiceScreens(), organScreens(), compareScreens(), reviewScreens(), administratorScreens()}) {
+    screens.insert(screens.end(), more.begin(), more.end());
+  }
+  return screens;
+}
+
+std::vector<ScreenEntry> allDialogs() {
+  return administratorDialogs();
+}
 
 void addWindow(CLI::App& program) {
   auto written = std::make_shared<WrittenWindow>();

@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/gui/program/screenshot.h"
 #include "app/gui/program/screenshots.h"
+#include "app/gui/shell/desk.h"
 #include "app/gui/widgets/theme.h"
 
 namespace CLI {
@@ -16,6 +18,14 @@ class App;
 class QApplication;
 
 namespace torsio::gui {
+
+/// All pages, by role and in the order of the navigation. The desk keeps those that its actor may open.
+[[nodiscard]] std::vector<PageGroup> allPages();
+
+/// All page screenshots of the user guide.
+[[nodiscard]] std::vector<ScreenEntry> allScreens();
+/// Screenshots of dialogs, which keep the language in which they were opened.
+[[nodiscard]] std::vector<ScreenEntry> allDialogs();
 
 /// Options of the window on the command line; `torsio --help` explains each of them.
 struct WindowOptions {

@@ -12,6 +12,7 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 
@@ -190,6 +191,30 @@ void ViewTurn::zoom(double steps) {
   view_.camera().zoom(steps);
   view_.applyCamera();
   Q_EMIT turned();
+}
+
+ViewOverlay::ViewOverlay(SceneView& view) : QWidget(&view), view_(view), theme_(&theme(ThemeKind::kLight)) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  view.installEventFilter(this);
+  connect(&view, &SceneView::cameraChanged, this, qOverload<>(&QWidget::update));
+  resize(view.size());
+}
+
+void ViewOverlay::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  update();
+}
+
+bool ViewOverlay::eventFilter(QObject*, QEvent* event) {
+  if (event->type() == QEvent::Resize) {
+    resize(view_.size());
+    raise();
+  }
+  return false;
+}
+
+QPointF ViewOverlay::pixelOf(const Vec3& place_m) const {
+  return view_.camera().pixel(toView(place_m), QSizeF(view_.size()));
 }
 
 std::optional<SightHit> sightHit(const TriangleMesh& mesh, const ViewRay& ray) {

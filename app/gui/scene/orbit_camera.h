@@ -8,7 +8,9 @@
 #include <QQuaternion>
 #include <QSizeF>
 #include <QVector3D>
+#include <QWidget>
 
+#include "sim/core/vec3.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::gui {
@@ -68,6 +70,7 @@ class OrbitCamera {
 };
 
 class SceneView;
+struct Theme;
 
 /// Turns the camera of a scene view without an instrument: drag or arrow keys turn it, wheel or + and - zoom.
 /// Reports clicks without drag. Owned by the view.
@@ -94,6 +97,27 @@ class ViewTurn : public QObject {
   std::optional<QPointF> pressed_;  // where a button was pressed
   QPointF last_;
   bool dragged_ = false;
+};
+
+/// Covers a scene view and follows its size and camera; ignores the mouse. GUI thread.
+class ViewOverlay : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `view`: its parent.
+  explicit ViewOverlay(SceneView& view);
+  void setTheme(const Theme& theme);
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ protected:
+  [[nodiscard]] const SceneView& view() const noexcept { return view_; }
+  [[nodiscard]] const Theme& colours() const noexcept { return *theme_; }
+  /// Returns the pixel of a place in the world frame.
+  [[nodiscard]] QPointF pixelOf(const Vec3& place_m) const;
+
+ private:
+  SceneView& view_;
+  const Theme* theme_;
 };
 
 /// The first point of a mesh on a line of sight.

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <QLabel>
+#include <QTimer>
 
 #include "app/services/access/idle_guard.h"
 
@@ -67,6 +68,22 @@ class AwayBanner : public QLabel {
   std::size_t refusedTold_ = 0;
   bool answered_ = true;  // at the last check
   bool settleDue_ = false;
+};
+
+/// A message at the lower edge of its parent that disappears by itself. Takes no clicks and no focus.
+class Toast : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit Toast(QWidget* parent);
+  void say(const QString& sentence);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void place();
+  QTimer timer_;
 };
 
 }  // namespace torsio::gui

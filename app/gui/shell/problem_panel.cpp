@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
@@ -19,6 +20,8 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kDetailLines = 4;
+
+constexpr int kTroubleWidth = 720;
 
 }  // namespace
 
@@ -118,6 +121,38 @@ void ProblemPanel::retranslate() {
     say();
   }
   showDetails(!details_->isHidden());
+}
+
+TroublePanel::TroublePanel(QWidget* parent) : QWidget(parent), problem_(new ProblemPanel(this)) {
+  QVBoxLayout* column = centredCard(this, kTroubleWidth);
+  problem_->setClosable(false);
+  retry_ = primaryButton(this);
+  other_ = linkButton(this);
+  column->addWidget(problem_);
+  column->addSpacing(kSpace);
+  auto* row = new QHBoxLayout;
+  row->addWidget(other_);
+  row->addStretch(1);
+  row->addWidget(retry_);
+  column->addLayout(row);
+  connect(retry_, &QPushButton::clicked, this, &TroublePanel::retryWanted);
+  connect(other_, &QPushButton::clicked, this, &TroublePanel::otherDatabaseWanted);
+  followLanguage(this, [this] { retranslate(); });
+}
+
+void TroublePanel::tell(const std::exception_ptr& problem) {
+  problem_->tell(
+      problemOf(problem, {[] { return tr("The database cannot be used"); },
+                          [] { return tr("Try again; if it stays so, ask your administrator"); }}));
+}
+
+void TroublePanel::setTheme(const Theme& theme) {
+  problem_->setTheme(theme);
+}
+
+void TroublePanel::retranslate() {
+  retry_->setText(tr("Try again"));
+  other_->setText(tr("Use another database\u2026"));
 }
 
 }  // namespace torsio::gui

@@ -18,8 +18,8 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/simulation_controller.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
 #include "sim/core/angle.h"

@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/angle.h"

@@ -9,10 +9,9 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include "app/gui/widgets/angle_dial.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/level_bar.h"
+#include "app/gui/widgets/gauges.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/load_decimals.h"
 #include "sim/core/time_units.h"

@@ -13,7 +13,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/detorsion_plot.h"
 #include "app/gui/trainee/station_parts.h"
-#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/services/training/detorsion_story.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/page_parts.h"
 #include "assessment/domain/people/retention.h"
 
 class QLabel;

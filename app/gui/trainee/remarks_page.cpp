@@ -19,9 +19,8 @@
 #include "app/gui/trainee/remark_words.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "assessment/domain/ids.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {

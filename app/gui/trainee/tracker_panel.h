@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "app/connectors/tracker/tracker_link.h"
-#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/page_parts.h"
 
 class QCheckBox;
 class QLabel;

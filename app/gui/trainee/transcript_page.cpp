@@ -19,7 +19,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/outputs/wording/joined_sentences.h"
 #include "sim/core/error.h"

@@ -30,7 +30,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/services/access/all_or_none.h"
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"

@@ -26,7 +26,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/services/access/all_or_none.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/people/consent_service.h"

@@ -23,7 +23,7 @@
 #include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/all_or_none.h"
 #include "app/services/access/first_run.h"

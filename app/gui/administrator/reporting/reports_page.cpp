@@ -22,7 +22,7 @@
 #include "app/gui/base/table_choice.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/outputs/report/coded_tables.h"
 #include "app/outputs/wording/wording.h"

@@ -17,7 +17,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "assessment/results/cohort_report.h"
 
 namespace torsio::gui {

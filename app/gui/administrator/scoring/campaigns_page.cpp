@@ -12,7 +12,7 @@
 #include "app/gui/administrator/scoring/campaign_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/campaign.h"

@@ -19,7 +19,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/services/access/all_or_none.h"
 #include "app/services/people/people_service.h"

@@ -19,7 +19,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/outputs/report/coded_tables.h"
 #include "sim/core/time_units.h"

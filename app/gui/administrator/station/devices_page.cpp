@@ -19,7 +19,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/services/devices/haptic_station.h"
 #include "app/services/recording/station_writer.h"
 #include "sim/device/drivers/device_list.h"

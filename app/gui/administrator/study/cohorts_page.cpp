@@ -21,7 +21,7 @@
 #include "app/gui/administrator/study/power_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/services/access/all_or_none.h"
 
 namespace torsio::gui {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/page.h"
-#include "app/gui/program/all_pages.h"
+#include "app/gui/program/window_main.h"
 #include "sim/core/error.h"
 #include "tests/app/gui/support/administrator_desk.h"
 

@@ -31,10 +31,10 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/page.h"
-#include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/gauges.h"
 #include "app/gui/widgets/icons.h"
-#include "app/gui/widgets/level_bar.h"
+#include "app/gui/widgets/page_parts.h"
 
 namespace torsio::gui {
 namespace {
