@@ -57,7 +57,7 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
   tabs_->addTab(createFormulations(), QString());
   for (int tab : {kModelsTab, kMarkersTab}) {
     auto* empty = new QWidget(tabs_);  // filled when first shown: three more scenes take a while
-    auto* inside = bareLayout<QVBoxLayout>(empty);
+    bareLayout<QVBoxLayout>(empty);
     tabs_->insertTab(tab, empty, QString());
   }
   connect(tabs_, &QTabWidget::currentChanged, this, &ComparePage::showTab);

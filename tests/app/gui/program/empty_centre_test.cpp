@@ -18,7 +18,7 @@
 #include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/language.h"
 #include "tests/app/gui/support/administrator_desk.h"
-#include "tests/app/gui/support/clipped_texts.h"
+#include "tests/app/gui/support/visible_texts.h"
 
 namespace torsio::gui {
 namespace {

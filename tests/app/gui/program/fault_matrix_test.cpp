@@ -25,8 +25,8 @@
 
 #include "sim/core/error.h"
 #include "sim/core/random.h"
-#include "tests/app/gui/program/fault_places.h"
 #include "tests/app/gui/program/fault_run.h"
+#include "tests/app/gui/program/fault_scenarios.h"
 
 namespace torsio::gui::testing {
 namespace {

@@ -19,7 +19,7 @@
 #include "sim/core/file_io.h"
 #include "sim/device/hdapi/hdapi_border.h"
 #include "sim/servo/hand_task.h"
-#include "tests/app/gui/program/fault_places.h"
+#include "tests/app/gui/program/fault_scenarios.h"
 #include "tests/sim/servo/bar_scene.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)

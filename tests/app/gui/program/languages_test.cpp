@@ -34,7 +34,7 @@
 #include "app/gui/shell/desk.h"
 #include "app/outputs/charts/typeface.h"
 #include "tests/app/gui/program/screen_faults.h"
-#include "tests/app/gui/support/clipped_texts.h"
+#include "tests/app/gui/support/visible_texts.h"
 
 namespace torsio::gui {
 namespace {

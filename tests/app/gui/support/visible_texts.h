@@ -16,3 +16,14 @@ namespace torsio::gui {
 [[nodiscard]] QStringList paintedWordsOf(QWidget& page);
 
 }  // namespace torsio::gui
+
+class QWidget;
+
+namespace torsio::gui::testing {
+
+/// Returns the clipped texts of a window: labels, buttons, headers, tabs, combo boxes, fields or list lines
+/// narrower than their text, and anything that extends beyond its parent. Includes all pages of tab widgets,
+/// but not cells of long lists, whose columns can be widened.
+[[nodiscard]] QStringList clippedTexts(QWidget& window);
+
+}  // namespace torsio::gui::testing
