@@ -8,7 +8,6 @@
 #include "app/gui/shell/open_record.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
-#include "app/services/maintenance/record_privacy.h"
 #include "app/services/recording/station_start.h"
 
 namespace torsio::gui {
