@@ -46,6 +46,8 @@ class LockPanel : public QWidget {
   QPushButton* signOut_;
 };
 
+class DialogLock;
+
 /// The lock of a desk: one panel in place of the desk, and one over open dialogs. Only the owner's password
 /// opens it. GUI thread.
 class ScreenLock : public QObject {

@@ -63,7 +63,7 @@ TEST(Station, TheResultOfTheDeviceCheckIsOnTheBoardOfTheDay) {
 
   station.open(PageId::kDeviceCheck);
 
-  ASSERT_TRUE(line.settled(std::chrono::milliseconds(kPatience_ms)));
+  ASSERT_TRUE(line.settled(std::chrono::seconds(20)));
   const StationDevice shown = storedDevice(torsio::stationOnBoard(centre.connection(), "station 1").value());
   EXPECT_EQ(shown.device.str(), "Scripted hand");
   EXPECT_EQ(shown.light, Light::kRed);
