@@ -22,7 +22,7 @@
 #include "app/gui/widgets/page_parts.h"
 #include "app/services/organs/person_arm.h"
 #include "sim/imaging/apart/scan_process.h"
-#include "sim/imaging/surface/scan_steps.h"
+#include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/instrument_file.h"
 #include "sim/scene/instrument_import.h"
 #include "sim/scene/organ_file.h"

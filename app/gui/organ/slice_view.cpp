@@ -10,7 +10,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
-#include "sim/imaging/surface/mask_brush.h"
+#include "sim/imaging/surface/voxel_mask.h"
 
 namespace torsio::gui {
 

@@ -13,11 +13,9 @@
 #include <QVBoxLayout>
 
 #include "app/gui/scene/organ_geometry.h"
-#include "app/gui/scene/stress_legend.h"
-#include "sim/servo/contact_coupling.h"
 #include "app/gui/scene/shear_map.h"
 #include "app/gui/widgets/form.h"
-#include "sim/servo/indentation.h"
+#include "sim/servo/contact_coupling.h"
 
 namespace torsio::gui {
 

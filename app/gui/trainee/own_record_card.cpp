@@ -13,9 +13,8 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/theme.h"
-#include "app/services/people/consent_service.h"
 #include "app/gui/widgets/value_text.h"
-#include "app/services/people/person_requests.h"
+#include "app/services/people/consent_service.h"
 
 namespace torsio::gui {
 

@@ -37,7 +37,7 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/servo/exercise.h"
-#include "sim/tissue/hollow/tissue_colour.h"
+#include "sim/tissue/hollow/perfusion.h"
 
 namespace torsio::gui {
 
