@@ -99,9 +99,8 @@ void printHead(const AuditArguments& arguments) {
   }
   std::cout << head << "\n";
   if (arguments.key.empty()) {
-    std::cerr
-        << "torsio: this head is not signed; whoever can change the place where it is kept can replace it. "
-           "torsio audit key FILE makes a key\n";
+    std::cerr << "torsio: this head is not signed; anybody who can write to the place where it is kept can "
+                 "replace it. torsio audit key FILE makes a key\n";
   }
 }
 

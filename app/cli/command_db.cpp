@@ -80,9 +80,8 @@ void backUp(const DbArguments& arguments) {
   const StationAnchor anchor = stationAnchor();
   std::cout << "  " << anchoredHead(arguments.file, anchor.key, utcNow_us()) << "\n";
   if (anchor.key.empty()) {
-    std::cerr
-        << "torsio: this head is not signed: whoever can change the place where it is kept can replace it. "
-           "torsio audit key FILE makes a key, torsio audit station sets it\n";
+    std::cerr << "torsio: this head is not signed: anybody who can write to the place where it is kept can "
+                 "replace it. torsio audit key FILE makes a key, torsio audit station sets it\n";
   }
   printCopies(arguments);
 }
@@ -117,7 +116,7 @@ void restore(const DbArguments& arguments) {
   }
   if (!restored.unreadable.empty()) {
     std::cerr << "torsio: what was there cannot be read (" << restored.unreadable
-              << "); whoever was erased after the backup is in the record again\n";
+              << "); people who were erased after the backup are in the record again\n";
   }
   std::cout << "Restored " << file;
   if (!restored.before.empty()) {

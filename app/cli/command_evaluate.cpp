@@ -45,7 +45,7 @@ std::pair<std::string, double> namedWeight(const std::string& text, const std::s
   double weight = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), weight);
   if (error != std::errc() || end != digits.data() + digits.size()) {
-    refuseUsage("\"" + text + "\" is no weight", option,
+    refuseUsage("\"" + text + "\" is not a weight", option,
                 "Give weights such as 0.2,0.3,0.5 or A=0.2,B=0.3,C=0.5");
   }
   return {name, weight};

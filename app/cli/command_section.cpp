@@ -48,7 +48,7 @@ nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std:
     if (!value) {
       refuseParameter(field.elements.empty()
                           ? Text::verbatim("boundary elements compute nothing inside the section")
-                          : Text::verbatim("the point lies outside the section"),
+                          : Text::verbatim("the point is outside the section"),
                       "--at " + std::to_string(point[0]) + "," + std::to_string(point[1]),
                       field.elements.empty() ? Text::verbatim("Use --method fem")
                                              : Text::verbatim("Give a point in the material"));

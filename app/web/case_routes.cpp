@@ -228,7 +228,7 @@ std::pair<CampaignId, std::string> modelOf(Call& call) {
       return {form.campaignId, call.parts.back()};
     }
   }
-  throw Error(ErrorCode::kPermission, Text::tr("this evaluation does not ask for you"), "",
+  throw Error(ErrorCode::kPermission, Text::tr("you do not take part in this evaluation"), "",
               Text::tr("Load the page again"));
 }
 

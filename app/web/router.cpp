@@ -168,7 +168,7 @@ AssignmentId caseOf(const Call& call) {
   const auto found = call.session->caseOf(call.parts.front());
   if (!found) {
     throw Error(ErrorCode::kPermission, Text::tr("this case is not yours"), Text::tr("the queue"),
-                Text::tr("Open a case of your own queue"));
+                Text::tr("Open a case from your own queue"));
   }
   return *found;
 }

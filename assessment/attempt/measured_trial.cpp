@@ -137,9 +137,9 @@ Outcome<TrialMetrics> measuredGrip(const TrialTrace& trace, const TrialTargets& 
   TrialMetrics metrics = *grip;
   const RecordedLoads loads = recordedLoads(since);
   const auto set = [&metrics](Quantity quantity, const std::optional<double>& peak) {
-    metrics.set(quantity, peak ? Outcome<double>(*peak)
-                               : Outcome<double>::undefined(
-                                     Text::tr("the answer of the tissue is not known throughout")));
+    metrics.set(quantity,
+                peak ? Outcome<double>(*peak)
+                     : Outcome<double>::undefined(Text::tr("the tissue's response is not known throughout")));
   };
   set(Quantity::kPeakForce, loads.tissueForce_N);
   set(Quantity::kDeviceForce, loads.deviceForce_N);

@@ -118,7 +118,7 @@ Text RunVerdict::sentence() const {
     case RunOutcome::kRefused:
       break;
   }
-  return Text::tr("Not judged: nothing is asked of such a recording");
+  return Text::tr("Not judged: such a recording has no requirements");
 }
 
 Text RunVerdict::cause() const {

@@ -71,7 +71,7 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
                      "mean over all, which is the reported score."),
       Text::tr("Alpha with the interval metric. A group that is much alike gives a low coefficient even when "
                "raters agree well: look at the standard error of measurement (SEM)."),
-      Text::tr("The intervals take scores for normal. Of strongly skewed scores they hold the true "
+      Text::tr("The intervals assume normal scores. With strongly skewed scores they include the true "
                "coefficient in about four of five cases, not in 95 %.")};
   if (holes) {
     table.notes.push_back(Text::tr(
@@ -100,8 +100,8 @@ ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& st
     }
   }
   table.notes = {
-      Text::tr("Differences between the groups make raters agree in the table above. What counts "
-               "for comparing trainees of one group stands here.")};
+      Text::tr("Differences between the groups make raters agree in the table above. This table shows what "
+               "counts for comparing trainees of one group.")};
   return table;
 }
 

@@ -115,7 +115,7 @@ Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
       "Answer: no difference between two groups was shown. The largest, adjusted for the score before, with "
       "the 95 % interval of this pair by itself: %1, %2. %3",
       pairName(in, widest->first, widest->second), shown(*widest),
-      allHoldZero ? Text::tr("Every interval holds zero.")
+      allHoldZero ? Text::tr("Every interval includes zero.")
                   : Text::tr("No p value stays below %1 after Holm.", formatFixed(kSignificant, 2)));
 }
 
@@ -124,8 +124,8 @@ std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& st
   std::vector<Text> out;
   if (in.freeze && !in.freeze->unchanged) {
     out.push_back(
-        Text::tr("The record has changed since it was frozen as \"%1\": what stands here is computed "
-                 "from the record as it is now, not from what was frozen.",
+        Text::tr("The record has changed since it was frozen as \"%1\": these results are computed from the "
+                 "record as it is now, not from the frozen data.",
                  in.freeze->name));
   }
   if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
@@ -146,14 +146,13 @@ std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& st
     }
   }
   if (study.mixed && study.endMissing == 0) {
-    out.push_back(Text::tr(
-        "Not every trainee was marked by the same raters at the end, so the answer is that of the linear "
-        "mixed model, which allows for it; the analysis of covariance stands beside it."));
+    out.push_back(
+        Text::tr("Not every trainee was marked by the same raters at the end, so the answer is that of the "
+                 "linear mixed model, which allows for it; the analysis of covariance is shown beside it."));
   } else if (study.mixed) {
     out.push_back(
         Text::tr("Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which "
-                 "takes every mark "
-                 "that was given; the analysis of covariance stands beside it.",
+                 "uses every mark that was given; the analysis of covariance is shown beside it.",
                  study.endMissing, study.endMarks + study.endMissing));
   }
   const auto open = std::count_if(study.bounds.begin(), study.bounds.end(), [](const MissingBounds& pair) {
@@ -267,10 +266,9 @@ ReportTable standardTable(const CohortInputs& in) {
   }
   if (!ableAtAll.empty()) {
     table.notes = {Text::tr(
-        "Competent now: at every exercise that was tried, by the designs of the section Competence. Whoever "
-        "is "
-        "inadequate at one counts as competent in at most %1 %, whoever is adequate at all does not in at "
-        "most %2 % of cases, within the attempts named there.",
+        "Competent now: at every exercise that was tried, by the designs of the section Competence. Within "
+        "the attempts named there, a trainee who is inadequate at one exercise is judged competent in at "
+        "most %1 % of cases; one who is adequate at all of them is not judged competent in at most %2 %.",
         formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1))};
   }
   return table;

@@ -231,10 +231,10 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
   ReportModel report = reportOf(in, aggregated ? withoutSmallGroups(inputs, unsaid) : inputs, analysed.study);
   if (aggregated) {
     removeIndividuals(report);
-    left.push_back(Text::tr(
-        "This report is aggregated: it holds no line about a single person and no count of fewer than %1 "
-        "people beside others.",
-        kSmallestCell));
+    left.push_back(
+        Text::tr("This report is aggregated: it contains no line about a single person and no count of fewer "
+                 "than %1 people beside others.",
+                 kSmallestCell));
   }
   if (!left.empty()) {
     ReportSection section{"left-out", Text::tr("What is left out")};

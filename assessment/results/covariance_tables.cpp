@@ -100,8 +100,8 @@ ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study) {
   }
   table.provenance.missing = study.endMissing;
   table.notes = {
-      Text::tr("Every trainee with a score at the occasion. Intervals of single means that overlap "
-               "do not say that the means agree: look at the differences.")};
+      Text::tr("Every trainee with a score at the occasion. Overlapping intervals of single means do not "
+               "show that the means agree: look at the differences.")};
   return table;
 }
 
@@ -284,7 +284,8 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
   }
   normal.series.push_back(normalLine(normal.series));
   const Outcome<NormalityTest> shape = shapiroWilk(all);
-  fitted.notes = {Text::tr("A fan or a bow says that spread or slope are not as the model takes them.")};
+  fitted.notes = {Text::tr(
+      "A fan or bow shape indicates that the spread or the slope violates the model's assumptions.")};
   normal.notes = {
       shape ? Text::tr("Normal residuals lie along the line. Shapiro and Wilk: W = %1, %2; for looking at, "
                        "not for choosing a test.",

@@ -198,7 +198,7 @@ ReportTable traineesTable(const CohortInputs& in, std::size_t number,
   }
   table.notes = {
       in.singleMarks
-          ? Text::tr("What each rater gave for each criterion stands in the table of numbers (CSV), section "
+          ? Text::tr("What each rater gave for each criterion is in the table of numbers (CSV), section "
                      "\"criterion\".")
           : Text::tr("Means of fewer than %1 marks are left out: a single mark could be read from them.",
                      kMinMarks)};

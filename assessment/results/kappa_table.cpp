@@ -41,8 +41,8 @@ ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study) {
                           cell("share_within_one_point", share(found.withinOne, found.shared))});
   }
   table.notes = {
-      Text::tr("Kappa is agreement beyond what the raters' own habits would give; a distance counts by its "
-               "square. One pair far below the others names raters who should talk: see their severity.")};
+      Text::tr("Kappa is agreement beyond chance; distances count by their square. If one pair is far below "
+               "the others, these raters should compare how they mark: see their severity.")};
   return table;
 }
 

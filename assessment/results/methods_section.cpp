@@ -75,7 +75,7 @@ Text comparisonSentence(const StudyAnalysis& study) {
   return Text::tr(
       "Groups are compared by a linear mixed model, as %1: the marks at the end, adjusted for the mean mark "
       "before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom "
-      "after Satterthwaite. The analysis of covariance stands beside it.",
+      "after Satterthwaite. The analysis of covariance is shown beside it.",
       study.endMissing > 0 ? Text::tr("marks are missing")
                            : Text::tr("not every trainee was marked by the same raters at the end"));
 }

@@ -97,14 +97,13 @@ std::vector<Text> raterGroupSentences(const CohortInputs& in, const StudyAnalysi
   }
   const Text who =
       in.identity == ReportIdentity::kAggregated ? Text(std::to_string(codes.size())) : listed(codes);
-  return {study.mixed
-              ? Text::tr("Raters who scored trainees of some groups only %1: %2. In the analysis of "
-                         "covariance what such a rater is stricter or more lenient by counts as a difference "
-                         "between the groups; the linear mixed model allows for it.",
-                         in.occasions.back(), who)
-              : Text::tr("Raters who scored trainees of some groups only %1: %2. What such a rater is "
-                         "stricter or more lenient by counts as a difference between the groups.",
-                         in.occasions.back(), who)};
+  return {study.mixed ? Text::tr("Raters who scored trainees of some groups only %1: %2. In the analysis of "
+                                 "covariance the severity of such a rater counts as a difference between the "
+                                 "groups; the linear mixed model allows for it.",
+                                 in.occasions.back(), who)
+                      : Text::tr("Raters who scored trainees of some groups only %1: %2. The severity of "
+                                 "such a rater counts as a difference between the groups.",
+                                 in.occasions.back(), who)};
 }
 
 std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& study) {
@@ -148,11 +147,10 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
           : Text::tr("Not every trainee was marked by the same raters at the end");
   out.push_back(
       study.mixed
-          ? Text::tr(
-                "%1 %2, so the linear mixed model is the primary comparison here: it takes every mark at "
-                "the end that was given. The analysis of covariance stands beside it, of the %3 "
-                "{trainee|trainees} with a score at both occasions.",
-                planText(in), missing, comparedTrainees(study))
+          ? Text::tr("%1 %2, so the linear mixed model is the primary comparison here: it uses every mark "
+                     "given at the end. The analysis of covariance is shown beside it, for the %3 "
+                     "{trainee|trainees} with a score at both occasions.",
+                     planText(in), missing, comparedTrainees(study))
           : Text::tr("%1 %2. The linear mixed model that would take every mark is not defined (%3), so the "
                      "analysis of covariance is used, of the %4 {trainee|trainees} with a score at both "
                      "occasions.",
@@ -163,10 +161,9 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
   if (study.endMissing == 0) {
     return out;
   }
-  out.push_back(Text::tr(
-      "Both take it that whether a mark is missing does not depend on what it would have been, once "
-      "group and score before are known. The table of bounds says what the missing marks could do at "
-      "worst."));
+  out.push_back(
+      Text::tr("Both assume that whether a mark is missing does not depend on its value, given the group and "
+               "the score before. The table of bounds shows the worst that the missing marks could do."));
   return out;
 }
 
@@ -270,7 +267,7 @@ std::optional<ReportTable> boundsTable(const CohortInputs& in, const StudyAnalys
   }
   table.notes = {
       Text::tr("Every missing mark at the end is taken as the lowest of the scale in one group and as the "
-               "highest in the other. Who has no score before is given the mean of the others.")};
+               "highest in the other. Trainees without a score before get the mean of the others.")};
   table.provenance.n = study.endMarks;
   table.provenance.missing = study.endMissing;
   return table;

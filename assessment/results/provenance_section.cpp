@@ -170,7 +170,7 @@ ReportTable trialsTable(const CohortInputs& in) {
                           trial.contentHash.substr(0, kPrintedDigits)});
   }
   table.notes = {Text::tr(
-      "The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV).")};
+      "The first 16 digits of each content hash; the whole hashes are in the table of numbers (CSV).")};
   table.provenance.n = std::ssize(in.trials);
   table.provenance.flags = commonFlags(in);
   return table;

@@ -44,8 +44,8 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
   figure.provenance.n = last.n;
   figure.provenance.missing = last.missing;
   figure.notes = {
-      Text::tr("A row that is lighter or darker all along is a rater who is stricter or more lenient. "
-               "An empty cell is a mark that was not given.")};
+      Text::tr("A row that is uniformly lighter or darker shows a stricter or more lenient rater. An empty "
+               "cell is a missing mark.")};
   return figure;
 }
 
@@ -155,7 +155,8 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
            .occasion = in.occasions.size() - 1}}});
     table.provenance.n += rater.n;
   }
-  table.notes = {Text::tr("Raters are shown by code, for the organisers of the study; this is no ranking.")};
+  table.notes = {
+      Text::tr("Raters are shown by code, for the organisers of the study; this is not a ranking.")};
   return table;
 }
 

@@ -127,8 +127,7 @@ Text powerSentence(const CohortInputs& in) {
   return Text::tr(
       "The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a "
       "difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that "
-      "is "
-      "not significant is no evidence of equality.",
+      "is not significant is not evidence of equality.",
       listed(sizes), *smallest, formatFixed(powerTwoSampleT(n, kLargeEffect), 2),
       formatFixed(detectableTwoSampleT(n, kDefaultPower), 2));
 }
@@ -136,11 +135,12 @@ Text powerSentence(const CohortInputs& in) {
 Text detectableSentence(const CohortInputs& in) {
   const std::optional<std::size_t> smallest = smallestCompared(groupSizes(in));
   if (!smallest) {
-    return Text::tr("a difference that was not shown is no evidence of equality.");
+    return Text::tr("a difference that was not shown is not evidence of equality.");
   }
   return Text::tr(
       "two groups of %1 detect a difference of %2 standard deviations with a power of 0.80 (two-sided t test "
-      "at 5 %) and miss smaller ones more often; a difference that was not shown is no evidence of equality.",
+      "at 5 %) and miss smaller ones more often; a difference that was not shown is not evidence of "
+      "equality.",
       *smallest, formatFixed(detectableTwoSampleT(static_cast<double>(*smallest), kDefaultPower), 2));
 }
 

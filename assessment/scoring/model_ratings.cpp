@@ -34,7 +34,7 @@ std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
     }
     if (rating.steps && !isOnScale(*rating.steps, instrument.scale)) {
       throw Error(ErrorCode::kBadData,
-                  Text::verbatim("score %1 lies outside the scale",
+                  Text::verbatim("score %1 is outside the scale",
                                  std::to_string(pointsFromSteps(*rating.steps, instrument.scale))),
                   where, Text::verbatim("Correct the mark; marks are never clamped."));
     }

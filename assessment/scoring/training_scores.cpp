@@ -40,10 +40,10 @@ Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
   std::set<std::string_view>* raters = nullptr;
   for (const TrainingMark& mark : marks) {
     if (!isOnScale(mark.steps, scale)) {
-      refuseMark(mark,
-                 Text::verbatim("score %1 lies outside the scale",
-                                std::to_string(pointsFromSteps(mark.steps, scale))),
-                 Text::verbatim("Correct the mark; marks are never clamped."));
+      refuseMark(
+          mark,
+          Text::verbatim("score %1 is outside the scale", std::to_string(pointsFromSteps(mark.steps, scale))),
+          Text::verbatim("Correct the mark; marks are never clamped."));
     }
     if (cell == cells.end() || std::get<2>(cell->first) != mark.trainee ||
         std::get<0>(cell->first) != mark.occasion || std::get<1>(cell->first) != mark.group) {

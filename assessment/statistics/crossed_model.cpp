@@ -232,7 +232,7 @@ Outcome<CrossedModel> CrossedModel::fit(const std::vector<CrossedMark>& marks, c
     return Undefined::undefined(Text::tr("there are too few trainees"));
   }
   if (residualMarks(marks, fixed.rows(), raters) < 1) {
-    return Undefined::undefined(Text::tr("there are too few marks to tell trainees, raters and error apart"));
+    return Undefined::undefined(Text::tr("there are too few marks to separate trainees, raters and error"));
   }
   const CrossedLikelihood likelihood(marks, fixed, raters);
   if (!likelihood.separable()) {
@@ -268,7 +268,7 @@ Outcome<CrossedModel> CrossedModel::fit(const std::vector<CrossedMark>& marks, c
   }
   const Eigen::LLT<MatrixXd> factor(amongFree(lowest.at.curvature, free));
   if (factor.info() != Eigen::Success) {
-    return Undefined::undefined(Text::tr("the marks do not tell the variances apart"));
+    return Undefined::undefined(Text::tr("the marks do not separate the variances"));
   }
   const MatrixXd covariance = 2.0 * factor.solve(MatrixXd::Identity(std::ssize(free), std::ssize(free)));
   out.varianceCovariance_ = NumberTable(free.size(), free.size());

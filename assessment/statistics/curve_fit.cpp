@@ -118,13 +118,13 @@ Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x, std::s
   Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Index>(start.size()));
   std::optional<State> state = evaluate(curve, x, y, b);
   if (!state) {
-    return Outcome<CurveFit>::undefined(Text::tr("the start lies outside the domain of the curve"));
+    return Outcome<CurveFit>::undefined(Text::tr("the start is outside the domain of the curve"));
   }
   double lambda = 1e-3;
   for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
     const Eigen::VectorXd step = dampedStep(*state, lambda);
     if (!step.allFinite()) {
-      return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be told apart"));
+      return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be separated"));
     }
     const Eigen::VectorXd next = b + step;
     const std::optional<State> trial = evaluate(curve, x, y, next);
@@ -146,7 +146,7 @@ Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x, std::s
       out.iterations = iteration;
       finish(*state, b, out);
       if (!std::all_of(out.errors.begin(), out.errors.end(), [](double e) { return std::isfinite(e); })) {
-        return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be told apart"));
+        return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be separated"));
       }
       return out;
     }
@@ -278,7 +278,7 @@ Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std:
         return fit;
       }
     }
-    return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be told apart"));
+    return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be separated"));
   }
   if (asymptote && best->parameters.back() == slowest && restAtSlowest(family, t, y) <= best->rss) {
     return Outcome<CurveFit>::undefined(Text::tr("the values do not level off within these attempts"));
@@ -296,7 +296,7 @@ Outcome<LearningCurve> fitLearningCurve(LearningFamily family, std::span<const d
   }
   if (attempt.size() < kMinAttempts) {
     return Outcome<LearningCurve>::undefined(
-        Text::tr("fewer than eight attempts cannot tell three parameters apart"));
+        Text::tr("fewer than eight attempts cannot separate three parameters"));
   }
   for (const double t : attempt) {
     TORSIO_EXPECTS(t >= 1.0);

@@ -315,7 +315,7 @@ void requireCategories(const CategoryRatings& ratings, int highest) {
     TORSIO_EXPECTS(ratings[n].size() == ratings.front().size());
     for (const std::optional<int>& mark : ratings[n]) {
       if (mark && (*mark < 0 || *mark > highest)) {
-        refuse(Text::verbatim("a rating lies outside the categories"), Text::verbatim("person %1", n + 1),
+        refuse(Text::verbatim("a rating is outside the categories"), Text::verbatim("person %1", n + 1),
                Text::verbatim("Give categories from 0 to %1.", highest));
       }
     }

@@ -190,7 +190,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n version(s): no further cohort can begin it; those who follow it go on.</source>
+        <source>%n version(s): no new cohort can choose it; cohorts that follow it continue.</source>
         <translation>
             <numerusform>%n version: no further cohort can begin it; those who follow it go on.</numerusform>
             <numerusform>%n versions: no further cohort can begin them; those who follow them go on.</numerusform>
@@ -247,7 +247,7 @@
 <context>
     <name>torsio::gui::DeviationsDialog</name>
     <message numerus="yes">
-        <source>%n deviation(s) stay as they are; a correction with this reason stands beside each, in the report as well.</source>
+        <source>%n deviation(s) stay as they are; a correction with this reason is added to each, in the report as well.</source>
         <translation>
             <numerusform>%n deviation stays as it is; a correction with this reason stands beside it, in the report as well.</numerusform>
             <numerusform>%n deviations stay as they are; a correction with this reason stands beside each, in the report as well.</numerusform>

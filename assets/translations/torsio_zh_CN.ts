@@ -81,7 +81,7 @@
 <context>
     <name>CopiesText</name>
     <message>
-        <source>These copies still hold this person; Torsio deletes none of them:</source>
+        <source>These copies still contain this person; Torsio does not delete them:</source>
         <translation>以下副本仍包含此人的资料；Torsio 不会删除它们：</translation>
     </message>
     <message>
@@ -95,7 +95,7 @@
         </translation>
     </message>
     <message>
-        <source>These copies still hold these people; Torsio deletes none of them:</source>
+        <source>These copies still contain these people; Torsio does not delete them:</source>
         <translation>以下副本仍含有这些人的数据；Torsio 不会删除其中任何一个：</translation>
     </message>
 </context>
@@ -138,7 +138,7 @@
         <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
     </message>
     <message>
-        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
+        <source>Published on %1, closed: no new cohort can choose it; cohorts that follow it continue. It is kept as it was.</source>
         <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
     </message>
     <message>
@@ -312,8 +312,8 @@
         <translation>邮件服务器</translation>
     </message>
     <message>
-        <source>Reminders go through this server of your centre. Its password is kept nowhere: whoever sends enters it.</source>
-        <translation>提醒通过贵中心的这台服务器发送。密码不保存在任何地方：由发送者输入。</translation>
+        <source>Reminders go through this server of your centre. Its password is not stored: enter it each time you send.</source>
+        <translation>提醒通过贵中心的这台服务器发送。密码不会保存：每次发送时请输入。</translation>
     </message>
     <message>
         <source>STARTTLS (port 587)</source>
@@ -878,8 +878,8 @@
         <translation>呼叫名单：%1</translation>
     </message>
     <message>
-        <source>Room: %1. For administrators only: raters are told the case, not this list.</source>
-        <translation>房间：%1。仅供管理员使用：评分者只知道案例编号，看不到本名单。</translation>
+        <source>Room: %1. For administrators only. Raters see the case label, never this list.</source>
+        <translation>房间：%1。仅供管理员使用。评分者只看到案例标签，看不到本名单。</translation>
     </message>
     <message>
         <source>No.</source>
@@ -1080,7 +1080,7 @@
         </translation>
     </message>
     <message>
-        <source>Asked about all these cases already: choose somebody else.</source>
+        <source>Has been asked about all these cases already. Choose another rater.</source>
         <translation>该评分者已受邀评这些案例：请另选他人。</translation>
     </message>
 </context>
@@ -1310,7 +1310,7 @@
         <translation>每个案例交给同类别中任务最少者</translation>
     </message>
     <message>
-        <source>Case labels tell neither name, group nor occasion. Recordings come in an order of their own for each rater, the real arm as you call.</source>
+        <source>Case labels reveal neither name, group nor occasion. Each rater gets recordings in a different order; real-arm cases follow your calls.</source>
         <translation>案例标签不透露姓名、组别或评分时点。每位评分者的录制顺序各不相同；实物手臂按您的呼叫进行。</translation>
     </message>
 </context>
@@ -1321,8 +1321,8 @@
         <translation>这是 %1 的初始密码的前半部分，请转交本人；后半部分由确认的管理员给出。仅此时显示。</translation>
     </message>
     <message>
-        <source>This is the second half of the start password of %1, after the first half and a hyphen. Give it to them; the first half comes from whoever asked. It is shown only now.</source>
-        <translation>这是 %1 的初始密码的后半部分，接在前半部分和一个连字符之后。请转交本人；前半部分由申请人给出。仅此时显示。</translation>
+        <source>This is the second half of the start password of %1, after the first half and a hyphen. Give it to them; the first half comes from the administrator who asked. It is shown only now.</source>
+        <translation>这是 %1 的初始密码的后半部分，接在前半部分和一个连字符之后。请转交本人；前半部分由提出申请的管理员给出。仅此时显示。</translation>
     </message>
     <message>
         <source>Give this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
@@ -1621,15 +1621,15 @@
         <translation>提交时间（UTC）</translation>
     </message>
     <message>
-        <source>Not every trainee was marked by the same raters at the end, so the answer is that of the linear mixed model, which allows for it; the analysis of covariance stands beside it.</source>
+        <source>Not every trainee was marked by the same raters at the end, so the answer is that of the linear mixed model, which allows for it; the analysis of covariance is shown beside it.</source>
         <translation>结束时并非每名学员都由相同的评分者评分，因此答案取自考虑了这一点的线性混合模型；协方差分析并列给出。</translation>
     </message>
     <message>
-        <source>Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which takes every mark that was given; the analysis of covariance stands beside it.</source>
+        <source>Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which uses every mark that was given; the analysis of covariance is shown beside it.</source>
         <translation>%2 个评分中缺失 %1 个，因此答案取自线性混合模型，它使用给出的每一个评分；协方差分析并列给出。</translation>
     </message>
     <message>
-        <source>Groups are compared by a linear mixed model, as %1: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The analysis of covariance stands beside it.</source>
+        <source>Groups are compared by a linear mixed model, as %1: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The analysis of covariance is shown beside it.</source>
         <translation>因%1，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性最大似然，自由度按 Satterthwaite 计算。协方差分析并列给出。</translation>
     </message>
     <message>
@@ -1661,7 +1661,7 @@
         <translation>每名学员在首末两个评分时点都有多数学员所有的评分。</translation>
     </message>
     <message>
-        <source>%1 %2, so the linear mixed model is the primary comparison here: it takes every mark at the end that was given. The analysis of covariance stands beside it, of the %3 {trainee|trainees} with a score at both occasions.</source>
+        <source>%1 %2, so the linear mixed model is the primary comparison here: it uses every mark given at the end. The analysis of covariance is shown beside it, for the %3 {trainee|trainees} with a score at both occasions.</source>
         <translation>%1%2，因此此处以线性混合模型为主要比较，它使用结束时给出的每一个评分。协方差分析并列给出，含两个评分时点都有得分的 %3 名学员。</translation>
     </message>
     <message>
@@ -1821,7 +1821,7 @@
         <translation>“%1”被选给了两个字段</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no likely age in years</source>
+        <source>&quot;%1&quot; is not a plausible age in years</source>
         <translation>“%1”不像是年龄（岁）</translation>
     </message>
     <message>
@@ -1849,8 +1849,8 @@
         <translation>%1 %2 不是 %3 至 %4 之间的整数</translation>
     </message>
     <message>
-        <source>%1 N upwards were sent without complaint; only the hand can tell whether they were felt</source>
-        <translation>已向上输出 %1 N，设备无异常报告；是否有感觉只有手能判断</translation>
+        <source>%1 N upwards were sent without an error; only the person holding the stylus knows whether they were felt</source>
+        <translation>已向上输出 %1 N，未出错；是否感觉到只有手持手写笔的人知道</translation>
     </message>
     <message>
         <source>%1 after %2 s</source>
@@ -1877,7 +1877,7 @@
         <translation>%1 不是数字</translation>
     </message>
     <message>
-        <source>%1 is stored already with other content; what is stored stays</source>
+        <source>%1 is already stored with different content; the stored version is kept</source>
         <translation>%1 已以不同内容存储；已存储的内容保持不变</translation>
     </message>
     <message>
@@ -1893,7 +1893,7 @@
         <translation>%1必须大于 0 s 且不超过 %2 s，实际为 %3</translation>
     </message>
     <message>
-        <source>%1 {person still waits|people still wait} for a group: the seed would tell them theirs</source>
+        <source>%1 {person is|people are} not allocated yet: opening the seed would reveal their group</source>
         <translation>还有 %1 人等待分组：公布种子会泄露其组别</translation>
     </message>
     <message>
@@ -2617,7 +2617,7 @@
         <translation>请填写 %1 与 %2 之间的数</translation>
     </message>
     <message>
-        <source>Give a reason; whoever has a group keeps it</source>
+        <source>Give a reason; people in a group stay in it</source>
         <translation>请说明理由；已分组者保持原组</translation>
     </message>
     <message>
@@ -2641,7 +2641,7 @@
         <translation>请使每个时间不早于前一个</translation>
     </message>
     <message>
-        <source>Give each column a name of its own</source>
+        <source>Give each column a different name</source>
         <translation>请为每列使用不同的名称</translation>
     </message>
     <message>
@@ -2729,11 +2729,11 @@
         <translation>请给出相距更远的两个端点</translation>
     </message>
     <message>
-        <source>Go on with the next case of the queue</source>
+        <source>Continue with the next case in the queue</source>
         <translation>请继续待评列表中的下一个案例</translation>
     </message>
     <message>
-        <source>Go on with the next model</source>
+        <source>Continue with the next model</source>
         <translation>请继续下一个模型</translation>
     </message>
     <message>
@@ -2929,7 +2929,7 @@
         <translation>M07 顶点 %1 不是有限的数</translation>
     </message>
     <message>
-        <source>M07 vertex %1 lies at %2, further than %3 from the origin</source>
+        <source>M07 vertex %1 is at %2, further than %3 from the origin</source>
         <translation>M07 顶点 %1 位于 %2，距原点超过 %3</translation>
     </message>
     <message>
@@ -2941,7 +2941,7 @@
         <translation>M08 面 %1 使用了顶点 %2，共有 %3 个</translation>
     </message>
     <message>
-        <source>M09 largest side %1 is no organ (%2 to %3)</source>
+        <source>M09 largest side %1 is not that of an organ (%2 to %3)</source>
         <translation>M09 最大边长 %1 不符合器官尺寸（%2 至 %3）</translation>
     </message>
     <message>
@@ -3061,11 +3061,11 @@
         <translation>不再录制任何内容</translation>
     </message>
     <message>
-        <source>Nothing is to be done</source>
+        <source>Nothing to do</source>
         <translation>无需处理</translation>
     </message>
     <message>
-        <source>Open a case of your own queue</source>
+        <source>Open a case from your own queue</source>
         <translation>请打开您自己待评列表中的案例</translation>
     </message>
     <message>
@@ -3693,7 +3693,7 @@
         <translation>PostgreSQL 数据库须用其自带工具备份和恢复</translation>
     </message>
     <message>
-        <source>a cap of the organ is no disc</source>
+        <source>a cap of the organ is not a disc</source>
         <translation>器官的一个端盖不是圆盘</translation>
     </message>
     <message>
@@ -3721,8 +3721,8 @@
         <translation>专家组至少有一名成员</translation>
     </message>
     <message>
-        <source>a part of a person cannot be taken away: records hang on it</source>
-        <translation>人员的这部分信息不能移除：有记录依赖于它</translation>
+        <source>a person&apos;s role cannot be removed while records depend on it</source>
+        <translation>有记录依赖于该角色时，不能将其移除</translation>
     </message>
     <message>
         <source>a part of the recording is missing</source>
@@ -3741,7 +3741,7 @@
         <translation>引号未闭合</translation>
     </message>
     <message>
-        <source>a quote stands inside the value %1</source>
+        <source>there is a quote inside the value %1</source>
         <translation>值 %1 中含有引号</translation>
     </message>
     <message>
@@ -3841,7 +3841,7 @@
         <translation>有一个锚点没有文字</translation>
     </message>
     <message>
-        <source>an anchor lies outside the scale</source>
+        <source>an anchor is outside the scale</source>
         <translation>有一个锚点超出量表范围</translation>
     </message>
     <message>
@@ -3921,7 +3921,7 @@
         <translation>碰撞网格</translation>
     </message>
     <message>
-        <source>comes later than any arm trains</source>
+        <source>is later than the training time of every study arm</source>
         <translation>晚于任何组别的训练时间</translation>
     </message>
     <message>
@@ -4133,7 +4133,7 @@
         <translation>已退出研究</translation>
     </message>
     <message>
-        <source>holds no Torsio record</source>
+        <source>contains no Torsio record</source>
         <translation>不含 Torsio 记录</translation>
     </message>
     <message>
@@ -4181,7 +4181,7 @@
         <translation>既非练习也非计分</translation>
     </message>
     <message>
-        <source>is no JSON: %1</source>
+        <source>is not JSON: %1</source>
         <translation>不是 JSON：%1</translation>
     </message>
     <message>
@@ -4213,7 +4213,7 @@
         <translation>不清楚显示了哪份文本</translation>
     </message>
     <message>
-        <source>it is not said which text was shown</source>
+        <source>the version of the text shown is missing</source>
         <translation>未说明显示了哪份文本</translation>
     </message>
     <message>
@@ -4437,7 +4437,7 @@
         <translation>尚未登录</translation>
     </message>
     <message>
-        <source>nobody of the demonstration has this role</source>
+        <source>the demonstration has nobody with this role</source>
         <translation>演示中没有人担任此角色</translation>
     </message>
     <message>
@@ -4445,8 +4445,8 @@
         <translation>类别 %1 有权重，但没有人评分</translation>
     </message>
     <message>
-        <source>nobody swaps with themselves</source>
-        <translation>不能与自己交换</translation>
+        <source>choose two different trainees</source>
+        <translation>请选择两名不同的学员</translation>
     </message>
     <message>
         <source>nobody waits for a group</source>
@@ -4537,7 +4537,7 @@
         <translation>练习量必须为有限的非负数</translation>
     </message>
     <message>
-        <source>practises &quot;%1&quot;, which is no module of this curriculum</source>
+        <source>practises &quot;%1&quot;, which is not a module of this curriculum</source>
         <translation>练习“%1”，但该课程没有此模块</translation>
     </message>
     <message>
@@ -4581,7 +4581,7 @@
         <translation>引用了不存在的记录，或仍在使用</translation>
     </message>
     <message>
-        <source>requires &quot;%1&quot;, which is no module of this curriculum</source>
+        <source>requires &quot;%1&quot;, which is not a module of this curriculum</source>
         <translation>要求先修“%1”，但该课程没有此模块</translation>
     </message>
     <message>
@@ -4625,11 +4625,11 @@
         <translation>结构步骤 %1 与已应用的不同</translation>
     </message>
     <message>
-        <source>mark of %1 steps lies outside %2 .. %3</source>
+        <source>mark of %1 steps is outside %2 .. %3</source>
         <translation>评分 %1 级超出 %2 .. %3</translation>
     </message>
     <message>
-        <source>mark of %1 steps lies outside its scale</source>
+        <source>mark of %1 steps is outside its scale</source>
         <translation>评分 %1 级超出其量表范围</translation>
     </message>
     <message>
@@ -4673,11 +4673,11 @@
         <translation>其他人刚刚保存了此草稿</translation>
     </message>
     <message>
-        <source>somebody of the list is no active rater</source>
+        <source>the list contains a person who is not an active rater</source>
         <translation>列表中有人不是在册评分者</translation>
     </message>
     <message>
-        <source>somebody of the list is not enrolled here</source>
+        <source>the list contains a person who is not enrolled here</source>
         <translation>列表中有人未在此登记</translation>
     </message>
     <message>
@@ -4689,7 +4689,7 @@
         <translation>源与目标是同一数据库</translation>
     </message>
     <message>
-        <source>stands twice</source>
+        <source>is listed twice</source>
         <translation>出现两次</translation>
     </message>
     <message>
@@ -4905,7 +4905,7 @@
         <translation>器官的端盖相接触</translation>
     </message>
     <message>
-        <source>the end planes of the axis lie outside the organ or coincide</source>
+        <source>the end planes of the axis are outside the organ or coincide</source>
         <translation>轴线端面在器官之外或重合</translation>
     </message>
     <message>
@@ -5033,7 +5033,7 @@
         <translation>方法“%1”无法识别</translation>
     </message>
     <message>
-        <source>the moment lies outside the recording</source>
+        <source>the moment is outside the recording</source>
         <translation>该时刻超出录制范围</translation>
     </message>
     <message>
@@ -5049,7 +5049,7 @@
         <translation>新密码与旧密码相同</translation>
     </message>
     <message>
-        <source>the number %1 stands on line %2 already</source>
+        <source>the number %1 is already on line %2</source>
         <translation>编号 %1 已在第 %2 行出现</translation>
     </message>
     <message>
@@ -5077,7 +5077,7 @@
         <translation>无法为文件包命名：%1</translation>
     </message>
     <message>
-        <source>the panel&apos;s mark lies outside the scale of the rubric</source>
+        <source>the panel&apos;s mark is outside the scale of the rubric</source>
         <translation>专家组的评分超出评分标准的范围</translation>
     </message>
     <message>
@@ -5185,7 +5185,7 @@
         <translation>评分标准没有评分项</translation>
     </message>
     <message>
-        <source>the mark lies outside the scale</source>
+        <source>the mark is outside the scale</source>
         <translation>评分超出量表范围</translation>
     </message>
     <message>
@@ -5521,11 +5521,11 @@
         <translation>该文件夹已存在</translation>
     </message>
     <message>
-        <source>this is no active rater</source>
+        <source>not an active rater</source>
         <translation>不是在册评分者</translation>
     </message>
     <message>
-        <source>this is no active trainee</source>
+        <source>not an active trainee</source>
         <translation>不是在册学员</translation>
     </message>
     <message>
@@ -5589,7 +5589,7 @@
         <translation>该记录已封存，不能更改</translation>
     </message>
     <message>
-        <source>this record lies on a database server, which restores its own backups</source>
+        <source>this record is on a database server, which restores its own backups</source>
         <translation>该记录位于数据库服务器上，须由服务器恢复其备份</translation>
     </message>
     <message>
@@ -5637,7 +5637,7 @@
         <translation>三角形 %1</translation>
     </message>
     <message>
-        <source>two anchors stand at the same mark</source>
+        <source>two anchors are at the same mark</source>
         <translation>同一评分有两个锚点</translation>
     </message>
     <message>
@@ -5689,8 +5689,8 @@
         <translation>虚拟 20–40 分钟</translation>
     </message>
     <message>
-        <source>wait for each other: nobody could ever begin them</source>
-        <translation>互相等待：任何人都无法开始</translation>
+        <source>require each other, so nobody could ever begin them</source>
+        <translation>互为先修：任何人都无法开始</translation>
     </message>
     <message>
         <source>warm; the force is folded back</source>
@@ -5709,7 +5709,7 @@
         <translation>已退出</translation>
     </message>
     <message>
-        <source>you are not asked in this evaluation</source>
+        <source>you are not a rater of this evaluation</source>
         <translation>您未受邀参加此评价</translation>
     </message>
     <message>
@@ -5869,7 +5869,7 @@
         <translation>%1，由 %2 冻结</translation>
     </message>
     <message>
-        <source>%1 is in a group that no record tells of</source>
+        <source>%1 is in a group that no allocation record explains</source>
         <translation>%1 所在的组没有任何分组记录</translation>
     </message>
     <message>
@@ -5909,7 +5909,7 @@
         <translation>1 表示完全一致；0 表示与随机评分无异。</translation>
     </message>
     <message>
-        <source>A row that is lighter or darker all along is a rater who is stricter or more lenient. An empty cell is a mark that was not given.</source>
+        <source>A row that is uniformly lighter or darker shows a stricter or more lenient rater. An empty cell is a missing mark.</source>
         <translation>整行偏浅或偏深，说明该评分者较严或较宽。空格表示未给出评分。</translation>
     </message>
     <message>
@@ -6545,7 +6545,7 @@
         <translation>评分者</translation>
     </message>
     <message>
-        <source>Raters are shown by code, for the organisers of the study; this is no ranking.</source>
+        <source>Raters are shown by code, for the organisers of the study; this is not a ranking.</source>
         <translation>评分者以代码显示，供研究组织者参考；并非排名。</translation>
     </message>
     <message>
@@ -6673,7 +6673,7 @@
         <translation>模型评价未列出：有一类评分者少于 %1 人。</translation>
     </message>
     <message>
-        <source>The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV).</source>
+        <source>The first 16 digits of each content hash; the whole hashes are in the table of numbers (CSV).</source>
         <translation>各内容哈希的前 16 位；完整哈希见数据表 (CSV)。</translation>
     </message>
     <message>
@@ -6701,7 +6701,7 @@
         <translation>论文未定义训练评价的方差。图中为学员得分的方差，除数为 n；表中列出其他算法。</translation>
     </message>
     <message>
-        <source>This report is aggregated: it holds no line about a single person and no count of fewer than %1 people beside others.</source>
+        <source>This report is aggregated: it contains no line about a single person and no count of fewer than %1 people beside others.</source>
         <translation>本报告为汇总报告：不含任何个人的数据行，也不单列少于 %1 人的计数。</translation>
     </message>
     <message>
@@ -6929,7 +6929,7 @@
         <translation>训练前</translation>
     </message>
     <message>
-        <source>block size %1 is no multiple of the number of arms</source>
+        <source>block size %1 is not a multiple of the number of arms</source>
         <translation>区组大小 %1 不是组数的整数倍</translation>
     </message>
     <message>
@@ -7017,7 +7017,7 @@
         <translation>因素“%1”没有水平</translation>
     </message>
     <message>
-        <source>fewer than eight attempts cannot tell three parameters apart</source>
+        <source>fewer than eight attempts cannot separate three parameters</source>
         <translation>不足八次无法区分三个参数</translation>
     </message>
     <message>
@@ -7357,11 +7357,11 @@
         <translation>清单与其哈希不符：数据库曾被篡改</translation>
     </message>
     <message>
-        <source>the number of participants is no multiple of the number of arms</source>
+        <source>the number of participants is not a multiple of the number of arms</source>
         <translation>参与者人数不是组数的整数倍</translation>
     </message>
     <message>
-        <source>the parameters cannot be told apart</source>
+        <source>the parameters cannot be separated</source>
         <translation>参数无法区分</translation>
     </message>
     <message>
@@ -7385,7 +7385,7 @@
         <translation>训练前得分在组内没有变异</translation>
     </message>
     <message>
-        <source>the start lies outside the domain of the curve</source>
+        <source>the start is outside the domain of the curve</source>
         <translation>起点在曲线的定义域之外</translation>
     </message>
     <message>
@@ -8025,7 +8025,7 @@
         <translation>感觉不到力反馈</translation>
     </message>
     <message>
-        <source>this recording is no reference run, or was withdrawn already</source>
+        <source>this recording is not a reference run, or was already withdrawn</source>
         <translation>此录制不是参考操作，或已被撤回</translation>
     </message>
     <message>
@@ -8129,8 +8129,8 @@
         <translation>左或右</translation>
     </message>
     <message>
-        <source>seed and design do not give the published commitment</source>
-        <translation>由种子和设计得不到已公布的承诺值</translation>
+        <source>seed and design do not match the published commitment</source>
+        <translation>种子和设计与已公布的承诺值不符</translation>
     </message>
     <message>
         <source>must be true or false</source>
@@ -8325,7 +8325,7 @@
         <translation>顶点需要三个数字</translation>
     </message>
     <message>
-        <source>a property stands before any element</source>
+        <source>a property comes before any element</source>
         <translation>属性出现在所有元素之前</translation>
     </message>
     <message>
@@ -8361,7 +8361,7 @@
         <translation>缺少数值</translation>
     </message>
     <message>
-        <source>the length of a list is no count</source>
+        <source>the length of a list is not a count</source>
         <translation>列表长度不是有效数量</translation>
     </message>
     <message>
@@ -8697,7 +8697,7 @@
         <translation>“%1”不是有限的数</translation>
     </message>
     <message>
-        <source>The file is no marker file of type 4 (X/Y/Z)</source>
+        <source>The file is not a marker file of type 4 (X/Y/Z)</source>
         <translation>该文件不是第 4 类（X/Y/Z）标记点文件</translation>
     </message>
     <message>
@@ -8725,7 +8725,7 @@
         <translation>请给出每秒帧数，例如 100</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no unit of length here</source>
+        <source>&apos;%1&apos; is not a unit of length here</source>
         <translation>“%1”不是可用的长度单位</translation>
     </message>
     <message>
@@ -8745,7 +8745,7 @@
         <translation>请用编号或名称称呼该标记点，或导出时不包含它</translation>
     </message>
     <message>
-        <source>Marker %1 stands twice</source>
+        <source>Marker %1 is listed twice</source>
         <translation>标记点 %1 出现了两次</translation>
     </message>
     <message>
@@ -8773,7 +8773,7 @@
         <translation>有限元与弹簧具有质量，对扭矩的跟随有滞后；其余模型立即达到平衡。实测曲线以受测者的名称标示。</translation>
     </message>
     <message>
-        <source>They stand in %1.</source>
+        <source>They are in %1.</source>
         <translation>数值见 %1。</translation>
     </message>
     <message>
@@ -8861,7 +8861,7 @@
         <translation>请给出其静止位置和至少一个之后的位置</translation>
     </message>
     <message>
-        <source>The file holds no measurements</source>
+        <source>The file contains no measurements</source>
         <translation>文件中没有测量数据</translation>
     </message>
     <message>
@@ -8897,7 +8897,7 @@
         <translation>请给出其中一个的编号</translation>
     </message>
     <message>
-        <source>A face alone is no point</source>
+        <source>A face alone does not define a point</source>
         <translation>仅有面片不能确定一点</translation>
     </message>
     <message>
@@ -8905,7 +8905,7 @@
         <translation>请给出和为 1 的三个数</translation>
     </message>
     <message>
-        <source>The coordinates lie outside the face</source>
+        <source>The coordinates are outside the face</source>
         <translation>坐标位于面片之外</translation>
     </message>
     <message>
@@ -9341,11 +9341,11 @@
         <translation>本工作站的记录已不存在</translation>
     </message>
     <message>
-        <source>Connect the disk that it lies on, or restore the latest backup</source>
+        <source>Connect the disk that it is on, or restore the latest backup</source>
         <translation>请连接存放它的磁盘，或恢复最近的备份</translation>
     </message>
     <message>
-        <source>the record of this station holds no centre any more</source>
+        <source>the record of this station no longer contains a centre</source>
         <translation>本工作站的记录中已没有任何中心</translation>
     </message>
     <message>
@@ -9357,7 +9357,7 @@
         <translation>可能是含有真实人员的记录：%1</translation>
     </message>
     <message>
-        <source>Give the demonstration a folder of its own; this file was not touched</source>
+        <source>Choose a separate folder for the demonstration; this file was not changed</source>
         <translation>请为演示另指定一个文件夹；此文件未被改动</translation>
     </message>
     <message>
@@ -9385,7 +9385,7 @@
         <translation>超过 %1 个字符</translation>
     </message>
     <message>
-        <source>holds the character U+%1, which nobody can see</source>
+        <source>contains the invisible character U+%1</source>
         <translation>含有不可见字符 U+%1</translation>
     </message>
     <message>
@@ -9417,7 +9417,7 @@
         <translation>请写成与记录中一致，或更改其中一个</translation>
     </message>
     <message>
-        <source>is no file, so it is no database</source>
+        <source>is not a file, so it cannot be a database</source>
         <translation>不是文件，因此也不是数据库</translation>
     </message>
     <message>
@@ -9429,11 +9429,11 @@
         <translation>是空文件，而记录绝不会为空：内容已被清除</translation>
     </message>
     <message>
-        <source>Restore the latest backup; if there never was a record here, remove the file</source>
+        <source>Restore the latest backup, or delete the file if there never was a record here</source>
         <translation>请恢复最近的备份；如果此处从未有过记录，请删除该文件</translation>
     </message>
     <message>
-        <source>is no backup, so it is never replaced by one</source>
+        <source>is not a backup, so no backup replaces it</source>
         <translation>不是备份，因此绝不会被备份替换</translation>
     </message>
     <message>
@@ -9461,7 +9461,7 @@
         <translation>是数据库，绝不会被覆盖</translation>
     </message>
     <message>
-        <source>is no key of Torsio</source>
+        <source>is not a key of Torsio</source>
         <translation>不是 Torsio 的密钥</translation>
     </message>
     <message>
@@ -9477,7 +9477,7 @@
         <translation>请生成新密钥，此密钥仅保留用于核对较早的链头</translation>
     </message>
     <message>
-        <source>is no head of an audit trail</source>
+        <source>is not the head of an audit trail</source>
         <translation>不是审计记录的链头</translation>
     </message>
     <message>
@@ -9489,7 +9489,7 @@
         <translation>请指定新文件：核对较早的链头需要旧密钥</translation>
     </message>
     <message>
-        <source>holds no head of an audit trail</source>
+        <source>contains no head of an audit trail</source>
         <translation>不含审计记录的链头</translation>
     </message>
     <message>
@@ -9549,7 +9549,7 @@
         <translation>请给出最小区组的整数倍。</translation>
     </message>
     <message>
-        <source>the record in this database holds no centre</source>
+        <source>the record in this database contains no centre</source>
         <translation>该数据库中的记录不含任何中心</translation>
     </message>
     <message>
@@ -9653,8 +9653,8 @@
         <translation>请给出空腔器官的壁，或实心索的刚度。</translation>
     </message>
     <message>
-        <source>belongs to the goal &apos;detorse&apos;, and that goal needs it</source>
-        <translation>属于目标 &apos;detorse&apos;，且该目标需要它</translation>
+        <source>is required for, and only allowed with, the goal &apos;detorse&apos;</source>
+        <translation>目标 &apos;detorse&apos; 必须有此项，其他目标不得有此项</translation>
     </message>
     <message>
         <source>Give both, or leave out both.</source>
@@ -9673,7 +9673,7 @@
         <translation>请夹持在各段活动端之间。</translation>
     </message>
     <message>
-        <source>the pattern &apos;%1&apos; is undone, which only the twist model with a wall knows</source>
+        <source>the pattern &apos;%1&apos; starts twisted, which only the twist model with a wall supports</source>
         <translation>扭转类型“%1”须复位，只有带壁的扭转模型支持</translation>
     </message>
     <message>
@@ -9681,8 +9681,8 @@
         <translation>请选择另一扭转类型，或去掉另一模型。</translation>
     </message>
     <message>
-        <source>does not belong to an organ that is undone</source>
-        <translation>不适用于须复位的器官</translation>
+        <source>is not allowed for an organ that comes twisted</source>
+        <translation>初始即扭转的器官不允许此项</translation>
     </message>
     <message>
         <source>Leave out &apos;task&apos; and give &apos;angle_deg&apos; 0.</source>
@@ -9845,7 +9845,7 @@
         <translation>请关闭其他程序</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no device that is plugged in</source>
+        <source>&quot;%1&quot; is not a device that can be connected</source>
         <translation>“%1”不是可插接的设备</translation>
     </message>
     <message>
@@ -10065,7 +10065,7 @@
         <translation>将起初扭转的器官复位；没有目标角，也没有角度误差。时间为手的时间；血流未恢复者为删失，不计入中位数。缺血剂量达到 1 时器官即丧失。</translation>
     </message>
     <message>
-        <source>Tissue was hurt where jaw or pull went beyond what it then bore.</source>
+        <source>Tissue was injured because the jaw or the pull exceeded what it could bear at that moment.</source>
         <translation>钳夹或牵拉超过组织当时的承受力时即为组织损伤。</translation>
     </message>
     <message>
@@ -10225,7 +10225,7 @@
         <translation>请说明理由后调整评分；该调整将标记为在评分组评分公开之后作出</translation>
     </message>
     <message>
-        <source>the answer of the tissue is not known throughout</source>
+        <source>the tissue&apos;s response is not known throughout</source>
         <translation>组织的反应并非全程已知</translation>
     </message>
     <message>
@@ -10417,12 +10417,12 @@
         <translation>自第 %1 次尝试起胜任</translation>
     </message>
     <message>
-        <source>competent since attempt %1; the last attempts raise a doubt</source>
+        <source>competent since attempt %1; the latest attempts raise doubts</source>
         <translation>自第 %1 次尝试起胜任；最近几次尝试令人存疑</translation>
     </message>
     <message>
-        <source>competent at attempt %1, no longer so</source>
-        <translation>在第 %1 次尝试时胜任，现在不再是</translation>
+        <source>competent at attempt %1, but not now</source>
+        <translation>第 %1 次尝试时曾胜任，现已不再</translation>
     </message>
     <message>
         <source>must lie above 0 and below 1</source>
@@ -10649,7 +10649,7 @@
         <translation>最严格者在前。得分未按严格程度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
     </message>
     <message>
-        <source>The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that is not significant is no evidence of equality.</source>
+        <source>The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that is not significant is not evidence of equality.</source>
         <translation>各组人数为 %1。两个各 %2 人的组在 5 % 水平的双侧 t 检验中，对 0.8 个标准差的差异的检验效能为 %3；以 0.80 的效能可检出 %4 个标准差的差异。差异不显著并不证明相等。</translation>
     </message>
     <message>
@@ -10801,7 +10801,7 @@
         <translation>既无量表内的分数，也无理由：%1</translation>
     </message>
     <message>
-        <source>Type what stands on the paper; where it says nothing, say that as the reason</source>
+        <source>Type what is on the paper; if it says nothing, give that as the reason</source>
         <translation>请录入纸上的内容；若纸上空白，请将此作为理由</translation>
     </message>
     <message>
@@ -10829,7 +10829,7 @@
         <translation>答案：无。只有一个组。</translation>
     </message>
     <message>
-        <source>Every interval holds zero.</source>
+        <source>Every interval includes zero.</source>
         <translation>所有区间都包含零。</translation>
     </message>
     <message>
@@ -10905,7 +10905,7 @@
         <translation>Shrout-Fleiss 组内相关系数 ICC(2,1)、ICC(2,k)，逐组计算</translation>
     </message>
     <message>
-        <source>Differences between the groups make raters agree in the table above. What counts for comparing trainees of one group stands here.</source>
+        <source>Differences between the groups make raters agree in the table above. This table shows what counts for comparing trainees of one group.</source>
         <translation>上表的一致性部分来自组间差异。比较同组学员时应看本表。</translation>
     </message>
     <message>
@@ -10965,7 +10965,7 @@
         <translation>标准差</translation>
     </message>
     <message>
-        <source>Every trainee with a score at the occasion. Intervals of single means that overlap do not say that the means agree: look at the differences.</source>
+        <source>Every trainee with a score at the occasion. Overlapping intervals of single means do not show that the means agree: look at the differences.</source>
         <translation>包括该评分时点有得分的全部学员。单个均值的区间重叠并不说明均值相同，请看差异。</translation>
     </message>
     <message>
@@ -11053,15 +11053,15 @@
         <translation>正态分位数乘标准差（分）</translation>
     </message>
     <message>
-        <source>A fan or a bow says that spread or slope are not as the model takes them.</source>
-        <translation>若呈扇形或弓形，说明离散度或斜率与模型假设不符。</translation>
+        <source>A fan or bow shape indicates that the spread or the slope violates the model&apos;s assumptions.</source>
+        <translation>呈扇形或弓形，说明离散程度或斜率不符合模型的假设。</translation>
     </message>
     <message>
         <source>Left out of both, without any mark at one of the two: %1.</source>
         <translation>两种分析均未纳入（其中一个评分时点没有任何评分）：%1。</translation>
     </message>
     <message>
-        <source>Both take it that whether a mark is missing does not depend on what it would have been, once group and score before are known. The table of bounds says what the missing marks could do at worst.</source>
+        <source>Both assume that whether a mark is missing does not depend on its value, given the group and the score before. The table of bounds shows the worst that the missing marks could do.</source>
         <translation>两种分析都假定：在已知组别和训练前得分时，评分是否缺失与其本来的数值无关。界限表说明缺失评分在最坏情况下的影响。</translation>
     </message>
     <message>
@@ -11129,7 +11129,7 @@
         <translation>未定</translation>
     </message>
     <message>
-        <source>Every missing mark at the end is taken as the lowest of the scale in one group and as the highest in the other. Who has no score before is given the mean of the others.</source>
+        <source>Every missing mark at the end is taken as the lowest of the scale in one group and as the highest in the other. Trainees without a score before get the mean of the others.</source>
         <translation>结束时的每个缺失评分在一组取量表最低分、在另一组取最高分。没有训练前得分者取其他人的均值。</translation>
     </message>
     <message>
@@ -11153,7 +11153,7 @@
         <translation>没有评分缺失</translation>
     </message>
     <message>
-        <source>there are too few marks to tell trainees, raters and error apart</source>
+        <source>there are too few marks to separate trainees, raters and error</source>
         <translation>评分太少，无法区分学员、评分者与误差</translation>
     </message>
     <message>
@@ -11165,7 +11165,7 @@
         <translation>评分没有残差，或拟合不收敛</translation>
     </message>
     <message>
-        <source>the marks do not tell the variances apart</source>
+        <source>the marks do not separate the variances</source>
         <translation>评分无法区分各方差</translation>
     </message>
     <message>
@@ -11241,7 +11241,7 @@
         <translation>运行 torsio audit verify：可能是触发器所为</translation>
     </message>
     <message>
-        <source>seals a change of which the trail does not tell</source>
+        <source>seals a change that the trail does not contain</source>
         <translation>封存了审计记录中没有的更改</translation>
     </message>
     <message>
@@ -11261,15 +11261,15 @@
         <translation>其封存不属于任何条目</translation>
     </message>
     <message>
-        <source>tells of an erase that did not take place</source>
+        <source>records an erasure that did not take place</source>
         <translation>记述了并未发生的删除</translation>
     </message>
     <message>
-        <source>tells of a removal that did not take place</source>
+        <source>records a removal that did not take place</source>
         <translation>记述了并未发生的移除</translation>
     </message>
     <message>
-        <source>is there, but was never recorded</source>
+        <source>is present, but was never recorded</source>
         <translation>存在，但从未被记录</translation>
     </message>
     <message>
@@ -11277,11 +11277,11 @@
         <translation>与所记录的不同</translation>
     </message>
     <message>
-        <source>is gone, but what belongs to it is there</source>
+        <source>is missing, but its dependent rows exist</source>
         <translation>已不存在，但属于它的内容仍在</translation>
     </message>
     <message>
-        <source>was recorded, but is gone</source>
+        <source>was recorded, but is missing</source>
         <translation>曾被记录，但已不存在</translation>
     </message>
     <message>
@@ -11325,7 +11325,7 @@
         <translation>这是您自己提出的申请</translation>
     </message>
     <message>
-        <source>whoever asked for this may not sign in any more</source>
+        <source>the person who asked for this may no longer sign in</source>
         <translation>提出申请的人已不能登录</translation>
     </message>
     <message>
@@ -11357,7 +11357,7 @@
         <translation>申请需要说明理由</translation>
     </message>
     <message>
-        <source>Say why, for whoever confirms it and for the audit trail</source>
+        <source>Say why, for the person who confirms it and for the audit trail</source>
         <translation>请说明理由，供确认人参考并记入审计记录</translation>
     </message>
     <message>
@@ -11517,7 +11517,7 @@
         <translation>未知的连接参数 %1</translation>
     </message>
     <message>
-        <source>Known are schema, %1</source>
+        <source>Allowed are schema, %1</source>
         <translation>已知参数有 schema、%1</translation>
     </message>
     <message>
@@ -11941,7 +11941,7 @@
         <translation>同一用途出现了两次</translation>
     </message>
     <message>
-        <source>a language has no name, or comes twice</source>
+        <source>a language has no name or is listed twice</source>
         <translation>有一种语言没有名称，或出现了两次</translation>
     </message>
     <message>
@@ -11961,7 +11961,7 @@
         <translation>知情同意文本没有任何语言</translation>
     </message>
     <message>
-        <source>it is not said what changed</source>
+        <source>no note says what changed</source>
         <translation>没有说明改动了什么</translation>
     </message>
     <message>
@@ -11981,7 +11981,7 @@
         <translation>签名日期尚未到来</translation>
     </message>
     <message>
-        <source>Enter the day that stands on the paper</source>
+        <source>Enter the date on the paper</source>
         <translation>请输入纸上所写的日期</translation>
     </message>
     <message>
@@ -12011,7 +12011,7 @@ audit trail %3</source>
         <translation>请关闭进行中的批次、归档已关闭的批次，或重新开放</translation>
     </message>
     <message>
-        <source>somebody of this cohort is training</source>
+        <source>a trainee of this cohort is training now</source>
         <translation>该批次有人正在训练</translation>
     </message>
     <message>
@@ -12143,8 +12143,8 @@ audit trail %3</source>
         <translation>%1：成功指%2；失败率 %3 对 %4 的 LC‑CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
     </message>
     <message>
-        <source>not shown yet, %1 {attempt|attempts} missing</source>
-        <translation>尚未显示，还差 %1 次尝试</translation>
+        <source>not shown yet; %1 more {attempt|attempts} needed</source>
+        <translation>尚未显示；还需 %1 次尝试</translation>
     </message>
     <message>
         <source>no run has this id</source>
@@ -12491,7 +12491,7 @@ audit trail %3</source>
         <translation>请填写无关紧要的最大差异，或不填</translation>
     </message>
     <message>
-        <source>%1 &quot;%2&quot; stands a second time, first in %3</source>
+        <source>%1 &quot;%2&quot; is listed twice, first in %3</source>
         <translation>%1“%2”第二次出现，首次见于 %3</translation>
     </message>
     <message>
@@ -12515,7 +12515,7 @@ audit trail %3</source>
         <translation>每位评判者都要评判每个项目</translation>
     </message>
     <message>
-        <source>the percentage %1 lies outside 0 to 100</source>
+        <source>the percentage %1 is outside 0 to 100</source>
         <translation>百分比 %1 不在 0 到 100 之间</translation>
     </message>
     <message>
@@ -12523,7 +12523,7 @@ audit trail %3</source>
         <translation>请以百分比给出处于及格边缘的学员成功的可能性</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no group of this method</source>
+        <source>&quot;%1&quot; is not a group of this method</source>
         <translation>“%1”不是该方法的组别</translation>
     </message>
     <message>
@@ -12531,7 +12531,7 @@ audit trail %3</source>
         <translation>请写 novice（新手）或 master（熟练者）</translation>
     </message>
     <message>
-        <source>The intervals take scores for normal. Of strongly skewed scores they hold the true coefficient in about four of five cases, not in 95 %.</source>
+        <source>The intervals assume normal scores. With strongly skewed scores they include the true coefficient in about four of five cases, not in 95 %.</source>
         <translation>这些区间以得分呈正态分布为前提。得分明显偏态时，区间包含真实系数的情况约为五分之四，而不是 95 %。</translation>
     </message>
     <message>
@@ -12603,8 +12603,8 @@ audit trail %3</source>
         <translation>%1（%2 至 %3）</translation>
     </message>
     <message>
-        <source>Kappa is agreement beyond what the raters&apos; own habits would give; a distance counts by its square. One pair far below the others names raters who should talk: see their severity.</source>
-        <translation>κ 表示超出评分者各自习惯所能给出的一致性；差距按平方计。某一对远低于其他对时，这两位评分者应当沟通：参见其严格度。</translation>
+        <source>Kappa is agreement beyond chance; distances count by their square. If one pair is far below the others, these raters should compare how they mark: see their severity.</source>
+        <translation>Kappa 是超出偶然的一致程度；差距按平方计。若某一对远低于其他各对，这两名评分者应对照各自的评分方式：参见其严厉程度。</translation>
     </message>
     <message>
         <source>trajectories cannot be written at this rate</source>
@@ -12679,7 +12679,7 @@ audit trail %3</source>
         <translation>请填写标题</translation>
     </message>
     <message>
-        <source>the licence is missing or is no SPDX identifier</source>
+        <source>the licence is missing or is not an SPDX identifier</source>
         <translation>未填写许可协议，或不是 SPDX 标识</translation>
     </message>
     <message>
@@ -12755,15 +12755,15 @@ audit trail %3</source>
         <translation>组织作用力 z</translation>
     </message>
     <message>
-        <source>force that the device was told to give, x</source>
+        <source>force commanded to the device, x</source>
         <translation>发送给设备的力 x</translation>
     </message>
     <message>
-        <source>force that the device was told to give, y</source>
+        <source>force commanded to the device, y</source>
         <translation>发送给设备的力 y</translation>
     </message>
     <message>
-        <source>force that the device was told to give, z</source>
+        <source>force commanded to the device, z</source>
         <translation>发送给设备的力 z</translation>
     </message>
     <message>
@@ -12787,7 +12787,7 @@ audit trail %3</source>
         <translation>已松开</translation>
     </message>
     <message>
-        <source>what touches, sum of: 1 jaw, 2 shaft, 4 tissue is held</source>
+        <source>contacts, sum of: 1 jaw, 2 shaft, 4 tissue is held</source>
         <translation>接触部位，以下各项之和：1 钳口，2 器械杆，4 已夹持组织</translation>
     </message>
     <message>
@@ -12955,8 +12955,8 @@ audit trail %3</source>
         <translation>撤销代码必须说明理由</translation>
     </message>
     <message>
-        <source>you are nobody of the record</source>
-        <translation>您不在记录的人员之中</translation>
+        <source>your account does not belong to a person of this record</source>
+        <translation>您的账户不对应此记录中的任何人员</translation>
     </message>
     <message>
         <source>Sign in as a trainee</source>
@@ -12967,11 +12967,11 @@ audit trail %3</source>
         <translation>您已经提出过这项申请</translation>
     </message>
     <message>
-        <source>Wait for the answer, or take it back</source>
+        <source>Wait for the answer, or withdraw your request</source>
         <translation>请等待答复，或收回申请</translation>
     </message>
     <message>
-        <source>this is no request of yours</source>
+        <source>this is not your request</source>
         <translation>这不是您的申请</translation>
     </message>
     <message>
@@ -13055,7 +13055,7 @@ audit trail %3</source>
         <translation>请至少写出一个工作站或房间</translation>
     </message>
     <message>
-        <source>a place comes twice</source>
+        <source>a place is listed twice</source>
         <translation>同一地点出现两次</translation>
     </message>
     <message>
@@ -13063,8 +13063,8 @@ audit trail %3</source>
         <translation>每个工作站或房间只写一次</translation>
     </message>
     <message>
-        <source>a slot takes no time</source>
-        <translation>时段没有时长</translation>
+        <source>the duration of a slot must be above zero</source>
+        <translation>时段的时长必须大于零</translation>
     </message>
     <message>
         <source>Give minutes above zero</source>
@@ -13091,7 +13091,7 @@ audit trail %3</source>
         <translation>该学员不参加此批次</translation>
     </message>
     <message>
-        <source>this slot is in the plan no more</source>
+        <source>this slot is no longer in the plan</source>
         <translation>该时段已不在计划中</translation>
     </message>
     <message>
@@ -13195,7 +13195,7 @@ audit trail %3</source>
         <translation>评分者的均值</translation>
     </message>
     <message>
-        <source>What each rater gave for each criterion stands in the table of numbers (CSV), section &quot;criterion&quot;.</source>
+        <source>What each rater gave for each criterion is in the table of numbers (CSV), section &quot;criterion&quot;.</source>
         <translation>每位评分者对每个评分项的评分见数值表 (CSV) 的 “criterion” 部分。</translation>
     </message>
     <message>
@@ -13355,7 +13355,7 @@ audit trail %3</source>
         <translation>书签与评语</translation>
     </message>
     <message>
-        <source>Bookmarks are yours; remarks reach the trainee when the marks are released.</source>
+        <source>Only you see bookmarks; remarks reach the trainee when the marks are released.</source>
         <translation>书签仅供您自己使用；评语在评分公布后送达学员。</translation>
     </message>
     <message>
@@ -13439,7 +13439,7 @@ audit trail %3</source>
         <translation>修改</translation>
     </message>
     <message>
-        <source>Edit the nearest remark of yours</source>
+        <source>Edit your nearest remark</source>
         <translation>修改您最近位置的评语</translation>
     </message>
     <message>
@@ -13491,8 +13491,8 @@ audit trail %3</source>
         <translation>保持 %1 s</translation>
     </message>
     <message>
-        <source>It was open in another window or at the desk, and something newer is stored there. Which one shall stand?</source>
-        <translation>该评分表曾在另一窗口或工作站上打开，并已存有更新的内容。以哪一份为准？</translation>
+        <source>It was changed in another window or at the desk, and that version is newer. Which one do you want to keep?</source>
+        <translation>该评分表在另一窗口或工作站上已被修改，且那一版本更新。您要保留哪一份？</translation>
     </message>
     <message>
         <source>It was played at a speed that is not allowed.</source>
@@ -13783,7 +13783,7 @@ audit trail %3</source>
         <translation>本机没有此录制的器官模型；曲线是完整的。</translation>
     </message>
     <message>
-        <source>The overall mark lies outside the rows. Is that intended?</source>
+        <source>The overall mark is outside the rows&apos; range. Is that intended?</source>
         <translation>总分超出各项评分范围，是否有意如此？</translation>
     </message>
     <message>
@@ -13951,8 +13951,8 @@ audit trail %3</source>
         <translation>您的密码</translation>
     </message>
     <message>
-        <source>Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.</source>
-        <translation>当前密码由他人设置。请设置只有您知道的密码：至少十五个字符，例如一个短句。</translation>
+        <source>An administrator set your password. Choose your own: at least fifteen characters, a short sentence for example.</source>
+        <translation>当前密码由管理员设置。请设置您自己的密码：至少十五个字符，例如一个短句。</translation>
     </message>
     <message>
         <source>Your queue</source>
@@ -13963,7 +13963,7 @@ audit trail %3</source>
         <translation>“%1”</translation>
     </message>
     <message>
-        <source>what was watched is not a stretch of the recording</source>
+        <source>the watched part is not in the recording</source>
         <translation>报告的观看范围不是录制中的一段</translation>
     </message>
     <message>
@@ -14027,7 +14027,7 @@ audit trail %3</source>
         <translation>文本有 %1 个字符，最多允许 %2 个</translation>
     </message>
     <message>
-        <source>a data set for another record needs codes, and is no BIDS</source>
+        <source>a data set for another record needs codes and cannot be BIDS</source>
         <translation>供另一记录使用的数据集须用编码，且不能是 BIDS</translation>
     </message>
     <message>
@@ -14055,7 +14055,7 @@ audit trail %3</source>
         <translation>尚有评分不可显示</translation>
     </message>
     <message>
-        <source>this is no study of a data set of Torsio</source>
+        <source>not a study of a data set of Torsio</source>
         <translation>这不是 Torsio 数据集的研究文件</translation>
     </message>
     <message>
@@ -14067,11 +14067,11 @@ audit trail %3</source>
         <translation>数据集的研究文件已损坏</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; means nothing here</source>
-        <translation>“%1”在此没有意义</translation>
+        <source>&apos;%1&apos; is unknown here</source>
+        <translation>“%1”在此无法识别</translation>
     </message>
     <message>
-        <source>the study knows nobody under the code %1</source>
+        <source>the study has nobody with the code %1</source>
         <translation>研究文件中没有编码为 %1 的人员</translation>
     </message>
     <message>
@@ -14083,7 +14083,7 @@ audit trail %3</source>
         <translation>请检查映射文件中写明的单位</translation>
     </message>
     <message>
-        <source>this is no object of JSON</source>
+        <source>not a JSON object</source>
         <translation>这不是 JSON 对象</translation>
     </message>
     <message>
@@ -14091,7 +14091,7 @@ audit trail %3</source>
         <translation>请参照映射文件示例</translation>
     </message>
     <message>
-        <source>the map has a word that means nothing here</source>
+        <source>the map has an unknown field</source>
         <translation>映射文件中有一个在此没有意义的词</translation>
     </message>
     <message>
@@ -14107,7 +14107,7 @@ audit trail %3</source>
         <translation>请写入映射文件；程序不作猜测</translation>
     </message>
     <message>
-        <source>this is no text</source>
+        <source>not a text</source>
         <translation>这不是文本</translation>
     </message>
     <message>
@@ -14135,8 +14135,8 @@ audit trail %3</source>
         <translation>此处应为列表</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is none of: %2</source>
-        <translation>“%1”不属于：%2</translation>
+        <source>&apos;%1&apos; must be one of: %2</source>
+        <translation>“%1”必须是下列之一：%2</translation>
     </message>
     <message>
         <source>Name one of them</source>
@@ -14155,7 +14155,7 @@ audit trail %3</source>
         <translation>请写明采样率：此类文件不含时间</translation>
     </message>
     <message>
-        <source>this is no rate</source>
+        <source>not a valid rate</source>
         <translation>这不是采样率</translation>
     </message>
     <message>
@@ -14187,7 +14187,7 @@ audit trail %3</source>
         <translation>请去掉此项</translation>
     </message>
     <message>
-        <source>the map knows nobody called &apos;%1&apos;</source>
+        <source>the map lists no person &apos;%1&apos;</source>
         <translation>映射文件中没有名为“%1”的人员</translation>
     </message>
     <message>
@@ -14199,7 +14199,7 @@ audit trail %3</source>
         <translation>请写入“groups”</translation>
     </message>
     <message>
-        <source>this name stands twice</source>
+        <source>duplicate name</source>
         <translation>此名称出现两次</translation>
     </message>
     <message>
@@ -14207,7 +14207,7 @@ audit trail %3</source>
         <translation>每人只写一次</translation>
     </message>
     <message>
-        <source>this file stands twice</source>
+        <source>duplicate file</source>
         <translation>此文件出现两次</translation>
     </message>
     <message>
@@ -14215,7 +14215,7 @@ audit trail %3</source>
         <translation>每个录制只写一次</translation>
     </message>
     <message>
-        <source>this is no time</source>
+        <source>not a valid time</source>
         <translation>这不是时间</translation>
     </message>
     <message>
@@ -14255,7 +14255,7 @@ audit trail %3</source>
         <translation>%1 在同一评分时点对 %2 评分两次</translation>
     </message>
     <message>
-        <source>Give each of the recordings an occasion of its own</source>
+        <source>Give each recording a separate occasion</source>
         <translation>请为每个录制写明各自的评分时点</translation>
     </message>
     <message>
@@ -14267,7 +14267,7 @@ audit trail %3</source>
         <translation>请选 jigsaws、rosma、perktutor 或 csv</translation>
     </message>
     <message>
-        <source>the map is no JSON</source>
+        <source>the map is not JSON</source>
         <translation>映射文件不是 JSON</translation>
     </message>
     <message>
@@ -14319,7 +14319,7 @@ audit trail %3</source>
         <translation>请检查其权限</translation>
     </message>
     <message>
-        <source>these numbers are no rotation</source>
+        <source>these numbers are not a rotation</source>
         <translation>这些数值不构成旋转</translation>
     </message>
     <message>
@@ -14331,7 +14331,7 @@ audit trail %3</source>
         <translation>时间没有递增</translation>
     </message>
     <message>
-        <source>Put the lines in order, and take out those that stand twice</source>
+        <source>Put the lines in order and remove duplicates</source>
         <translation>请按时间排序，并去掉重复的行</translation>
     </message>
     <message>
@@ -14341,10 +14341,6 @@ audit trail %3</source>
     <message>
         <source>Check the instrument and the columns that the map names</source>
         <translation>请检查映射文件写明的器械与列</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no number</source>
-        <translation>“%1”不是数值</translation>
     </message>
     <message>
         <source>Write numbers with a decimal point; leave out lines without a pose</source>
@@ -14383,7 +14379,7 @@ audit trail %3</source>
         <translation>每行的值数须与列数相同</translation>
     </message>
     <message>
-        <source>there is not one column &apos;%1&apos;</source>
+        <source>there must be exactly one column &apos;%1&apos;</source>
         <translation>没有唯一的列“%1”</translation>
     </message>
     <message>
@@ -14431,7 +14427,7 @@ audit trail %3</source>
         <translation>正在存入第 %1 个录制，共 %2 个</translation>
     </message>
     <message>
-        <source>the record has somebody under this code already</source>
+        <source>this code is already in use in the record</source>
         <translation>记录中已有使用此编码的人员</translation>
     </message>
     <message>
@@ -14499,7 +14495,7 @@ audit trail %3</source>
         <translation>逐个学员拟合；三参数曲线至少需要八次操作。</translation>
     </message>
     <message>
-        <source>other equipment made this recording: there is no organ to be shown or computed again</source>
+        <source>other equipment made this recording: there is no organ to show or to recompute</source>
         <translation>此录制来自其他设备：没有可显示或重新计算的器官</translation>
     </message>
     <message>
@@ -14519,7 +14515,7 @@ audit trail %3</source>
         <translation>是一个链接，但其指向的文件不存在</translation>
     </message>
     <message>
-        <source>Connect the disk that it lies on, or remove the link</source>
+        <source>Connect the disk that it is on, or remove the link</source>
         <translation>请接上它所在的磁盘，或删除该链接</translation>
     </message>
     <message>
@@ -14531,7 +14527,7 @@ audit trail %3</source>
         <translation>主要比较之外的补充分析。提高值按整数排秩，只含两个评分时点都有得分的学员。p（Holm）为 Dunn 检验；p（精确）只针对该对。</translation>
     </message>
     <message>
-        <source>The record has changed since it was frozen as &quot;%1&quot;: what stands here is computed from the record as it is now, not from what was frozen.</source>
+        <source>The record has changed since it was frozen as &quot;%1&quot;: these results are computed from the record as it is now, not from the frozen data.</source>
         <translation>自冻结为“%1”以来，记录已改变：此处的结果按现在的记录计算，而不是按冻结时的数据。</translation>
     </message>
     <message>
@@ -14583,11 +14579,11 @@ audit trail %3</source>
         <translation>%1（n = %2）</translation>
     </message>
     <message>
-        <source>Raters who scored trainees of some groups only %1: %2. In the analysis of covariance what such a rater is stricter or more lenient by counts as a difference between the groups; the linear mixed model allows for it.</source>
+        <source>Raters who scored trainees of some groups only %1: %2. In the analysis of covariance the severity of such a rater counts as a difference between the groups; the linear mixed model allows for it.</source>
         <translation>在“%1”只给部分组的学员评分的评分者：%2。在协方差分析中，这类评分者偏严或偏松的程度会被算作组间差异；线性混合模型考虑了这一点。</translation>
     </message>
     <message>
-        <source>Raters who scored trainees of some groups only %1: %2. What such a rater is stricter or more lenient by counts as a difference between the groups.</source>
+        <source>Raters who scored trainees of some groups only %1: %2. The severity of such a rater counts as a difference between the groups.</source>
         <translation>在“%1”只给部分组的学员评分的评分者：%2。这类评分者偏严或偏松的程度会被算作组间差异。</translation>
     </message>
     <message>
@@ -14615,11 +14611,11 @@ audit trail %3</source>
         <translation>各组人数为 %1：若没有两个至少两人的组，就无法给出检验效能。</translation>
     </message>
     <message>
-        <source>a difference that was not shown is no evidence of equality.</source>
+        <source>a difference that was not shown is not evidence of equality.</source>
         <translation>未显示差异并不证明相同。</translation>
     </message>
     <message>
-        <source>two groups of %1 detect a difference of %2 standard deviations with a power of 0.80 (two-sided t test at 5 %) and miss smaller ones more often; a difference that was not shown is no evidence of equality.</source>
+        <source>two groups of %1 detect a difference of %2 standard deviations with a power of 0.80 (two-sided t test at 5 %) and miss smaller ones more often; a difference that was not shown is not evidence of equality.</source>
         <translation>两个各 %1 人的组以 0.80 的效能可检出 %2 个标准差的差异（5 % 水平的双侧 t 检验），更小的差异更常被漏掉；未显示差异并不证明相同。</translation>
     </message>
     <message>
@@ -14719,16 +14715,16 @@ audit trail %3</source>
         <translation>显示全部</translation>
     </message>
     <message>
-        <source>this is no mail address</source>
-        <translation>这不是邮件地址</translation>
+        <source>not a mail address</source>
+        <translation>不是邮件地址</translation>
     </message>
     <message>
         <source>Write it like li@example.org</source>
         <translation>请写成 li@example.org 的形式</translation>
     </message>
     <message>
-        <source>this is no name of a server</source>
-        <translation>这不是服务器名</translation>
+        <source>not a server name</source>
+        <translation>不是服务器名</translation>
     </message>
     <message>
         <source>Write it like mail.example.org</source>
@@ -14887,7 +14883,7 @@ audit trail %3</source>
         <translation>请用 torsio organ import 重新导入网格</translation>
     </message>
     <message>
-        <source>this is no organ file of Torsio</source>
+        <source>not an organ file of Torsio</source>
         <translation>这不是 Torsio 的器官文件</translation>
     </message>
     <message>
@@ -14963,7 +14959,7 @@ audit trail %3</source>
         <translation>整个器官</translation>
     </message>
     <message>
-        <source>Name the ends of the organ, or cut off what is none of it</source>
+        <source>Name the ends of the organ, or cut off what is not part of it</source>
         <translation>请指定器官的两端，或去掉不属于它的部分</translation>
     </message>
     <message>
@@ -14983,15 +14979,15 @@ audit trail %3</source>
         <translation>请指定器官的两端：蒂的根部为固定端</translation>
     </message>
     <message>
-        <source>the organ hangs on no stalk: what is wrung of it is %1 times as wide as the rest</source>
+        <source>the organ has no stalk: the part that is twisted is %1 times as wide as the rest</source>
         <translation>器官没有蒂：被扭绞部分的宽度是其余部分的 %1 倍</translation>
     </message>
     <message>
-        <source>a branch on the side, %1 mm wide and %2 mm long, belongs to no section: it follows the place where it stands</source>
+        <source>a branch on the side, %1 mm wide and %2 mm long, belongs to no section: it follows its root</source>
         <translation>侧面有一分支，宽 %1 mm、长 %2 mm，不属于任何截面：它随其所在部位一起移动</translation>
     </message>
     <message>
-        <source>Cut the branch off in a mesh editor if it is none of the organ</source>
+        <source>Cut the branch off in a mesh editor if it is not part of the organ</source>
         <translation>若该分支不属于此器官，请在网格编辑软件中将其切除</translation>
     </message>
     <message>
@@ -15099,7 +15095,7 @@ audit trail %3</source>
         <translation>请给出 NIfTI-1 文件（.nii 或 .nii.gz）</translation>
     </message>
     <message>
-        <source>N04 the voxels lie in a file of their own, NAME.img beside NAME.hdr, and it is missing</source>
+        <source>N04 the voxels are in a separate file, NAME.img beside NAME.hdr, which is missing</source>
         <translation>N04 体素存放在单独的文件中（NAME.hdr 旁的 NAME.img），但该文件缺失</translation>
     </message>
     <message>
@@ -15127,7 +15123,7 @@ audit trail %3</source>
         <translation>请另存为 NIfTI-1</translation>
     </message>
     <message>
-        <source>N01 this is no NIfTI file: its header does not begin with 348</source>
+        <source>N01 this is not a NIfTI file: its header does not begin with 348</source>
         <translation>N01 这不是 NIfTI 文件：文件头不以 348 开头</translation>
     </message>
     <message>
@@ -15191,11 +15187,11 @@ audit trail %3</source>
         <translation>请以毫米为长度单位保存体数据</translation>
     </message>
     <message>
-        <source>N05 the rotation of the file is none: its quaternion is %1 long</source>
+        <source>N05 the file&apos;s rotation is invalid: its quaternion is %1 long</source>
         <translation>N05 文件的旋转无效：其四元数长度为 %1</translation>
     </message>
     <message>
-        <source>the file does not say how the patient lay: left and right may be exchanged</source>
+        <source>the file does not state the patient&apos;s position: left and right may be swapped</source>
         <translation>文件未说明患者的体位：左右可能颠倒</translation>
     </message>
     <message>
@@ -15207,8 +15203,8 @@ audit trail %3</source>
         <translation>请将体数据重采样为直角体素，或重新导出</translation>
     </message>
     <message>
-        <source>N05 the file lies nowhere: its origin is out of range</source>
-        <translation>N05 文件没有有效位置：其原点超出范围</translation>
+        <source>N05 the file&apos;s origin is out of range</source>
+        <translation>N05 文件的原点超出范围</translation>
     </message>
     <message>
         <source>N05 voxels are %1 mm along axis %2, they must have %3 to %4 mm</source>
@@ -15291,8 +15287,8 @@ audit trail %3</source>
         <translation>请先设置</translation>
     </message>
     <message>
-        <source>Choose TLS from the beginning, or ask who runs it</source>
-        <translation>请选择从一开始就使用 TLS，或询问其管理者</translation>
+        <source>Choose TLS from the start, or ask the server&apos;s administrator</source>
+        <translation>请选择从一开始就使用 TLS，或询问服务器管理员</translation>
     </message>
     <message>
         <source>the mail server cannot be trusted: %1</source>
@@ -15303,8 +15299,8 @@ audit trail %3</source>
         <translation>请检查其名称；本机须认识其证书的颁发机构</translation>
     </message>
     <message>
-        <source>it is not known whether it was taken: %1</source>
-        <translation>不清楚是否已被接收：%1</translation>
+        <source>it is not known whether the server accepted it: %1</source>
+        <translation>不清楚服务器是否已接受：%1</translation>
     </message>
     <message>
         <source>not sent: %1</source>
@@ -15351,7 +15347,7 @@ audit trail %3</source>
         <translation>请指定掩膜中的标签：--tissue label N</translation>
     </message>
     <message>
-        <source>D16 the seed %1 lies outside of the scan or the box</source>
+        <source>D16 the seed %1 is outside the scan or the box</source>
         <translation>D16 种子点 %1 位于扫描或方框之外</translation>
     </message>
     <message>
@@ -15359,7 +15355,7 @@ audit trail %3</source>
         <translation>请以毫米给出一点：x 向左，y 向后，z 向上</translation>
     </message>
     <message>
-        <source>D16 no such tissue lies at the seed %1, where the scan has the value %2</source>
+        <source>D16 there is no such tissue at the seed %1, where the scan has the value %2</source>
         <translation>D16 种子点 %1 处没有这种组织，该处扫描值为 %2</translation>
     </message>
     <message>
@@ -15371,7 +15367,7 @@ audit trail %3</source>
         <translation>D16 此扫描中没有被包围的气体</translation>
     </message>
     <message>
-        <source>D16 no such tissue lies in this scan</source>
+        <source>D16 the scan contains no such tissue</source>
         <translation>D16 此扫描中没有这种组织</translation>
     </message>
     <message>
@@ -15447,7 +15443,7 @@ audit trail %3</source>
         <translation>足侧</translation>
     </message>
     <message>
-        <source>the scan cuts the organ off (%1): the flat end is none of its own</source>
+        <source>the scan cuts off the organ (%1): its flat end is not real anatomy</source>
         <translation>扫描切断了器官（%1）：平的一端不是器官本身的末端</translation>
     </message>
     <message>
@@ -15455,8 +15451,8 @@ audit trail %3</source>
         <translation>请将其指定为器官的一端，或给出显示整个器官的扫描</translation>
     </message>
     <message>
-        <source>D16 the box lies beside the scan, or holds nothing of it</source>
-        <translation>D16 方框位于扫描之外，或不含扫描的任何部分</translation>
+        <source>D16 the box does not overlap the scan</source>
+        <translation>D16 框与扫描没有重叠</translation>
     </message>
     <message>
         <source>Give two opposite corners in millimetres: x to the left, y to the back, z up</source>
@@ -15495,8 +15491,8 @@ audit trail %3</source>
         <translation>撤销登录邀请必须说明原因</translation>
     </message>
     <message>
-        <source>this evaluation does not ask for you</source>
-        <translation>此评价未邀请您参加</translation>
+        <source>you do not take part in this evaluation</source>
+        <translation>您未参加此项评估</translation>
     </message>
     <message>
         <source>this session is over</source>
@@ -15707,7 +15703,7 @@ audit trail %3</source>
         <translation>新</translation>
     </message>
     <message>
-        <source>Nine indices for each model. Which model stands behind a letter is hidden, and the order is your own.</source>
+        <source>Nine indices for each model. The letters hide the models; the order is drawn for you alone.</source>
         <translation>每个模型九项指标。字母代表哪个模型不公开，顺序因人而异。</translation>
     </message>
     <message>
@@ -15915,11 +15911,11 @@ audit trail %3</source>
         <translation>欢迎</translation>
     </message>
     <message>
-        <source>What physicians wrote at moments of your runs. Who it was is not told.</source>
-        <translation>医师针对您操作中某些时刻写下的评语，不透露作者。</translation>
+        <source>Physicians&apos; remarks on moments of your runs. Their names are not shown.</source>
+        <translation>医师针对您操作中某些时刻写下的评语。不显示姓名。</translation>
     </message>
     <message>
-        <source>What stands in the link behind the #</source>
+        <source>The part of the link after the #</source>
         <translation>链接中 # 之后的内容</translation>
     </message>
     <message>
@@ -15931,7 +15927,7 @@ audit trail %3</source>
         <translation>评分进度</translation>
     </message>
     <message>
-        <source>Whoever is signed in with a browser. Ending a session keeps every draft; the person can sign in again.</source>
+        <source>Everybody who is signed in with a browser. Ending a session keeps every draft; the person can sign in again.</source>
         <translation>所有通过浏览器登录的人。结束会话不会丢失任何草稿，本人可再次登录。</translation>
     </message>
     <message>
@@ -16171,7 +16167,7 @@ audit trail %3</source>
         <translation>请给出一次扫描的一个序列</translation>
     </message>
     <message>
-        <source>slices have scales of their own; each was taken by its own</source>
+        <source>the slices have different scales; each was read with its own</source>
         <translation>各层面有各自的换算系数；已按各自的系数换算</translation>
     </message>
     <message>
@@ -16179,7 +16175,7 @@ audit trail %3</source>
         <translation>D04 层面 %1 已损坏或不完整：无法读取其像素</translation>
     </message>
     <message>
-        <source>D08 slices %1 and %2 lie at the same place and differ</source>
+        <source>D08 slices %1 and %2 are at the same position but differ</source>
         <translation>D08 层面 %1 和 %2 位于同一位置但内容不同</translation>
     </message>
     <message>
@@ -16191,7 +16187,7 @@ audit trail %3</source>
         <translation>请检查扫描是否完整</translation>
     </message>
     <message>
-        <source>D09 the slices lie unevenly: %1 mm between %2 and %3, elsewhere %4 mm</source>
+        <source>D09 the slices are unevenly spaced: %1 mm between %2 and %3, elsewhere %4 mm</source>
         <translation>D09 层面间距不均匀：%2 与 %3 之间为 %1 mm，其他处为 %4 mm</translation>
     </message>
     <message>
@@ -16199,7 +16195,7 @@ audit trail %3</source>
         <translation>请查找缺失的层面，或用 --resample 按现状采用</translation>
     </message>
     <message>
-        <source>the slices lie unevenly, up to %1 mm apart: what lies in between is guessed</source>
+        <source>the slices are unevenly spaced, up to %1 mm apart: the gaps are interpolated</source>
         <translation>层面间距不均匀，最大相距 %1 mm：其间的内容为推算</translation>
     </message>
     <message>
@@ -16239,7 +16235,7 @@ audit trail %3</source>
         <translation>请给出完整的序列</translation>
     </message>
     <message>
-        <source>N01 this is no scan that is read</source>
+        <source>N01 this kind of scan cannot be read</source>
         <translation>N01 这不是可读取的扫描</translation>
     </message>
     <message>
@@ -16279,7 +16275,7 @@ audit trail %3</source>
         <translation>密钥被拒绝：%1</translation>
     </message>
     <message>
-        <source>there is no learning record store at this address: %1</source>
+        <source>no learning record store at this address: %1</source>
         <translation>此地址没有学习记录库：%1</translation>
     </message>
     <message>
@@ -16299,11 +16295,11 @@ audit trail %3</source>
         <translation>已接收</translation>
     </message>
     <message>
-        <source>what answers is no learning record store: %1</source>
+        <source>the reply is not from a learning record store: %1</source>
         <translation>应答的不是学习记录库：%1</translation>
     </message>
     <message>
-        <source>this is no address of a web server</source>
+        <source>not an address of a web server</source>
         <translation>这不是 Web 服务器的地址</translation>
     </message>
     <message>
@@ -16323,7 +16319,7 @@ audit trail %3</source>
         <translation>请向学习记录库申请新密钥</translation>
     </message>
     <message>
-        <source>is no key of a learning record store</source>
+        <source>is not a key of a learning record store</source>
         <translation>不是学习记录库的密钥</translation>
     </message>
     <message>
@@ -16331,7 +16327,7 @@ audit trail %3</source>
         <translation>请重新设置</translation>
     </message>
     <message>
-        <source>this is no name and secret for a learning record store</source>
+        <source>not a name and secret for a learning record store</source>
         <translation>这不是学习记录库的名称和密码</translation>
     </message>
     <message>
@@ -16439,7 +16435,7 @@ audit trail %3</source>
         <translation>没有待处理的分歧。</translation>
     </message>
     <message>
-        <source>Only cases that everyone has submitted, and only where your mark lies apart from the others. Nobody is named.</source>
+        <source>Only cases that everyone has submitted, and only where your mark differs from the others&apos;. Nobody is named.</source>
         <translation>只列出所有人均已提交、且您的评分与他人相差较大的案例，不透露任何人的姓名。</translation>
     </message>
     <message>
@@ -16491,7 +16487,7 @@ audit trail %3</source>
         <translation>最低分须低于最高分，每分 1 至 1000 级</translation>
     </message>
     <message>
-        <source>Competent now: at every exercise that was tried, by the designs of the section Competence. Whoever is inadequate at one counts as competent in at most %1 %, whoever is adequate at all does not in at most %2 % of cases, within the attempts named there.</source>
+        <source>Competent now: at every exercise that was tried, by the designs of the section Competence. Within the attempts named there, a trainee who is inadequate at one exercise is judged competent in at most %1 % of cases; one who is adequate at all of them is not judged competent in at most %2 %.</source>
         <translation>目前胜任：按“胜任”一节的标准，在所有尝试过的练习中均被认为胜任。在该节所列的尝试次数内，对其中某项能力不足者被误判为胜任的概率至多为 %1 %，对各项能力均足够者未被判为胜任的概率至多为 %2 %。</translation>
     </message>
     <message>
@@ -16551,7 +16547,7 @@ audit trail %3</source>
         <translation>D16 液体泄漏：到达扫描的边界</translation>
     </message>
     <message>
-        <source>D16 the gas ends at no flat level: no fluid stands below it</source>
+        <source>D16 the gas has no flat lower surface: there is no fluid below it</source>
         <translation>D16 气体没有终止于平面：其下方没有液体</translation>
     </message>
     <message>
@@ -16567,7 +16563,7 @@ audit trail %3</source>
         <translation>请在切片上查看掩膜</translation>
     </message>
     <message>
-        <source>fluid stands below gas only</source>
+        <source>fluid is found only below gas</source>
         <translation>只有气体下方才有液体</translation>
     </message>
     <message>
@@ -16575,7 +16571,7 @@ audit trail %3</source>
         <translation>请选择气体或壁作为组织，或不包括液体</translation>
     </message>
     <message>
-        <source>the table was cut off at y = %1 mm; where the body lay on it, it is flat there</source>
+        <source>the table was cut off at y = %1 mm; the body is flat where it lay on the table</source>
         <translation>检查床在 y = %1 mm 处切除；身体与床接触处因此是平的</translation>
     </message>
     <message>
@@ -16587,7 +16583,7 @@ audit trail %3</source>
         <translation>请给出较低的阈值，或另一个扫描</translation>
     </message>
     <message>
-        <source>the jaws are taken to turn about their broad side, %1, %2, %3 in the file</source>
+        <source>the jaws are assumed to turn about their broad side, %1, %2, %3 in the file</source>
         <translation>假定钳口绕其宽边转动，在文件坐标中方向为 %1、%2、%3</translation>
     </message>
     <message>
@@ -16599,11 +16595,11 @@ audit trail %3</source>
         <translation>钳口长 %1 mm；力按 %2 mm 的钳口计算</translation>
     </message>
     <message>
-        <source>Use the instrument for what is seen</source>
-        <translation>请仅将该器械用于显示</translation>
+        <source>Show this instrument</source>
+        <translation>显示该器械</translation>
     </message>
     <message>
-        <source>what is said of the instrument is out of range</source>
+        <source>a value for the instrument is out of range</source>
         <translation>关于器械的参数超出范围</translation>
     </message>
     <message>
@@ -16611,8 +16607,8 @@ audit trail %3</source>
         <translation>请给出 -500 至 3000 HU 的阈值、距尖端 3 至 100 mm 的铰链，以及非零的方向</translation>
     </message>
     <message>
-        <source>D16 what is denser than %1 HU is %2 mm long: no instrument with jaws of %3 mm</source>
-        <translation>D16 密度高于 %1 HU 的物体长 %2 mm：不是钳口长 %3 mm 的器械</translation>
+        <source>D16 the part denser than %1 HU is %2 mm long, which does not suit an instrument with jaws of %3 mm</source>
+        <translation>D16 密度高于 %1 HU 的部分长 %2 mm，与钳口长 %3 mm 的器械不符</translation>
     </message>
     <message>
         <source>Give another threshold, a seed in the instrument, or its hinge</source>
@@ -16647,15 +16643,15 @@ audit trail %3</source>
         <translation>其夹持范围</translation>
     </message>
     <message>
-        <source>only &quot;leave out&quot; is known here, and only of tables</source>
+        <source>only &quot;leave out&quot; is allowed here, and only for tables</source>
         <translation>此处只能写“leave out”，且只适用于表格</translation>
     </message>
     <message>
-        <source>Take it out: lines without a pose are refused then</source>
+        <source>Remove it: lines without a pose are then refused</source>
         <translation>请删去：没有位姿的行会被拒绝</translation>
     </message>
     <message>
-        <source>what came is no OpenIGTLink</source>
+        <source>the data received are not OpenIGTLink</source>
         <translation>收到的内容不是 OpenIGTLink</translation>
     </message>
     <message>
@@ -16671,7 +16667,7 @@ audit trail %3</source>
         <translation>对方声明的消息长达 %1 字节</translation>
     </message>
     <message>
-        <source>nobody can be waited for at this address and port: %1</source>
+        <source>cannot listen at this address and port: %1</source>
         <translation>无法在此地址和端口等待连接：%1</translation>
     </message>
     <message>
@@ -16683,15 +16679,15 @@ audit trail %3</source>
         <translation>请两项都填写；通常的端口是 %1</translation>
     </message>
     <message>
-        <source>this is no address of this computer: 127.0.0.1 is, and 0.0.0.0 are all of them</source>
-        <translation>这不是本机的地址：127.0.0.1 是本机，0.0.0.0 表示本机的所有地址</translation>
+        <source>not an address of this computer; use 127.0.0.1, or 0.0.0.0 for all its addresses</source>
+        <translation>不是本机的地址；请使用 127.0.0.1，或用 0.0.0.0 表示本机的所有地址</translation>
     </message>
     <message>
         <source>Give another one</source>
         <translation>请换一个</translation>
     </message>
     <message>
-        <source>nobody answers at this address and port</source>
+        <source>no answer from this address and port</source>
         <translation>此地址和端口没有应答</translation>
     </message>
     <message>
@@ -16699,7 +16695,7 @@ audit trail %3</source>
         <translation>没有此名称的计算机</translation>
     </message>
     <message>
-        <source>nobody answered in time</source>
+        <source>there was no answer in time</source>
         <translation>没有及时得到应答</translation>
     </message>
     <message>
@@ -16791,7 +16787,7 @@ audit trail %3</source>
         <translation>旁支的位置或方向不是有限数值</translation>
     </message>
     <message>
-        <source>the cut of the side branch is no simple loop</source>
+        <source>the cut of the side branch is not a simple loop</source>
         <translation>旁支的切口不是单一闭合环</translation>
     </message>
     <message>
@@ -16851,7 +16847,7 @@ audit trail %3</source>
         <translation>幽门前壁</translation>
     </message>
     <message>
-        <source>nobody asks for this invitation any more</source>
+        <source>the request for this invitation no longer exists</source>
         <translation>已没有人申请此登录邀请</translation>
     </message>
     <message>
@@ -16891,11 +16887,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>没有邮件地址</translation>
     </message>
     <message>
-        <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
+        <source>%1 was recording at %2, which has not answered since %3. Go and look.</source>
         <translation>%1 正在 %2 录制，该工作站自 %3 起无响应。请前往查看。</translation>
     </message>
     <message>
-        <source>%1 does not answer since %2.</source>
+        <source>%1 has not answered since %2.</source>
         <translation>%1 自 %2 起无响应。</translation>
     </message>
     <message>
@@ -17083,16 +17079,16 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1：%2，接近专家（%3）</translation>
     </message>
     <message>
-        <source>%1: %2, what came nearest to the expert (%3)</source>
+        <source>%1: %2, closest to the expert (%3)</source>
         <translation>%1：%2，各项中最接近专家（%3）</translation>
     </message>
     <message>
-        <source>%1: %2, the expert had %3</source>
-        <translation>%1：%2，专家为 %3</translation>
+        <source>%1: %2 (expert: %3)</source>
+        <translation>%1：%2（专家：%3）</translation>
     </message>
     <message>
-        <source>Turn in one decided movement instead of feeling your way.</source>
-        <translation>果断地一次转动，不要边试边转。</translation>
+        <source>Turn in one confident movement.</source>
+        <translation>果断地一次转动。</translation>
     </message>
     <message>
         <source>Slow down before the target, then stay.</source>
@@ -17135,8 +17131,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>个人专用链接，用于在浏览器中设置密码。链接一周内可用一次；此前生成的链接随即作废。</translation>
     </message>
     <message>
-        <source>Another administrator asks for these invitations and has handed over a code for each. Whoever confirms one hands over the link.</source>
-        <translation>另一位管理员申请了这些邀请，并已逐一转交代码。由确认者转交链接。</translation>
+        <source>Another administrator asks for these invitations and has handed over a code for each. The administrator who confirms one hands over the link.</source>
+        <translation>另一位管理员申请了这些邀请，并已逐一转交代码。由确认的管理员转交链接。</translation>
     </message>
     <message>
         <source>Chosen: %1</source>
@@ -17335,19 +17331,19 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>已对知情同意作出决定</translation>
     </message>
     <message>
-        <source>is asked for sheets</source>
+        <source>has been assigned sheets</source>
         <translation>已被要求填写评分表</translation>
     </message>
     <message>
-        <source>is asked for an evaluation of models</source>
+        <source>has been asked to evaluate models</source>
         <translation>已被邀请参加模型评价</translation>
     </message>
     <message>
-        <source>has asked for something about the record</source>
+        <source>has a request about the record</source>
         <translation>已就其记录提出请求</translation>
     </message>
     <message>
-        <source>has something in the record already</source>
+        <source>already has entries in the record</source>
         <translation>在记录中已有内容</translation>
     </message>
     <message>
@@ -17355,7 +17351,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1 此后被修改过</translation>
     </message>
     <message>
-        <source>nobody of it is left</source>
+        <source>none of these people are left</source>
         <translation>其中已无人留存</translation>
     </message>
     <message>
@@ -17383,7 +17379,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>登录名 %1 与 %2 外观相似，却是另一个</translation>
     </message>
     <message>
-        <source>Choose one that nobody takes for the other</source>
+        <source>Choose a name that cannot be confused with it</source>
         <translation>请另选一个不会混淆的登录名</translation>
     </message>
     <message>
@@ -17399,7 +17395,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请将其去掉，并写入 ~/.pgpass 或服务文件</translation>
     </message>
     <message>
-        <source>is no database</source>
+        <source>is not a database</source>
         <translation>不是数据库</translation>
     </message>
     <message>
@@ -17407,7 +17403,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请选择其他文件；如果此处曾有记录，请恢复最新的备份</translation>
     </message>
     <message>
-        <source>this account of the server sees no marks while nobody is signed in</source>
+        <source>this server account sees no marks while nobody is signed in</source>
         <translation>无人登录时，服务器的此账户看不到任何评分</translation>
     </message>
     <message>
@@ -17615,12 +17611,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请查看其最后的提示，排除问题后重试</translation>
     </message>
     <message>
-        <source>this record lies on a server</source>
+        <source>this record is on a server</source>
         <translation>该记录位于服务器上</translation>
     </message>
     <message>
-        <source>Whoever runs the server opens the review desk there, by torsio serve</source>
-        <translation>由服务器管理者在服务器上用 torsio serve 开放评分台</translation>
+        <source>The server&apos;s administrator opens the review desk there with torsio serve</source>
+        <translation>由服务器管理员在服务器上用 torsio serve 开放评分台</translation>
     </message>
     <message>
         <source>the review desk is open already</source>
@@ -17647,8 +17643,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>正在绘制手臂</translation>
     </message>
     <message>
-        <source>%1 mm is no such length of a person</source>
-        <translation>%1 mm 不是人体的这一尺寸</translation>
+        <source>%1 mm is outside the range of this measurement</source>
+        <translation>%1 mm 超出此项测量的范围</translation>
     </message>
     <message>
         <source>Give %1 to %2 mm</source>
@@ -17711,7 +17707,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请给出单片钳口的角度</translation>
     </message>
     <message>
-        <source>M09 largest side %1 mm is no instrument (%2 to %3 mm)</source>
+        <source>M09 largest side %1 mm is not that of an instrument (%2 to %3 mm)</source>
         <translation>M09 最长边 %1 mm 不是器械（%2 至 %3 mm）</translation>
     </message>
     <message>
@@ -17967,15 +17963,15 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>冲量 / 时间，以 20 Hz 滤波</translation>
     </message>
     <message>
-        <source>Largest force on the tissue, whatever the device could give of it.</source>
-        <translation>作用于组织的最大力，不论设备能输出多少。</translation>
+        <source>Maximum force on the tissue, even if the device could not render it.</source>
+        <translation>作用于组织的最大力，即使设备无法完全输出。</translation>
     </message>
     <message>
         <source>maximum of all samples, not filtered</source>
         <translation>全部样本的最大值，不滤波</translation>
     </message>
     <message>
-        <source>Largest force that the device was told to give.</source>
+        <source>Largest force commanded to the device.</source>
         <translation>要求设备输出的最大力。</translation>
     </message>
     <message>
@@ -18115,8 +18111,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>夹持处剪应力超过限值的样本数 / 采样率</translation>
     </message>
     <message>
-        <source>Whether the organ lay untwisted, open, supplied and whole with nobody holding it.</source>
-        <translation>无人夹持时，器官是否已复位、通畅、有血供且完好。</translation>
+        <source>Whether the organ stayed untwisted, open, perfused and intact without being held.</source>
+        <translation>器官在无夹持时是否保持复位、通畅、有血供且完好。</translation>
     </message>
     <message>
         <source>|phi| &lt;= limit and patency &gt;= least and flow &gt;= least for d without hand and clip; jaw and force never at what tears the wall</source>
@@ -18183,7 +18179,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>夹持时首次净转动 15 度的符号 = -sign(phi_0)</translation>
     </message>
     <message>
-        <source>How far the organ was turned beyond how it came.</source>
+        <source>How far the organ was twisted beyond its initial twist.</source>
         <translation>器官被扭转超过初始角度的程度。</translation>
     </message>
     <message>
@@ -18299,7 +18295,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>警告须至少提前一分钟</translation>
     </message>
     <message>
-        <source>this is no valid value of the setting</source>
+        <source>invalid value for this setting</source>
         <translation>该设置不接受这个值</translation>
     </message>
     <message>
@@ -18491,8 +18487,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>已中断：已保存，不计次数</translation>
     </message>
     <message>
-        <source>Not judged: nothing is asked of such a recording</source>
-        <translation>未评定：此类录制没有目标要求</translation>
+        <source>Not judged: such a recording has no requirements</source>
+        <translation>不作评判：这类记录没有要求</translation>
     </message>
     <message>
         <source>This is not your fault: the computer lost part of this run, so not all of it could be measured.</source>
@@ -18769,7 +18765,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>添加用户</translation>
     </message>
     <message>
-        <source>Nobody of the record</source>
+        <source>Not in the record</source>
         <translation>不对应任何在册人员</translation>
     </message>
     <message>
@@ -18801,8 +18797,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请输入登录名。</translation>
     </message>
     <message>
-        <source>Choose a person: whoever trains or scores is one of the record.</source>
-        <translation>请选择人员：训练或评分的人必须在记录中。</translation>
+        <source>Choose a person: everybody who trains or scores must be in the roster.</source>
+        <translation>请选择人员：训练或评分的人必须在名册中。</translation>
     </message>
     <message>
         <source>Choose at least one role.</source>
@@ -20019,7 +20015,7 @@ MSM = 质点弹簧</translation>
         <translation>各项分数相差很大，确定吗？</translation>
     </message>
     <message>
-        <source>The overall mark lies outside the rows. Is that intended?</source>
+        <source>The overall mark is outside the rows&apos; range. Is that intended?</source>
         <translation>总分超出各项评分范围，是否有意如此？</translation>
     </message>
     <message>
@@ -20075,7 +20071,7 @@ MSM = 质点弹簧</translation>
         <translation>没有可重做的操作</translation>
     </message>
     <message>
-        <source>Bookmarks are yours; remarks reach the trainee when the marks are released.</source>
+        <source>Only you see bookmarks; remarks reach the trainee when the marks are released.</source>
         <translation>书签仅供您自己使用；评语在评分公布后送达学员。</translation>
     </message>
     <message>
@@ -20119,7 +20115,7 @@ MSM = 质点弹簧</translation>
         <translation>每次打分后自动选中下一行</translation>
     </message>
     <message>
-        <source>Edit the nearest remark of yours</source>
+        <source>Edit your nearest remark</source>
         <translation>修改您最近位置的评语</translation>
     </message>
     <message>
@@ -20871,7 +20867,7 @@ MSM = 质点弹簧</translation>
         <translation>发布</translation>
     </message>
     <message>
-        <source>From now on everybody is asked with these texts. Earlier decisions stay; people who decided on an earlier text are told so on their page. What has changed?</source>
+        <source>From now on everybody is asked with these texts. Earlier decisions stay; people who decided on an earlier text see this on their page. What has changed?</source>
         <translation>今后将用这些文本征求所有人的同意。此前的决定保留；曾就较早文本作出决定的人会在其页面上看到提示。改动了什么？</translation>
     </message>
     <message>
@@ -21069,7 +21065,7 @@ MSM = 质点弹簧</translation>
         <translation>关闭</translation>
     </message>
     <message numerus="yes">
-        <source>%n version(s): no further cohort can begin it; those who follow it go on.</source>
+        <source>%n version(s): no new cohort can choose it; cohorts that follow it continue.</source>
         <translation>
             <numerusform>%n 个版本：不再有新批次可采用；已采用的继续进行。</numerusform>
         </translation>
@@ -21208,7 +21204,7 @@ MSM = 质点弹簧</translation>
         <translation>打印(&amp;P)…</translation>
     </message>
     <message>
-        <source>Trainees come in the order of the board, as many at a time as there are places. Swapping turns on the board swaps slots, too; whoever has not begun five minutes after the start is shown as overdue.</source>
+        <source>Trainees come in the order of the board, as many at a time as there are places. Swapping turns on the board swaps slots, too; people who have not begun five minutes after the start are shown as overdue.</source>
         <translation>学员按“今日训练”的顺序到来，每次的人数等于地点数。在该页面互换顺序时，时段也随之互换；开始五分钟后仍未开始者显示为逾期。</translation>
     </message>
     <message>
@@ -21288,7 +21284,7 @@ MSM = 质点弹簧</translation>
         <translation>! 这一天排不下：请增加地点，或少选几名学员。</translation>
     </message>
     <message>
-        <source>! The last slot ends at %1. The first one has begun already: whoever is not there is overdue.</source>
+        <source>! The last slot ends at %1. The first slot has already begun; absent trainees are overdue.</source>
         <translation>! 最后一个时段于 %1 结束。第一个时段已经开始：未到者即为逾期。</translation>
     </message>
     <message>
@@ -21363,7 +21359,7 @@ MSM = 质点弹簧</translation>
         <translation>您的操作</translation>
     </message>
     <message>
-        <source>One moment: your run is compared with what was asked for and with an expert&apos;s.</source>
+        <source>One moment: your run is compared with the task and with an expert&apos;s.</source>
         <translation>请稍候：正在将您的操作与要求及专家的操作进行比较。</translation>
     </message>
     <message>
@@ -21395,7 +21391,7 @@ MSM = 质点弹簧</translation>
         <translation>未测量</translation>
     </message>
     <message>
-        <source>The computer was too busy to record your twists without gaps: nothing can be said of them.</source>
+        <source>The computer was too busy to record your twists without gaps: they cannot be assessed.</source>
         <translation>计算机当时过于繁忙，扭转记录有间断：无法对其作出评价。</translation>
     </message>
     <message>
@@ -21407,7 +21403,7 @@ MSM = 质点弹簧</translation>
         <translation>您的操作（三维）</translation>
     </message>
     <message>
-        <source>What is judged is the force on the tissue. The device gave at most %1 N of it.</source>
+        <source>The force on the tissue is judged. The device rendered at most %1 N of it.</source>
         <translation>评判的是组织所受的力。设备最多输出了其中的 %1 N。</translation>
     </message>
     <message>
@@ -21429,8 +21425,8 @@ MSM = 质点弹簧</translation>
         <translation>%1  ·  %2  ·  %3</translation>
     </message>
     <message>
-        <source>A single run decides nothing. Over all runs: %1. %2 %3</source>
-        <translation>单次操作不作定论。按全部操作：%1。%2%3</translation>
+        <source>Your level (all runs): %1. %2</source>
+        <translation>您的水平（全部操作）：%1。%2</translation>
     </message>
 </context>
 <context>
@@ -22012,7 +22008,7 @@ Leave it empty to remove it.</source>
         <translation>误录</translation>
     </message>
     <message numerus="yes">
-        <source>%n deviation(s) stay as they are; a correction with this reason stands beside each, in the report as well.</source>
+        <source>%n deviation(s) stay as they are; a correction with this reason is added to each, in the report as well.</source>
         <translation>
             <numerusform>%n 条方案偏离保持原样；每条旁附上含此理由的更正，报告中亦然。</numerusform>
         </translation>
@@ -22500,7 +22496,7 @@ Leave it empty to remove it.</source>
         <translation>%1。%2</translation>
     </message>
     <message>
-        <source>Nine indices for each model, after each run. Which model stands behind a letter is hidden, and the order is your own.</source>
+        <source>Nine indices for each model, after each run. The letters hide the models; the order is drawn for you alone.</source>
         <translation>每次操作后为每个模型评九项指标。字母对应的模型不公开，顺序因人而异。</translation>
     </message>
 </context>
@@ -22723,7 +22719,7 @@ Leave it empty to remove it.</source>
         </translation>
     </message>
     <message>
-        <source>A line for each trainee, known by staff number and mail address, and a score for each occasion. It names people.</source>
+        <source>A line for each trainee, identified by staff number and mail address, and a score for each occasion. It names people.</source>
         <translation>每位学员一行，以工号和邮箱识别，每个评分时点一个得分。其中可识别人员身份。</translation>
     </message>
     <message>
@@ -22819,7 +22815,7 @@ Leave it empty to remove it.</source>
         </translation>
     </message>
     <message>
-        <source>Paths tell how somebody moves: publish them only with consent for that.</source>
+        <source>Paths reveal how a person moves: publish them only with consent for that.</source>
         <translation>路径反映一个人的动作方式：须获得相应同意方可发布。</translation>
     </message>
     <message>
@@ -23089,7 +23085,7 @@ Leave it empty to remove it.</source>
         <translation>作为管理员(&amp;A)</translation>
     </message>
     <message>
-        <source>Needs no password. Everything lies in a folder of its own, which is removed when you sign out.</source>
+        <source>Needs no password. Everything is in a separate folder, which is removed when you sign out.</source>
         <translation>无需密码。全部内容位于单独的文件夹中，退出登录时即删除。</translation>
     </message>
     <message>
@@ -23115,7 +23111,7 @@ Leave it empty to remove it.</source>
 <context>
     <name>torsio::gui::Founding</name>
     <message>
-        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
+        <source>Leave the password out of the address; it would be stored in a settings file. Put it into .pgpass</source>
         <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
     </message>
     <message>
@@ -23539,8 +23535,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>网络中的所有计算机</translation>
     </message>
     <message>
-        <source>What is sent is not encrypted, and nobody who connects is asked who they are.</source>
-        <translation>所发送的数据不加密，也不核实连接者的身份。</translation>
+        <source>The data are sent unencrypted and without authentication.</source>
+        <translation>数据不加密发送，也不进行身份验证。</translation>
     </message>
     <message>
         <source>&amp;Who may connect</source>
@@ -23798,8 +23794,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>学习记录</translation>
     </message>
     <message>
-        <source>The learning system of the centre hears of enrolments, runs, passes and failures, rests and remarks that were read, under opaque accounts, of trainees who have agreed to it. What happened before this was turned on is not told.</source>
-        <translation>中心的学习系统会收到已同意的学员的登记、操作、通过与未通过、休息和已读评语，均以匿名账户表示。开启之前发生的事情不会发送。</translation>
+        <source>Enrolments, runs, passes and failures, rests and read remarks are sent to the centre&apos;s learning system, under opaque accounts, for trainees who agreed. Earlier events are not sent.</source>
+        <translation>已同意的学员的登记、操作、通过与未通过、休息和已读评语会以匿名账户发送到中心的学习系统。开启之前的事件不会发送。</translation>
     </message>
     <message>
         <source>&amp;Address of the learning record store</source>
@@ -23862,7 +23858,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>关闭(&amp;L)</translation>
     </message>
     <message>
-        <source>This station has a key and sends. The key lies in a file of this account, never in the record.</source>
+        <source>This station has a key and sends. The key is in a file of this account, never in the record.</source>
         <translation>此工作站有密钥并负责发送。密钥保存在此账户的文件中，绝不写入数据库。</translation>
     </message>
     <message>
@@ -23874,8 +23870,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>等待：%1，已送达：%2，被彻底拒绝：%3</translation>
     </message>
     <message>
-        <source>! What waits was not taken: %1</source>
-        <translation>! 等待中的记录未被接收：%1</translation>
+        <source>! The learning system refused the entries: %1</source>
+        <translation>! 学习系统拒收等待中的记录：%1</translation>
     </message>
     <message>
         <source>Saved. Events are sent from now on</source>
@@ -24048,7 +24044,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>更正(&amp;A)…</translation>
     </message>
     <message>
-        <source>The overall mark lies outside the rows. Press again to seal the sheet.</source>
+        <source>The overall mark is outside the rows&apos; range. Press again to seal the sheet.</source>
         <translation>总分超出各行分数的范围。再按一次即封存评分表。</translation>
     </message>
 </context>
@@ -24134,7 +24130,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>用备份取代此记录，或将记录迁移到供多个工作站使用的数据库服务器。两者都会先询问并说明将要执行的操作。</translation>
     </message>
     <message>
-        <source>This record lies on a database server. Its administrator backs it up and restores it with the server&apos;s own tools.</source>
+        <source>This record is on a database server. Its administrator backs it up and restores it with the server&apos;s own tools.</source>
         <translation>此记录位于数据库服务器上，由服务器管理员用服务器自带的工具备份和恢复。</translation>
     </message>
     <message>
@@ -24262,8 +24258,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
     </message>
     <message>
-        <source>No key signs the heads of this station, so whoever can change the place where they are kept can replace them. Make one: Audit trail, Heads.</source>
-        <translation>本站的链头没有密钥签名，能改动其保存位置的人就能替换它们。请在“审计记录”的“链头”中生成密钥。</translation>
+        <source>No key signs the heads of this station, so anybody who can write to that place can replace them. Make one: Audit trail, Heads.</source>
+        <translation>本站的链头没有密钥签名，能写入其保存位置的人都能替换它们。请在“审计记录”的“链头”中生成密钥。</translation>
     </message>
     <message>
         <source>Disk in use: %1 %</source>
@@ -24552,15 +24548,15 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>请服务器管理员为 Torsio 建立一个空数据库和一个账户。密码仅用于此操作，不会保存在任何地方。</translation>
     </message>
     <message>
-        <source>✓ %1 answers at %2. The database is empty: the record can go there.</source>
+        <source>✓ %1 answers at %2. The database is empty: the record can be moved there.</source>
         <translation>✓ %1 在 %2 应答。数据库为空：可以将记录迁移到那里。</translation>
     </message>
     <message>
-        <source>✓ %1 answers at %2. Torsio&apos;s tables are there and empty: the record can go there.</source>
+        <source>✓ %1 answers at %2. Torsio&apos;s tables are there and empty: the record can be moved there.</source>
         <translation>✓ %1 在 %2 应答。Torsio 的表已存在且为空：可以将记录迁移到那里。</translation>
     </message>
     <message>
-        <source>✗ %1 answers at %2, but the record cannot go there: %3.</source>
+        <source>✗ %1 answers at %2, but the record cannot be moved there: %3.</source>
         <translation>✗ %1 在 %2 应答，但无法将记录迁移到那里：%3。</translation>
     </message>
     <message>
@@ -25428,8 +25424,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>总分</translation>
     </message>
     <message>
-        <source>Saved. It counts once somebody else has typed the same.</source>
-        <translation>已保存。另一人录入相同内容后即计入。</translation>
+        <source>Saved. It counts once a second person has typed in the same marks.</source>
+        <translation>已保存。第二人录入相同评分后即计入。</translation>
     </message>
     <message>
         <source>Not alike in the rows with a sign: look at the paper again. Nothing counts so far.</source>
@@ -25459,8 +25455,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>设置新密码</translation>
     </message>
     <message>
-        <source>Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.</source>
-        <translation>当前密码由他人设置。请设置只有您知道的密码：至少十五个字符，例如一个短句。</translation>
+        <source>An administrator set your password. Choose your own: at least fifteen characters, a short sentence for example.</source>
+        <translation>当前密码由管理员设置。请设置您自己的密码：至少十五个字符，例如一个短句。</translation>
     </message>
     <message>
         <source>At least fifteen characters, a short sentence for example. Nothing else is asked for.</source>
@@ -25682,7 +25678,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>为所有人评分的评分者(&amp;A)</translation>
     </message>
     <message>
-        <source>How many raters a mean score needs stands under Results, in the section Raters, once marks are there.</source>
+        <source>Once there are marks, Results shows in the section Raters how many raters a mean score needs.</source>
         <translation>平均得分需要多少评分者，有评分之后见“结果”中的“评分者”一节。</translation>
     </message>
     <message>
@@ -25694,8 +25690,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>%1 名评分者足以达到此宽度</translation>
     </message>
     <message>
-        <source>too few for this width, however many raters score them</source>
-        <translation>无论由多少评分者评分，都太少，达不到此宽度</translation>
+        <source>too few trainees for this width, even with more raters</source>
+        <translation>学员太少：即使增加评分者也达不到此宽度</translation>
     </message>
     <message>
         <source>Trainees at &amp;hand</source>
@@ -26734,7 +26730,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>每条评语都标在操作中所涉及的那一秒。</translation>
     </message>
     <message>
-        <source>No remarks yet. They appear here when the marks of a run have been released, or when a physician answers a question of yours.</source>
+        <source>No remarks yet. They appear here when the marks of a run have been released, or when a physician answers one of your questions.</source>
         <translation>尚无评语。当某次操作的评分公布后，或医师回答您的提问后，会显示在这里。</translation>
     </message>
     <message>
@@ -26911,8 +26907,8 @@ Its public part, to be kept where heads are checked: %2</source>
         </translation>
     </message>
     <message>
-        <source>! Not taken by the mail server:</source>
-        <translation>! 邮件服务器未接收：</translation>
+        <source>! Refused by the mail server:</source>
+        <translation>! 邮件服务器拒收：</translation>
     </message>
     <message>
         <source>Mail ser&amp;ver…</source>
@@ -27089,8 +27085,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>正在准备报告</translation>
     </message>
     <message>
-        <source>This report will name the trainees. That you took it out is kept in the audit trail.</source>
-        <translation>此报告将显示学员姓名。导出行为会记入审计记录。</translation>
+        <source>This report will name the trainees. The audit trail records that you saved it.</source>
+        <translation>此报告将写出学员姓名。您的这次导出会记入审计记录。</translation>
     </message>
     <message>
         <source>The record has changed since this data set was frozen; the report says so.</source>
@@ -27726,7 +27722,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>完成(&amp;D)</translation>
     </message>
     <message>
-        <source>This record lies on a server. Whoever runs that opens the review desk there, by torsio serve; this window does not.</source>
+        <source>This record is on a server. The server&apos;s administrator opens the review desk there with torsio serve, not this window.</source>
         <translation>该记录位于服务器上。由服务器管理者在服务器上用 torsio serve 开放评分台，不在此窗口开放。</translation>
     </message>
     <message>
@@ -28952,7 +28948,7 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>邀请评分者(&amp;I)…</translation>
     </message>
     <message>
-        <source>No rater has been invited yet. Press Invite raters: each gets the cases in an order of their own.</source>
+        <source>No rater has been invited yet. Press Invite raters: each gets the cases in a different order.</source>
         <translation>尚未邀请评分者。请按“邀请评分者”：每人的案例顺序各不相同。</translation>
     </message>
     <message numerus="yes">
@@ -29640,8 +29636,8 @@ T-02,master,17</translation>
         <translation>评分者必须观看(&amp;M)</translation>
     </message>
     <message>
-        <source>at spee&amp;ds</source>
-        <translation>播放速度(&amp;D)</translation>
+        <source>of a recording, at spee&amp;ds</source>
+        <translation>的录像，播放速度(&amp;D)</translation>
     </message>
     <message>
         <source>Discrepanc&amp;y review from</source>
@@ -29904,7 +29900,7 @@ T-02,master,17</translation>
         </translation>
     </message>
     <message>
-        <source>No live sheet is missing for what is chosen.</source>
+        <source>No live sheet is missing in this selection.</source>
         <translation>所选范围内没有缺少的现场评分表。</translation>
     </message>
     <message>
@@ -29985,7 +29981,7 @@ T-02,master,17</translation>
         <translation>所选数值的组成</translation>
     </message>
     <message>
-        <source>Choose a number; type a code such as T-07 to find those of a person. Below stands what it was made of: open a step to go on to marks, criteria, scoring sheet, recording and program.</source>
+        <source>Choose a number; type a code such as T-07 to find those of a person. Its sources are shown below: open a step to continue to marks, criteria, scoring sheet, recording and program.</source>
         <translation>请选择一个数值；输入 T-07 之类的代码可查找某人的数值。下方列出其组成：展开各步可追溯到评分、评分项、评分标准、录制和程序。</translation>
     </message>
     <message>

@@ -62,7 +62,7 @@ export function askConflict({ mine, newer, rubric, nameOf }) {
   if (rubric.overall) lines.push([nameOf(''), text('', overall(mine)), text('', overall(newer))]);
   lines.push([t('Comment for the trainee'), mine.comment || '\u2013', newer.comment || '\u2013']);
   return ask(t('This sheet was changed elsewhere'), (finish) => h('div', { class: 'stack' },
-    h('p', {}, t('It was open in another window or at the desk, and something newer is stored there. Which one shall stand?')),
+    h('p', {}, t('It was changed in another window or at the desk, and that version is newer. Which one do you want to keep?')),
     h('table', {},
       h('thead', {}, h('tr', {}, h('td', {}), h('th', { scope: 'col' }, t('Here')), h('th', { scope: 'col' }, t('Newer')))),
       h('tbody', {}, lines.map(([name, here, there]) =>

@@ -31,7 +31,7 @@ export class DiscrepancyPage {
 
   #draw({ cases }) {
     this.element.replaceChildren(h('h1', {}, t('Discrepancy review')),
-      h('p', { class: 'quiet' }, t('Only cases that everyone has submitted, and only where your mark lies apart from the others. Nobody is named.')),
+      h('p', { class: 'quiet' }, t("Only cases that everyone has submitted, and only where your mark differs from the others'. Nobody is named.")),
       ...(cases.length > 0 ? cases.map((one) => this.#case(one)) : [h('p', {}, t('No disagreements are waiting for you.'))]));
   }
   #decision(one) {

@@ -96,7 +96,7 @@ export class EvaluationPage {
     const bar = h('section', { class: 'submit-bar', 'aria-label': t('Submit') }, this.text, this.problem, h('div', { class: 'actions' }, this.submit));
     this.element.replaceChildren(
       h('div', { class: 'case-head' }, h('h1', {}, t('Evaluation')), choice,
-        h('span', { class: 'quiet facts' }, t('Nine indices for each model. Which model stands behind a letter is hidden, and the order is your own.')),
+        h('span', { class: 'quiet facts' }, t('Nine indices for each model. The letters hide the models; the order is drawn for you alone.')),
         this.status.element),
       models,
       h('div', { class: 'halves' }, h('div', { class: 'left' }, left), h('div', { class: 'right' }, this.view.element, bar)));

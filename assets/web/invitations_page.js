@@ -64,7 +64,7 @@ export class InvitationsPage {
   }
   #waiting(waiting) {
     return h('section', { class: 'card stack unprinted' }, h('h2', {}, t('To be confirmed')),
-      h('p', { class: 'quiet' }, t('Another administrator asks for these invitations and has handed over a code for each. Whoever confirms one hands over the link.')),
+      h('p', { class: 'quiet' }, t('Another administrator asks for these invitations and has handed over a code for each. The administrator who confirms one hands over the link.')),
       h('ul', {}, waiting.map((one) => h('li', {}, t('%1, asked for by %2: %3', one.login, one.by, one.reason), ' ',
         one.own
           ? h('span', { class: 'quiet' }, t('somebody else must confirm this'))

@@ -19,7 +19,7 @@ export function keysHelp() {
     ['Home, End', t('Beginning, end of the recording')],
     ['B', t('Bookmark this moment, for yourself')],
     ['R', t('Remark at this moment, for the trainee')],
-    ['Shift+R', t('Edit the nearest remark of yours')],
+    ['Shift+R', t('Edit your nearest remark')],
   ];
   return h('details', { class: 'keys' }, h('summary', {}, t('Keys')),
     h('dl', {}, keys.map(([key, meaning]) => h('div', {}, h('dt', {}, h('kbd', {}, key)), h('dd', {}, meaning)))));

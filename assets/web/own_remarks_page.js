@@ -33,7 +33,7 @@ export class OwnRemarksPage {
       h('h2', {}, h('a', { href: `#run/${encodeURIComponent(trial.run)}` }, `${trial.title || t('Run')}, ${dayText(trial.started_utc_us)}`)),
       ...trial.remarks.map((remark) => this.#remark(remark))));
     this.element.replaceChildren(h('h1', {}, t('Remarks')),
-      h('p', { class: 'quiet' }, t('What physicians wrote at moments of your runs. Who it was is not told.')),
+      h('p', { class: 'quiet' }, t("Physicians' remarks on moments of your runs. Their names are not shown.")),
       ...(cards.length > 0 ? cards : [h('p', {}, t('Nobody has written anything yet. Remarks appear when the marks are released.'))]));
   }
   #words(remark) {

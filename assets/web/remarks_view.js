@@ -113,7 +113,7 @@ export class RemarksView {
         : h('li', {}, go, h('span', {}, one.edited ? t('%1 (edited)', one.text) : one.text), button(t('Edit'), () => this.#edit(one), { class: 'small', 'aria-label': t('Edit the remark at %1', at) }));
     }));
     if (this.remarks.length === 0) {
-      this.list.append(h('li', { class: 'quiet' }, t('Bookmarks are yours; remarks reach the trainee when the marks are released.')));
+      this.list.append(h('li', { class: 'quiet' }, t('Only you see bookmarks; remarks reach the trainee when the marks are released.')));
     }
   }
 }

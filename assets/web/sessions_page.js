@@ -37,7 +37,7 @@ export class SessionsPage {
     this.element.replaceChildren(
       h('h1', {}, this.title),
       h('p', { class: 'quiet' }, this.all
-        ? t('Whoever is signed in with a browser. Ending a session keeps every draft; the person can sign in again.')
+        ? t('Everybody who is signed in with a browser. Ending a session keeps every draft; the person can sign in again.')
         : t('Where you are signed in with a browser. End what you do not know, then change your password.')),
       h('div', { class: 'card wide-table', tabindex: '0' }, h('table', { class: 'sessions' },
         h('thead', {}, h('tr', {}, heads.map((head) => (head ? h('th', { scope: 'col' }, head) : h('td', {}))))),

@@ -70,7 +70,7 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), ready 
 function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
   putNewPassword(place, {
     title: t('Choose a new password'),
-    words: t('Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.'),
+    words: t('An administrator set your password. Choose your own: at least fifteen characters, a short sentence for example.'),
     login,
     send: (newPassword) => api.post('/api/password', { login, oldPassword, newPassword }, { quiet: true }),
     onBack: () => putSignInForm(place, { onSignedIn }),
@@ -81,7 +81,7 @@ function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
 /// First visit by an invitation link. `link`: the part after #; empty: typed from a card. `onBack()`: back to
 /// the sign-in.
 export function putJoinForm(place, { link, onBack, onSignedIn }) {
-  const typed = field(t('What stands in the link behind the #'), { name: 'link', autocapitalize: 'none', spellcheck: 'false', autocomplete: 'off' });
+  const typed = field(t('The part of the link after the #'), { name: 'link', autocapitalize: 'none', spellcheck: 'false', autocomplete: 'off' });
   const code = field(t('The code that you were given besides the link'), { name: 'code', autocapitalize: 'none', spellcheck: 'false', autocomplete: 'off' });
   const fields = link ? [] : [typed];
   if (!link || isByTwo(link)) fields.push(code);

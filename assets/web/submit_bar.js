@@ -127,7 +127,7 @@ export class SubmitBar {
     if (check.speed_not_allowed) parts.push(t('It was played at a speed that is not allowed.'));
     if (check.all_the_same) parts.push(t('All rows have the same mark. Is that intended?'));
     if (check.far_apart) parts.push(t('The rows lie far apart. Is that intended?'));
-    if (check.overall_outside) parts.push(t('The overall mark lies outside the rows. Is that intended?'));
+    if (check.overall_outside) parts.push(t("The overall mark is outside the rows' range. Is that intended?"));
     if (this.#asking && this.#ready()) parts.push(t('Submitting seals the sheet.'));
     return joinedSentences(parts);
   }

@@ -156,7 +156,7 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
         throw Error(ErrorCode::kVerifyFailed, Text::tr("database is damaged"), location,
                     Text::tr("Restore the latest backup"));
       }
-      throw Error(ErrorCode::kFileUnreadable, Text::tr("is no database"), location,
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("is not a database"), location,
                   Text::tr("Choose another file; if there was a record here, restore the latest backup"));
     }
     throw;

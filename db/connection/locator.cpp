@@ -64,7 +64,7 @@ void requireKnown(const std::string& name) {
   }
   if (std::find(kServerParameters.begin(), kServerParameters.end(), name) == kServerParameters.end()) {
     refuseParameter(Text::tr("unknown connection parameter %1", name), name,
-                    Text::tr("Known are schema, %1", listOf(kServerParameters)));
+                    Text::tr("Allowed are schema, %1", listOf(kServerParameters)));
   }
 }
 
@@ -212,17 +212,17 @@ void requireUsableFile(const fs::path& file, OpenMode mode) {
   }
   const bool exists = fs::exists(file, ignored);
   if (exists && !fs::is_regular_file(file, ignored)) {  // opening a pipe would block until somebody writes
-    throw Error(ErrorCode::kFileUnreadable, Text::tr("is no file, so it is no database"), file.string(),
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("is not a file, so it cannot be a database"), file.string(),
                 Text::tr("Name a file"));
   }
   if (exists && fs::file_size(file, ignored) == 0) {
     throw Error(ErrorCode::kFileUnreadable,
                 Text::tr("is empty, which no record ever is: something emptied it"), file.string(),
-                Text::tr("Restore the latest backup; if there never was a record here, remove the file"));
+                Text::tr("Restore the latest backup, or delete the file if there never was a record here"));
   }
   if (!exists && fs::is_symlink(fs::symlink_status(file, ignored))) {
     throw Error(ErrorCode::kFileMissing, Text::tr("is a link to a file that is not there"), file.string(),
-                Text::tr("Connect the disk that it lies on, or remove the link"));
+                Text::tr("Connect the disk that it is on, or remove the link"));
   }
   if (!exists && mode != OpenMode::kCreate) {
     throw Error(ErrorCode::kFileMissing, Text::tr("no such database"), file.string(),

@@ -95,7 +95,7 @@ void requireReplaceable(const fs::path& target, Replace replace) {
   const SqliteHead head = file ? headOf(target) : SqliteHead{};
   const bool backup = head.database && !head.writeAheadLog && head.application == kBackupMark;
   if (!backup && !(file && fs::file_size(target, ignored) == 0)) {
-    throw Error(ErrorCode::kFileUnwritable, Text::tr("is no backup, so it is never replaced by one"),
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("is not a backup, so no backup replaces it"),
                 target.string(), Text::tr("Name another file"));
   }
   if (replace == Replace::kNothing) {
@@ -200,7 +200,7 @@ BackupContent checkBackup(const fs::path& backup) {
   BackupContent content;
   content.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
   if (content.schemaVersion == 0) {
-    throw Error(ErrorCode::kFileUnreadable, Text::tr("holds no Torsio record"), backup.string(),
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("contains no Torsio record"), backup.string(),
                 Text::tr("Choose another file"));
   }
   const std::vector<std::string> findings = integrityFindings(connection);

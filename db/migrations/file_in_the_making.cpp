@@ -99,9 +99,6 @@ void sweepUnfinished(const fs::path& folder) {
 #include <fcntl.h>
 #endif
 
-#include "db/migrations/file_in_the_making.h"
-#include "sim/core/file_io.h"
-
 namespace torsio {
 
 namespace fs = std::filesystem;

@@ -284,7 +284,7 @@ Connection openRecord(const std::string& locator, OpenMode mode, const Migration
   const SchemaState state = checkSchema(connection, migrations);
   if (state.version < state.known) {
     throw Error(ErrorCode::kDatabase,
-                state.version == 0 ? Text::tr("holds no Torsio record")
+                state.version == 0 ? Text::tr("contains no Torsio record")
                                    : Text::tr("has an older schema than this program"),
                 connection.location(),
                 Text::tr("Open it once for writing, so that it can be brought up to date"));

@@ -27,7 +27,7 @@ void tellOrgan(const std::filesystem::path& file) {
             << 2 - 2 * report.genus() << ", " << crossings << " crossings\n";
   if (!sound || report.genus() != 0 || crossings != 0) {
     throw torsio::Error(torsio::ErrorCode::kBadMesh,
-                        torsio::Text::verbatim("the organ that was drawn is no sound surface"), file.string(),
+                        torsio::Text::verbatim("the organ drawn is not a sound surface"), file.string(),
                         torsio::Text::verbatim("Change its edges"));
   }
 }

@@ -131,7 +131,7 @@ Row toRow(const Sample& s) noexcept {
 template <typename Integer>
 Integer within(std::int64_t value) {
   if (value < std::numeric_limits<Integer>::min() || value > std::numeric_limits<Integer>::max()) {
-    damaged(Text::verbatim("a value lies outside its range"));
+    damaged(Text::verbatim("a value is outside its range"));
   }
   return static_cast<Integer>(value);
 }

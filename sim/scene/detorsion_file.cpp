@@ -228,7 +228,7 @@ Detorsion readDetorsion(JsonFields& pattern) {
 std::shared_ptr<const Detorsion> readGoal(JsonFields& pattern) {
   const bool detorse = pattern.choice("goal", {"twist", "detorse"}, 0) == 1;
   if (detorse != pattern.has("detorsion")) {
-    pattern.refuse("detorsion", Text::tr("belongs to the goal 'detorse', and that goal needs it"),
+    pattern.refuse("detorsion", Text::tr("is required for, and only allowed with, the goal 'detorse'"),
                    Text::tr("Give both, or leave out both."));
   }
   return detorse ? std::make_shared<const Detorsion>(readDetorsion(pattern)) : nullptr;

@@ -311,11 +311,12 @@ void requireThickness(const std::vector<Vec3>& local_mm, const std::string& wher
 void requireInstrumentSize(const TriangleMesh& mesh, double unit_m, const std::string& where) {
   requireSound(mesh, where);
   const double side_m = boxOf(mesh.vertices_m).largestSide();
-  requireLargestSide(
-      side_m, {kInstrumentLength_mm.least / kToolMetre_mm, kInstrumentLength_mm.most / kToolMetre_mm},
-      Text::tr("M09 largest side %1 mm is no instrument (%2 to %3 mm)", shortNumber(kToolMetre_mm * side_m),
-               shortNumber(kInstrumentLength_mm.least), shortNumber(kInstrumentLength_mm.most)),
-      where, unit_m);
+  requireLargestSide(side_m,
+                     {kInstrumentLength_mm.least / kToolMetre_mm, kInstrumentLength_mm.most / kToolMetre_mm},
+                     Text::tr("M09 largest side %1 mm is not that of an instrument (%2 to %3 mm)",
+                              shortNumber(kToolMetre_mm * side_m), shortNumber(kInstrumentLength_mm.least),
+                              shortNumber(kInstrumentLength_mm.most)),
+                     where, unit_m);
 }
 
 [[noreturn]] void refuseShape(const Text& what, const std::string& where) {

@@ -183,7 +183,7 @@ OrganFile readOrganFile(const std::filesystem::path& file) {
   const std::string all = readFile(file);
   const std::size_t line = all.find('\n');
   if (!all.starts_with(kMagic) || line == std::string::npos || line > kMagic.size() + 4) {
-    refuseFile(file, Text::tr("this is no organ file of Torsio"));
+    refuseFile(file, Text::tr("not an organ file of Torsio"));
   }
   if (all.substr(kMagic.size(), line - kMagic.size()) != std::to_string(kOrganFormat)) {
     refuseFile(file, Text::tr("the organ file was written by a later version"));

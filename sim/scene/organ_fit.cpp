@@ -138,11 +138,11 @@ struct Fitting {
     }
     fitted.judgement.findings.push_back(
         {"M20", FindingWeight::kWarning,
-         Text::tr("a branch on the side, %1 mm wide and %2 mm long, belongs to no section: it follows the "
-                  "place where it stands",
-                  shortNumber(1000.0 * branch->width_m), shortNumber(1000.0 * branch->length_m)),
+         Text::tr(
+             "a branch on the side, %1 mm wide and %2 mm long, belongs to no section: it follows its root",
+             shortNumber(1000.0 * branch->width_m), shortNumber(1000.0 * branch->length_m)),
          Text::tr("the whole organ"), 1000.0 * branch->length_m,
-         Text::tr("Cut the branch off in a mesh editor if it is none of the organ")});
+         Text::tr("Cut the branch off in a mesh editor if it is not part of the organ")});
     return fitted;
   }
 };

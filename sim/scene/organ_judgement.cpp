@@ -276,7 +276,7 @@ OrganFinding finding(const char* code, Text what, Text remedy) {
 }
 
 Text askForEnds() {
-  return Text::tr("Name the ends of the organ, or cut off what is none of it");
+  return Text::tr("Name the ends of the organ, or cut off what is not part of it");
 }
 
 OrganFinding tooShort(const OrganMeasures& m, const OrganLimits& limits, double wrung) {
@@ -298,7 +298,7 @@ void judgeShape(const OrganMeasures& m, const OrganLimits& limits, double wrung,
   findings.atMost(
       m.stalkWidth, limits.mostStalkWidth, limits.mostStalkWidth,
       finding("M20",
-              Text::tr("the organ hangs on no stalk: what is wrung of it is %1 times as wide as the rest",
+              Text::tr("the organ has no stalk: the part that is twisted is %1 times as wide as the rest",
                        shortNumber(m.stalkWidth)),
               Text::tr("Name the ends of the organ: the root of its stalk is the held one")));
   findings.atMost(

@@ -218,10 +218,11 @@ std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const
     return nullptr;
   }
   if (runsAsync(request.tissue) || scene.formulation == Formulation::kPaper) {
-    throw Error(
-        ErrorCode::kBadParameter,
-        Text::tr("the pattern '%1' is undone, which only the twist model with a wall knows", pattern.id),
-        Text::tr("scene %1", scene.id), Text::tr("Choose another pattern, or leave out the other model."));
+    throw Error(ErrorCode::kBadParameter,
+                Text::tr("the pattern '%1' starts twisted, which only the twist model with a wall supports",
+                         pattern.id),
+                Text::tr("scene %1", scene.id),
+                Text::tr("Choose another pattern, or leave out the other model."));
   }
   return std::make_shared<const HollowOrgan>(
       HollowOrgan::Parts{.lattice = &model.lattice(),

@@ -227,7 +227,8 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
   }
   pattern.detorsion = readGoal(fields);
   if (pattern.detorsion && (pattern.task || pattern.targetAngle_rad != 0.0)) {
-    fields.refuse(pattern.task ? "task" : "angle_deg", Text::tr("does not belong to an organ that is undone"),
+    fields.refuse(pattern.task ? "task" : "angle_deg",
+                  Text::tr("is not allowed for an organ that comes twisted"),
                   Text::tr("Leave out 'task' and give 'angle_deg' 0."));
   }
   fields.finish();

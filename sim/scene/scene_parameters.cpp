@@ -270,10 +270,9 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
 SceneRequest sceneRequestFor(const std::string& parametersJson) {
   const auto json = nlohmann::json::parse(parametersJson, nullptr, false);
   if (json.contains(kForeignParameters)) {
-    throw Error(
-        ErrorCode::kBadData,
-        Text::tr("other equipment made this recording: there is no organ to be shown or computed again"),
-        Text::tr("run"), Text::tr("Look at its metrics and at its path in a data set"));
+    throw Error(ErrorCode::kBadData,
+                Text::tr("other equipment made this recording: there is no organ to show or to recompute"),
+                Text::tr("run"), Text::tr("Look at its metrics and at its path in a data set"));
   }
   try {
     SceneRequest request;

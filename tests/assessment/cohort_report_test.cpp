@@ -103,7 +103,7 @@ TEST(CohortReport, StartsWithAPageThatABoardReadsInAMinute) {
     excluded += differences->series[0].low[i] > 0.0 || differences->series[0].high[i] < 0.0 ? 1 : 0;
   }
   const std::string answer = board.paragraphs[2].str();
-  EXPECT_EQ(answer.find("Every interval holds zero") != std::string::npos,
+  EXPECT_EQ(answer.find("Every interval includes zero") != std::string::npos,
             answer.find("no difference") != std::string::npos && excluded == 0)
       << answer;
   EXPECT_TRUE(board.onFirstPage);

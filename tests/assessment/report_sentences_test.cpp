@@ -309,8 +309,8 @@ TEST(CompetenceSection, TheFirstPageUsesItsVerdictsOnly) {
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->rows.at(0).at(3), "1 of 3: x101") << "one is competent at all that was tried";
   ASSERT_EQ(table->notes.size(), 1U);
-  EXPECT_THAT(table->notes[0].str(),
-              HasSubstr("competent in at most 12.0 %, whoever is adequate at all does not in at most 21.6 %"))
+  EXPECT_THAT(table->notes[0].str(), HasSubstr("competent in at most 12.0 % of cases; one who is adequate at "
+                                               "all of them is not judged competent in at most 21.6 %"))
       << "one of the two exercises is enough not to be competent at both";
   in.competence.clear();
   EXPECT_TRUE(tableIn(cohortReport(in), "table-standard")->notes.empty());

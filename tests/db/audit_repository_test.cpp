@@ -173,7 +173,7 @@ TEST_F(AuditRepositoryTest, SealsEachMarkAndDetectsAChangedOne) {
   ASSERT_EQ(verifyAuditTrail(connection()).size(), 1U);
 
   behind.execute("DELETE FROM training_mark");
-  EXPECT_EQ(verifyAuditTrail(connection()).at(0).what, "was recorded, but is gone");
+  EXPECT_EQ(verifyAuditTrail(connection()).at(0).what, "was recorded, but is missing");
 }
 
 TEST_F(AuditRepositoryTest, DetectsAnInsertedMark) {
@@ -187,7 +187,7 @@ TEST_F(AuditRepositoryTest, DetectsAnInsertedMark) {
   const std::vector<AuditFinding> findings = verifyAuditTrail(connection());
 
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_EQ(findings[0].what, "is there, but was never recorded");
+  EXPECT_EQ(findings[0].what, "is present, but was never recorded");
 }
 
 TEST_F(AuditRepositoryTest, DetectsAChangedByteOfARecording) {

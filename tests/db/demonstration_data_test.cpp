@@ -117,7 +117,7 @@ TEST_F(DemonstrationDataTest, ARemovedRealMarkIsStillDetected) {
   const std::vector<AuditFinding> findings = verifyAuditTrail(connection());
 
   EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const AuditFinding& finding) {
-    return finding.objectKind == "training_mark" && finding.what == "was recorded, but is gone";
+    return finding.objectKind == "training_mark" && finding.what == "was recorded, but is missing";
   }));
 }
 

@@ -188,7 +188,7 @@ TEST_F(SheetRepositoryTest, RejectsAnotherSheetWithTheIdOfASealedOne) {
     EXPECT_EQ(faultFrom([&] { desk.sheets.submit(id, mark, other, "", kSampleTime_us); }), DbFault::kUnique);
   }
   const Refusal refusal = refusalFrom([&] { desk.sheets.submit(id, mark, otherRow, "", kSampleTime_us); });
-  EXPECT_NE(refusal.text.find("this mark is stored already with other content"), std::string::npos)
+  EXPECT_NE(refusal.text.find("this mark is already stored with different content"), std::string::npos)
       << refusal.text;
   EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 75);
 }

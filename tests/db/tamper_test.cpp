@@ -182,7 +182,7 @@ TEST_F(TamperTest, ADeletedMarkWithAnEntryOfItsRemovalIsDetected) {
   connection_->executeVerbatim("DELETE FROM training_mark");
   forgeEntry(AuditAction::kDemonstrationRemove, "");
 
-  EXPECT_TRUE(finds("was recorded, but is gone"));
+  EXPECT_TRUE(finds("was recorded, but is missing"));
 }
 
 TEST_F(TamperTest, AnInsertedTombstoneExcusesNoChangedSecond) {
@@ -340,7 +340,7 @@ TEST_F(TamperTest, ARemovalOfTheDemonstrationExcusesNoRealMark) {
 
   forgeSeals(*connection_, AuditAction::kDemonstrationRemove, AuditObject::kDemonstration, "");
 
-  EXPECT_TRUE(finds("tells of a removal that did not take place"));
+  EXPECT_TRUE(finds("records a removal that did not take place"));
 }
 
 TEST_F(TamperTest, ATombstoneWithoutItsEntryIsDetectedEvenWithASeal) {
@@ -352,7 +352,7 @@ TEST_F(TamperTest, ATombstoneWithoutItsEntryIsDetectedEvenWithASeal) {
 
   forgeSeals(*connection_, AuditAction::kPersonChange, AuditObject::kPerson, "p");
 
-  EXPECT_TRUE(finds("tells of an erase that did not take place"));
+  EXPECT_TRUE(finds("records an erasure that did not take place"));
 }
 
 TEST_F(TamperTest, AGateLeftOpenIsDetected) {

@@ -270,7 +270,7 @@ TEST_F(TrialRepositoryTest, RejectsTheSameIdWithOtherContent) {
   EXPECT_EQ(faultFrom([&] { trials.append(other); }), DbFault::kUnique);
   const Refusal refusal = refusalFrom([&] { trials.append(other); });
   EXPECT_NE(
-      refusal.text.find("second 1 of trial " + header.trialId + " is stored already with other content"),
+      refusal.text.find("second 1 of trial " + header.trialId + " is already stored with different content"),
       std::string::npos)
       << refusal.text;
   trials.finish({2000, 0, 0, TrialOutcome::kCompleted, "hash"});

@@ -51,7 +51,7 @@ class MapPart {
  public:
   MapPart(const nlohmann::json& json, std::string where) : json_(json), where_(std::move(where)) {
     if (!json_.is_object()) {
-      refuse(Text::tr("this is no object of JSON"), where_, Text::tr("See the example of a map"));
+      refuse(Text::tr("not a JSON object"), where_, Text::tr("See the example of a map"));
     }
   }
 
@@ -62,7 +62,7 @@ class MapPart {
   void allow(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : json_.items()) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-        refuseAt(key, Text::tr("the map has a word that means nothing here"), Text::tr("Check its spelling"));
+        refuseAt(key, Text::tr("the map has an unknown field"), Text::tr("Check its spelling"));
       }
     }
   }
@@ -79,7 +79,7 @@ class MapPart {
       return other;
     }
     if (!json_[key].is_string()) {
-      refuseAt(key, Text::tr("this is no text"), Text::tr("Put it in quotes"));
+      refuseAt(key, Text::tr("not a text"), Text::tr("Put it in quotes"));
     }
     return json_[key].get<std::string>();
   }
@@ -140,7 +140,7 @@ auto chosenFrom(const Table& table, const MapPart& part, const char* key) {
     }
     words += (words.empty() ? "" : ", ") + std::string(name);
   }
-  part.refuseAt(key, Text::tr("'%1' is none of: %2", word, words), Text::tr("Name one of them"));
+  part.refuseAt(key, Text::tr("'%1' must be one of: %2", word, words), Text::tr("Name one of them"));
 }
 
 RotationForm rotationOf(const MapPart& part) {
@@ -152,7 +152,7 @@ RotationForm rotationOf(const MapPart& part) {
     }
     words += (words.empty() ? "" : ", ") + std::string(row.name);
   }
-  part.refuseAt("rotation", Text::tr("'%1' is none of: %2", word, words), Text::tr("Name one of them"));
+  part.refuseAt("rotation", Text::tr("'%1' must be one of: %2", word, words), Text::tr("Name one of them"));
 }
 
 /// Parses "2026-01-05T08:00:00Z".
@@ -189,7 +189,7 @@ void readTimes(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   if (map.has("rate_Hz")) {
     out.rate_Hz = map.number("rate_Hz");
     if (!(*out.rate_Hz > 0.0 && *out.rate_Hz <= kFastest_Hz)) {
-      map.refuseAt("rate_Hz", Text::tr("this is no rate"), Text::tr("State lines a second, up to 10000"));
+      map.refuseAt("rate_Hz", Text::tr("not a valid rate"), Text::tr("State lines a second, up to 10000"));
     }
   } else if (!stamped) {
     if (layout != ForeignLayout::kCsv) {
@@ -236,8 +236,8 @@ void readGaps(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   }
   const bool tables = layout == ForeignLayout::kRosma || layout == ForeignLayout::kCsv;
   if (!tables || map.text("gaps") != "leave out") {
-    map.refuseAt("gaps", Text::tr("only \"leave out\" is known here, and only of tables"),
-                 Text::tr("Take it out: lines without a pose are refused then"));
+    map.refuseAt("gaps", Text::tr("only \"leave out\" is allowed here, and only for tables"),
+                 Text::tr("Remove it: lines without a pose are then refused"));
   }
   out.leavesGaps = true;
 }
@@ -246,8 +246,7 @@ template <typename List>
 void requireKnown(const List& list, const std::string& name, const MapPart& part, const char* key) {
   const bool known = std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
   if (!known) {
-    part.refuseAt(key, Text::tr("the map knows nobody called '%1'", name),
-                  Text::tr("Enter them in its lists"));
+    part.refuseAt(key, Text::tr("the map lists no person '%1'", name), Text::tr("Enter them in its lists"));
   }
 }
 
@@ -266,7 +265,7 @@ void readPeople(const MapPart& map, ForeignMap& out) {
       person.refuseAt("group", Text::tr("there is no such group"), Text::tr("Enter it under \"groups\""));
     }
     if (!names.insert(out.people.back().name).second) {
-      person.refuseAt("name", Text::tr("this name stands twice"), Text::tr("Name each person once"));
+      person.refuseAt("name", Text::tr("duplicate name"), Text::tr("Name each person once"));
     }
   }
   if (!map.has("raters")) {
@@ -276,7 +275,7 @@ void readPeople(const MapPart& map, ForeignMap& out) {
     rater.allow({"name", "class"});
     out.raters.push_back({rater.text("name"), rater.text("class")});
     if (!names.insert(out.raters.back().name).second) {
-      rater.refuseAt("name", Text::tr("this name stands twice"), Text::tr("Name each person once"));
+      rater.refuseAt("name", Text::tr("duplicate name"), Text::tr("Name each person once"));
     }
   }
 }
@@ -294,12 +293,12 @@ void readRecordings(const MapPart& map, const fs::path& folder, ForeignMap& out)
     recording.occasion = one.textOr("occasion", "");
     requireKnown(out.people, recording.person, one, "person");
     if (!names.insert(recording.name).second) {
-      one.refuseAt("file", Text::tr("this file stands twice"), Text::tr("Name each recording once"));
+      one.refuseAt("file", Text::tr("duplicate file"), Text::tr("Name each recording once"));
     }
     if (one.has("started")) {
       recording.startedUtc_us = utcOf(one.text("started"));
       if (!recording.startedUtc_us) {
-        one.refuseAt("started", Text::tr("this is no time"), Text::tr("Write 2026-01-05T08:00:00Z (UTC)"));
+        one.refuseAt("started", Text::tr("not a valid time"), Text::tr("Write 2026-01-05T08:00:00Z (UTC)"));
       }
     }
     out.recordings.push_back(std::move(recording));
@@ -351,8 +350,7 @@ void requireSingleMarks(const ForeignMap& map) {
     }
     if (!given.insert(recording->person + "\n" + mark.rater + "\n" + recording->occasion).second) {
       refuse(Text::tr("%1 marked %2 twice at one occasion", mark.rater, recording->person),
-             map.name + ", " + mark.recording,
-             Text::tr("Give each of the recordings an occasion of its own"));
+             map.name + ", " + mark.recording, Text::tr("Give each recording a separate occasion"));
     }
   }
 }
@@ -383,7 +381,7 @@ ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
   ForeignMap out;
   out.name = file.filename().string();
   if (json.is_discarded()) {
-    refuse(Text::tr("the map is no JSON"), out.name, Text::tr("Check its quotes, commas and brackets"));
+    refuse(Text::tr("the map is not JSON"), out.name, Text::tr("Check its quotes, commas and brackets"));
   }
   Digest digest;
   digest.update(text);

@@ -84,7 +84,7 @@ class HashedLines {
 using Where = std::function<std::string()>;
 
 [[noreturn]] void refuseRotation(const Where& where) {
-  refuse(Text::tr("these numbers are no rotation"), where(),
+  refuse(Text::tr("these numbers are not a rotation"), where(),
          Text::tr("Check the line and the form of rotation that the map names"));
 }
 
@@ -131,7 +131,7 @@ class PoseClock {
       first_us_ = row.time_us;
     } else if (now_us <= last_us_) {
       refuse(Text::tr("the time does not rise"), where(),
-             Text::tr("Put the lines in order, and take out those that stand twice"));
+             Text::tr("Put the lines in order and remove duplicates"));
     }
     last_us_ = now_us;
     ++count_;

@@ -51,7 +51,7 @@ class RowReaderBase : public ForeignRows {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-      refuse(Text::tr("'%1' is no number", std::string(text)),
+      refuse(Text::tr("'%1' is not a number", std::string(text)),
              name_ + ", line " + std::to_string(line) + ", " + column,
              Text::tr("Write numbers with a decimal point; leave out lines without a pose"));
     }
@@ -178,7 +178,7 @@ class TableRows : public RowReaderBase {
  private:
   [[nodiscard]] std::size_t columnNamed(const std::string& wanted) const {
     if (std::count(header_.begin(), header_.end(), wanted) != 1) {
-      refuseLine(1, Text::tr("there is not one column '%1'", wanted),
+      refuseLine(1, Text::tr("there must be exactly one column '%1'", wanted),
                  Text::tr("Check the names in the map and in the first line"));
     }
     return static_cast<std::size_t>(std::find(header_.begin(), header_.end(), wanted) - header_.begin());

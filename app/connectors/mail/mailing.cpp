@@ -52,8 +52,7 @@ void setMailSettings(SessionContext& session, const MailSettings& settings) {
     return;
   }
   if (std::any_of(host.begin(), host.end(), [](unsigned char letter) { return std::isspace(letter) != 0; })) {
-    refuseParameter(Text::tr("this is no name of a server"), host,
-                    Text::tr("Write it like mail.example.org"));
+    refuseParameter(Text::tr("not a server name"), host, Text::tr("Write it like mail.example.org"));
   }
   checkAddress(settings.from);
   requireProtectedWay(settings.server);

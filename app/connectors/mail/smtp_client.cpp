@@ -59,7 +59,7 @@ void checkAddress(const std::string& address) {
   });
   if (!plain || address.size() > kMaxAddress_bytes || at == 0 || at == std::string::npos ||
       at + 1 == address.size() || address.rfind('@') != at) {
-    refuseParameter(Text::tr("this is no mail address"), address, Text::tr("Write it like li@example.org"));
+    refuseParameter(Text::tr("not a mail address"), address, Text::tr("Write it like li@example.org"));
   }
 }
 
@@ -196,7 +196,7 @@ class MailTalk {
       case CURLE_WEIRD_SERVER_REPLY:
         if (!refused) {  // not offered, or text was injected after the answer
           refuseServer(Text::tr("the mail server offers no safe encryption: %1", why),
-                       Text::tr("Choose TLS from the beginning, or ask who runs it"));
+                       Text::tr("Choose TLS from the start, or ask the server's administrator"));
         }
         [[fallthrough]];
       case CURLE_REMOTE_ACCESS_DENIED:
@@ -258,7 +258,8 @@ std::vector<Text> sendMail(const MailServer& server, std::span<const MailMessage
       refusals.push_back(talk.send(messages[i], texts[i]));
     } catch (const Error& error) {
       if (talk.handedOver()) {
-        refusals.push_back(Text::tr("it is not known whether it was taken: %1", error.happenedText()));
+        refusals.push_back(
+            Text::tr("it is not known whether the server accepted it: %1", error.happenedText()));
       }
       refusals.resize(messages.size(), Text::tr("not sent: %1", error.happenedText()));
       return refusals;

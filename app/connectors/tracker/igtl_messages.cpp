@@ -190,7 +190,7 @@ void IgtlReader::beginBody() {
   const igtl_header head = headOf(head_);
   const std::string kind = kindOf(head);
   if (head.version < 1 || head.version > kNewestHeader || !isKind(kind)) {
-    refuse(Text::tr("what came is no OpenIGTLink"), Text::tr("tracker"),
+    refuse(Text::tr("the data received are not OpenIGTLink"), Text::tr("tracker"),
            Text::tr("Check the address and port, and what is running there"));
   }
   if (head.body_size > kMaxMessage_bytes) {

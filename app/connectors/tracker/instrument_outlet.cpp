@@ -131,8 +131,7 @@ void InstrumentOutlet::State::offer() {
   QTcpServer server;
   const QHostAddress here = ownAddress(address);
   if (here.isNull() || !server.listen(here, port)) {
-    trouble(Text::tr("nobody can be waited for at this address and port: %1",
-                     server.errorString().toStdString()));
+    trouble(Text::tr("cannot listen at this address and port: %1", server.errorString().toStdString()));
     std::unique_lock lock(mutex);
     changed.wait_for(lock, std::chrono::seconds(1), [this] { return stop; });
     return;

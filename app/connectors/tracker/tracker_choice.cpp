@@ -51,7 +51,7 @@ void rememberTracker(const TrackerChoice& choice) {
   }
   if (choice.outletPort != 0 && ownAddress(choice.outletAddress).isNull()) {
     refuseParameter(
-        Text::tr("this is no address of this computer: 127.0.0.1 is, and 0.0.0.0 are all of them"),
+        Text::tr("not an address of this computer; use 127.0.0.1, or 0.0.0.0 for all its addresses"),
         choice.outletAddress, Text::tr("Give another one"));
   }
   QSettings settings = trackerSettings();

@@ -38,11 +38,11 @@ constexpr qint64 kReadAtOnce = 64 * 1024;
 Text socketTrouble(QAbstractSocket::SocketError error, const QString& said) {
   switch (error) {
     case QAbstractSocket::ConnectionRefusedError:
-      return Text::tr("nobody answers at this address and port");
+      return Text::tr("no answer from this address and port");
     case QAbstractSocket::HostNotFoundError:
       return Text::tr("there is no computer of this name");
     case QAbstractSocket::SocketTimeoutError:
-      return Text::tr("nobody answered in time");
+      return Text::tr("there was no answer in time");
     case QAbstractSocket::RemoteHostClosedError:
       return Text::tr("the tracker ended the connection");
     default:
@@ -260,12 +260,11 @@ void TrackerLink::State::answer() {
   QTcpServer server;
   const QHostAddress here = ownAddress(place.address);
   if (here.isNull()) {  // Qt would listen at all addresses
-    seek(Text::tr("this is no address of this computer: 127.0.0.1 is, and 0.0.0.0 are all of them"));
+    seek(Text::tr("not an address of this computer; use 127.0.0.1, or 0.0.0.0 for all its addresses"));
     return;
   }
   if (!server.listen(here, place.port)) {
-    seek(Text::tr("nobody can be waited for at this address and port: %1",
-                  server.errorString().toStdString()));
+    seek(Text::tr("cannot listen at this address and port: %1", server.errorString().toStdString()));
     return;
   }
   while (!stops()) {

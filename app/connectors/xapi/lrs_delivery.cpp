@@ -70,8 +70,7 @@ Outcome refused(const LrsAnswer& answer) {
       return {Fate::kLaterAndStop, Text::tr("the key is refused: %1", wordsOf(answer)), answer.after};
     case 404:
     case 405:
-      return {Fate::kLaterAndStop,
-              Text::tr("there is no learning record store at this address: %1", wordsOf(answer)),
+      return {Fate::kLaterAndStop, Text::tr("no learning record store at this address: %1", wordsOf(answer)),
               answer.after};
     case 408:
     case 429:
@@ -103,7 +102,7 @@ Outcome send(LrsClient& store, const std::string& id, const std::string& stateme
     return took(answer, id)
                ? Outcome{Fate::kDelivered, Text::tr("taken"), {}}
                : Outcome{Fate::kLaterAndStop,
-                         Text::tr("what answers is no learning record store: %1", wordsOf(answer)),
+                         Text::tr("the reply is not from a learning record store: %1", wordsOf(answer)),
                          {}};
   }
   return answer.status == kConflict ? afterConflict(store, id, statement) : refused(answer);

@@ -43,7 +43,7 @@ void requireAddress(const std::string& address, bool protectedWay) {
   const bool web = url.scheme() == QLatin1String("https") || url.scheme() == QLatin1String("http");
   if (!url.isValid() || !web || url.host().isEmpty() || url.hasQuery() || url.hasFragment() ||
       !url.userInfo().isEmpty()) {
-    refuseParameter(Text::tr("this is no address of a web server"), address,
+    refuseParameter(Text::tr("not an address of a web server"), address,
                     Text::tr("Write it like https://lrs.example.org/xapi"));
   }
   if (protectedWay && url.scheme() == QLatin1String("http") && !isThisComputer(url.host().toStdString())) {
@@ -107,7 +107,7 @@ std::optional<LrsKey> stationLrsKey() {
   const std::string text = readFile(file);
   const std::size_t end = text.find('\n');
   if (end == std::string::npos || end == 0) {
-    throw Error(ErrorCode::kBadData, Text::tr("is no key of a learning record store"), file.string(),
+    throw Error(ErrorCode::kBadData, Text::tr("is not a key of a learning record store"), file.string(),
                 Text::tr("Set it again"));
   }
   LrsKey key{text.substr(0, end), text.substr(end + 1)};
@@ -126,7 +126,7 @@ void setStationLrsKey(const LrsKey& key) {
   }
   if (key.user.find_first_of(":\r\n") != std::string::npos ||
       key.secret.find_first_of("\r\n") != std::string::npos || key.secret.empty()) {
-    refuseParameter(Text::tr("this is no name and secret for a learning record store"), key.user,
+    refuseParameter(Text::tr("not a name and secret for a learning record store"), key.user,
                     Text::tr("Enter both as the store shows them, the name without a colon"));
   }
   ensureFolder(file.parent_path());

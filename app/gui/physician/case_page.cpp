@@ -49,26 +49,22 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
       saved_(new QLabel(this)),
       undo_(new QToolButton(this)),
       redo_(new QToolButton(this)),
-      clear_(new QToolButton(this)),
-      advance_(new QToolButton(this)),
+      clear_(named(new QToolButton(this), "clearSheet")),
+      advance_(named(new QToolButton(this), "advance")),
       amend_(new QPushButton(this)),
       submit_(primaryButton(this)),
       halves_(new QSplitter(Qt::Horizontal, this)),
-      replay_(new ReplayPanel(shell.assets(), this)),
-      sheet_(new SheetEditorPanel(false, this)),
-      remarks_(sentence(this)),
-      remarkField_(new QLineEdit(this)),
+      replay_(named(new ReplayPanel(shell.assets(), this), "replay")),
+      sheet_(named(new SheetEditorPanel(false, this), "sheetPanel")),
+      remarks_(named(sentence(this), "remarks")),
+      remarkField_(named(new QLineEdit(this), "remarkField")),
       bookmark_(new QToolButton(this)),
       remark_(new QToolButton(this)) {
-  sheet_->setObjectName(QStringLiteral("sheetPanel"));
-  replay_->setObjectName(QStringLiteral("replay"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kSpace, kSpace + kSpace / 2, 2 * kSpace, kSpace + kSpace / 2);
-  column->setSpacing(kSpace);
+  QVBoxLayout* column =
+      columnOf(this, {2 * kSpace, kSpace + kSpace / 2, 2 * kSpace, kSpace + kSpace / 2}, kSpace);
   createHead(column);
   auto* left = new QWidget(this);
-  auto* leftColumn = new QVBoxLayout(left);
-  leftColumn->setContentsMargins(0, 0, kSpace, 0);
+  QVBoxLayout* leftColumn = columnOf(left, {0, 0, kSpace, 0});
   leftColumn->addWidget(replay_, 1);
   auto* marks = new QHBoxLayout;
   marks->addWidget(bookmark_);
@@ -76,9 +72,7 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   marks->addWidget(remarks_, 1);
   leftColumn->addLayout(marks);
   leftColumn->addWidget(remarkField_);
-  remarks_->setObjectName(QStringLiteral("remarks"));
   remarks_->setTextFormat(Qt::RichText);
-  remarkField_->setObjectName(QStringLiteral("remarkField"));
   remarkField_->hide();
   remarkField_->setMaxLength(static_cast<int>(kLongestRemark));
   halves_->addWidget(left);
@@ -132,13 +126,10 @@ void CasePage::createHead(QVBoxLayout* column) {
   title_->setProperty("heading", true);
   facts_->setProperty("quiet", true);
   saved_.label()->setProperty("quiet", true);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(kSpace);
-  head->addWidget(title_);
+  QHBoxLayout* head = rowOf({title_});
   head->addSpacing(kSpace);
   head->addWidget(facts_, 1);
   head->addWidget(saved_.label());
-  advance_->setObjectName(QStringLiteral("advance"));
   advance_->setCheckable(true);
   connect(advance_, &QToolButton::toggled, this, [this](bool on) { sheet_->setAdvancing(on); });
   // Only on clicks: programmatic changes are not the user's choice.
@@ -153,20 +144,17 @@ void CasePage::createHead(QVBoxLayout* column) {
   column->addLayout(head);
   connect(undo_, &QToolButton::clicked, sheet_, &SheetEditorPanel::undo);
   connect(redo_, &QToolButton::clicked, sheet_, &SheetEditorPanel::redo);
-  clear_->setObjectName(QStringLiteral("clearSheet"));
   connect(clear_, &QToolButton::clicked, sheet_, &SheetEditorPanel::clearAll);
   connect(amend_, &QPushButton::clicked, this, &CasePage::startAmending);
   connect(submit_, &QPushButton::clicked, this, &CasePage::askSubmit);
 }
 
 QWidget* CasePage::createStrip() {
-  strip_ = new QFrame(this);
-  strip_->setObjectName(QStringLiteral("card"));
+  strip_ = named(new QFrame(this), "card");
   stripText_ = sentence(strip_, false);
   stripReason_ = new QLineEdit(strip_);
   stripReason_->setMaxLength(static_cast<int>(kLongestReason));
-  stripGo_ = primaryButton(strip_);
-  stripGo_->setObjectName(QStringLiteral("stripGo"));
+  stripGo_ = named(primaryButton(strip_), "stripGo");
   stripBack_ = new QPushButton(strip_);
   auto* row = new QHBoxLayout(strip_);
   row->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);

@@ -8,7 +8,7 @@
 #include <QElapsedTimer>
 
 #include "app/gui/base/page.h"
-#include "app/gui/physician/said_line.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/services/review/case_remarks.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/sheet_editor.h"

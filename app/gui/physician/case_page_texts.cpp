@@ -58,7 +58,7 @@ std::vector<std::pair<QString, QString>> CasePage::keys() const {
   std::vector<std::pair<QString, QString>> all = replayKeys();
   all.emplace_back(tr("Bookmark this moment, for yourself"), QStringLiteral("B"));
   all.emplace_back(tr("Remark at this moment, for the trainee"), QStringLiteral("R"));
-  all.emplace_back(tr("Edit the nearest remark of yours"), QStringLiteral("Shift+R"));
+  all.emplace_back(tr("Edit your nearest remark"), QStringLiteral("Shift+R"));
   for (auto& one : sheetKeys()) {
     all.push_back(std::move(one));
   }
@@ -123,7 +123,7 @@ QString CasePage::checkText(const SheetCheck& check) const {
     parts << tr("The rows lie far apart. Is that intended?");
   }
   if (check.overallOutside) {
-    parts << tr("The overall mark lies outside the rows. Is that intended?");
+    parts << tr("The overall mark is outside the rows' range. Is that intended?");
   }
   if (check.mayBeSubmitted()) {
     parts << tr("Submitting seals the sheet.");
@@ -232,7 +232,7 @@ void CasePage::showRemarks() {
   }
   replay_->setBookmarks(std::move(times_us));
   remarks_->setText(lines.isEmpty()
-                        ? tr("Bookmarks are yours; remarks reach the trainee when the marks are released.")
+                        ? tr("Only you see bookmarks; remarks reach the trainee when the marks are released.")
                         : lines.join(QStringLiteral(" &nbsp; \u00b7 &nbsp; ")));
   remarks_->setToolTip(
       lines.isEmpty()

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/physician/discrepancy_review_page.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
-#include "app/gui/physician/comparison_bars.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
@@ -22,6 +26,7 @@
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/services/review/case_sheet.h"
 #include "assessment/domain/rating/sheet.h"
 #include "assessment/domain/rating/written_words.h"
@@ -45,22 +50,17 @@ DiscrepancyReviewPage::DiscrepancyReviewPage(ShellContext& shell, QWidget* paren
       adjudicator_(new QPushButton(this)),
       replay_(linkButton(this)),
       empty_(sentence(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace}, 2 * kSpace);
   column->addWidget(heading_);
   empty_->setAlignment(Qt::AlignCenter);
   column->addWidget(empty_, 1);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(3 * kSpace);
+  QHBoxLayout* row = rowOf({}, 3 * kSpace);
   row->addWidget(table_, 2);
   row->addWidget(right_, 3);
   column->addLayout(row, 1);
   case_->setProperty("subheading", true);
   reason_->setMaxLength(static_cast<int>(kLongestReason));
-  auto* right = new QVBoxLayout(right_);
-  right->setContentsMargins(0, 0, 0, 0);
-  right->setSpacing(kSpace);
+  QVBoxLayout* right = columnOf(right_, {}, kSpace);
   auto* head = new QHBoxLayout;
   head->addWidget(case_);
   head->addWidget(state_, 1);
@@ -277,6 +277,99 @@ void DiscrepancyReviewPage::applyTheme(const Theme& theme) {
 void DiscrepancyReviewPage::keyPressEvent(QKeyEvent* event) {
   if (sheet_->editor() == nullptr || !sheet_->handle(event)) {
     Page::keyPressEvent(event);
+  }
+}
+
+namespace {
+
+constexpr int kBand = 10;
+
+QString tenths(double points) {
+  return numberText(points, 1);
+}
+
+}  // namespace
+
+ComparisonBars::ComparisonBars(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ComparisonBars::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  update();
+}
+
+void ComparisonBars::setRows(std::vector<RowComparison> rows) {
+  rows_ = std::move(rows);
+  describe();
+  updateGeometry();
+  update();
+}
+
+int ComparisonBars::rowHeight() const {
+  return 2 * fontMetrics().height() + 2 * kSpace;
+}
+
+QSize ComparisonBars::sizeHint() const {
+  return {360, std::max(1, static_cast<int>(rows_.size())) * rowHeight()};
+}
+
+QString ComparisonBars::sentenceOf(const RowComparison& row) const {
+  const QString others =
+      tr("others %1, from %2 to %3").arg(tenths(row.mean), tenths(row.lowest), tenths(row.highest));
+  const QString own = tr("you %1").arg(tenths(row.own));
+  return row.apart ? tr("%1; %2; difference %3").arg(own, others, tenths(std::abs(row.own - row.mean)))
+                   : tr("%1; %2").arg(own, others);
+}
+
+void ComparisonBars::describe() {
+  setAccessibleName(tr("Your marks beside the others'"));
+  QStringList lines;
+  for (const RowComparison& row : rows_) {
+    lines << tr("%1: %2").arg(row.label.empty() ? tr("Overall") : toQString(Text(row.label)),
+                              sentenceOf(row));
+  }
+  setAccessibleDescription(lines.join(QStringLiteral(". ")));
+}
+
+void ComparisonBars::drawRow(QPainter& painter, const RowComparison& row, const QRect& area) const {
+  const int line = fontMetrics().height();
+  const QRect head(area.left(), area.top(), area.width(), line);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  painter.setPen(theme_->text);
+  painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
+                   row.label.empty() ? tr("Overall") : toQString(Text(row.label)));
+  painter.setFont(font());
+  painter.setPen(row.apart ? theme_->caution : theme_->quietText);
+  painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, sentenceOf(row));
+  const double lo = pointsFromSteps(row.scale.lo, row.scale);
+  const double hi = pointsFromSteps(row.scale.hi, row.scale);
+  const QRectF bar(area.left() + kBand, area.top() + line + kSpace / 2.0, area.width() - 2 * kBand, kBand);
+  const auto xOf = [&](double points) { return bar.left() + (points - lo) / (hi - lo) * bar.width(); };
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_->track);
+  painter.drawRoundedRect(bar, kBand / 2.0, kBand / 2.0);
+  painter.setBrush(theme_->border);
+  painter.drawRoundedRect(
+      QRectF(xOf(row.lowest) - 3, bar.top(), xOf(row.highest) - xOf(row.lowest) + 6, bar.height()), 4, 4);
+  painter.setPen(QPen(theme_->text, 2.0));
+  painter.drawLine(QPointF(xOf(row.mean), bar.top() - 3), QPointF(xOf(row.mean), bar.bottom() + 3));
+  const QPointF own(xOf(row.own), bar.center().y());
+  painter.setPen(QPen(theme_->surface, 1.5));
+  painter.setBrush(theme_->accent);
+  painter.drawPolygon(
+      QPolygonF({own + QPointF(0, -8), own + QPointF(8, 0), own + QPointF(0, 8), own + QPointF(-8, 0)}));
+}
+
+void ComparisonBars::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  int top = 0;
+  for (const RowComparison& row : rows_) {
+    drawRow(painter, row, QRect(0, top, width(), rowHeight()));
+    top += rowHeight();
   }
 }
 

@@ -4,7 +4,10 @@
 #include <string>
 #include <vector>
 
+#include <QWidget>
+
 #include "app/gui/base/page.h"
+#include "app/gui/widgets/theme.h"
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/sheet_editor.h"
 
@@ -66,6 +69,32 @@ class DiscrepancyReviewPage : public Page {
   QLabel* empty_;
   std::vector<DiscrepancyCase> cases_;
   std::string chosen_;  ///< assignment id
+};
+
+/// One's own marks against the others' range and mean, one bar per row: a band from lowest to highest, a line
+/// at the mean, a diamond at the own mark; discrepant rows are also described in words.
+class ComparisonBars : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ComparisonBars(QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  void setRows(std::vector<RowComparison> rows);
+  void retranslate() { describe(); }
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] int rowHeight() const;
+  void drawRow(QPainter& painter, const RowComparison& row, const QRect& area) const;
+  [[nodiscard]] QString sentenceOf(const RowComparison& row) const;
+  void describe();
+
+  const Theme* theme_;
+  std::vector<RowComparison> rows_;
 };
 
 }  // namespace torsio::gui

@@ -16,7 +16,6 @@
 #include "app/gui/base/page.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
-#include "app/gui/physician/choice_row.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
@@ -35,20 +34,17 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
       campaigns_(new QComboBox(this)),
       choices_(new ChoiceRow(this)),
       scaleText_(sentence(this)),
-      definition_(sentence(this, false)),
+      definition_(named(sentence(this, false), "definition")),
       sheet_(new SheetEditorPanel(false, this)),
       replay_(new ReplayPanel(shell.assets(), this)),
       said_(sentence(this)),
       submit_(primaryButton(this)) {
   sheet_->setScoresOnly();
   heading_->addAction(campaigns_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(kSpace);
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace}, kSpace);
   column->addWidget(heading_);
   column->addWidget(choices_);
   column->addWidget(scaleText_);
-  definition_->setObjectName(QStringLiteral("definition"));
   definition_->setMinimumHeight(fontMetrics().height());
   column->addWidget(definition_);
   auto* middle = new QHBoxLayout;
@@ -271,8 +267,8 @@ void EvaluationPage::showDefinition() {
 }
 
 void EvaluationPage::retranslate() {
-  heading_->setTexts(tr("Evaluation"), tr("Nine indices for each model, after each run. Which model stands "
-                                          "behind a letter is hidden, and the order is your own."));
+  heading_->setTexts(tr("Evaluation"), tr("Nine indices for each model, after each run. The letters hide the "
+                                          "models; the order is drawn for you alone."));
   campaigns_->setAccessibleName(tr("Evaluation"));
   submit_->setText(tr("Submit this model"));
   submit_->setToolTip(tr("Ctrl+Enter"));

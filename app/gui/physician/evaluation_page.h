@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/gui/physician/said_line.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/services/review/evaluation_form.h"
 #include "app/services/review/sheet_editor.h"
 

@@ -52,14 +52,10 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
       said_(sentence(this)),
       called_(sentence(this, false)),
       reader_(new Background(this)),
-      sheet_(new SheetEditorPanel(true, this)) {
-  sheet_->setObjectName(QStringLiteral("sheetPanel"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(kSpace);
+      sheet_(named(new SheetEditorPanel(true, this), "sheetPanel")) {
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace}, kSpace);
   column->addWidget(heading_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2 * kSpace);
+  QHBoxLayout* row = rowOf({}, 2 * kSpace);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -112,8 +108,7 @@ LivePage::~LivePage() = default;
 void LivePage::createClock(QVBoxLayout* column) {
   case_->setProperty("heading", true);
   clock_->setProperty("figure", true);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2 * kSpace);
+  QHBoxLayout* row = rowOf({}, 2 * kSpace);
   row->addWidget(case_, 1);
   row->addWidget(clock_);
   row->addWidget(start_);
@@ -365,7 +360,7 @@ void LivePage::submit() {
       return check.allTheSame ? tr("All rows have the same mark. Press again to seal the sheet.")
              : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
              : check.overallOutside
-                 ? tr("The overall mark lies outside the rows. Press again to seal the sheet.")
+                 ? tr("The overall mark is outside the rows' range. Press again to seal the sheet.")
                  : tr("Everything is scored. Press again to seal the sheet.");
     });
     return;

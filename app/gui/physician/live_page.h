@@ -9,7 +9,7 @@
 #include <QTimer>
 
 #include "app/gui/base/page.h"
-#include "app/gui/physician/said_line.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/review_queue.h"
 #include "app/services/review/sheet_editor.h"

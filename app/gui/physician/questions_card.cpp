@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/physician/questions_card.h"
 
 #include <algorithm>
@@ -15,12 +16,12 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_plot.h"
-#include "app/gui/trainee/remark_words.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
+#include "app/services/review/case_remarks.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {
@@ -69,8 +70,7 @@ void QuestionsCard::fill() {
     words->setText(tr("%1, %2, at %3: waiting for %4")
                        .arg(toQString(question.trainee), toQString(Text(question.moduleTitle)),
                             clockTenths(question.at_s), waits));
-    auto* look = new QPushButton(tr("Answer\u2026"), this);
-    look->setObjectName(QStringLiteral("answerQuestion"));
+    auto* look = named(new QPushButton(tr("Answer\u2026"), this), "answerQuestion");
     look->setAccessibleName(tr("Answer %1").arg(toQString(question.trainee)));
     connect(look, &QPushButton::clicked, this, [this, id = question.id] { open(id); });
     row->addWidget(words, 1);
@@ -156,6 +156,50 @@ void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) 
 void QuestionsCard::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
     fill();
+  }
+  Card::changeEvent(event);
+}
+
+namespace {
+
+constexpr std::size_t kShownReplies = 3;
+
+}  // namespace
+
+RepliesCard::RepliesCard(ShellContext& shell, QWidget* parent)
+    : Card(QString(), parent), shell_(shell), list_(new QVBoxLayout) {
+  list_->setSpacing(kSpace / 2);
+  content()->addLayout(list_);
+  hide();
+}
+
+void RepliesCard::read() {
+  const std::vector<RemarkReply> replies = repliesToMe(shell_.session());
+  setVisible(!replies.empty());
+  setTitle(replies.size() > kShownReplies ? tr("Answers to your remarks: %1").arg(replies.size())
+                                          : tr("Answers to your remarks"));
+  emptyLayout(list_);
+  for (std::size_t i = 0; i < std::min(kShownReplies, replies.size()); ++i) {
+    const RemarkReply& reply = replies[i];
+    auto* row = new QHBoxLayout;
+    auto* words = sentence(this, false);
+    words->setText(tr("%1 (you wrote: %2)").arg(toQString(reply.text), toQString(reply.remark)));
+    auto* done = named(new QPushButton(tr("Read"), this), "readReply");
+    connect(done, &QPushButton::clicked, this, [this, id = reply.id, version = reply.version] {
+      attempt(shell_, [&] {
+        markReplyRead(shell_.session(), id, version);
+        read();
+      });
+    });
+    row->addWidget(words, 1);
+    row->addWidget(done, 0, Qt::AlignTop);
+    list_->addLayout(row);
+  }
+}
+
+void RepliesCard::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange && !isHidden()) {
+    attempt(shell_, [this] { read(); });
   }
   Card::changeEvent(event);
 }

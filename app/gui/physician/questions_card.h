@@ -43,4 +43,22 @@ class QuestionsCard : public Card {
   QVBoxLayout* list_;
 };
 
+/// Trainees' unread replies to one's remarks, in a physician's queue. Hidden if there are none.
+class RepliesCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit RepliesCard(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// Rereads the replies; the caller handles exceptions.
+  void read();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  ShellContext& shell_;
+  QVBoxLayout* list_;
+};
+
 }  // namespace torsio::gui

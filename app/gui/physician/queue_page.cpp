@@ -17,7 +17,6 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/questions_card.h"
-#include "app/gui/physician/replies_card.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
@@ -39,21 +38,17 @@ QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
       heading_(new PageHeading(this)),
       continue_(primaryButton(this)),
       table_(new DataTable(QStringLiteral("review.queue"), this)) {
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* outer = columnOf(this, {});
   auto* scroll = new QScrollArea(this);  // long texts in a wide font need more than a small screen
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
   outer->addWidget(scroll);
   auto* ground = new QWidget;
   scroll->setWidget(ground);
-  auto* column = new QVBoxLayout(ground);
-  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = columnOf(ground, {3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace}, 2 * kSpace);
   column->addWidget(heading_);
   heading_->addAction(continue_);
-  auto* figures = new QHBoxLayout;
-  figures->setSpacing(2 * kSpace);
+  QHBoxLayout* figures = rowOf({}, 2 * kSpace);
   waiting_ = addFigure(figures);
   drafts_ = addFigure(figures);
   time_ = addFigure(figures);

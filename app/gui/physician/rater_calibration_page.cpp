@@ -13,7 +13,6 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/physician/choice_row.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_labels.h"
 #include "app/gui/physician/sheet_editor_panel.h"
@@ -43,7 +42,7 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
       heading_(new PageHeading(this)),
       goOn_(new QPushButton(this)),
       choices_(new ChoiceRow(this)),
-      replay_(new ReplayPanel(shell.assets(), this)),
+      replay_(named(new ReplayPanel(shell.assets(), this), "replay")),
       sheet_(new SheetEditorPanel(false, this)),
       compare_(primaryButton(this)),
       resultCard_(new Card(QString(), this)),
@@ -51,16 +50,12 @@ RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
       sum_(sentence(this)),
       rubricCard_(new Card(QString(), this)),
       anchors_(sentence(this)) {
-  replay_->setObjectName(QStringLiteral("replay"));
   sheet_->setScoresOnly(RowShape::kLarge);
   heading_->addAction(goOn_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(kSpace);
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace}, kSpace);
   column->addWidget(heading_);
   column->addWidget(choices_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2 * kSpace);
+  QHBoxLayout* row = rowOf({}, 2 * kSpace);
   row->addWidget(replay_, 3);
   auto* right = new QVBoxLayout;
   sheet_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // a single row

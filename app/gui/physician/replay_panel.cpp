@@ -80,24 +80,21 @@ std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
 
 ReplayPanel::ReplayPanel(const std::filesystem::path& assets, QWidget* parent)
     : QWidget(parent),
-      task_(sentence(this, false)),
+      task_(named(sentence(this, false), "task")),
       sentence_(sentence(this)),
       view_(new SceneView(this)),
       traces_(new TraceView(this)),
       back_(new QToolButton(this)),
       play_(new QToolButton(this)),
       forward_(new QToolButton(this)),
-      time_(new QLabel(this)),
+      time_(named(new QLabel(this), "time")),
       speed_(new QLabel(this)),
       digest_(new QLabel(this)),
       theme_(&theme(ThemeKind::kLight)) {
   sentence_->setAlignment(Qt::AlignCenter);
   sentence_->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
   view_->setInstrument(loadInstrument(assets, "grasper"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace);
-  task_->setObjectName(QStringLiteral("task"));
+  QVBoxLayout* column = columnOf(this, {}, kSpace);
   task_->setMinimumHeight(fontMetrics().height());
   column->addWidget(task_);
   column->addWidget(view_, 3);
@@ -118,8 +115,7 @@ ReplayPanel::ReplayPanel(const std::filesystem::path& assets, QWidget* parent)
 }
 
 void ReplayPanel::createTransport() {
-  auto* bar = new QHBoxLayout;
-  bar->setSpacing(kSpace);
+  QHBoxLayout* bar = rowOf();
   for (QToolButton* button : {back_, play_, forward_}) {
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setFocusPolicy(Qt::TabFocus);
@@ -129,7 +125,6 @@ void ReplayPanel::createTransport() {
     label->setProperty("quiet", true);
   }
   bar->addSpacing(kSpace);
-  time_->setObjectName(QStringLiteral("time"));
   bar->addWidget(time_);
   bar->addWidget(speed_);
   bar->addStretch(1);

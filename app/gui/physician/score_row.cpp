@@ -43,13 +43,12 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
       theme_(&theme(ThemeKind::kLight)),
       name_(new QLabel(label, this)),
       value_(new QLabel(this)),
-      strip_(new QWidget(this)),
+      strip_(named(new QWidget(this), "scale")),
       anchor_(sentence(this)),
       reason_(new QLineEdit(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleRole(this, QAccessible::Slider);
   setMouseTracking(true);
-  strip_->setObjectName(QStringLiteral("scale"));
   strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
   strip_->setFixedHeight(shape_ == RowShape::kLarge ? kTouch_px : kLeastCell_px);
   strip_->setMinimumWidth(cellCount() * (kLeastCell_px + kCellGap));
@@ -69,9 +68,7 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
 }
 
 void ScoreRow::arrange() {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(kRowMark_px + kSpace, kSpace / 2, kSpace, kSpace / 2);
-  column->setSpacing(kSpace / 2);
+  QVBoxLayout* column = columnOf(this, {kRowMark_px + kSpace, kSpace / 2, kSpace, kSpace / 2}, kSpace / 2);
   auto* head = new QHBoxLayout;
   if (shape_ == RowShape::kCompact) {
     head->setSpacing(2 * kSpace);

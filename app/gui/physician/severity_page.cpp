@@ -111,12 +111,9 @@ SeverityPage::SeverityPage(ShellContext& shell, QWidget* parent)
       plotCard_(new Card(QString(), this)),
       plot_(new SeverityPlot(this)),
       table_(new DataTable(QStringLiteral("review.severity"), this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace}, 2 * kSpace);
   column->addWidget(heading_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2 * kSpace);
+  QHBoxLayout* row = rowOf({}, 2 * kSpace);
   auto* left = new QVBoxLayout;
   left->setSpacing(2 * kSpace);
   figure_->setProperty("figure", true);

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
+
+#include <QLabel>
+#include <QString>
+#include <QWidget>
 
 #include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/form.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/sheet.h"
 
 class QKeyEvent;
+class QButtonGroup;
+class QHBoxLayout;
 
 namespace torsio::gui {
 
@@ -71,6 +81,47 @@ class SheetEditorPanel : public SheetPanel {
   bool asking_ = false;
   bool unsaved_ = false;
   bool awaitsTouch_ = false;
+};
+
+/// A page's status message; again() repeats it in the present language. The label belongs to its parent. GUI
+/// thread.
+class SaidLine {
+ public:
+  explicit SaidLine(QLabel* label) : label_(label) {}
+
+  /// `words` returns the sentence in the present language. `caution`: it needs action.
+  void say(std::function<QString()> words, bool caution = false) {
+    words_ = std::move(words);
+    setLook(label_, "caution", caution);
+    again();
+  }
+  void clear() { say({}); }
+  void again() { label_->setText(words_ ? words_() : QString()); }
+  [[nodiscard]] QLabel* label() const noexcept { return label_; }
+
+ private:
+  QLabel* label_;
+  std::function<QString()> words_;
+};
+
+/// A row of alternatives, one of which is selected: models of an evaluation, reference runs of a calibration.
+/// GUI thread.
+class ChoiceRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ChoiceRow(QWidget* parent = nullptr);
+
+  /// Replaces the buttons; `chosen` is selected, none if out of range. Emits nothing.
+  void setChoices(const std::vector<QString>& texts, std::size_t chosen);
+
+ Q_SIGNALS:
+  /// A button was pressed; its index.
+  void chosen(std::size_t position);
+
+ private:
+  QHBoxLayout* row_;
+  QButtonGroup* group_;
 };
 
 }  // namespace torsio::gui

@@ -23,12 +23,10 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
       shape_(largeTargets ? RowShape::kLarge : RowShape::kUsual),
       theme_(&theme(ThemeKind::kLight)),
       scroll_(new QScrollArea(this)),
-      edge_(new QFrame(this)),
+      edge_(named(new QFrame(this), "edge")),
       commentLabel_(new QLabel(this)),
-      comment_(new QPlainTextEdit(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace / 2);
+      comment_(named(new QPlainTextEdit(this), "comment")) {
+  QVBoxLayout* column = columnOf(this, {}, kSpace / 2);
   auto* ground = new QWidget;
   rowsLayout_ = new QVBoxLayout(ground);
   rowsLayout_->setContentsMargins(0, 0, 0, 0);
@@ -47,7 +45,6 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   QSizePolicy kept = edge_->sizePolicy();
   kept.setRetainSizeWhenHidden(true);  // rows do not move
   edge_->setSizePolicy(kept);
-  edge_->setObjectName(QStringLiteral("edge"));
   edge_->hide();
   connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, edge_,
           [this](int, int most) { edge_->setVisible(most > 0); });
@@ -55,7 +52,6 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   overallLayout_ = new QVBoxLayout;
   overallLayout_->setContentsMargins(0, 0, 0, 0);
   column->addLayout(overallLayout_);
-  comment_->setObjectName(QStringLiteral("comment"));
   commentLabel_->setBuddy(comment_);
   comment_->setTabChangesFocus(true);
   comment_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2 * kSpace);

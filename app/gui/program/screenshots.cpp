@@ -153,7 +153,7 @@ class Cast {
   [[nodiscard]] std::unique_ptr<SessionContext> sessionOf(const QString& role) const {
     const auto actor = actors_.find(role.toStdString());
     if (actor == actors_.end()) {
-      throw Error(ErrorCode::kBadParameter, Text::tr("nobody of the demonstration has this role"),
+      throw Error(ErrorCode::kBadParameter, Text::tr("the demonstration has nobody with this role"),
                   role.toStdString(), Text::tr("Use trainee, rater or administrator"));
     }
     auto session = std::make_unique<SessionContext>(key());

@@ -66,7 +66,7 @@ QSize sizeOf(const std::string& text, const QSize& smallest) {
   const QStringList parts = QString::fromStdString(text).split(QLatin1Char('x'));
   const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
   if (size != size.expandedTo(smallest).boundedTo(kMaxSize)) {
-    throw CLI::ValidationError("--size", "'" + text + "' is no size from " +
+    throw CLI::ValidationError("--size", "'" + text + "' is not a size from " +
                                              std::to_string(smallest.width()) + "x" +
                                              std::to_string(smallest.height()) + " to 7680x4320");
   }

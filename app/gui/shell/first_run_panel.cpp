@@ -400,7 +400,7 @@ void FirstRunPanel::retranslate() {
   lookPhysician_->setText(tr("As a &physician"));
   lookAdministrator_->setText(tr("As an &administrator"));
   lookNote_->setText(
-      tr("Needs no password. Everything lies in a folder of its own, which is removed when you sign out."));
+      tr("Needs no password. Everything is in a separate folder, which is removed when you sign out."));
   centre_->setPlaceholderText(tr("Skills laboratory, city hospital"));
   nameField(loginLabel_, tr("Sign-in &name"));
   nameField(passwordLabel_, tr("&Password"));

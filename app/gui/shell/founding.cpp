@@ -25,8 +25,8 @@ Founding::Founding(Background& background, OpenRecord& record, const ShellSetup&
 
 void Founding::begin(const FirstRunChoice& choice) {
   if (!QUrl(choice.locator).password().isEmpty()) {
-    panel_->say(
-        tr("Leave the password out of the address; it would stand in a settings file. Put it into .pgpass"));
+    panel_->say(tr(
+        "Leave the password out of the address; it would be stored in a settings file. Put it into .pgpass"));
     return;
   }
   record_.close();

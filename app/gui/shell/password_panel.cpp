@@ -120,8 +120,8 @@ void PasswordPanel::submit() {
 void PasswordPanel::retranslate() {
   heading_->setText(tr("Choose a new password"));
   why_->setText(
-      forced_ ? tr("Your password was set by somebody else. Choose one that only you know: at least fifteen "
-                   "characters, a short sentence for example.")
+      forced_ ? tr("An administrator set your password. Choose your own: at least fifteen characters, a "
+                   "short sentence for example.")
               : tr("At least fifteen characters, a short sentence for example. Nothing else is asked for."));
   nameField(oldLabel_, tr("&Present password"));
   nameField(newLabel_, tr("&New password"));

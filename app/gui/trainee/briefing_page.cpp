@@ -117,8 +117,9 @@ QStringList untwistingTask(const Detorsion& detorsion) {
 }  // namespace
 
 BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* parent)
-    : Page(context, parent), desk_(desk), scene_(new LiveScene(desk.loader, context.assets(), this)) {
-  scene_->setObjectName(QStringLiteral("scene"));
+    : Page(context, parent),
+      desk_(desk),
+      scene_(named(new LiveScene(desk.loader, context.assets(), this), "scene")) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -130,9 +131,7 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
 
   auto* panel = new QWidget(this);
   panel->setFixedWidth(kBriefingWidth);
-  auto* column = new QVBoxLayout(panel);
-  column->setContentsMargins(2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace);
-  column->setSpacing(kSpace + 4);
+  QVBoxLayout* column = columnOf(panel, {2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace}, kSpace + 4);
   title_ = plainLabel(panel, "heading");
   mode_ = plainLabel(panel, "quiet");
   what_ = new Card(QString(), panel);
@@ -144,20 +143,15 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   hints_ = plainLabel(how_);
   how_->content()->addWidget(hints_);
   able_ = new Card(QString(), panel);
-  design_ = plainLabel(able_);
-  design_->setObjectName(QStringLiteral("competence"));
-  errors_ = plainLabel(able_, "quiet");
-  errors_->setObjectName(QStringLiteral("competence-errors"));
+  design_ = named(plainLabel(able_), "competence");
+  errors_ = named(plainLabel(able_, "quiet"), "competence-errors");
   able_->content()->addWidget(design_);
   able_->content()->addWidget(errors_);
-  start_ = primaryButton(panel);
-  start_->setObjectName(QStringLiteral("start"));
+  start_ = named(primaryButton(panel), "start");
   back_ = new QPushButton(panel);
   // The buttons below are always visible; longer text scrolls on a small screen.
   auto* words = new QWidget(panel);
-  auto* reading = new QVBoxLayout(words);
-  reading->setContentsMargins(0, 0, 0, 0);
-  reading->setSpacing(kSpace + 4);
+  QVBoxLayout* reading = columnOf(words, {}, kSpace + 4);
   for (QWidget* part : std::initializer_list<QWidget*>{title_, mode_, what_, how_, able_}) {
     reading->addWidget(part);
   }
@@ -197,13 +191,10 @@ QLayout* BriefingPage::createBar() {
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
   bar->setSpacing(kSpace);
-  caption_ = plainLabel(this, "quiet");
-  caption_->setObjectName(QStringLiteral("caption"));
-  slow_ = new QPushButton(this);
-  slow_->setObjectName(QStringLiteral("slow"));
+  caption_ = named(plainLabel(this, "quiet"), "caption");
+  slow_ = named(new QPushButton(this), "slow");
   slow_->setCheckable(true);
-  again_ = new QPushButton(this);
-  again_->setObjectName(QStringLiteral("again"));
+  again_ = named(new QPushButton(this), "again");
   bar->addWidget(caption_, 1);
   bar->addWidget(slow_);
   bar->addWidget(again_);

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
+#include "app/gui/widgets/page_parts.h"
 #include "assessment/domain/people/consent.h"
+#include "assessment/domain/people/retention.h"
 
 class QCheckBox;
 class QLabel;
@@ -57,6 +59,33 @@ class ConsentPage : public Page {
   OwnRecordCard* ownRecord_;
   QPushButton* agree_;
   QPushButton* decline_;
+};
+
+class ShellContext;
+
+/// Requests of a trainee about their own record, and the answers.
+class OwnRecordCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit OwnRecordCard(ShellContext& shell, QWidget* parent = nullptr);
+
+  void read();
+  void retranslate();
+
+ private:
+  void ask(PersonRequestKind kind);
+  void takeBack();
+  void showState();
+  [[nodiscard]] const PersonRequest* waiting(PersonRequestKind kind) const;
+
+  ShellContext& shell_;
+  std::vector<PersonRequest> own_;
+  QLabel* words_;
+  QLabel* state_;
+  QPushButton* copy_;
+  QPushButton* erase_;
+  QPushButton* takeBack_;
 };
 
 }  // namespace torsio::gui

@@ -14,10 +14,10 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/trainee/ask_card.h"
 #include "app/gui/trainee/debrief_plot.h"
 #include "app/gui/trainee/debrief_replay.h"
 #include "app/gui/trainee/detorsion_card.h"
+#include "app/gui/trainee/remarks_page.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
@@ -25,6 +25,7 @@
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/outputs/wording/joined_sentences.h"
+#include "app/services/recording/competence.h"
 #include "assessment/domain/ids.h"
 #include "sim/core/load_decimals.h"
 
@@ -40,18 +41,15 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
     : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
   const PageColumn page = pageColumn(this);
   heading_ = page.heading;
-  verdict_ = plainLabel(this, "subheading");
-  verdict_->setObjectName(QStringLiteral("verdict"));
+  verdict_ = named(plainLabel(this, "subheading"), "verdict");
   page.column->addWidget(verdict_);
-  competence_ = plainLabel(this, "quiet");
-  competence_->setObjectName(QStringLiteral("competence"));
+  competence_ = named(plainLabel(this, "quiet"), "competence");
   page.column->addWidget(competence_);
 
   targets_ = new Card(QString(), this);
   good_ = new Card(QString(), this);
   better_ = new Card(QString(), this);
-  auto* cards = new QHBoxLayout;
-  cards->setSpacing(2 * kSpace);
+  QHBoxLayout* cards = rowOf({}, 2 * kSpace);
   const auto into = [cards](Card* card) {
     auto* column = new QVBoxLayout;
     column->setSpacing(kSpace);
@@ -66,13 +64,11 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   page.column->addLayout(cards);
 
   inThree_ = new Card(QString(), this);
-  replay_ = new DebriefReplay(context.assets(), inThree_);
-  replay_->setObjectName(QStringLiteral("replay"));
+  replay_ = named(new DebriefReplay(context.assets(), inThree_), "replay");
   inThree_->content()->addWidget(replay_, 1);
   trace_ = new Card(QString(), this);
   auto* tools = new QHBoxLayout;
-  expert_ = new QCheckBox(trace_);
-  expert_->setObjectName(QStringLiteral("expert"));
+  expert_ = named(new QCheckBox(trace_), "expert");
   expert_->setChecked(true);
   bookmark_ = new QPushButton(trace_);
   whole_ = new QPushButton(trace_);
@@ -81,8 +77,7 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   tools->addWidget(bookmark_);
   tools->addWidget(whole_);
   trace_->content()->addLayout(tools);
-  plot_ = new DebriefPlot(trace_);
-  plot_->setObjectName(QStringLiteral("plot"));
+  plot_ = named(new DebriefPlot(trace_), "plot");
   trace_->content()->addWidget(plot_, 1);
   looks_ = new QBoxLayout(QBoxLayout::LeftToRight);
   looks_->setSpacing(2 * kSpace);
@@ -96,8 +91,7 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   page.column->addStretch(0);
 
   again_ = new QPushButton(this);
-  trend_ = new QPushButton(this);
-  trend_->setObjectName(QStringLiteral("trend"));
+  trend_ = named(new QPushButton(this), "trend");
   next_ = primaryButton(this);
   for (QPushButton* button : {again_, trend_, next_}) {
     heading_->addAction(button);
@@ -231,8 +225,7 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding)
     advice->setText(toQString(next));
     column->addWidget(advice);
   }
-  auto* look = linkButton(this);
-  look->setObjectName(QStringLiteral("look"));
+  auto* look = named(linkButton(this), "look");
   look->setStyleSheet(QStringLiteral("padding: 1px 0;"));  // aligned with the sentence above
   look->setText(tr("Look at %1 to %2").arg(clockTenths(finding.when.from_s), clockTenths(finding.when.to_s)));
   const Seconds when = finding.when;
@@ -283,12 +276,12 @@ void DebriefPage::fillTexts(bool any) {
   const QString mode = debrief_.mode == AttemptMode::kGraded ? tr("Graded run") : tr("Practice");
   // A module of another enrolment is named by its trial's label.
   const std::string& title = debrief_.moduleTitle.empty() ? debrief_.phaseLabel : debrief_.moduleTitle;
-  heading_->setTexts(
-      any && !title.empty() ? toQString(Text(title)) : tr("Your run"),
-      any ? tr("%1  \u00b7  %2  \u00b7  %3")
-                .arg(mode, shownTime(debrief_.startedUtc_us), clockTenths(debrief_.duration_s))
-      : computing_ ? tr("One moment: your run is compared with what was asked for and with an expert's.")
-                   : tr("After your first run you see here what was good and what to work on."));
+  heading_->setTexts(any && !title.empty() ? toQString(Text(title)) : tr("Your run"),
+                     any ? tr("%1  \u00b7  %2  \u00b7  %3")
+                               .arg(mode, shownTime(debrief_.startedUtc_us), clockTenths(debrief_.duration_s))
+                     : computing_
+                         ? tr("One moment: your run is compared with the task and with an expert's.")
+                         : tr("After your first run you see here what was good and what to work on."));
 }
 
 void DebriefPage::arrangeLooks() {
@@ -320,7 +313,7 @@ void DebriefPage::fillNotes() {
                          static_cast<int>(debrief_.unfinishedTwists)));
   }
   if (debrief_.deviceForce_N && debrief_.forceFelt) {
-    add("deviceForce", tr("What is judged is the force on the tissue. The device gave at most %1 N of it.")
+    add("deviceForce", tr("The force on the tissue is judged. The device rendered at most %1 N of it.")
                            .arg(numberText(*debrief_.deviceForce_N, kForceDecimals)));
   }
   if (debrief_.earlier && debrief_.earlier->peakForce_N) {
@@ -363,9 +356,8 @@ void DebriefPage::fill() {
   setLook(verdict_, "good", verdict.passed());
   setLook(verdict_, "caution", !verdict.passed());
   if (const CompetenceVerdict& all = debrief_.competence; all.errors.attempts > 0) {
-    competence_->setText(tr("A single run decides nothing. Over all runs: %1. %2 %3")
-                             .arg(StationLabels::level(all), StationLabels::levelMeaning(all),
-                                  StationLabels::competenceErrors(all)));
+    competence_->setText(tr("Your level (all runs): %1. %2")
+                             .arg(toQString(competenceLevelText(all)), StationLabels::competenceErrors(all)));
   }
   for (const TargetCheck& check : verdict.checks) {
     auto* row = new QHBoxLayout;
@@ -396,8 +388,7 @@ void DebriefPage::fill() {
   if (debrief_.strengths.empty()) {
     const QString tooLittle =
         debrief_.verdict.torn
-            ? tr("The computer was too busy to record your twists without gaps: nothing can be said "
-                 "of them.")
+            ? tr("The computer was too busy to record your twists without gaps: they cannot be assessed.")
             : tr("Too little of this run could be measured to compare it with the expert's.");
     for (QVBoxLayout* column : {strengths_, weaknesses_}) {
       auto* none = plainLabel(this, "quiet");

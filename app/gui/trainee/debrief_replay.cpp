@@ -14,6 +14,7 @@
 
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/trainee/trainee_labels.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
@@ -89,24 +90,18 @@ std::shared_ptr<DebriefRecordings> loadForDebrief(const Debrief& debrief, const 
 DebriefReplay::DebriefReplay(const std::filesystem::path& assets, QWidget* parent)
     : QWidget(parent),
       view_(new SceneView(this)),
-      play_(new QToolButton(this)),
-      slider_(new QSlider(Qt::Horizontal, this)),
+      play_(named(new QToolButton(this), "play")),
+      slider_(named(new QSlider(Qt::Horizontal, this), "slider")),
       time_(new QLabel(this)),
       theme_(&theme(ThemeKind::kLight)) {
   view_->setInstrument(loadInstrument(assets, "grasper"));
   view_->setMinimumHeight(kLeastReplayHeight);
-  slider_->setObjectName(QStringLiteral("slider"));
   slider_->setPageStep(kSliderPage);
-  play_->setObjectName(QStringLiteral("play"));
   play_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   play_->setFocusPolicy(Qt::TabFocus);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace);
+  QVBoxLayout* column = columnOf(this, {}, kSpace);
   column->addWidget(view_, 1);
-  auto* bar = new QHBoxLayout;
-  bar->setSpacing(kSpace);
-  bar->addWidget(play_);
+  QHBoxLayout* bar = rowOf({play_});
   bar->addWidget(slider_, 1);
   bar->addWidget(time_);
   column->addLayout(bar);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/trainee/device_check_page.h"
+
+#include <utility>
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,6 +16,7 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
+#include "app/services/devices/haptic_station.h"
 #include "app/services/recording/station_writer.h"
 #include "app/services/training/run_session.h"
 
@@ -37,8 +41,7 @@ DeviceCheckPage::DeviceCheckPage(ShellContext& context, StationDesk& desk, QWidg
   const PageColumn page = pageColumn(this, kCheckWidest);
   heading_ = page.heading;
   card_ = new Card(QString(), this);
-  verdict_ = plainLabel(card_, "heading");
-  verdict_->setObjectName(QStringLiteral("verdict"));
+  verdict_ = named(plainLabel(card_, "heading"), "verdict");
   meaning_ = plainLabel(card_, "quiet");
   card_->content()->addWidget(verdict_);
   card_->content()->addWidget(meaning_);
@@ -49,10 +52,8 @@ DeviceCheckPage::DeviceCheckPage(ShellContext& context, StationDesk& desk, QWidg
   page.column->addWidget(card_);
   again_ = new QPushButton(this);
   mouse_ = new QPushButton(this);
-  practise_ = new QPushButton(this);
-  practise_->setObjectName(QStringLiteral("practise"));
-  goOn_ = primaryButton(this);
-  goOn_->setObjectName(QStringLiteral("goOn"));
+  practise_ = named(new QPushButton(this), "practise");
+  goOn_ = named(primaryButton(this), "goOn");
   auto* row = new QHBoxLayout;
   row->addWidget(again_);
   row->addStretch(1);
@@ -156,8 +157,7 @@ void DeviceCheckPage::fill() {
     return;
   }
   for (const ReadinessFinding& finding : desk_.readiness->findings) {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(kSpace + 4);
+    QHBoxLayout* row = rowOf({}, kSpace + 4);
     auto* mark = new QLabel(card_);
     showIcon(mark, QLatin1String(iconOf(finding.light)), colourOf(finding.light, *theme_));
     mark->setAccessibleName(StationLabels::light(finding.light));

@@ -12,7 +12,6 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/trainee/session_story.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
@@ -62,11 +61,9 @@ NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* pa
   notices_ = new QVBoxLayout;
   notices_->setSpacing(kSpace);
   page.column->addLayout(notices_);
-  visitor_ = new Card(QString(), this);
-  visitor_->setObjectName(QStringLiteral("visitor"));
+  visitor_ = named(new Card(QString(), this), "visitor");
   visitorWords_ = plainLabel(visitor_);
-  tryTwist_ = primaryButton(visitor_);
-  tryTwist_->setObjectName(QStringLiteral("tryTwist"));
+  tryTwist_ = named(primaryButton(visitor_), "tryTwist");
   auto* visitorRow = new QHBoxLayout;
   visitorRow->addWidget(visitorWords_, 1);
   visitorRow->addWidget(tryTwist_);
@@ -79,14 +76,10 @@ NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* pa
   nextContent_->setSpacing(kSpace);
   next_->content()->addLayout(nextContent_);
   page.column->addWidget(next_);
-  session_ = new Card(QString(), this);
-  session_->setObjectName(QStringLiteral("session"));
-  auto* told = new QHBoxLayout;
-  told->setSpacing(2 * kSpace);
-  bestPicture_ = new QLabel(session_);
-  bestPicture_->setObjectName(QStringLiteral("bestPicture"));
-  sessionWords_ = plainLabel(session_);
-  sessionWords_->setObjectName(QStringLiteral("sessionWords"));
+  session_ = named(new Card(QString(), this), "session");
+  QHBoxLayout* told = rowOf({}, 2 * kSpace);
+  bestPicture_ = named(new QLabel(session_), "bestPicture");
+  sessionWords_ = named(plainLabel(session_), "sessionWords");
   lookAtBest_ = linkButton(session_);
   told->addWidget(bestPicture_);
   told->addWidget(sessionWords_, 1);
@@ -150,8 +143,7 @@ void NextStepPage::begin(const ModuleId& moduleId, bool graded, bool guided) {
 void NextStepPage::fillNotices() {
   emptyLayout(notices_);
   const auto add = [this](const QString& text, const QString& button, PageId page, const QVariant& argument) {
-    auto* frame = new QFrame(this);
-    frame->setObjectName(QStringLiteral("card"));
+    auto* frame = named(new QFrame(this), "card");
     auto* row = new QHBoxLayout(frame);
     auto* mark = new QLabel(frame);
     showIcon(mark, QStringLiteral("info"), theme_->accent);
@@ -253,15 +245,13 @@ void NextStepPage::fillNext() {
   }
   const ModuleId id = steps_.next ? steps_.modules[*steps_.next].module.id : ModuleId();
   const bool graded = steps_.next && steps_.modules[*steps_.next].module.mode == AttemptMode::kGraded;
-  auto* start = forVisitor() ? new QPushButton(next_) : primaryButton(next_);
-  start->setObjectName(QStringLiteral("begin"));
+  auto* start = named(forVisitor() ? new QPushButton(next_) : primaryButton(next_), "begin");
   start->setText(real ? tr("&Begin on the real arm") : graded ? tr("&Begin graded run") : tr("&Begin"));
   connect(start, &QPushButton::clicked, this, [this, id, graded] { begin(id, graded); });
   auto* buttons = new QVBoxLayout;
   buttons->addWidget(start);
   if (graded) {
-    auto* practise = new QPushButton(tr("&Practise first"), next_);
-    practise->setObjectName(QStringLiteral("practise"));
+    auto* practise = named(new QPushButton(tr("&Practise first"), next_), "practise");
     connect(practise, &QPushButton::clicked, this, [this, id] { begin(id, false); });
     buttons->addWidget(practise);
   }
@@ -296,8 +286,7 @@ void NextStepPage::fillSession() {
 }
 
 void NextStepPage::addModule(const ModuleStep& step) {
-  auto* frame = new QFrame(this);
-  frame->setObjectName(QStringLiteral("card"));
+  auto* frame = named(new QFrame(this), "card");
   frame->setAccessibleName(toQString(Text(step.module.title)));
   auto* row = new QHBoxLayout(frame);
   row->setContentsMargins(2 * kSpace, kSpace + 2, 2 * kSpace, kSpace + 2);
@@ -316,8 +305,7 @@ void NextStepPage::addModule(const ModuleStep& step) {
   title->setText(
       tr("%1  \u00b7  %2").arg(toQString(Text(step.module.title)), StationLabels::state(step.state)));
   texts->addWidget(title);
-  auto* why = plainLabel(frame, "quiet");
-  why->setObjectName(QStringLiteral("why"));
+  auto* why = named(plainLabel(frame, "quiet"), "why");
   why->setText(StationLabels::why(step));
   why->setVisible(!why->text().isEmpty());
   texts->addWidget(why);

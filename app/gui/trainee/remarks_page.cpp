@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/trainee/remarks_page.h"
 
 #include <algorithm>
 #include <memory>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -16,11 +18,11 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/trainee/remark_words.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
+#include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
 #include "assessment/domain/ids.h"
 
@@ -52,8 +54,7 @@ void addGapCells(QGridLayout& grid, int line, const ScoreGapRow& row, QWidget* p
 
 /// Returns a field within the bounds of a row; one step below the scale means "not given yet".
 QDoubleSpinBox* scoreField(const ScoreGapRow& row, QWidget* parent) {
-  auto* field = new QDoubleSpinBox(parent);
-  field->setRange(row.lowest - std::max(row.step, 0.5), row.highest);
+  auto* field = ranged(new QDoubleSpinBox(parent), row.lowest - std::max(row.step, 0.5), row.highest);
   field->setSpecialValueText(QStringLiteral("\u2013"));
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field->setSingleStep(std::max(row.step, 0.5));
@@ -70,17 +71,14 @@ RemarksPage::RemarksPage(ShellContext& context, QWidget* parent)
   heading_ = page.heading;
   empty_ = plainLabel(this, "quiet");
   page.column->addWidget(empty_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2 * kSpace);
+  QHBoxLayout* row = rowOf({}, 2 * kSpace);
   list_ = new QListWidget(this);
   list_->setFixedWidth(kListWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setWordWrap(true);
   row->addWidget(list_);
   right_ = new QWidget(this);
-  auto* column = new QVBoxLayout(right_);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = columnOf(right_, {}, 2 * kSpace);
   remarks_ = new Card(QString(), right_);
   threads_ = new QVBoxLayout;
   threads_->setSpacing(kSpace);
@@ -119,7 +117,7 @@ void RemarksPage::retranslate() {
                      tr("Each remark is linked to the moment of the run it is about."));
   empty_->setText(
       tr("No remarks yet. They appear here when the marks of a run have been released, or when a physician "
-         "answers a question of yours."));
+         "answers one of your questions."));
   remarks_->setTitle(tr("Remarks on this run"));
   marks_->setTitle(tr("Marks"));
   list_->setAccessibleName(tr("Runs with remarks"));
@@ -171,8 +169,7 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
                                : tr("Physician, at %1").arg(clockTenths(remark.at_s)));
   head->addWidget(who, 1);
   if (!remark.read) {
-    auto* read = linkButton(remarks_);
-    read->setObjectName(QStringLiteral("read"));
+    auto* read = named(linkButton(remarks_), "read");
     read->setText(tr("Mark as read"));
     connect(read, &QPushButton::clicked, this, [this, id = remark.id, version = remark.version] {
       change([&](SessionContext& session) { markRemarkRead(session, id, version); });
@@ -213,12 +210,10 @@ void RemarksPage::fillRemarks() {
       addRemark(reply, true);
     }
     auto* row = new QHBoxLayout;
-    auto* field = new QLineEdit(remarks_);
-    field->setObjectName(QStringLiteral("reply"));
+    auto* field = named(new QLineEdit(remarks_), "reply");
     field->setPlaceholderText(tr("Write a reply"));
     field->setAccessibleName(tr("Reply"));
-    auto* send = new QPushButton(tr("Reply"), remarks_);
-    send->setObjectName(QStringLiteral("send"));
+    auto* send = named(new QPushButton(tr("Reply"), remarks_), "send");
     send->setEnabled(false);
     connect(field, &QLineEdit::textChanged, send,
             [send](const QString& now) { send->setEnabled(!now.trimmed().isEmpty()); });
@@ -283,8 +278,7 @@ void RemarksPage::fillMarks() {
   if (gap.selfScored) {
     return;
   }
-  auto* keep = primaryButton(marks_);
-  keep->setObjectName(QStringLiteral("selfScore"));
+  auto* keep = named(primaryButton(marks_), "selfScore");
   keep->setText(tr("&Save my marks"));
   const auto given = [fields, keep] {
     keep->setEnabled(std::all_of(fields->begin(), fields->end(), [](const auto& field) {
@@ -306,6 +300,109 @@ void RemarksPage::fillMarks() {
     fillMarks();
   });
   sheet_->addWidget(keep, 0, Qt::AlignLeft);
+}
+
+AskCard::AskCard(ShellContext& shell, QWidget* parent)
+    : Card(QString(), parent),
+      shell_(shell),
+      whomLabel_(new QLabel(this)),
+      whom_(named(new QComboBox(this), "whom")),
+      text_(named(new QLineEdit(this), "question")),
+      ask_(named(new QPushButton(this), "ask")),
+      list_(new QVBoxLayout) {
+  whomLabel_->setBuddy(whom_);
+  QHBoxLayout* row = rowOf({whomLabel_, whom_});
+  row->addWidget(text_, 1);
+  row->addWidget(ask_);
+  content()->addLayout(row);
+  list_->setSpacing(kSpace / 2);
+  content()->addLayout(list_);
+  ask_->setEnabled(false);
+  connect(text_, &QLineEdit::textChanged, this,
+          [this](const QString& now) { ask_->setEnabled(!now.trimmed().isEmpty()); });
+  connect(ask_, &QPushButton::clicked, this, &AskCard::ask);
+  connect(text_, &QLineEdit::returnPressed, this, &AskCard::ask);
+  hide();
+}
+
+void AskCard::setRun(const TrialId& trialId) {
+  trialId_ = trialId;
+  desk_ = trialId.empty() ? QuestionDesk{} : questionDesk(shell_.session(), trialId);
+  whom_->clear();
+  for (const AskablePhysician& physician : desk_.physicians) {
+    whom_->addItem(toQString(physician.name), toQString(physician.raterId));
+    if (physician.lastAsked) {
+      whom_->setCurrentIndex(whom_->count() - 1);
+    }
+  }
+  text_->clear();
+  setVisible(desk_.mayAsk || !desk_.questions.empty());
+  for (QWidget* widget : std::initializer_list<QWidget*>{whomLabel_, whom_, text_, ask_}) {
+    widget->setVisible(desk_.mayAsk);
+  }
+  fill();
+}
+
+void AskCard::setMoment(double at_s) {
+  at_s_ = at_s;
+  ask_->setText(tr("As&k about %1").arg(clockTenths(at_s)));
+}
+
+void AskCard::ask() {
+  if (!desk_.mayAsk || text_->text().trimmed().isEmpty()) {
+    return;
+  }
+  attempt(shell_, [&] {
+    const double at_s = at_s_;
+    const QString name = whom_->currentText();
+    askPhysician(shell_.session(), trialId_, at_s, whom_->currentData().toString().toStdString(),
+                 text_->text().trimmed().toStdString());
+    setRun(trialId_);
+    shell_.notify(tr("Sent to %1: %2").arg(name, clockTenths(at_s)));
+    Q_EMIT asked(at_s);
+  });
+}
+
+void AskCard::addQuestion(const OwnQuestion& question) {
+  auto* head = plainLabel(this, "quiet");
+  const QString moment = clockTenths(question.at_s);
+  const QString physician = toQString(question.physician);
+  head->setText(question.answered
+                    ? (question.answerEditedUtc_us != 0 ? tr("%1  \u00b7  %2 answered on %3, edited since")
+                                                        : tr("%1  \u00b7  %2 answered on %3"))
+                          .arg(moment, physician, shownTime(question.answeredUtc_us))
+                    : tr("%1  \u00b7  with %2, waiting for %3")
+                          .arg(moment, physician,
+                               StationLabels::waited(shell_.session().now_us() - question.askedUtc_us)));
+  list_->addWidget(head);
+  if (!question.text.empty()) {
+    auto* text = plainLabel(this, "quiet");
+    text->setText(tr("You: %1").arg(toQString(question.text)));
+    list_->addWidget(text);
+  }
+  if (!question.answered) {
+    return;
+  }
+  auto* answer = plainLabel(this);
+  answer->setText(toQString(question.answer));
+  list_->addWidget(answer);
+}
+
+void AskCard::fill() {
+  emptyLayout(list_);
+  for (const OwnQuestion& question : desk_.questions) {
+    addQuestion(question);
+  }
+}
+
+void AskCard::retranslate() {
+  setTitle(tr("Ask a physician about this moment"));
+  whomLabel_->setText(tr("T&o"));
+  whom_->setAccessibleName(tr("Physician"));
+  text_->setPlaceholderText(tr("What do you want to know?"));
+  text_->setAccessibleName(tr("Question"));
+  setMoment(at_s_);
+  fill();
 }
 
 }  // namespace torsio::gui

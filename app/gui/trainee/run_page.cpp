@@ -16,12 +16,12 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/live_scene.h"
-#include "app/gui/trainee/run_notice.h"
 #include "app/gui/trainee/run_panel.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/tracker_panel.h"
 #include "app/gui/trainee/twist_guide.h"
 #include "app/gui/widgets/child.h"
+#include "app/gui/widgets/form.h"
 #include "app/services/recording/station_writer.h"
 #include "app/services/recording/unstored_trials.h"
 #include "assessment/domain/study/curriculum.h"
@@ -41,12 +41,10 @@ RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
     : Page(context, parent),
       desk_(desk),
       stage_(new QStackedWidget(this)),
-      scene_(new LiveScene(desk.loader, context.assets(), this)),
+      scene_(named(new LiveScene(desk.loader, context.assets(), this), "scene")),
       notice_(new RunNotice(context, this)),
       panel_(new RunPanel(scene_->controller(), this)),
-      guide_(new TwistGuide(scene_)) {
-  scene_->setObjectName(QStringLiteral("scene"));
-  guide_->setObjectName(QStringLiteral("guide"));
+      guide_(named(new TwistGuide(scene_), "guide")) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);

@@ -10,6 +10,7 @@
 #include "app/gui/base/page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/device_opening.h"
+#include "app/gui/trainee/device_check_page.h"
 #include "app/services/training/run_session.h"
 #include "sim/core/live_types.h"
 

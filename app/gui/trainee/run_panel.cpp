@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/trainee/run_panel.h"
 
 #include <algorithm>
@@ -11,17 +12,20 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/connectors/built_in.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/simulator/detorsion_panel.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/readout_panel.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/tracker_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/gauges.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/services/training/run_session.h"
+#include "app/services/training/training_run.h"
 #include "sim/core/load_decimals.h"
 #include "sim/servo/surface_proxy.h"
 
@@ -66,9 +70,7 @@ RunPanel::RunPanel(SimulationController& controller, QWidget* parent)
     : QWidget(parent), controller_(controller) {
   // The buttons below are always visible; longer content scrolls on a small screen.
   setFixedWidth(kPanelWidth);
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->setSpacing(0);
+  QVBoxLayout* whole = columnOf(this, {}, 0);
   auto* scroll = new ShrinkingArea(this);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -77,9 +79,7 @@ RunPanel::RunPanel(SimulationController& controller, QWidget* parent)
   scroll->setWidget(panel);
   whole->addWidget(scroll);
   whole->addLayout(createTold());
-  auto* column = new QVBoxLayout(panel);
-  column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, 0);
-  column->setSpacing(kSpace);
+  QVBoxLayout* column = columnOf(panel, {kSpace + 4, kSpace + 4, kSpace + 4, 0}, kSpace);
   column->addLayout(createHeading(panel));
   column->addWidget(createTime(panel));
   column->addWidget(createAngle(panel));
@@ -121,8 +121,7 @@ QLayout* RunPanel::createHeading(QWidget* panel) {
   heading->addWidget(title_, 1);
   heading->addWidget(validity_, 0, Qt::AlignTop);
   column->addLayout(heading);
-  guideMe_ = linkButton(panel);
-  guideMe_->setObjectName(QStringLiteral("guideMe"));
+  guideMe_ = named(linkButton(panel), "guideMe");
   guideMe_->setStyleSheet(QStringLiteral("padding: 0;"));  // aligned with the sentence beside it
   connect(guideMe_, &QPushButton::clicked, this, &RunPanel::guideWanted);
   auto* kind = new QHBoxLayout;
@@ -136,10 +135,8 @@ QWidget* RunPanel::createTime(QWidget* panel) {
   time_ = new Card(QString(), panel);
   countdown_ = namedLabel(time_, "countdown");
   makeHuge(countdown_, kCountdown_pt);
-  progress_ = new QProgressBar(time_);
-  progress_->setObjectName(QStringLiteral("timeLeft"));
+  progress_ = ranged(named(new QProgressBar(time_), "timeLeft"), 0, 1000);
   progress_->setTextVisible(false);
-  progress_->setRange(0, 1000);
   phase_ = plainLabel(time_, "quiet");
   timeName_ = plainLabel(time_, "quiet");
   auto* left = new QHBoxLayout;
@@ -168,10 +165,8 @@ QLayout* RunPanel::createButtons() {
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(kSpace + 4, kSpace, kSpace + 4, kSpace + 4);  // as wide as the cards above
   buttons->setSpacing(kSpace);
-  rest_ = new QPushButton(this);
-  rest_->setObjectName(QStringLiteral("rest"));
-  end_ = new QPushButton(this);
-  end_->setObjectName(QStringLiteral("stop"));
+  rest_ = named(new QPushButton(this), "rest");
+  end_ = named(new QPushButton(this), "stop");
   buttons->addWidget(rest_);
   buttons->addWidget(end_);
   connect(rest_, &QPushButton::clicked, this, &RunPanel::restWanted);
@@ -314,6 +309,92 @@ void RunPanel::retranslate() {
     mode_->setText(run_->graded() ? tr("Graded run") : tr("Practice"));
     showCount();
   }
+}
+
+namespace {
+
+constexpr int kTrackerWidth = 620;
+constexpr double kFigure_pt = 64.0;
+
+}  // namespace
+
+RunNotice::RunNotice(ShellContext& shell, QWidget* parent)
+    : QWidget(parent),
+      title_(plainLabel(this, "heading")),
+      figure_(plainLabel(this)),
+      text_(plainLabel(this, "quiet")),
+      goOn_(named(primaryButton(this), "goOn")),
+      tracker_(new TrackerPanel(shell, this)) {
+  QVBoxLayout* column = columnOf(this, {6 * kSpace, 6 * kSpace, 6 * kSpace, 6 * kSpace}, 2 * kSpace);
+  makeHuge(figure_, kFigure_pt);
+  column->addStretch(2);
+  for (QLabel* label : {title_, figure_, text_}) {
+    label->setAlignment(Qt::AlignHCenter);
+    column->addWidget(label);
+  }
+  column->addWidget(goOn_, 0, Qt::AlignHCenter);
+  tracker_->setFixedWidth(kTrackerWidth);
+  tracker_->hide();
+  column->addSpacing(2 * kSpace);
+  column->addWidget(tracker_, 0, Qt::AlignHCenter);
+  column->addStretch(3);
+  connect(goOn_, &QPushButton::clicked, this, &RunNotice::goOn);
+}
+
+void RunNotice::say(const QString& title, const QString& figure, const QString& text, const QString& button) {
+  title_->setText(title);
+  figure_->setText(figure);
+  figure_->setVisible(!figure.isEmpty());
+  text_->setText(text);
+  goOn_->setText(button);
+  goOn_->setVisible(!button.isEmpty());
+}
+
+void RunNotice::showNoRun(bool inFile) {
+  tracker_->hide();
+  if (inFile) {
+    say(tr("Your run is safe"), {},
+        tr("The database did not answer. The recording is kept, on this computer where need be; as soon as "
+           "the "
+           "database answers you find its debrief on the page \u201c"
+           "Debrief\u201d."),
+        {});
+  } else {
+    say(tr("No run in progress"), {}, tr("Choose a module on the page \u201cMy next step\u201d."), {});
+  }
+}
+
+bool RunNotice::showRun(const TrainingRun& run, Device device, bool tracked) {
+  const bool real = run.phase().arm == PhaseKind::kReal;
+  tracker_->setVisible(kTrackerBuiltIn && real && device != Device::kFetchedBeforeStart);
+  tracker_->follow(tracked);
+  setLook(goOn_, "primary", device == Device::kReady);
+  if (device != Device::kReady) {
+    const bool before = device == Device::kFetchedBeforeStart;
+    say(tr("Getting the haptic device ready"), {},
+        before ? tr("This takes a few seconds. Your time has not begun yet.")
+               : tr("This takes a few seconds. Your training clock is paused."),
+        before ? tr("&Cancel") : QString());
+    return true;
+  }
+  if (run.state() == RunState::kResting) {
+    say(tr("Rest"), clockTimeLeft(run.restLeft_us()),
+        tr("Your training clock is paused. Training resumes automatically when the rest is used up."),
+        tr("&Go on now"));
+    return true;
+  }
+  if (run.state() == RunState::kHandOver) {
+    say(real ? tr("Go to the real arm") : tr("Come to the simulator"), clockTimeLeft(run.handOverLeft_us()),
+        tr("The next phase starts automatically: %1").arg(toQString(run.phase().label)), tr("I am &ready"));
+    return true;
+  }
+  if (real) {
+    say(tr("Train on the real arm"), clockTimeLeft(run.remainingInPhase_us()),
+        tracked ? tr("This timer logs your training time. The tracker records the instrument.")
+                : tr("This timer logs your training time. Nothing is recorded."),
+        {});
+  }
+  return real;
 }
 
 }  // namespace torsio::gui

@@ -15,8 +15,7 @@
 namespace torsio::gui {
 
 PageColumn pageColumn(QWidget* page, int widest) {
-  auto* outer = new QVBoxLayout(page);
-  outer->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* outer = columnOf(page, {});
   auto* scroll = new QScrollArea(page);
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -32,8 +31,7 @@ PageColumn pageColumn(QWidget* page, int widest) {
   row->addStretch(1);
   row->addWidget(body, 100);
   row->addStretch(1);
-  PageColumn made;
-  made.column = new QVBoxLayout(body);
+  PageColumn made{.column = new QVBoxLayout(body)};
   made.column->setContentsMargins(0, 0, 0, 0);
   made.column->setSpacing(2 * kSpace);
   made.heading = new PageHeading(body);

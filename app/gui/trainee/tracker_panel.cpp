@@ -37,33 +37,22 @@ double turnOf_deg(const Quat& orientation) {
 TrackerPanel::TrackerPanel(ShellContext& shell, QWidget* parent)
     : Card(QString(), parent),
       shell_(shell),
-      address_(new QLineEdit(this)),
-      port_(new QSpinBox(this)),
-      instrument_(new QLineEdit(this)),
-      listens_(new QCheckBox(this)),
-      connect_(new QPushButton(this)),
-      status_(sentence(this, false)),
-      pose_(sentence(this)),
-      counts_(sentence(this)) {
-  address_->setObjectName(QStringLiteral("trackerAddress"));
-  port_->setObjectName(QStringLiteral("trackerPort"));
-  instrument_->setObjectName(QStringLiteral("trackerInstrument"));
-  listens_->setObjectName(QStringLiteral("trackerListens"));
-  connect_->setObjectName(QStringLiteral("trackerConnect"));
-  status_->setObjectName(QStringLiteral("trackerStatus"));
-  pose_->setObjectName(QStringLiteral("trackerPose"));
-  counts_->setObjectName(QStringLiteral("trackerCounts"));
-  port_->setRange(1, 0xffff);
+      address_(named(new QLineEdit(this), "trackerAddress")),
+      port_(ranged(named(new QSpinBox(this), "trackerPort"), 1, 0xffff)),
+      instrument_(named(new QLineEdit(this), "trackerInstrument")),
+      listens_(named(new QCheckBox(this), "trackerListens")),
+      connect_(named(new QPushButton(this), "trackerConnect")),
+      status_(named(sentence(this, false), "trackerStatus")),
+      pose_(named(sentence(this), "trackerPose")),
+      counts_(named(sentence(this), "trackerCounts")) {
   port_->setGroupSeparatorShown(false);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kSpace);
+  QHBoxLayout* row = rowOf();
   addressLabel_ = addField(row, address_);
   portLabel_ = addField(row, port_);
   instrumentLabel_ = addField(row, instrument_);
   row->setStretchFactor(instrument_, 1);
   content()->addLayout(row);
-  auto* second = new QHBoxLayout;
-  second->setSpacing(kSpace);
+  QHBoxLayout* second = rowOf();
   second->addWidget(listens_, 1);
   second->addWidget(connect_);
   content()->addLayout(second);

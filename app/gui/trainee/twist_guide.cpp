@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/trainee/twist_guide.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -9,9 +11,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/simulator/readout_panel.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
+#include "sim/core/angle.h"
 
 namespace torsio::gui {
 
@@ -26,15 +31,12 @@ TwistGuide::TwistGuide(QWidget* over)
       number_(plainLabel(this, "quiet")),
       what_(plainLabel(this, "subheading")),
       how_(plainLabel(this)),
-      skip_(linkButton(this)) {
+      skip_(named(linkButton(this), "skipGuide")) {
   setProperty("card", true);
   setAutoFillBackground(true);
   what_->setObjectName(QStringLiteral("movement"));
-  skip_->setObjectName(QStringLiteral("skipGuide"));
   skip_->setFocusPolicy(Qt::TabFocus);  // keys still steer the instrument
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(2 * kSpace, kSpace + 4, 2 * kSpace, kSpace + 4);
-  column->setSpacing(kSpace / 2);
+  QVBoxLayout* column = columnOf(this, {2 * kSpace, kSpace + 4, 2 * kSpace, kSpace + 4}, kSpace / 2);
   auto* head = new QHBoxLayout;
   head->addWidget(number_, 1);
   head->addWidget(skip_);
@@ -151,6 +153,110 @@ bool TwistGuide::eventFilter(QObject* watched, QEvent* event) {
     place();
   }
   return QFrame::eventFilter(watched, event);
+}
+
+namespace {
+
+constexpr double kTargetNear = 0.85;  // of the angle: time to slow down
+
+}  // namespace
+
+void TwistCoach::begin(const TrainingModule& module, double target_rad, bool haptic) {
+  *this = {};
+  module_ = module;
+  target_rad_ = target_rad;
+  haptic_ = haptic;
+}
+
+void TwistCoach::follow(const LiveState& state, bool onTarget) {
+  heldShare_ = heldShareOf(state, onTarget);
+  held_ = state.phase == ExercisePhase::kTwisting ? heldShare_ >= 1.0 : held_;
+  const std::int64_t before = completed();
+  twists_.see(state);
+  if (completed() > before) {
+    released_ += std::abs(twists_.releasedAt_rad() - target_rad_) <= module_.tolerance_rad ? 1 : 0;
+    letGoHeld_ = held_;
+    held_ = false;
+  }
+}
+
+double TwistCoach::heldShareOf(const LiveState& state, bool onTarget) {
+  if (state.phase != ExercisePhase::kTwisting || !onTarget || module_.hold_us <= 0) {
+    onTargetFrom_us_ = -1;
+    return 0.0;
+  }
+  if (onTargetFrom_us_ < 0) {
+    onTargetFrom_us_ = state.time_us;
+  }
+  return static_cast<double>(state.time_us - onTargetFrom_us_) / static_cast<double>(module_.hold_us);
+}
+
+QString TwistCoach::goal() const {
+  const QString within = numberText(degrees(module_.tolerance_rad), 0);
+  return module_.hold_us > 0 ? tr("Within %1\u00b0, hold for %2 s, then release")
+                                   .arg(within, numberText(static_cast<double>(module_.hold_us) * 1e-6, 1))
+                             : tr("Within %1\u00b0, then release").arg(within);
+}
+
+QString TwistCoach::count() const {
+  const std::int64_t wanted = module_.leastTwists;
+  const std::int64_t done = completed();
+  return done > wanted ? tr("%n twist(s), at least %1 asked for", nullptr, static_cast<int>(done)).arg(wanted)
+                       : tr("%1 of %n twist(s)", nullptr, static_cast<int>(wanted)).arg(done);
+}
+
+QString TwistCoach::verdict() const {
+  const double at_rad = twists_.releasedAt_rad();
+  const double off_rad = std::abs(at_rad - target_rad_);
+  QString how;
+  if (off_rad > module_.tolerance_rad) {
+    const QString by = numberText(degrees(off_rad), 0);
+    how = at_rad * target_rad_ < 0.0 ? tr("Turned the wrong way: turn in the opposite direction.")
+          : std::abs(at_rad) > std::abs(target_rad_)
+              ? tr("Let go %1\u00b0 too far: turn back before you open the jaw.").arg(by)
+              : tr("Let go %1\u00b0 too early: turn further before you open the jaw.").arg(by);
+  } else {
+    how = module_.hold_us > 0 && !letGoHeld_
+              ? tr("Released on target, but not held: wait until the ring is full.")
+              : tr("Released on target.");
+  }
+  return tr("%1 On target: %2 of %3").arg(how).arg(released_).arg(completed());
+}
+
+QString TwistCoach::cue(const LiveState& state) const {
+  const bool open = state.phase == ExercisePhase::kTracking || state.phase == ExercisePhase::kContact;
+  if (open && completed() > 0 && completed() >= module_.leastTwists) {
+    return tr("All twists are done. End the run, or twist again.");
+  }
+  switch (state.phase) {
+    case ExercisePhase::kTracking:
+      return haptic_ ? tr("Bring the jaw to the marked band.")
+                     : tr("Bring the jaw to the marked band. The wheel moves it nearer.");
+    case ExercisePhase::kContact:
+      return haptic_ ? tr("Touching. Close the jaw.")
+                     : tr("Touching. Close the jaw: hold the left button or Space.");
+    case ExercisePhase::kTwisting:
+      return twistingCue(state.response.angle_rad);
+    case ExercisePhase::kReleased:
+      return ReadoutPanel::releaseText(state);
+  }
+  return {};
+}
+
+QString TwistCoach::twistingCue(double angle_rad) const {
+  const double target_rad = module_.targetAngle_rad;
+  const double way = target_rad == 0.0 ? 0.0 : angle_rad / target_rad;
+  if (std::abs(angle_rad - target_rad) <= module_.tolerance_rad) {
+    return module_.hold_us > 0 ? tr("On target. Hold, then release gently.")
+                               : tr("On target. Let go gently.");
+  }
+  if (way > 1.0) {
+    return tr("Beyond the target. Turn back a little.");
+  }
+  if (way > kTargetNear) {
+    return tr("Nearly there. Slow down.");
+  }
+  return way < 0.0 ? tr("Turn in the opposite direction.") : tr("Turn in one even movement.");
 }
 
 }  // namespace torsio::gui

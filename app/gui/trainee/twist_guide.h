@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFrame>
+#include <cstdint>
 
+#include <QCoreApplication>
+#include <QFrame>
+#include <QString>
+
+#include "assessment/attempt/twist_count.h"
+#include "assessment/domain/study/curriculum.h"
 #include "sim/core/live_types.h"
 
 class QLabel;
@@ -49,6 +55,41 @@ class TwistGuide : public QFrame {
   QLabel* what_;
   QLabel* how_;
   QPushButton* skip_;
+};
+
+/// Feedback during a recording: the task, completed twists, the last release, and what to do next. Plain
+/// value. GUI thread.
+class TwistCoach {
+  Q_DECLARE_TR_FUNCTIONS(TwistCoach)
+
+ public:
+  /// Starts a recording. `haptic`: the hand feels force; otherwise the cues name mouse and keys.
+  void begin(const TrainingModule& module, double target_rad, bool haptic);
+  /// Updates with the next frame.
+  void follow(const LiveState& state, bool onTarget);
+
+  [[nodiscard]] std::int64_t completed() const noexcept { return twists_.completed(); }
+  /// Returns the elapsed fraction of the holding time on target; 1 or more: complete.
+  [[nodiscard]] double heldShare() const noexcept { return heldShare_; }
+  [[nodiscard]] QString goal() const;
+  [[nodiscard]] QString count() const;
+  /// Describes the last release, and what to improve.
+  [[nodiscard]] QString verdict() const;
+  [[nodiscard]] QString cue(const LiveState& state) const;
+
+ private:
+  [[nodiscard]] double heldShareOf(const LiveState& state, bool onTarget);
+  [[nodiscard]] QString twistingCue(double angle_rad) const;
+
+  TrainingModule module_;
+  double target_rad_ = 0.0;
+  bool haptic_ = false;
+  TwistCount twists_;
+  std::int64_t released_ = 0;          // on target
+  std::int64_t onTargetFrom_us_ = -1;  // start of the present stay on target; -1: not on target
+  double heldShare_ = 0.0;
+  bool held_ = false;       // the present twist has been held long enough
+  bool letGoHeld_ = false;  // the last twist had been held long enough
 };
 
 }  // namespace torsio::gui

@@ -114,6 +114,22 @@ QVBoxLayout* centredCard(QWidget* ground, int width) {
   return content;
 }
 
+QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets, int spacing) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(spacing);
+  for (QWidget* widget : widgets) {
+    row->addWidget(widget);
+  }
+  return row;
+}
+
+QVBoxLayout* columnOf(QWidget* owner, const QMargins& margins, int spacing) {
+  auto* column = new QVBoxLayout(owner);
+  column->setContentsMargins(margins);
+  column->setSpacing(spacing);
+  return column;
+}
+
 QLabel* addField(QBoxLayout* layout, QWidget* field) {
   auto* label = new QLabel;
   label->setBuddy(field);
@@ -156,6 +172,12 @@ QLabel* sentence(QWidget* parent, bool quiet) {
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setProperty("quiet", quiet);
+  return label;
+}
+
+QLabel* sentence(QWidget* parent, const QString& text, bool quiet) {
+  QLabel* label = sentence(parent, quiet);
+  label->setText(text);
   return label;
 }
 

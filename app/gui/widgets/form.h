@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QMargins>
+#include <initializer_list>
 #include <optional>
-
 #include <QString>
 
+#include "app/gui/widgets/theme.h"
+
 class QBoxLayout;
+class QHBoxLayout;
 class QLabel;
 class QLayout;
 class QLineEdit;
@@ -31,6 +35,24 @@ Layout* bareLayout(QWidget* widget, std::optional<int> spacing = std::nullopt) {
   return layout;
 }
 
+/// Gives an object the name by which child() finds it. Returns the object.
+template <typename Object>
+Object* named(Object* object, const char* name) {
+  object->setObjectName(QLatin1String(name));
+  return object;
+}
+
+/// Sets the range of a spin box or bar. Returns it.
+template <typename Box, typename Least, typename Most>
+Box* ranged(Box* box, Least least, Most most) {
+  box->setRange(least, most);
+  return box;
+}
+
+/// Makes a row that begins with these widgets.
+QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets = {}, int spacing = kSpace);
+/// Lays `owner` out as a column; spacing -1: that of the style.
+QVBoxLayout* columnOf(QWidget* owner, const QMargins& margins, int spacing = -1);
 /// Adds a label and its field to `layout`: above it in a column, beside it in a row. The label's mnemonic
 /// focuses the field. Returns the label, whose text the caller sets.
 QLabel* addField(QBoxLayout* layout, QWidget* field);
@@ -43,6 +65,7 @@ QPushButton* primaryButton(QWidget* parent);
 QPushButton* linkButton(QWidget* parent);
 /// Creates a wrapping label that takes no more height than needed.
 QLabel* sentence(QWidget* parent, bool quiet = true);
+QLabel* sentence(QWidget* parent, const QString& text, bool quiet = true);
 /// Sets a dynamic property of the style sheet ("caution", "good", "quiet") and updates the style.
 void setLook(QWidget* widget, const char* property, bool on);
 

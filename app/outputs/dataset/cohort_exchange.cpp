@@ -174,7 +174,7 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
                     Text::tr("Use a rate that divides 1000 Hz, for example 100"));
   }
   if (request.whole && (data.pseudonyms || request.layout == DatasetLayout::kBids)) {
-    refuseParameter(Text::tr("a data set for another record needs codes, and is no BIDS"),
+    refuseParameter(Text::tr("a data set for another record needs codes and cannot be BIDS"),
                     std::string("whole"), Text::tr("Use frictionless or ro-crate, and not pseudonymised"));
   }
   if (request.whole && !data.inputs.singleMarks) {

@@ -375,7 +375,7 @@ void requireWhole(const DatasetAbout& about) {
     refuseParameter(Text::tr("the data set has no title"), std::string("title"), Text::tr("Give it a title"));
   }
   if (!isSpdx(about.licence)) {
-    refuseParameter(Text::tr("the licence is missing or is no SPDX identifier"), about.licence,
+    refuseParameter(Text::tr("the licence is missing or is not an SPDX identifier"), about.licence,
                     Text::tr("Name the licence, for example CC-BY-4.0"));
   }
 }

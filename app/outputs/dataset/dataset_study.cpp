@@ -137,7 +137,7 @@ class StudyReader {
   LandedStudy read() {
     const Study json = Study::parse(readFile(folder_ / kDatasetStudyFile), nullptr, false);
     if (json.is_discarded() || !json.is_object() || json.value("format", "") != kStudyFormat) {
-      refuse(Text::tr("this is no study of a data set of Torsio"), (folder_ / kDatasetStudyFile).string(),
+      refuse(Text::tr("not a study of a data set of Torsio"), (folder_ / kDatasetStudyFile).string(),
              Text::tr("Export the data set anew, with --whole"));
     }
     try {
@@ -162,7 +162,7 @@ class StudyReader {
   [[nodiscard]] Enum termIn(const Study& json, const char* key) const {
     const auto found = fromStoredText<Enum>(textIn(json, key));
     if (!found) {
-      refuse(Text::tr("'%1' means nothing here", textIn(json, key)), (folder_ / kDatasetStudyFile).string(),
+      refuse(Text::tr("'%1' is unknown here", textIn(json, key)), (folder_ / kDatasetStudyFile).string(),
              Text::tr("Export the data set anew, with --whole"));
     }
     return *found;
@@ -214,8 +214,8 @@ class StudyReader {
                                     const std::set<std::string>& known) const {
     std::string code = textIn(json, key);
     if (!known.contains(code)) {
-      refuse(Text::tr("the study knows nobody under the code %1", code),
-             (folder_ / kDatasetStudyFile).string(), Text::tr("Export the data set anew, with --whole"));
+      refuse(Text::tr("the study has nobody with the code %1", code), (folder_ / kDatasetStudyFile).string(),
+             Text::tr("Export the data set anew, with --whole"));
     }
     return code;
   }

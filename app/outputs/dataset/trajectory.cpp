@@ -75,9 +75,8 @@ std::vector<StoredChannel> makeStoredChannels() {
              Text::tr("force of the tissue, z")},
             [](const Line& at) { return at.sample.response.force_N; });
   addVector(all, "device_force", "N",
-            {Text::tr("force that the device was told to give, x"),
-             Text::tr("force that the device was told to give, y"),
-             Text::tr("force that the device was told to give, z")},
+            {Text::tr("force commanded to the device, x"), Text::tr("force commanded to the device, y"),
+             Text::tr("force commanded to the device, z")},
             [](const Line& at) { return at.sample.force_N; });
   all.push_back({{"stage",
                   Text::tr("stage of the exercise"),
@@ -88,7 +87,7 @@ std::vector<StoredChannel> makeStoredChannels() {
                    {2, Text::tr("holds and twists")},
                    {3, Text::tr("has released")}}},
                  [](const Line& at) { return static_cast<double>(at.sample.phase); }});
-  all.push_back({{"contact", Text::tr("what touches, sum of: 1 jaw, 2 shaft, 4 tissue is held"), number},
+  all.push_back({{"contact", Text::tr("contacts, sum of: 1 jaw, 2 shaft, 4 tissue is held"), number},
                  [](const Line& at) { return static_cast<double>(at.sample.contact); }});
   all.push_back({{"device_status", Text::tr("state of the device, 0 is sound"), number},
                  [](const Line& at) { return static_cast<double>(at.tool.status); }});

@@ -123,7 +123,7 @@ void requireUnlikeOthers(const AccessRepository& access, const std::string& logi
   for (const std::string& other : access.logins()) {
     if (other != login && likenessOf(other) == likeness) {
       refuseParameter(Text::tr("the sign-in name %1 looks like %2, but is another", login, other),
-                      Text::tr("login"), Text::tr("Choose one that nobody takes for the other"));
+                      Text::tr("login"), Text::tr("Choose a name that cannot be confused with it"));
     }
   }
 }

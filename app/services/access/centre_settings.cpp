@@ -172,7 +172,7 @@ void keepCentreSetting(SessionContext& session, const CentreSetting& setting, co
   const std::string name(setting.name);
   const std::optional<std::string> value = canonical(setting, written);
   if (!value) {
-    refuseParameter(Text::tr("this is no valid value of the setting"), name, range(setting));
+    refuseParameter(Text::tr("invalid value for this setting"), name, range(setting));
   }
   const std::string before = inForce(session.connection(), setting);
   if (before == *value) {

@@ -83,11 +83,11 @@ void requireKnownRecord(const std::string& locator) {
       return;
     case RecordPlace::kNothing:
       throw Error(ErrorCode::kFileMissing, Text::tr("the record of this station is gone"), locator,
-                  Text::tr("Connect the disk that it lies on, or restore the latest backup"));
+                  Text::tr("Connect the disk that it is on, or restore the latest backup"));
     case RecordPlace::kEmpty:
       break;
   }
-  throw Error(ErrorCode::kVerifyFailed, Text::tr("the record of this station holds no centre any more"),
+  throw Error(ErrorCode::kVerifyFailed, Text::tr("the record of this station no longer contains a centre"),
               parseLocator(locator).shown(), Text::tr("Restore the latest backup"));
 }
 

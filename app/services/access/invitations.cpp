@@ -154,7 +154,8 @@ HandedInvitation confirmInvitation(SessionContext& session, const std::string& r
               .expiresUtc_us = session.now_us() + kInvitationLife_us};
     }
   }
-  refuseParameter(Text::tr("nobody asks for this invitation any more"), "", Text::tr("Read the list again"));
+  refuseParameter(Text::tr("the request for this invitation no longer exists"), "",
+                  Text::tr("Read the list again"));
 }
 
 Text invitationSubject(const std::string& centre) {

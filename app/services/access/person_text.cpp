@@ -73,7 +73,7 @@ Text flawOf(std::string_view text, std::size_t longest) {
   for (const char32_t character : characters) {
     if (cannotBeSeen(character) && !isJoiner(character)) {
       return Text::tr(
-          "holds the character U+%1, which nobody can see",
+          "contains the invisible character U+%1",
           QString::number(character, 16).rightJustified(4, QLatin1Char('0')).toUpper().toStdString());
     }
   }

@@ -92,7 +92,7 @@ Text hindrance(SessionContext& session, const DutyRequest& request) {
   const std::optional<UserAccount> asker = findUser(session, request.requestedBy);
   const std::optional<UserAccount> self = findUser(session, actor.userId);
   if (!asker || !asker->active) {
-    return Text::tr("whoever asked for this may not sign in any more");
+    return Text::tr("the person who asked for this may no longer sign in");
   }
   if (!actor.personId.empty() && asker->personId == actor.personId) {
     return Text::tr("you asked for this yourself, with another account");
@@ -203,7 +203,7 @@ std::string shownOf(SessionContext& session, const DutyRequest& request) {
 void requireAskable(SessionContext& session, const DutyWish& wish) {
   if (wish.reason.empty()) {
     refuseParameter(Text::tr("a request needs a reason"), Text::tr("two people"),
-                    Text::tr("Say why, for whoever confirms it and for the audit trail"));
+                    Text::tr("Say why, for the person who confirms it and for the audit trail"));
   }
   if (changesAccount(wish.act)) {
     if (!findUser(session, wish.subject)) {

@@ -109,7 +109,7 @@ class Reader {
     const std::string_view raw = text_.substr(at_, end - at_);
     if (raw.find('"') != std::string_view::npos) {
       refuseAt(name_, line_,
-               Text::tr("a quote stands inside the value %1", std::string(trimmed(raw).substr(0, kShown))),
+               Text::tr("there is a quote inside the value %1", std::string(trimmed(raw).substr(0, kShown))),
                Text::tr("Put the whole value in quotes and double each quote in it"));
     }
     at_ = end;

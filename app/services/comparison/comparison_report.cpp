@@ -160,7 +160,7 @@ ReportFigure courseFigure(const ComparisonResult& result) {
   figure.notes = {Text::tr(
       "Finite elements and springs have mass and follow the torque late; the others are in equilibrium at "
       "once. What was measured goes by the name of the person.")};
-  figure.valuesStand = Text::tr("They stand in %1.", Text::verbatim("course.csv"));
+  figure.valuesStand = Text::tr("They are in %1.", Text::verbatim("course.csv"));
   figure.provenance =
       comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.models.size()));
   return figure;

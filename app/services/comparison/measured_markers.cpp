@@ -27,7 +27,7 @@ double unitInMetres(const CsvTable& table, std::size_t row) {
     return 1e-2;
   }
   if (unit != "m") {
-    table.refuse(row, Text::tr("'%1' is no unit of length here", unit), Text::tr("Use mm, cm or m"));
+    table.refuse(row, Text::tr("'%1' is not a unit of length here", unit), Text::tr("Use mm, cm or m"));
   }
   return 1.0;
 }
@@ -76,7 +76,8 @@ void requireTwoSamples(const std::vector<MeasuredSubject>& subjects, const std::
     }
   }
   if (!any) {
-    refuse(Text::tr("The file holds no measurements"), file, Text::tr("Give at least two samples a marker"));
+    refuse(Text::tr("The file contains no measurements"), file,
+           Text::tr("Give at least two samples a marker"));
   }
 }
 
@@ -184,7 +185,7 @@ struct TrackHeader {
 
 TrackHeader headerOf(const TrackTable& table) {
   if (table.field(1, 1) != kFirstWord || table.field(1, 2) != "4" || table.field(1, 3) != "(X/Y/Z)") {
-    table.refuseField(1, std::string(kFirstWord), Text::tr("The file is no marker file of type 4 (X/Y/Z)"),
+    table.refuseField(1, std::string(kFirstWord), Text::tr("The file is not a marker file of type 4 (X/Y/Z)"),
                       Text::tr("Export the places of markers as TRC"));
   }
   const std::vector<std::string>& names = table.fields(2);
@@ -213,7 +214,7 @@ TrackHeader headerOf(const TrackTable& table) {
   header.markers = count("NumMarkers");
   const std::string& unit = table.field(3, column("Units"));
   if (unit != "mm" && unit != "cm" && unit != "m") {
-    table.refuseField(3, "Units", Text::tr("'%1' is no unit of length here", unit),
+    table.refuseField(3, "Units", Text::tr("'%1' is not a unit of length here", unit),
                       Text::tr("Use mm, cm or m"));
   }
   header.unit_m = unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0;
@@ -255,7 +256,7 @@ std::vector<int> tracksOf(const TrackTable& table, const TrackHeader& header,
                         Text::tr("Call it by its number or its name, or leave it out of the export"));
     }
     if (std::find(tracks.begin(), tracks.end(), marker) != tracks.end()) {
-      table.refuseField(4, track, Text::tr("Marker %1 stands twice", marker),
+      table.refuseField(4, track, Text::tr("Marker %1 is listed twice", marker),
                         Text::tr("Leave one of them out"));
     }
     tracks.push_back(marker);

@@ -59,13 +59,14 @@ void placeByFace(const Json& entry, const std::string& file, const Scene& scene,
   }
   const MarkerField weights{file, number, "barycentric"};
   if (!entry.contains("barycentric")) {
-    weights.refuseIt(Text::tr("A face alone is no point"), Text::tr("Give three numbers that sum to 1"));
+    weights.refuseIt(Text::tr("A face alone does not define a point"),
+                     Text::tr("Give three numbers that sum to 1"));
   }
   std::array<double, 3> barycentric = threeNumbers(entry, weights);
   const double sum = barycentric[0] + barycentric[1] + barycentric[2];
   if (std::abs(sum - 1.0) > kSumTolerance ||
       *std::min_element(barycentric.begin(), barycentric.end()) < -kSumTolerance) {
-    weights.refuseIt(Text::tr("The coordinates lie outside the face"),
+    weights.refuseIt(Text::tr("The coordinates are outside the face"),
                      Text::tr("Give three numbers from 0 to 1 that sum to 1"));
   }
   placeMarker(scene, value.get<std::uint32_t>(), barycentric, marker);

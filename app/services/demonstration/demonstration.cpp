@@ -263,7 +263,7 @@ void requireOnlySimulated(const fs::path& record) {
     why = Text::tr("may be a record with real people: %1", error.happenedText());
   }
   throw Error(ErrorCode::kFileUnwritable, why, record.string(),
-              Text::tr("Give the demonstration a folder of its own; this file was not touched"));
+              Text::tr("Choose a separate folder for the demonstration; this file was not changed"));
 }
 
 /// Replaces an older demonstration that nobody has open by the finished one.

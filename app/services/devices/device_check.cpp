@@ -396,7 +396,8 @@ class Check {
           Text::tr("Let the device rest, calibrate it again and repeat the check"));
     } else {
       add(FindingGrade::kGood, Text::tr("Force"),
-          Text::tr("%1 N upwards were sent without complaint; only the hand can tell whether they were felt",
+          Text::tr("%1 N upwards were sent without an error; only the person holding the stylus knows "
+                   "whether they were felt",
                    formatFixed(kSelfTestForce_N, kForceDecimals)));
     }
   }

@@ -27,7 +27,7 @@ QSettings stationSettings() {
 const DeviceDriver& stationDriver(const std::string& id) {
   const DeviceDriver& driver = deviceDriver(id);
   if (driver.use != DriverUse::kStation) {
-    refuseParameter(Text::tr("\"%1\" is no device that is plugged in", driver.name), Text::tr("device"),
+    refuseParameter(Text::tr("\"%1\" is not a device that can be connected", driver.name), Text::tr("device"),
                     Text::tr("`torsio device list` shows the others"));
   }
   return driver;

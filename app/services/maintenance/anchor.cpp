@@ -33,7 +33,7 @@ std::string signedText(const Head& head) {
 }
 
 [[noreturn]] void notReadable(const std::string& line) {
-  refuse(Text::tr("is no head of an audit trail"), line.substr(0, 80),
+  refuse(Text::tr("is not the head of an audit trail"), line.substr(0, 80),
          Text::tr("Give a line that torsio audit head printed"));
 }
 
@@ -120,7 +120,7 @@ std::string flawOfTrail(const Head& head, const std::map<std::int64_t, std::stri
   }
   const std::string& present = hashes.at(head.length);
   if (present.empty()) {
-    return "the audit trail had this entry, and has it no more: it was cut off, or an older file lies here";
+    return "the audit trail no longer has this entry: it was truncated, or this is an older file";
   }
   return present == head.hash ? std::string() : "the audit trail was rewritten at this entry or before it";
 }
@@ -281,7 +281,7 @@ std::vector<std::string> headsOf(const fs::path& witness) {
     }
   }
   if (heads.empty()) {
-    refuse(Text::tr("holds no head of an audit trail"), witness.string(),
+    refuse(Text::tr("contains no head of an audit trail"), witness.string(),
            Text::tr("Choose the file that torsio audit head --witness wrote"));
   }
   return heads;

@@ -43,7 +43,7 @@ void requireFile(SessionContext& session) {
     return;
   }
   throw Error(ErrorCode::kUsage,
-              Text::tr("this record lies on a database server, which restores its own backups"),
+              Text::tr("this record is on a database server, which restores its own backups"),
               session.connection().location(), Text::tr("Use pg_restore on the server"));
 }
 

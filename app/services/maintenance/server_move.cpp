@@ -180,7 +180,7 @@ std::string joinServer(SessionContext& session, const ServerAddress& address,
   }
   std::string locator = requireLastingLocator(address);
   if (lookAtRecord(locator) != RecordPlace::kCentre) {
-    refuse(Text::tr("the record in this database holds no centre"), check.location,
+    refuse(Text::tr("the record in this database contains no centre"), check.location,
            Text::tr("Set the centre up at the first station; this one can join then"));
   }
   const AuditNote note{

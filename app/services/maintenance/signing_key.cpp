@@ -66,7 +66,8 @@ SecretKey readKey(const fs::path& file) {
   words >> word >> version >> hex;
   const std::optional<SecretKey> key = bytesOf<SecretKey>(hex);
   if (word != kKeyWord || version != "1" || !key) {
-    refuse(Text::tr("is no key of Torsio"), file.string(), Text::tr("Make one with torsio audit key FILE"));
+    refuse(Text::tr("is not a key of Torsio"), file.string(),
+           Text::tr("Make one with torsio audit key FILE"));
   }
   if (makePrivate(file)) {
     throw Error(ErrorCode::kPermission,

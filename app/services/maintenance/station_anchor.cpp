@@ -87,10 +87,8 @@ LeftHead headOnLeaving(Connection& connection, std::int64_t now_us) {
 
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/session_context.h"
-#include "app/services/maintenance/anchor.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
-#include "sim/core/error.h"
 
 namespace torsio {
 

@@ -13,7 +13,7 @@ namespace {
 
 void requireWithin(const PersonLength& range, double length_mm, const Text& name) {
   if (!(length_mm >= range.least_mm && length_mm <= range.most_mm)) {
-    refuseParameter(Text::tr("%1 mm is no such length of a person", shortNumber(length_mm)), name,
+    refuseParameter(Text::tr("%1 mm is outside the range of this measurement", shortNumber(length_mm)), name,
                     Text::tr("Give %1 to %2 mm", shortNumber(range.least_mm), shortNumber(range.most_mm)));
   }
 }

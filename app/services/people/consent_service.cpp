@@ -71,7 +71,7 @@ void checkWords(const std::vector<ConsentWords>& languages, const std::vector<st
   std::set<std::string> named;
   for (const ConsentWords& words : languages) {
     if (words.language.empty() || !named.insert(words.language).second) {
-      refuseParameter(Text::tr("a language has no name, or comes twice"), words.language,
+      refuseParameter(Text::tr("a language has no name or is listed twice"), words.language,
                       Text::tr("Name each language once"));
     }
     if (purposesOf(words) != purposes) {
@@ -165,7 +165,7 @@ std::string publishConsent(SessionContext& session, const std::filesystem::path&
                            std::vector<ConsentWords> languages, const std::string& note) {
   session.require(Operation::kSettingsEdit);
   if (note.empty()) {
-    refuseParameter(Text::tr("it is not said what changed"), Text::tr("consent"),
+    refuseParameter(Text::tr("no note says what changed"), Text::tr("consent"),
                     Text::tr("Say it in a few words"));
   }
   Transaction transaction(session.connection());
@@ -210,13 +210,13 @@ void recordConsent(SessionContext& session, const PersonId& personId, const std:
     refuseParameter(Text::tr("there is no such purpose"), purpose, Text::tr("Choose one from the list"));
   }
   if (textVersion.empty()) {
-    refuseParameter(Text::tr("it is not said which text was shown"), purpose,
+    refuseParameter(Text::tr("the version of the text shown is missing"), purpose,
                     Text::tr("Give the version of the consent text"));
   }
   const std::int64_t now_us = session.now_us();
   if (signedUtc_us > now_us + kDay_us) {
     refuseParameter(Text::tr("the day of the signature is still to come"), purpose,
-                    Text::tr("Enter the day that stands on the paper"));
+                    Text::tr("Enter the date on the paper"));
   }
   PeopleRepository repository(session.connection());
   const auto person = repository.find(personId);
@@ -258,13 +258,13 @@ void close(SessionContext& session, const std::string& requestId, PersonRequestA
 void requestAboutOwnRecord(SessionContext& session, PersonRequestKind kind) {
   session.require(Operation::kTrialViewOwn);
   if (session.actor().personId.empty()) {
-    refuseParameter(Text::tr("you are nobody of the record"), session.actor().login,
-                    Text::tr("Sign in as a trainee"));
+    refuseParameter(Text::tr("your account does not belong to a person of this record"),
+                    session.actor().login, Text::tr("Sign in as a trainee"));
   }
   for (const PersonRequest& earlier : ownRequests(session)) {
     if (earlier.kind == kind && !earlier.answer) {
       refuseParameter(Text::tr("you have asked for this already"), earlier.id,
-                      Text::tr("Wait for the answer, or take it back"));
+                      Text::tr("Wait for the answer, or withdraw your request"));
     }
   }
   const PersonRequest request{.id = session.ids().newUuid(),
@@ -282,7 +282,7 @@ void takeBackOwnRequest(SessionContext& session, const std::string& requestId) {
   session.require(Operation::kTrialViewOwn);
   const std::vector<PersonRequest> own = ownRequests(session);
   if (std::none_of(own.begin(), own.end(), [&](const PersonRequest& one) { return one.id == requestId; })) {
-    refuse(Text::tr("this is no request of yours"), requestId, Text::tr("Read the page again"));
+    refuse(Text::tr("this is not your request"), requestId, Text::tr("Read the page again"));
   }
   close(session, requestId, PersonRequestAnswer::kTakenBack, {});
 }

@@ -266,7 +266,7 @@ void changePerson(SessionContext& session, const PersonId& personId, const Perso
   }
   checkEntry(repository, entry, personId);
   if ((before.trainee && !entry.trainee) || (before.rater && entry.raterClass.empty())) {
-    refuse(Text::tr("a part of a person cannot be taken away: records hang on it"), before.person.code,
+    refuse(Text::tr("a person's role cannot be removed while records depend on it"), before.person.code,
            Text::tr("Set the person to \"left\" instead"));
   }
   const Person after = personFrom(entry, before.person);

@@ -230,7 +230,7 @@ RosterFile parseRoster(std::string_view bytes, const std::string& name) {
       continue;
     }
     refuse(Text::tr("two columns are called \"%1\"", *column), Text::tr("%1, line %2", name, headerLine),
-           Text::tr("Give each column a name of its own"));
+           Text::tr("Give each column a different name"));
   }
   if (roster.rows.empty()) {
     refuse(Text::tr("the roster has a header but nobody in it"), name, Text::tr("Add one line a person"));

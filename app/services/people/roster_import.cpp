@@ -118,7 +118,7 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
           preview.rows.push_back(std::move(row));
           continue;
         }
-        refuseRow(row, Text::tr("the number %1 stands on line %2 already", number, before.line),
+        refuseRow(row, Text::tr("the number %1 is already on line %2", number, before.line),
                   Text::tr("Remove one of the two lines, or correct the number"));
       }
       const auto [twin, alone] = alike.emplace(likenessOf(number), row.line);

@@ -82,7 +82,7 @@ void understandAge(RosterRow& row) {
     row.values[rosterIndex(RosterField::kAge)] = std::to_string(years);
     return;
   }
-  refuseRow(row, Text::tr("\"%1\" is no likely age in years", value),
+  refuseRow(row, Text::tr("\"%1\" is not a plausible age in years", value),
             Text::tr("Write a whole number from %1 to %2, or leave the cell empty", kYoungest_years,
                      kOldest_years));
 }

@@ -45,11 +45,11 @@ Text dependentDataName(const std::string& table) {
       {"app_user", Text::tr("has signed in")},
       {"enrolment", Text::tr("is enrolled in a cohort")},
       {"consent", Text::tr("has decided about a consent")},
-      {"assignment", Text::tr("is asked for sheets")},
-      {"evaluation_rater", Text::tr("is asked for an evaluation of models")},
-      {"person_request", Text::tr("has asked for something about the record")}};
+      {"assignment", Text::tr("has been assigned sheets")},
+      {"evaluation_rater", Text::tr("has been asked to evaluate models")},
+      {"person_request", Text::tr("has a request about the record")}};
   const auto known = kWords.find(table);
-  return known != kWords.end() ? Text(known->second) : Text::tr("has something in the record already");
+  return known != kWords.end() ? Text(known->second) : Text::tr("already has entries in the record");
 }
 
 using EntriesById = std::map<PersonId, std::pair<std::string, PersonEntry>>;
@@ -94,7 +94,7 @@ Text hindranceOf(SessionContext& session, const std::string& importId,
       return Text::tr("%1 %2", code, dependentDataName(table));
     }
   }
-  return people.empty() ? Text::tr("nobody of it is left") : Text();
+  return people.empty() ? Text::tr("none of these people are left") : Text();
 }
 
 void undoPerson(SessionContext& session, const StoredRosterPerson& imported, const std::string& reason) {

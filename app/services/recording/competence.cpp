@@ -185,16 +185,16 @@ Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors&
 Text competenceLevelText(const CompetenceVerdict& verdict) {
   switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return Text::tr("not shown yet, %1 {attempt|attempts} missing", verdict.attemptsUntilLevel);
+      return Text::tr("not shown yet; %1 more {attempt|attempts} needed", verdict.attemptsUntilLevel);
     case SkillLevel::kLearning:
       return Text::tr("learning");
     case SkillLevel::kSteady:
       return Text::tr("competent since attempt %1", verdict.ableAt.value_or(0));
     case SkillLevel::kWatch:
-      return Text::tr("competent since attempt %1; the last attempts raise a doubt",
+      return Text::tr("competent since attempt %1; the latest attempts raise doubts",
                       verdict.ableAt.value_or(0));
     case SkillLevel::kRelapsed:
-      return Text::tr("competent at attempt %1, no longer so", verdict.ableAt.value_or(0));
+      return Text::tr("competent at attempt %1, but not now", verdict.ableAt.value_or(0));
   }
   return {};
 }

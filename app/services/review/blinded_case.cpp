@@ -67,11 +67,11 @@ Assignment ownAssignment(SessionContext& session, Operation operation, const Ass
   const std::string& person = session.actor().personId;
   if (!found || person.empty() || found->raterId != person) {
     throw Error(ErrorCode::kPermission, Text::tr("this case is not yours"), Text::tr("the queue"),
-                Text::tr("Open a case of your own queue"));
+                Text::tr("Open a case from your own queue"));
   }
   if (desk.isWithdrawn(assignmentId)) {
     throw Error(ErrorCode::kPermission, Text::tr("this case was taken back"), placeOf(found->caseLabel),
-                Text::tr("Go on with the next case of the queue"));
+                Text::tr("Continue with the next case in the queue"));
   }
   return *found;
 }

@@ -214,7 +214,7 @@ constexpr double kSameSpeed = 0.001;
 void requirePlayable(const PlayedStretch& stretch, const ViewingRules& rules, const Text& where) {
   const bool forwards = stretch.from_us >= 0 && stretch.to_us >= stretch.from_us;
   if (!forwards || !std::isfinite(stretch.speed)) {
-    refuseParameter(Text::tr("what was watched is not a stretch of the recording"), where,
+    refuseParameter(Text::tr("the watched part is not in the recording"), where,
                     Text::tr("Open the case again"));
   }
   const bool allowed =

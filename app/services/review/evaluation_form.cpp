@@ -130,7 +130,7 @@ OpenForm ownForm(SessionContext& session, const CampaignId& campaignId) {
   const std::string& person = session.actor().personId;
   const CampaignRater* rater = campaign && !person.empty() ? asked(*campaign, person) : nullptr;
   if (rater == nullptr) {
-    throw Error(ErrorCode::kPermission, Text::tr("you are not asked in this evaluation"),
+    throw Error(ErrorCode::kPermission, Text::tr("you are not a rater of this evaluation"),
                 Text::tr("the evaluation"), Text::tr("Ask an administrator"));
   }
   return formOf(session.connection(), *campaign, *rater);
@@ -146,7 +146,7 @@ std::size_t openModel(const OpenForm& open, const std::string& hiddenLabel) {
       return i;
     }
     refuse(Text::tr("these marks were submitted already"), Text::tr("model %1", hiddenLabel),
-           Text::tr("Go on with the next model"));
+           Text::tr("Continue with the next model"));
   }
   refuse(Text::tr("there is no such model"), Text::tr("model %1", hiddenLabel),
          Text::tr("Open the form again"));
@@ -232,7 +232,7 @@ void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,
   const ScoreScale& scale = open.form.scale;
   const bool outside = score_steps && !isOnScale(*score_steps, scale);
   if (outside || index >= open.form.indices.size()) {
-    refuse(Text::tr("the mark lies outside the scale"), Text::tr("model %1", hiddenLabel),
+    refuse(Text::tr("the mark is outside the scale"), Text::tr("model %1", hiddenLabel),
            Text::tr("Correct the mark"));
   }
   DeskRepository(session.connection())

@@ -64,7 +64,7 @@ ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
   const double lowest = pointsFromSteps(scale.lo, scale);
   const double highest = pointsFromSteps(scale.hi, scale);
   if (!(choice.panel_points >= lowest && choice.panel_points <= highest)) {
-    refuseParameter(Text::tr("the panel's mark lies outside the scale of the rubric"),
+    refuseParameter(Text::tr("the panel's mark is outside the scale of the rubric"),
                     std::to_string(choice.panel_points), Text::tr("Correct the mark"));
   }
   if (choice.panelRaters < 1) {
@@ -132,7 +132,7 @@ void scoreReferenceRun(SessionContext& session, std::size_t number, std::int64_t
   const ReferenceRun run = runNumber(session.connection(), number);
   const RubricRevision rubric = RubricRepository(session.connection()).revision(run.rubricRevisionId).value();
   if (!isOnScale(score_steps, rubric.overall)) {
-    refuse(Text::tr("the mark lies outside the scale"), Text::tr("reference %1", number),
+    refuse(Text::tr("the mark is outside the scale"), Text::tr("reference %1", number),
            Text::tr("Correct the mark"));
   }
   CalibrationScore score;
@@ -234,7 +234,7 @@ void withdrawReferenceRun(SessionContext& session, const TrialId& trialId, const
   const std::vector<ReferenceRun> runs = desk.referenceRuns();
   if (std::none_of(runs.begin(), runs.end(),
                    [&](const ReferenceRun& run) { return run.trialId == trialId; })) {
-    refuse(Text::tr("this recording is no reference run, or was withdrawn already"), trialId,
+    refuse(Text::tr("this recording is not a reference run, or was already withdrawn"), trialId,
            Text::tr("Open the list again"));
   }
   desk.withdrawReferenceRun({trialId, reason, session.actor().userId, session.now_us()});

@@ -192,7 +192,7 @@ AllocationCheck repeatedDraw(StudyRepository& study, const LockedDesign& stored,
   const AllocationDesign design = designFromStored(stored, groupCodes, drawn.size());
   const std::uint64_t seed = seedFrom(seedText, stored.id);
   if (seedCommitment(design, seed, salt) != stored.seedCommitment) {
-    return wrong(Text::tr("seed and design do not give the published commitment"));
+    return wrong(Text::tr("seed and design do not match the published commitment"));
   }
   if (drawn.empty()) {
     return check;
@@ -214,7 +214,7 @@ AllocationCheck repeatedDraw(StudyRepository& study, const LockedDesign& stored,
   for (const Enrolment& enrolment : study.enrolments(stored.cohortId)) {
     const auto last = lastGroup.find(enrolment.id);
     if (last != lastGroup.end() && last->second != enrolment.groupId) {
-      return wrong(Text::tr("%1 is in a group that no record tells of", enrolment.traineeCode));
+      return wrong(Text::tr("%1 is in a group that no allocation record explains", enrolment.traineeCode));
     }
   }
   return check;

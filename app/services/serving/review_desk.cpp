@@ -174,8 +174,8 @@ std::optional<OpenReviewDesk> openReviewDesk(SessionContext& session, const Desk
 
 void startReviewDesk(SessionContext& session, const DeskPlace& place, const DeskWish& wish) {
   if (!mayOpenReviewDesk(session)) {
-    refuseParameter(Text::tr("this record lies on a server"), "",
-                    Text::tr("Whoever runs the server opens the review desk there, by torsio serve"));
+    refuseParameter(Text::tr("this record is on a server"), "",
+                    Text::tr("The server's administrator opens the review desk there with torsio serve"));
   }
   if (openReviewDesk(session, place)) {
     refuseParameter(Text::tr("the review desk is open already"), "", Text::tr("Close it first"));

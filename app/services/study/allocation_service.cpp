@@ -184,7 +184,7 @@ AllocationDesignRow lockAllocation(SessionContext& session, const AllocationPlan
   const std::vector<LockedDesign> before = study.designs(plan.cohortId);
   if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {
     refuse(Text::tr("allocation has begun with another design"), field.cohort.name,
-           Text::tr("Give a reason; whoever has a group keeps it"));
+           Text::tr("Give a reason; people in a group stay in it"));
   }
   if (field.waiting().empty()) {
     refuse(Text::tr("nobody waits for a group"), field.cohort.name, Text::tr("Enrol trainees first"));
@@ -323,7 +323,7 @@ std::string revealSeed(SessionContext& session, const DesignId& designId, const 
     const DrawField field = readDrawField(session, design.cohortId);
     if (const std::size_t waiting = field.waiting().size(); waiting > 0) {
       refuse(
-          Text::tr("%1 {person still waits|people still wait} for a group: the seed would tell them theirs",
+          Text::tr("%1 {person is|people are} not allocated yet: opening the seed would reveal their group",
                    waiting),
           field.cohort.name, Text::tr("Allocate them first, or give a reason"));
     }

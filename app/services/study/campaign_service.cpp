@@ -114,7 +114,7 @@ std::map<std::string, std::vector<Rater>> ratersByClass(SessionContext& session,
     byClass[rater.classCode].push_back(std::move(rater));
   }
   if (found != wanted.size()) {
-    refuseParameter(Text::tr("somebody of the list is no active rater"), Text::tr("raters"),
+    refuseParameter(Text::tr("the list contains a person who is not an active rater"), Text::tr("raters"),
                     Text::tr("Choose from the list"));
   }
   for (const auto& [code, weight] : weight_milli) {

@@ -167,7 +167,7 @@ std::vector<EnrolmentId> enrolTrainees(SessionContext& session, const CohortId& 
   for (const TraineeId& traineeId : traineeIds) {
     const auto person = people.find(traineeId);
     if (!person || person->state != PersonState::kActive || !people.findTrainee(person->code)) {
-      refuse(Text::tr("this is no active trainee"), person ? person->code : traineeId.text(),
+      refuse(Text::tr("not an active trainee"), person ? person->code : traineeId.text(),
              Text::tr("Choose one from the list"));
     }
     if (!enrolled.insert(traineeId).second) {

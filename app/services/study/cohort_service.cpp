@@ -195,7 +195,7 @@ void checkStep(SessionContext& session, const Cohort& cohort, CohortState state)
            cohort.name, Text::tr("Close a running cohort, archive a closed one, or open it again"));
   }
   if (closes && !StudyRepository(session.connection()).runningTrials(cohort.id).empty()) {
-    refuse(Text::tr("somebody of this cohort is training"), cohort.name,
+    refuse(Text::tr("a trainee of this cohort is training now"), cohort.name,
            Text::tr("Wait for the end of the run, or close what was cut off at its station"));
   }
   const std::int64_t open = archives ? SheetRepository(session.connection()).openAssignments(cohort.id) : 0;

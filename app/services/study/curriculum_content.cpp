@@ -228,7 +228,7 @@ json parsed(const std::string& text, const std::string& name) {
   try {
     return json::parse(text);
   } catch (const json::exception& problem) {
-    refuse(Text::tr("is no JSON: %1", problem.what()), name, Text::tr("Correct the text"));
+    refuse(Text::tr("is not JSON: %1", problem.what()), name, Text::tr("Correct the text"));
   }
 }
 

@@ -180,7 +180,7 @@ class Examination {
         add(where, Text::tr("requires itself"), Text::tr("Remove it from its own prerequisites"),
             CurriculumField::kPrerequisites);
       } else if (!modules_.contains(required)) {
-        add(where, Text::tr("requires \"%1\", which is no module of this curriculum", required),
+        add(where, Text::tr("requires \"%1\", which is not a module of this curriculum", required),
             Text::tr("Choose prerequisites from the list"), CurriculumField::kPrerequisites);
       }
     }
@@ -240,7 +240,7 @@ class Examination {
             CurriculumField::kMastery);
       }
       if (!seen.insert(rule.metric).second) {
-        add(place, Text::tr("stands twice"), Text::tr("Keep one of the two rules"),
+        add(place, Text::tr("is listed twice"), Text::tr("Keep one of the two rules"),
             CurriculumField::kMastery);
       }
       if (rule.comparison != "at_least" && rule.comparison != "at_most") {
@@ -277,7 +277,7 @@ class Examination {
     for (const auto& [code, required] : open) {
       names += (names.empty() ? "" : ", ") + code;
     }
-    add(Text::tr("modules %1", names), Text::tr("wait for each other: nobody could ever begin them"),
+    add(Text::tr("modules %1", names), Text::tr("require each other, so nobody could ever begin them"),
         Text::tr("Remove one prerequisite"));
   }
 
@@ -301,7 +301,7 @@ class Examination {
         add(place, Text::tr("takes no time"), Text::tr("Enter its minutes"), CurriculumField::kPhases);
       }
       if (!phase.moduleId.empty() && !modules_.contains(phase.moduleId)) {
-        add(place, Text::tr("practises \"%1\", which is no module of this curriculum", phase.moduleId),
+        add(place, Text::tr("practises \"%1\", which is not a module of this curriculum", phase.moduleId),
             Text::tr("Choose one from the list, or none for any module"), CurriculumField::kPhases);
       }
       if (!phase.moduleId.empty() && phase.kind == PhaseKind::kReal) {
@@ -331,7 +331,7 @@ class Examination {
         }
         const Text where = Text::tr("occasion %1", point.code);
         if (!seen.insert(point.code).second) {
-          add(where, Text::tr("stands twice"), Text::tr("Keep one of the two"), CurriculumField::kTime);
+          add(where, Text::tr("is listed twice"), Text::tr("Keep one of the two"), CurriculumField::kTime);
         }
         if (point.afterExposure_us < before_us) {
           add(where, Text::tr("comes before the one that it follows"),
@@ -339,7 +339,7 @@ class Examination {
         }
         before_us = point.afterExposure_us;
         if (!content_.arms.empty() && point.afterExposure_us > longest_us) {
-          add(where, Text::tr("comes later than any arm trains"),
+          add(where, Text::tr("is later than the training time of every study arm"),
               Text::tr("Give an earlier time, or longer phases"), CurriculumField::kTime);
         }
       }

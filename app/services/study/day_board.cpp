@@ -373,7 +373,7 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
                const EnrolmentId& otherEnrolmentId, const std::string& reason) {
   session.require(Operation::kStudySetup);
   if (enrolmentId == otherEnrolmentId) {
-    refuse(Text::tr("nobody swaps with themselves"), cohortId, Text::tr("Choose another trainee"));
+    refuse(Text::tr("choose two different trainees"), cohortId, Text::tr("Choose another trainee"));
   }
   Transaction transaction(session.connection());
   std::map<std::string, std::string> codes;
@@ -401,10 +401,10 @@ Text alertText(const DayAlert& alert, const std::string& since, const Text& occa
   using Kind = DayAlert::Kind;
   switch (alert.kind) {
     case Kind::kTrialOpen:
-      return Text::tr("%1 was recording at %2, which does not answer since %3. Go and look.", alert.subject,
+      return Text::tr("%1 was recording at %2, which has not answered since %3. Go and look.", alert.subject,
                       alert.station, since);
     case Kind::kStationSilent:
-      return Text::tr("%1 does not answer since %2.", alert.subject, since);
+      return Text::tr("%1 has not answered since %2.", alert.subject, since);
     case Kind::kDeviceUnfit:
       return Text::tr("%1: the device is not fit for graded runs: %2.", alert.subject, alert.reason);
     case Kind::kServoUneven:

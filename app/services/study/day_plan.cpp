@@ -29,10 +29,11 @@ void checkRequest(const DayPlanRequest& request) {
     refuseParameter(Text::tr("a slot needs a place"), where, Text::tr("Name at least one station or room"));
   }
   if (std::set<std::string>(request.places.begin(), request.places.end()).size() != request.places.size()) {
-    refuseParameter(Text::tr("a place comes twice"), where, Text::tr("Name each station or room once"));
+    refuseParameter(Text::tr("a place is listed twice"), where, Text::tr("Name each station or room once"));
   }
   if (request.duration_us <= 0 || request.pause_us < 0) {
-    refuseParameter(Text::tr("a slot takes no time"), where, Text::tr("Give minutes above zero"));
+    refuseParameter(Text::tr("the duration of a slot must be above zero"), where,
+                    Text::tr("Give minutes above zero"));
   }
 }
 
@@ -118,7 +119,7 @@ void removeSlots(SessionContext& session, const CohortId& cohortId, std::span<co
   for (const DaySlotId& id : slotIds) {
     const auto slot = std::find_if(all.begin(), all.end(), [&](const DaySlot& one) { return one.id == id; });
     if (slot == all.end()) {
-      refuse(Text::tr("this slot is in the plan no more"), id, Text::tr("Read the plan again"));
+      refuse(Text::tr("this slot is no longer in the plan"), id, Text::tr("Read the plan again"));
     }
     repository.remove(id);
     session.noteChange(AuditAction::kSlotRemove, AuditObject::kEnrolment, slot->enrolmentId, slotJson(*slot),

@@ -62,7 +62,7 @@ class Landing {
       return codes_.next(prefix);
     }
     if (!used_.insert(wanted).second) {
-      refuse(Text::tr("the record has somebody under this code already"), wanted,
+      refuse(Text::tr("this code is already in use in the record"), wanted,
              Text::tr("Import into an empty record"));
     }
     return wanted;

@@ -135,7 +135,7 @@ void requireActiveRater(SessionContext& session, const RaterId& raterId) {
   if (std::none_of(raters.begin(), raters.end(), [&](const Rater& rater) {
         return rater.person.id == raterId && rater.person.state == PersonState::kActive;
       })) {
-    refuse(Text::tr("this is no active rater"), raterId, Text::tr("Choose one from the list"));
+    refuse(Text::tr("not an active rater"), raterId, Text::tr("Choose one from the list"));
   }
 }
 

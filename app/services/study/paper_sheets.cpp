@@ -142,7 +142,7 @@ PaperOutcome enterPaperSheet(SessionContext& session, const AssignmentId& assign
   const Text where = Text::tr("case %1", assignment.caseLabel);
   if (const std::vector<std::string> faults = faultyRows(rubric, sheet); !faults.empty()) {
     refuse(Text::tr("no mark of the scale and no reason: %1", namesOf(rubric, faults)), where,
-           Text::tr("Type what stands on the paper; where it says nothing, say that as the reason"));
+           Text::tr("Type what is on the paper; if it says nothing, give that as the reason"));
   }
   PaperRepository paper(connection);
   const UserId user = session.actor().userId;

@@ -94,11 +94,11 @@ void reportAnchors(const RubricLine& row, const Say& say) {
   std::set<std::int64_t> scores;
   for (const RubricAnchor& anchor : row.anchors) {
     if (!isOnScale(anchor.score_steps, row.scale)) {
-      say(RubricField::kAnchors, Text::tr("an anchor lies outside the scale"),
+      say(RubricField::kAnchors, Text::tr("an anchor is outside the scale"),
           Text::tr("Move it, or widen the scale"));
     }
     if (!scores.insert(anchor.score_steps).second) {
-      say(RubricField::kAnchors, Text::tr("two anchors stand at the same mark"), Text::tr("Join them"));
+      say(RubricField::kAnchors, Text::tr("two anchors are at the same mark"), Text::tr("Join them"));
     }
     if (anchor.meaning.empty()) {
       say(RubricField::kAnchors, Text::tr("an anchor has no words"), Text::tr("Say what the mark means"));
@@ -211,7 +211,7 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
   try {
     source = json::parse(text);
   } catch (const json::exception& problem) {
-    refuse(Text::tr("is no JSON: %1", problem.what()), id, Text::tr("Correct the text"));
+    refuse(Text::tr("is not JSON: %1", problem.what()), id, Text::tr("Correct the text"));
   }
   JsonFields fields(source, id);
   if (const std::string format = fields.text("format"); format != kRubricFormat) {

@@ -62,7 +62,7 @@ std::vector<Enrolment> chosenEnrolments(StudyRepository& study, const ScoringPla
                     Text::tr("Enrol trainees first"));
   }
   if (!plan.enrolmentIds.empty() && chosen.size() != plan.enrolmentIds.size()) {
-    refuseParameter(Text::tr("somebody of the list is not enrolled here"), Text::tr("cohort"),
+    refuseParameter(Text::tr("the list contains a person who is not enrolled here"), Text::tr("cohort"),
                     Text::tr("Choose from the list"));
   }
   return chosen;
@@ -96,7 +96,7 @@ void checkPlan(SessionContext& session, const ScoringPlan& plan) {
   std::set<std::string> seen;
   for (const std::string& rater : plan.raterIds) {
     if (!known.contains(rater)) {
-      refuseParameter(Text::tr("this is no active rater"), rater, Text::tr("Choose one from the list"));
+      refuseParameter(Text::tr("not an active rater"), rater, Text::tr("Choose one from the list"));
     }
     if (!seen.insert(rater).second) {
       refuseParameter(Text::tr("a rater is named twice"), rater, Text::tr("Name each once"));
@@ -311,7 +311,7 @@ void releaseMarks(SessionContext& session, const CohortId& cohortId, const std::
       continue;
     }
     if (state.released) {
-      refuse(Text::tr("these marks are released already"), occasionCode, Text::tr("Nothing is to be done"));
+      refuse(Text::tr("these marks are released already"), occasionCode, Text::tr("Nothing to do"));
     }
     if (state.missing > 0 && reason.empty()) {
       refuse(Text::tr("%1 of %2 {sheet is|sheets are} not submitted", state.missing, state.sheets),
@@ -332,7 +332,7 @@ void retractMarks(SessionContext& session, const CohortId& cohortId, const std::
   }
   Transaction transaction(session.connection());
   if (!SheetRepository(session.connection()).isReleased(cohortId, occasionCode)) {
-    refuse(Text::tr("these marks are not released"), occasionCode, Text::tr("Nothing is to be done"));
+    refuse(Text::tr("these marks are not released"), occasionCode, Text::tr("Nothing to do"));
   }
   setReleased(session, cohortId, occasionCode, false, reason);
   transaction.commit();

@@ -20,7 +20,7 @@ class NamesOnce {
     const auto [first, isNew] = rowOf_.emplace(table_.text(row, column_), row);
     if (!isNew) {
       table_.refuse(row,
-                    Text::tr("%1 \"%2\" stands a second time, first in %3", column_, first->first,
+                    Text::tr("%1 \"%2\" is listed twice, first in %3", column_, first->first,
                              table_.where(first->second)),
                     Text::tr("Keep one row for each %1", column_));
     }
@@ -59,10 +59,9 @@ JudgedItems readJudgedItems(const CsvTable& table) {
       }
       const double value = table.number(found->second, "percent");
       if (value < 0.0 || value > 100.0) {
-        table.refuse(
-            found->second,
-            Text::tr("the percentage %1 lies outside 0 to 100", table.cell(found->second, "percent")),
-            Text::tr("Give the chance of a borderline trainee in percent"));
+        table.refuse(found->second,
+                     Text::tr("the percentage %1 is outside 0 to 100", table.cell(found->second, "percent")),
+                     Text::tr("Give the chance of a borderline trainee in percent"));
       }
       out.percent.at(judge, item) = value;
     }
@@ -88,7 +87,7 @@ ContrastedScores readContrastedScores(const CsvTable& table) {
     subjects.take(row);
     const std::string& group = table.text(row, "group");
     if (group != "novice" && group != "master") {
-      table.refuse(row, Text::tr("\"%1\" is no group of this method", group),
+      table.refuse(row, Text::tr("\"%1\" is not a group of this method", group),
                    Text::tr("Write novice or master"));
     }
     (group == "novice" ? out.novices : out.masters).push_back(table.number(row, "score"));

@@ -148,13 +148,12 @@ Text DebriefFinding::text() const {
   const Text own = shownValue(quantity, value);
   const Text other = shownValue(quantity, expert);
   if (!strength) {
-    return Text::tr("%1: %2, the expert had %3", name, own, other);
+    return Text::tr("%1: %2 (expert: %3)", name, own, other);
   }
-  return merit > kClearlyBetter ? Text::tr("%1: %2, better than the expert (%3)", name, own, other)
-         : merit >= 0.0         ? Text::tr("%1: %2, as good as the expert (%3)", name, own, other)
-         : merit >= -kClearlyBetter
-             ? Text::tr("%1: %2, close to the expert (%3)", name, own, other)
-             : Text::tr("%1: %2, what came nearest to the expert (%3)", name, own, other);
+  return merit > kClearlyBetter     ? Text::tr("%1: %2, better than the expert (%3)", name, own, other)
+         : merit >= 0.0             ? Text::tr("%1: %2, as good as the expert (%3)", name, own, other)
+         : merit >= -kClearlyBetter ? Text::tr("%1: %2, close to the expert (%3)", name, own, other)
+                                    : Text::tr("%1: %2, closest to the expert (%3)", name, own, other);
 }
 
 Text DebriefFinding::advice() const {

@@ -117,7 +117,7 @@ RemarkId keepBookmark(SessionContext& session, const TrialListing& trial, double
                       const std::string& text) {
   const double length_s = trial.summary ? spanOf_s(trial.summary->samples) : 0.0;
   if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {
-    refuseParameter(Text::tr("the moment lies outside the recording"), trial.trialId,
+    refuseParameter(Text::tr("the moment is outside the recording"), trial.trialId,
                     Text::tr("Choose a time within it"));
   }
   const RemarkId id = session.ids().newUuid();

@@ -40,7 +40,7 @@ std::string rangeText(const ScoreScale& scale) {
 std::int64_t checkedSteps(std::int64_t steps, const std::string& text, const ScoreScale& scale,
                           const std::string& where) {
   if (!isOnScale(steps, scale)) {
-    refuseScore(text, Text::verbatim("lies outside the scale"), scale, where);
+    refuseScore(text, Text::verbatim("is outside the scale"), scale, where);
   }
   return steps;
 }
@@ -122,13 +122,13 @@ std::int64_t stepsFromText(std::string_view text, const ScoreScale& scale, const
   // Beyond any scale, and the multiplication below could overflow.
   if (value->numerator / value->denominator > kMaxSteps ||
       value->numerator / value->denominator < -kMaxSteps) {
-    refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
+    refuseScore(shown, Text::verbatim("is outside the scale"), scale, where);
   }
   const std::int64_t whole = value->numerator / value->denominator;
   const std::int64_t rest = value->numerator % value->denominator;
   if ((rest * scale.stepsPerPoint) % value->denominator != 0) {
     if (value->numerator > 0 && whole * scale.stepsPerPoint >= scale.hi) {
-      refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
+      refuseScore(shown, Text::verbatim("is outside the scale"), scale, where);
     }
     refuseScore(shown, Text::verbatim("lies between two steps of the scale"), scale, where);
   }
@@ -143,7 +143,7 @@ std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::
   }
   const double scaled = points * static_cast<double>(scale.stepsPerPoint);
   if (std::abs(scaled) > static_cast<double>(2 * kMaxSteps)) {
-    refuseScore(shown, Text::verbatim("lies outside the scale"), scale, where);
+    refuseScore(shown, Text::verbatim("is outside the scale"), scale, where);
   }
   const std::int64_t steps = static_cast<std::int64_t>(std::llround(scaled));
   if (pointsFromSteps(steps, scale) != points) {
@@ -191,7 +191,7 @@ std::vector<std::int64_t> weightsInMilli(const std::vector<double>& weights) {
     sum += weight;
     const std::int64_t rounded = static_cast<std::int64_t>(std::llround(weight * 1000.0));
     if (std::abs(weight - static_cast<double>(rounded) / 1000.0) > kWeightTolerance) {
-      refuseParameter(Text::verbatim("weight %1 is no multiple of 0.001", std::to_string(weight)),
+      refuseParameter(Text::verbatim("weight %1 is not a multiple of 0.001", std::to_string(weight)),
                       Text::verbatim("weights"),
                       Text::verbatim("Round the weights to thousandths so that they sum to 1."));
     }

@@ -69,7 +69,7 @@ void checkBlockSizes(const std::vector<std::size_t>& sizes, std::size_t arms) {
   }
   for (const std::size_t size : sizes) {
     if (size == 0 || size % arms != 0) {
-      refuseDesign(Text::tr("block size %1 is no multiple of the number of arms", size),
+      refuseDesign(Text::tr("block size %1 is not a multiple of the number of arms", size),
                    Text::tr("Give multiples of the number of arms."));
     }
   }
@@ -109,7 +109,7 @@ void validateDesign(const AllocationDesign& design) {
   }
   if (design.method == AllocationMethod::kCompletePermutation &&
       (design.participants == 0 || design.participants % arms != 0)) {
-    refuseDesign(Text::tr("the number of participants is no multiple of the number of arms"),
+    refuseDesign(Text::tr("the number of participants is not a multiple of the number of arms"),
                  Text::tr("Choose permuted blocks, or enrol equal arms."));
   }
   if (design.method == AllocationMethod::kMinimisation &&
@@ -398,7 +398,7 @@ Allocation allocate(AllocationDesign design, std::uint64_t seed, const std::vect
 
 ReplayFinding replayAllocation(const Allocation& allocation, const std::string& keptHead) {
   if (seedCommitment(allocation.design, allocation.seed, allocation.salt) != allocation.commitment) {
-    return {false, std::nullopt, "seed and design do not give the published commitment"};
+    return {false, std::nullopt, "seed and design do not match the published commitment"};
   }
   Allocator allocator(allocation.design, allocation.seed);
   std::string previous;

@@ -61,7 +61,7 @@ bool sameStored(const Value& given, const Value& read) {
 
 void refuseOtherContent(Connection& connection, std::string_view table, const Text& what) {
   throw DbError(DbFault::kUnique, "INSERT INTO " + std::string(table),
-                Text::tr("%1 is stored already with other content; what is stored stays", what),
+                Text::tr("%1 is already stored with different content; the stored version is kept", what),
                 connection.location(), Text::tr("Keep what you have here and compare the two"));
 }
 

@@ -345,8 +345,7 @@ void requireEveryRow(Connection& connection) {
       selectFirst(connection, std::string(kSeesAllMarks), {}, readBoolean).value_or(false)) {
     return;
   }
-  throw Error(ErrorCode::kPermission,
-              Text::tr("this account of the server sees no marks while nobody is signed in"),
+  throw Error(ErrorCode::kPermission, Text::tr("this server account sees no marks while nobody is signed in"),
               connection.location(),
               Text::tr("Give the address with the account that owns the record, or do it at the window"));
 }

@@ -167,7 +167,7 @@ void EvaluationRepository::submit(const CampaignId& campaignId, std::span<const 
   std::vector<NewAuditEntry> entries;
   for (const EvaluationMark& mark : marks) {
     if (!isOnScale(mark.score_steps, scale)) {
-      refuse(Text::tr("mark of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
+      refuse(Text::tr("mark of %1 steps is outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
              Text::tr("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),
              Text::tr("Correct the mark"));
     }

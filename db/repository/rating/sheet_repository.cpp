@@ -77,7 +77,7 @@ void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::stri
     refuse(Text::tr("needs either a mark or a reason why there is none"), where, Text::tr("Fill it in"));
   }
   if (fault == AnswerFault::kOutsideScale) {
-    refuse(Text::tr("mark of %1 steps lies outside its scale", *score_steps), where,
+    refuse(Text::tr("mark of %1 steps is outside its scale", *score_steps), where,
            Text::tr("Correct the mark"));
   }
 }

@@ -118,7 +118,7 @@ void SealVerification::take(const AuditEntry& entry) {
   SealEntry seal{.sequence = entry.sequence, .hash = entry.objectHash};
   const bool complete = own >= 0 && own <= static_cast<std::int64_t>(recent_.size());
   if (!complete || (own > 0 && recent_.back().actor != entry.actor)) {
-    report(entry.sequence, entry.objectKind, {}, Text::tr("seals a change of which the trail does not tell"));
+    report(entry.sequence, entry.objectKind, {}, Text::tr("seals a change that the trail does not contain"));
   } else {
     for (auto act = recent_.end() - own; act != recent_.end(); ++act) {
       if (!act->erased.empty()) {
@@ -213,7 +213,7 @@ void SealVerification::apply(const SealEntry& entry, const RowSeal& seal) {
     if (entry.erasedPeople.contains(seal.key)) {
       erased_.insert(seal.key);
     } else {
-      report(entry.sequence, seal.table, seal.key, Text::tr("tells of an erase that did not take place"));
+      report(entry.sequence, seal.table, seal.key, Text::tr("records an erasure that did not take place"));
     }
   }
   row->second = {.rowHash = seal.rowHash,
@@ -229,7 +229,7 @@ void SealVerification::requireGenuine(const SealEntry& entry, const RowSeal& sea
   if (seal.removed) {
     const bool flagged = before.simulated || !hasFlag(seal.table);
     if (!entry.removesDemonstration || !flagged) {
-      report(entry.sequence, seal.table, seal.key, Text::tr("tells of a removal that did not take place"));
+      report(entry.sequence, seal.table, seal.key, Text::tr("records a removal that did not take place"));
     }
     return;
   }
@@ -293,7 +293,7 @@ void SealVerification::compareTable(const SealRule& rule) {
           salts.erase(salt);
         }
         if (last == sealed.end() || last->second.removed) {
-          report(0, table, key, Text::tr("is there, but was never recorded"));
+          report(0, table, key, Text::tr("is present, but was never recorded"));
           return;
         }
         last->second.seen = true;
@@ -302,11 +302,11 @@ void SealVerification::compareTable(const SealRule& rule) {
         }
       },
       [&](const std::string& key) {
-        report(0, table, key, Text::tr("is gone, but what belongs to it is there"));
+        report(0, table, key, Text::tr("is missing, but its dependent rows exist"));
       });
   for (const auto& [key, last] : sealed) {
     if (!last.seen && !last.removed) {
-      report(0, table, key, Text::tr("was recorded, but is gone"));
+      report(0, table, key, Text::tr("was recorded, but is missing"));
     }
   }
 }

@@ -49,7 +49,7 @@ std::optional<std::string> flawOfFile(const std::filesystem::path& path) {
   ElfW(Ehdr) head{};
   if (failed || !file.read(reinterpret_cast<char*>(&head), sizeof(head)) ||
       std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0) {
-    return "it is no library (no ELF header)";
+    return "it is not a library (no ELF header)";
   }
   if (kThisMachine != EM_NONE && (head.e_machine != kThisMachine || head.e_ident[EI_CLASS] != ELFCLASS64)) {
     return "it was built for another kind of processor (ELF machine " + std::to_string(head.e_machine) + ")";

@@ -253,7 +253,7 @@ class Rim {
     const auto atSeam = [start](const LoopPoint& point) { return point.half / 3 == start; };
     const auto first = std::find_if(loops.front().points.begin(), loops.front().points.end(), atSeam);
     if (loops.size() != 1 || first == loops.front().points.end()) {
-      throw Error(ErrorCode::kBadMesh, Text::tr("a cap of the organ is no disc"), "",
+      throw Error(ErrorCode::kBadMesh, Text::tr("a cap of the organ is not a disc"), "",
                   Text::tr("Give other end points, or check the mesh for handles."));
     }
     for (const LoopPoint& point : loops.front().points) {

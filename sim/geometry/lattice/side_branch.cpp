@@ -304,7 +304,7 @@ void TrimmedOrgan::close(const TriangleMesh& mesh) {
   for (const Index t : triangles_) {
     for (Index half = 3 * t; half < 3 * t + 3; ++half) {
       if (kept[whole.opposite(half) / 3] == 0 && !rimFrom.emplace(whole.origin(half), half).second) {
-        refuseBranch(Text::tr("the cut of the side branch is no simple loop"));
+        refuseBranch(Text::tr("the cut of the side branch is not a simple loop"));
       }
     }
   }
@@ -320,7 +320,7 @@ void TrimmedOrgan::close(const TriangleMesh& mesh) {
     ++steps;
   } while (at != start && rimFrom.count(at) != 0 && steps < rimFrom.size());
   if (at != start || steps != rimFrom.size()) {
-    refuseBranch(Text::tr("the cut of the side branch is no simple loop"));
+    refuseBranch(Text::tr("the cut of the side branch is not a simple loop"));
   }
   const auto centre = static_cast<Index>(mesh_.vertices_m.size());
   mesh_.vertices_m.push_back(middle_m);

@@ -198,7 +198,7 @@ StraightAxis findStraightAxis(const TriangleMesh& mesh, const SurfaceTopology& t
   insetRoundedEnds(axis, mesh, topology);
   if (!(axis.length_m > 0.0)) {
     throw Error(ErrorCode::kBadParameter,
-                Text::tr("the end planes of the axis lie outside the organ or coincide"), "",
+                Text::tr("the end planes of the axis are outside the organ or coincide"), "",
                 Text::tr("Give end points inside the organ."));
   }
   return axis;

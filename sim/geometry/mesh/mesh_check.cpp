@@ -157,8 +157,8 @@ void measureVertices(const TriangleMesh& mesh, const std::vector<EdgeUse>& edges
 void requireSize(const MeshReport& report, const std::string& where, double unit_m) {
   const double side_m = report.largestSide_m();
   requireLargestSide(side_m, kOrganSide,
-                     Text::tr("M09 largest side %1 is no organ (%2 to %3)", mm(side_m), mm(kSmallestOrgan_m),
-                              mm(kLargestOrgan_m)),
+                     Text::tr("M09 largest side %1 is not that of an organ (%2 to %3)", mm(side_m),
+                              mm(kSmallestOrgan_m), mm(kLargestOrgan_m)),
                      where, unit_m);
 }
 
@@ -305,7 +305,7 @@ void requireNearOrigin(const TriangleMesh& mesh, const std::string& where) {
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
     const Vec3& v = mesh.vertices_m[i];
     if (std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > kLargestCoordinate_m) {
-      refuseMesh(Text::tr("M07 vertex %1 lies at %2, further than %3 from the origin", std::to_string(i),
+      refuseMesh(Text::tr("M07 vertex %1 is at %2, further than %3 from the origin", std::to_string(i),
                           pointMm(v), mm(kLargestCoordinate_m)),
                  where, Text::tr("Check the unit, or move the mesh near the origin"));
     }

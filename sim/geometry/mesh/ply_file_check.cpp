@@ -68,7 +68,7 @@ std::optional<PlyType> typeNamed(std::string_view name) {
 
 void addProperty(PlyHeader& header, const Words& w, const std::string& where) {
   if (header.elements.empty()) {
-    refuseFormat(where, "PLY", Text::tr("a property stands before any element"));
+    refuseFormat(where, "PLY", Text::tr("a property comes before any element"));
   }
   const bool list = w.size() == 5 && w[1] == "list";
   if (!list && w.size() != 3) {
@@ -195,7 +195,7 @@ void checkAsciiRow(const PlyElement& element, const Words& words, std::uint64_t 
   for (const PlyProperty& p : element.properties) {
     const auto items = p.listCount ? parseCount(take()) : std::optional<std::uint64_t>(1);
     if (!items || (p.indices && *items == 0)) {
-      refuseRow(where, row, Text::tr("the length of a list is no count"));
+      refuseRow(where, row, Text::tr("the length of a list is not a count"));
     }
     for (std::uint64_t i = 0; i < *items; ++i) {
       const std::string_view word = take();
@@ -267,7 +267,7 @@ void walkBinary(const PlyHeader& header, std::uint64_t vertices, std::string_vie
           items = integerAt(body, at, *p.listCount, header.format);
           at += p.listCount->bytes;
           if (items < (p.indices ? 1 : 0)) {
-            refuseRow(where, row, Text::tr("the length of a list is no count"));
+            refuseRow(where, row, Text::tr("the length of a list is not a count"));
           }
         }
         need(static_cast<std::uint64_t>(items) * p.type.bytes, row);

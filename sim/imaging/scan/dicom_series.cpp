@@ -242,7 +242,7 @@ void requireAlike(const std::vector<DicomSlice>& slices, const std::string& wher
     rescaled = rescaled || *slice.slope != *first.slope || *slice.intercept != *first.intercept;
   }
   if (rescaled) {
-    remarks.push_back({"D14", false, Text::tr("slices have scales of their own; each was taken by its own"),
+    remarks.push_back({"D14", false, Text::tr("the slices have different scales; each was read with its own"),
                        std::nullopt, ""});
   }
 }
@@ -261,9 +261,9 @@ void requireTwins(const DicomStack& stack, const std::string& where, std::vector
   for (std::size_t i = 0; i < stack.twins.size(); ++i) {
     const DicomSlice& other = stack.slices[stack.twinOf[i]];
     if (pixelsOf(stack.twins[i], where) != pixelsOf(other, where)) {
-      refuseSeries(
-          Text::tr("D08 slices %1 and %2 lie at the same place and differ", stack.twins[i].name, other.name),
-          where, Text::tr("Give one series of one scan"));
+      refuseSeries(Text::tr("D08 slices %1 and %2 are at the same position but differ", stack.twins[i].name,
+                            other.name),
+                   where, Text::tr("Give one series of one scan"));
     }
   }
   if (!stack.twins.empty()) {

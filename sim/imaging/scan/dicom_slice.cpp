@@ -174,17 +174,18 @@ double spaced(const std::vector<double>& along_mm, bool resample, const std::str
   const bool even = off(*worst) <= std::max(kEvenShare * usual_mm, kEven_mm);
   const auto after = static_cast<std::size_t>(worst - gaps_mm.begin());
   if (!even) {
-    const Text what =
-        Text::tr("D09 the slices lie unevenly: %1 mm between %2 and %3, elsewhere %4 mm", shortNumber(*worst),
-                 stack.slices[after].name, stack.slices[after + 1].name, shortNumber(usual_mm));
+    const Text what = Text::tr("D09 the slices are unevenly spaced: %1 mm between %2 and %3, elsewhere %4 mm",
+                               shortNumber(*worst), stack.slices[after].name, stack.slices[after + 1].name,
+                               shortNumber(usual_mm));
     if (!resample) {
       refuseStack(what, where,
                   Text::tr("Look for slices that are missing, or take them as they are with --resample"));
     }
-    remarks.push_back({"D09", true,
-                       Text::tr("the slices lie unevenly, up to %1 mm apart: what lies in between is guessed",
-                                shortNumber(*worst)),
-                       *worst, Text::tr("Give a scan with slices at even distances")});
+    remarks.push_back(
+        {"D09", true,
+         Text::tr("the slices are unevenly spaced, up to %1 mm apart: the gaps are interpolated",
+                  shortNumber(*worst)),
+         *worst, Text::tr("Give a scan with slices at even distances")});
   }
   const double whole_mm = along_mm.back() - along_mm.front();
   const double step_mm = even ? whole_mm / static_cast<double>(gaps_mm.size()) : sorted_mm.front();

@@ -81,7 +81,7 @@ bool headerIsSwapped(std::span<const unsigned char, kNiftiHeaderBytes> bytes, co
                    Text::tr("Save it as NIfTI-1"));
     }
   }
-  refuseHeader(Text::tr("N01 this is no NIfTI file: its header does not begin with 348"), where,
+  refuseHeader(Text::tr("N01 this is not a NIfTI file: its header does not begin with 348"), where,
                Text::tr("Give a NIfTI-1 file, .nii or .nii.gz"));
 }
 
@@ -195,7 +195,7 @@ std::array<Vec3, 3> rotationOf(const HeaderBytes& bytes, const std::string& wher
   double d = bytes.real(kQuaternion + 8);
   const double rest = b * b + c * c + d * d;
   if (!(rest <= 1.01)) {
-    refuseHeader(Text::tr("N05 the rotation of the file is none: its quaternion is %1 long",
+    refuseHeader(Text::tr("N05 the file's rotation is invalid: its quaternion is %1 long",
                           shortNumber(std::sqrt(rest))),
                  where, Text::tr("Export the scan again"));
   }
@@ -228,9 +228,10 @@ void readPlace(const HeaderBytes& bytes, const std::string& where, NiftiHeader& 
     header.origin_mm = {bytes.real(kQoffset), bytes.real(kQoffset + 4), bytes.real(kQoffset + 8)};
     header.step_mm[2] *= bytes.pixdim(0) < 0.0 ? -1.0 : 1.0;
   } else {
-    remarks.push_back({"N06", true,
-                       Text::tr("the file does not say how the patient lay: left and right may be exchanged"),
-                       std::nullopt, Text::tr("Convert the scan again from its DICOM files")});
+    remarks.push_back(
+        {"N06", true,
+         Text::tr("the file does not state the patient's position: left and right may be swapped"),
+         std::nullopt, Text::tr("Convert the scan again from its DICOM files")});
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     header.step_mm[axis] *= std::abs(bytes.pixdim(axis + 1));
@@ -240,7 +241,7 @@ void readPlace(const HeaderBytes& bytes, const std::string& where, NiftiHeader& 
 void checkPlace(const NiftiHeader& header, const std::string& where) {
   const Text again = Text::tr("Resample the volume to voxels with right angles, or export it again");
   if (!isFinite(header.origin_mm) || norm(header.origin_mm) > kFarthest_mm) {
-    refuseHeader(Text::tr("N05 the file lies nowhere: its origin is out of range"), where, again);
+    refuseHeader(Text::tr("N05 the file's origin is out of range"), where, again);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double side_mm = norm(header.step_mm[axis]);
@@ -444,8 +445,7 @@ ScanRead readNifti(const fs::path& file) {
   const fs::path body = header.twoFiles ? besideWith(head, ".hdr", ".img") : head;
   if (header.twoFiles && (!isNamed(head, ".hdr") || !fs::exists(body, failed))) {
     refuseVoxels(
-        Text::tr("N04 the voxels lie in a file of their own, NAME.img beside NAME.hdr, and it is missing"),
-        where);
+        Text::tr("N04 the voxels are in a separate file, NAME.img beside NAME.hdr, which is missing"), where);
   }
   ZippedFile second(body);
   if (!second.skip(header.offset)) {

@@ -263,7 +263,7 @@ VoxelMask fluidBelow(const WorkGrid& grid, const VoxelMask& gas, const std::stri
     }
   }
   if (!(ends.flat >= kLeastFlat)) {
-    refuseFluid(Text::tr("D16 the gas ends at no flat level: no fluid stands below it"), where);
+    refuseFluid(Text::tr("D16 the gas has no flat lower surface: there is no fluid below it"), where);
   }
   const Columns columns(grid, wayNearest(grid.volume, downwards[best]));
   const FluidRange range = fluidRange(columns, ends, gas, where);

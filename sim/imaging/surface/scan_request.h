@@ -62,7 +62,7 @@ inline void requireScanRequest(const ScanRequest& request) {
                 Text::tr("Name a label of the mask: --tissue label N"));
   }
   if (request.fluid && request.tissue != ScanTissue::kGasLumen && request.tissue != ScanTissue::kWall) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("fluid stands below gas only"), "",
+    throw Error(ErrorCode::kBadParameter, Text::tr("fluid is found only below gas"), "",
                 Text::tr("Choose gas or the wall as the tissue, or leave the fluid out"));
   }
   const auto wrong = [](const BrushDab& dab) {

@@ -347,7 +347,7 @@ ScanRead readScan(const ScanRequest& request) {
     return readDicomSeries({request.source, request.series, request.resample});
   }
   if (!isNiftiFile(request.source)) {
-    throw Error(ErrorCode::kFileUnreadable, Text::tr("N01 this is no scan that is read"), where,
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("N01 this kind of scan cannot be read"), where,
                 Text::tr("Give a folder of DICOM files, or a NIfTI file (.nii, .nii.gz)"));
   }
   return readNifti(request.source);

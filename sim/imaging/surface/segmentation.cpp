@@ -120,7 +120,7 @@ std::size_t pieceAtSeed(const WorkGrid& grid, const MaskPieces& pieces, const Ve
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(seed[axis] >= static_cast<double>(grid.low()[axis]) - 0.5 &&
           seed[axis] <= static_cast<double>(grid.high()[axis]) - 0.5)) {
-      refuseTissue(Text::tr("D16 the seed %1 lies outside of the scan or the box", placeText(seed_mm)), where,
+      refuseTissue(Text::tr("D16 the seed %1 is outside the scan or the box", placeText(seed_mm)), where,
                    Text::tr("Give a point in millimetres: x to the left, y to the back, z up"));
     }
     middle[axis] = std::lround(seed[axis]);
@@ -152,7 +152,7 @@ std::size_t pieceAtSeed(const WorkGrid& grid, const MaskPieces& pieces, const Ve
     const std::int16_t value = grid.volume.values[grid.volume.index(static_cast<std::size_t>(middle[0]),
                                                                     static_cast<std::size_t>(middle[1]),
                                                                     static_cast<std::size_t>(middle[2]))];
-    refuseTissue(Text::tr("D16 no such tissue lies at the seed %1, where the scan has the value %2",
+    refuseTissue(Text::tr("D16 there is no such tissue at the seed %1, where the scan has the value %2",
                           placeText(seed_mm), std::to_string(value)),
                  where, Text::tr("Give a point inside of the organ"));
   }
@@ -170,7 +170,7 @@ std::size_t largestPiece(const WorkGrid& grid, const MaskPieces& pieces, ScanTis
   }
   if (fit.empty()) {
     refuseTissue(isGas(tissue) ? Text::tr("D16 no gas is enclosed in this scan")
-                               : Text::tr("D16 no such tissue lies in this scan"),
+                               : Text::tr("D16 the scan contains no such tissue"),
                  where, Text::tr("Choose another --tissue, or another scan"));
   }
   const auto voxels = [&pieces, &fit](std::size_t n) {
@@ -206,7 +206,7 @@ std::optional<VoxelMask> offTheTable(const WorkGrid& grid, const VoxelMask& with
   removeTable(grid, *table, body);
   remarks.push_back(
       {"D21", true,
-       Text::tr("the table was cut off at y = %1 mm; where the body lay on it, it is flat there",
+       Text::tr("the table was cut off at y = %1 mm; the body is flat where it lay on the table",
                 shortNumber(table->at_mm)),
        table->at_mm, Text::tr("Check the mask over the slices")});
   return body;
@@ -399,7 +399,7 @@ std::optional<ScanRemark> cutOff(const WorkGrid& grid, const VoxelMask& organ) {
   }
   return ScanRemark{
       "D17", true,
-      Text::tr("the scan cuts the organ off (%1): the flat end is none of its own", listed(sides)),
+      Text::tr("the scan cuts off the organ (%1): its flat end is not real anatomy", listed(sides)),
       static_cast<double>(sides.size()),
       Text::tr("Name it as an end of the organ, or give a scan that shows all of it")};
 }

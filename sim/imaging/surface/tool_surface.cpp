@@ -106,7 +106,8 @@ ToolSurface toolOfScan(const ScanRead& scan, const ToolRequest& request, const s
   tool.length_mm = reachAlong(voxels, frame.tip_mm, frame.z).second + voxels.halfPoint_mm;
   if (!(tool.length_mm > 2.0 * request.pivot_mm)) {
     throw Error(ErrorCode::kFileUnreadable,
-                Text::tr("D16 what is denser than %1 HU is %2 mm long: no instrument with jaws of %3 mm",
+                Text::tr("D16 the part denser than %1 HU is %2 mm long, which does not suit an instrument "
+                         "with jaws of %3 mm",
                          shortNumber(request.threshold_HU), shortNumber(tool.length_mm),
                          shortNumber(request.pivot_mm)),
                 where, Text::tr("Give another threshold, a seed in the instrument, or its hinge"));

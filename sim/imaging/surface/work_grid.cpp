@@ -131,8 +131,7 @@ VoxelRange rangeOf(const ScanVolume& scan, const std::optional<ScanBox>& box, co
     const double from = std::clamp(std::ceil(sides[axis].first), 0.0, last);
     const double to = std::clamp(std::floor(sides[axis].second) + 1.0, 0.0, last);
     if (!(to - from >= 2.0)) {
-      throw Error(ErrorCode::kFileUnreadable,
-                  Text::tr("D16 the box lies beside the scan, or holds nothing of it"), where,
+      throw Error(ErrorCode::kFileUnreadable, Text::tr("D16 the box does not overlap the scan"), where,
                   Text::tr("Give two opposite corners in millimetres: x to the left, y to the back, z up"));
     }
     range.low[axis] = static_cast<std::size_t>(from);

@@ -147,7 +147,7 @@ void requireToolPlaces(const ToolPlaces& places, bool others) {
   if (!others || !(places.pivot_mm >= 3.0 && places.pivot_mm <= 100.0) || !finite(places.tip_mm) ||
       !finite(places.shaft) || !finite(places.jawAxis) || !direction(places.shaft) ||
       !direction(places.jawAxis)) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("what is said of the instrument is out of range"), "",
+    throw Error(ErrorCode::kBadParameter, Text::tr("a value for the instrument is out of range"), "",
                 Text::tr("Give a threshold of -500 to 3000 HU, a hinge 3 to 100 mm behind the tip, and "
                          "directions that are not zero"));
   }
@@ -158,7 +158,7 @@ void tellPlaces(const ToolPlaces& places, const Vec3& jawAxis, double pivot_mm,
   if (!places.jawAxis) {
     const auto share = [](double x) { return shortNumber(std::round(100.0 * x) / 100.0 + 0.0); };
     remarks.push_back({"D22", false,
-                       Text::tr("the jaws are taken to turn about their broad side, %1, %2, %3 in the file",
+                       Text::tr("the jaws are assumed to turn about their broad side, %1, %2, %3 in the file",
                                 share(jawAxis.x), share(jawAxis.y), share(jawAxis.z)),
                        std::nullopt, Text::tr("Enter the axis of the hinge if it differs")});
   }
@@ -166,7 +166,7 @@ void tellPlaces(const ToolPlaces& places, const Vec3& jawAxis, double pivot_mm,
     remarks.push_back({"D22", true,
                        Text::tr("the jaws are %1 mm long; the force is computed with jaws of %2 mm",
                                 shortNumber(pivot_mm), shortNumber(kFeltJaw_mm)),
-                       pivot_mm, Text::tr("Use the instrument for what is seen")});
+                       pivot_mm, Text::tr("Show this instrument")});
   }
 }
 

@@ -159,7 +159,7 @@ void checkHoles(const CheckedLoop& outline, const std::vector<CheckedLoop>& hole
                       hole.name, Text::verbatim("Keep holes inside the outline"));
     }
     if (!contains(outline.points, hole.points.front())) {
-      refuseParameter(Text::verbatim("a hole lies outside the outline"), hole.name,
+      refuseParameter(Text::verbatim("a hole is outside the outline"), hole.name,
                       Text::verbatim("Keep holes inside the outline"));
     }
     for (std::size_t j = 0; j < k; ++j) {

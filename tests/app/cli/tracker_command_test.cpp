@@ -56,7 +56,7 @@ TEST_F(TrackerCommand, WatchWithoutAPoseIsExitCodeTwelve) {
   const ProgramRun shown = watched.get();
 
   EXPECT_EQ(shown.code, static_cast<int>(ErrorCode::kDevice));
-  EXPECT_NE(shown.err.find("no OpenIGTLink"), std::string::npos) << shown.err;
+  EXPECT_NE(shown.err.find("not OpenIGTLink"), std::string::npos) << shown.err;
   EXPECT_EQ(run("watch --port 0").code, static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(run("watch --seconds -1").code, static_cast<int>(ErrorCode::kBadParameter));
 }

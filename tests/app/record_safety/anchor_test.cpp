@@ -93,7 +93,7 @@ TEST_F(Anchor, ADeletedLatestEntryIsDetected) {
   EXPECT_EQ(run("audit verify" + database()).code, 0) << "the file alone tells nothing";
   const ProgramRun found = verified();
   EXPECT_EQ(found.code, kVerifyFailed);
-  EXPECT_NE(found.out.find("it was cut off, or an older file lies here"), std::string::npos) << found.out;
+  EXPECT_NE(found.out.find("it was truncated, or this is an older file"), std::string::npos) << found.out;
 }
 
 TEST_F(Anchor, ARewrittenChainIsDetected) {

@@ -149,7 +149,7 @@ TEST(DicomSeries, GoesByPositionsAndFillsGapsOnlyWhenAsked) {
   writeDicomSeries(folder, scan);
   fs::remove(folder / ("slice" + std::to_string(7 * 5 + 3) + ".dcm"));
   EXPECT_THAT(refusalOfFolder(folder),
-              StartsWith("D09 the slices lie unevenly: 5 mm between slice31.dcm and slice45.dcm"));
+              StartsWith("D09 the slices are unevenly spaced: 5 mm between slice31.dcm and slice45.dcm"));
   const ScanRead read = readFolder(folder, true);
   ASSERT_NE(remarkOf(read, "D09"), nullptr);
   EXPECT_TRUE(remarkOf(read, "D09")->warning);

@@ -217,7 +217,7 @@ TEST(ScanSurface, PutsALidWhereTheScanCutsTheOrgan) {
   EXPECT_NEAR(report.volume_m3, 0.12 * testing::areaOf(testing::circleOutline(0.03, 48)), 4e-6);
   ASSERT_NE(remark(made, "D17"), nullptr);
   EXPECT_THAT(remark(made, "D17")->what.str(),
-              HasSubstr("cuts the organ off (towards the feet, towards the head)"));
+              HasSubstr("cuts off the organ (towards the feet, towards the head)"));
 }
 
 TEST(ScanSurface, TakesThePieceOfTheSeedAndTheBox) {
@@ -242,7 +242,7 @@ TEST(ScanSurface, TakesThePieceOfTheSeedAndTheBox) {
   request.seed_mm = Vec3{0, 0, 80};
   EXPECT_THAT(refusalOfScan(scan, request), HasSubstr("-1000"));
   request.seed_mm = Vec3{0, 900, 80};
-  EXPECT_THAT(refusalOfScan(scan, request), HasSubstr("outside of the scan"));
+  EXPECT_THAT(refusalOfScan(scan, request), HasSubstr("outside the scan"));
 }
 
 TEST(ScanSurface, RefusesGasThatIsNotOneOrgan) {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/base/administrator_parts.h"
+
+#include <span>
+#include <utility>
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -10,23 +14,23 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/outputs/report/report_data.h"
 #include "app/services/study/cohort_service.h"
+#include "assessment/domain/rating/assignment.h"
 
 namespace torsio::gui {
 
 QVBoxLayout* pageColumn(QWidget* page) {
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = columnOf(page, {3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace}, 2 * kSpace);
   return column;
 }
 
 QVBoxLayout* scrolledColumn(QWidget* page) {
-  auto* outer = new QVBoxLayout(page);
-  outer->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* outer = columnOf(page, {});
   auto* scroll = new QScrollArea(page);
   scroll->setWidgetResizable(true);
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -111,6 +115,38 @@ QString firstFew(const QStringList& names) {
   const qsizetype more = names.size() - kFew;
   return more > 0 ? QCoreApplication::translate("Administration", "%1 and %2 more").arg(first).arg(more)
                   : first;
+}
+
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("Study", text);
+}
+
+}  // namespace
+
+QString occasionName(const Occasion& occasion) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"pre", QT_TRANSLATE_NOOP("Study", "before training")},
+      {"mid", QT_TRANSLATE_NOOP("Study", "half-way")},
+      {"post", QT_TRANSLATE_NOOP("Study", "after training")}};
+  for (const auto& [known, name] : kNames) {
+    if (occasion.code == known) {
+      return translated(name);
+    }
+  }
+  return occasion.label.empty() ? QStringLiteral("\u2013") : toQString(occasion.label);
+}
+
+QString levelName(const std::string& code) {
+  if (code.empty()) {
+    return translated(QT_TRANSLATE_NOOP("Study", "not known"));
+  }
+  return toQString(fromStoredText<Sex>(code) ? labelOfStored<Sex>(code) : labelOfStored<Handedness>(code));
+}
+
+QString raterClassName(const std::string& code) {
+  return code.empty() ? QStringLiteral("\u2013") : toQString(labelOfStored<Seniority>(code));
 }
 
 }  // namespace torsio::gui

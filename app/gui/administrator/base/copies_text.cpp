@@ -38,10 +38,11 @@ QString copiesText(SessionContext& session, std::span<const PersonId> people, co
   if (copies.empty()) {
     return {};
   }
-  QString text = QStringLiteral("\n\n") +
-                 (people.size() == 1
-                      ? CopiesText::tr("These copies still hold this person; Torsio deletes none of them:")
-                      : CopiesText::tr("These copies still hold these people; Torsio deletes none of them:"));
+  QString text =
+      QStringLiteral("\n\n") +
+      (people.size() == 1
+           ? CopiesText::tr("These copies still contain this person; Torsio does not delete them:")
+           : CopiesText::tr("These copies still contain these people; Torsio does not delete them:"));
   for (std::size_t i = 0; i < std::min(copies.size(), kShown); ++i) {
     const ListedCopy& listed = copies[i];
     text += QLatin1Char('\n') + CopiesText::tr("%1 at %2: %3, to be deleted by %4")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/base/printed_sheets.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 #include <QTextDocument>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/centre_headline.h"
+#include "app/gui/base/translated_text.h"
 #include "app/outputs/charts/typeface.h"
 #include "assessment/domain/rating/rubric.h"
 #include "sim/core/file_io.h"
@@ -131,10 +132,10 @@ void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, co
       QStringLiteral(
           "<h2>%1</h2><p>%2</p><table border='1' cellspacing='0' cellpadding='5' "
           "width='100%'><tr>")
-          .arg(
-              title.toHtmlEscaped(),
-              PrintedSheets::tr("Room: %1. For administrators only: raters are told the case, not this list.")
-                  .arg(room.isEmpty() ? QStringLiteral("______________") : room.toHtmlEscaped()));
+          .arg(title.toHtmlEscaped(),
+               PrintedSheets::tr(
+                   "Room: %1. For administrators only. Raters see the case label, never this list.")
+                   .arg(room.isEmpty() ? QStringLiteral("______________") : room.toHtmlEscaped()));
   for (const QString& column :
        {PrintedSheets::tr("No."), PrintedSheets::tr("Trainee"), PrintedSheets::tr("Group"),
         PrintedSheets::tr("Now at"), PrintedSheets::tr("Scoring due"), PrintedSheets::tr("Sheets missing"),
@@ -159,6 +160,61 @@ void writePaperSheets(const std::vector<PaperSheet>& sheets, const QString& cent
     html += sheetHtml(sheet, centre, &sheet == &sheets.front());
   }
   printHtml(html, PrintedSheets::tr("Sheets on paper"), QPageLayout::Portrait, file);
+}
+
+namespace {
+
+struct PrintedConsent {
+  Q_DECLARE_TR_FUNCTIONS(PrintedConsent)
+};
+
+QString printable(const std::string& text) {
+  return toQString(text).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br/>"));
+}
+
+QString purposeHtml(const ConsentText& text) {
+  return QStringLiteral(
+             "<p style='margin-top:14px; margin-bottom:2px'><b>%1</b></p><p style='margin:0'>%2</p>"
+             "<p style='margin-top:5px'>\u25A1\u00A0%3 &nbsp;&nbsp;&nbsp; \u25A1\u00A0%4</p>")
+      .arg(printable(text.title), printable(text.text), PrintedConsent::tr("I agree"),
+           PrintedConsent::tr("I do not agree"));
+}
+
+QString formHtml(const ConsentVersion& version, const ConsentWords& words, const std::string& code,
+                 const QString& centre, bool first) {
+  QString html =
+      QStringLiteral("<h2%1>%2</h2><p>%3</p><p>%4</p>")
+          .arg(first ? QString() : QStringLiteral(" style='page-break-before:always'"),
+               PrintedConsent::tr("Consent"),
+               PrintedConsent::tr("%1. Code: %2")
+                   .arg(centreHeadline(centre).toHtmlEscaped(),
+                        code.empty() ? QStringLiteral("______________") : printable(code)),
+               PrintedConsent::tr("Mark one box in each row. Nothing is recorded before you agree to the "
+                                  "training record; the other answers are free. You can withdraw each of "
+                                  "them later at any time."));
+  for (const ConsentText& text : words.texts) {
+    html += purposeHtml(text);
+  }
+  return html +
+         QStringLiteral(
+             "<p style='margin-top:26px'>%1</p><p style='margin-top:24px'>%2</p>"
+             "<p style='margin-top:26px'><font color='#555'>%3</font></p>")
+             .arg(PrintedConsent::tr("Name: ________________________________________"),
+                  PrintedConsent::tr("Date: ________________   Signature: ______________________________"),
+                  PrintedConsent::tr("Text %1. Entered by ______________ on ______________")
+                      .arg(printable(version.id)));
+}
+
+}  // namespace
+
+void writeConsentForms(const ConsentVersion& version, const ConsentWords& words,
+                       const std::vector<std::string>& codes, const QString& centre,
+                       const std::filesystem::path& file) {
+  QString html;
+  for (const std::string& code : codes) {
+    html += formHtml(version, words, code, centre, &code == &codes.front());
+  }
+  printHtml(html, PrintedConsent::tr("Consent"), QPageLayout::Portrait, file);
 }
 
 }  // namespace torsio::gui

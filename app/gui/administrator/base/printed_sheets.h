@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <QPageLayout>
 #include <QString>
 
 #include "app/services/study/paper_sheets.h"
+#include "assessment/domain/people/consent.h"
 
 namespace torsio::gui {
 
@@ -32,5 +34,12 @@ void writeCallList(const std::vector<CallLine>& lines, const QString& cohort, co
 /// Blinded: shows no name, group or stage. Throws Error{kFileUnwritable}.
 void writePaperSheets(const std::vector<PaperSheet>& sheets, const QString& centre,
                       const std::filesystem::path& file);
+
+/// Writes a PDF of consent forms for A4, one form per code, with this version's purposes in `words`, a box
+/// for each answer, and space for name, date and signature. An empty code leaves a blank line. Throws
+/// Error{kFileUnwritable}.
+void writeConsentForms(const ConsentVersion& version, const ConsentWords& words,
+                       const std::vector<std::string>& codes, const QString& centre,
+                       const std::filesystem::path& file);
 
 }  // namespace torsio::gui

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/base/question_dialog.h"
 
+#include <algorithm>
+
+#include <QApplication>
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTableView>
 #include <QVBoxLayout>
 
+#include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
+#include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/theme.h"
 
@@ -55,6 +65,14 @@ QPushButton* QuestionDialog::finish(const QString& accept) {
   return addButtons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this), accept);
 }
 
+bool QuestionDialog::ask(const QString& accept, FieldChecks* checks) {
+  QPushButton* ok = finish(accept);
+  if (checks != nullptr) {
+    checks->decide(ok);
+  }
+  return exec() == QDialog::Accepted;
+}
+
 QPushButton* QuestionDialog::finishWithoutCancel(const QString& accept) {
   return addButtons(new QDialogButtonBox(QDialogButtonBox::Ok, this), accept);
 }
@@ -78,9 +96,8 @@ std::optional<std::string> askReason(QWidget* parent, const QString& title, cons
   FieldChecks checks(&dialog);
   checks.addNeeded(form, reason, reasonWanted());
   dialog.column()->addLayout(form);
-  checks.decide(dialog.finish(title));
   reason->setFocus();
-  if (dialog.exec() != QDialog::Accepted) {
+  if (!dialog.ask(title, &checks)) {
     return std::nullopt;
   }
   return reason->text().trimmed().toStdString();
@@ -89,14 +106,178 @@ std::optional<std::string> askReason(QWidget* parent, const QString& title, cons
 bool mayLoseChanges(QWidget* parent) {
   QuestionDialog sure(parent, LossDialog::tr("Close without publishing"),
                       LossDialog::tr("The changes are not published and will be lost."));
-  sure.finish(LossDialog::tr("&Discard"));
-  return sure.exec() == QDialog::Accepted;
+  return sure.ask(LossDialog::tr("&Discard"));
 }
 
 void pressNothingByEnter(QDialog& dialog) {
   for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
     button->setAutoDefault(false);
   }
+}
+
+PeopleDialog::PeopleDialog(const QString& title, const QString& question,
+                           const std::vector<PersonRow>& people, QWidget* parent)
+    : QDialog(parent), table_(new DataTable(QString(), this)) {
+  setWindowTitle(title);
+  resize(640, 520);
+  auto* words = new QLabel(question, this);
+  words->setWordWrap(true);
+  table_->setColumns({{tr("Code")}, {tr("Sex")}, {tr("Level")}, {tr("Experience")}, {tr("Class of raters")}});
+  table_->setEmptyText(tr("There is nobody left to choose."));
+  std::vector<Row> rows;
+  for (const PersonRow& row : people) {
+    rows.push_back({toQString(row.person.id),
+                    {{toQString(row.person.code)},
+                     {levelName(row.person.sex)},
+                     {orDash(row.person.level)},
+                     {orDash(row.person.experience)},
+                     {raterClassName(row.raterClass)}}});
+  }
+  table_->setRows(std::move(rows));
+  table_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table_->view().selectAll();
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  QPushButton* take = buttons->button(QDialogButtonBox::Ok);
+  const auto sayHowMany = [this, take] {
+    const auto chosen = static_cast<int>(table_->selectedIds().size());
+    take->setText(tr("Add %n", nullptr, chosen));
+    take->setEnabled(chosen > 0);
+  };
+  connect(table_, &DataTable::currentChanged, this, sayHowMany);
+  sayHowMany();
+  take->setFocus();  // Enter accepts everybody; the list is for exceptions
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  QVBoxLayout* column = pageColumn(this);
+  column->setSpacing(kSpace);
+  column->addWidget(words);
+  column->addWidget(table_, 1);
+  column->addWidget(buttons);
+}
+
+std::vector<PersonId> PeopleDialog::chosen() const {
+  std::vector<PersonId> out;
+  for (const QString& id : table_->selectedIds()) {
+    out.push_back(id.toStdString());
+  }
+  return out;
+}
+
+namespace {
+
+struct SecondPerson {
+  Q_DECLARE_TR_FUNCTIONS(SecondPerson)
+};
+
+QString noteOf(const QString& login, PasswordPart part) {
+  switch (part) {
+    case PasswordPart::kFirstHalf:
+      return SecondPerson::tr(
+                 "This is the first half of the start password of %1. Give it to them; the second half comes "
+                 "from the administrator who confirms. It is shown only now.")
+          .arg(login);
+    case PasswordPart::kSecondHalf:
+      return SecondPerson::
+          tr("This is the second half of the start password of %1, after the first half and a hyphen. Give "
+             "it to them; the first half comes from the administrator who asked. It is shown only now.")
+              .arg(login);
+    case PasswordPart::kWhole:
+      break;
+  }
+  return SecondPerson::
+      tr("Give this start password to %1. It is shown only now, and must be changed at the first sign-in.")
+          .arg(login);
+}
+
+bool wantsToAsk(QWidget* parent) {
+  QuestionDialog dialog(
+      parent, SecondPerson::tr("Two people"),
+      SecondPerson::tr("This needs two people: you ask for it, and another administrator confirms it. Ask "
+                       "for it now?"));
+  dialog.setObjectName(QStringLiteral("askSecondPerson"));
+  return dialog.ask(SecondPerson::tr("&Ask"));
+}
+
+void sayAsked(ShellContext& shell) {
+  shell.notify(SecondPerson::tr("Asked. Another administrator confirms it under Users, Requests"));
+}
+
+}  // namespace
+
+void showStartPassword(QWidget* parent, const QString& login, const QString& password, PasswordPart part) {
+  QuestionDialog dialog(parent, SecondPerson::tr("Start password"));
+  dialog.addNote(noteOf(login, part));
+  auto* shown = new QLineEdit(password, &dialog);
+  shown->setObjectName(QStringLiteral("password"));
+  shown->setReadOnly(true);
+  shown->setAccessibleName(SecondPerson::tr("Start password"));
+  dialog.column()->addWidget(shown);
+  auto* copy = new QPushButton(SecondPerson::tr("&Copy"), &dialog);
+  QObject::connect(copy, &QPushButton::clicked, shown, [shown, copy] {
+    QApplication::clipboard()->setText(shown->text());
+    copy->setText(SecondPerson::tr("Copied"));
+  });
+  dialog.column()->addWidget(copy, 0, Qt::AlignLeft);
+  // A second, hasty Enter must not close what is shown only once.
+  dialog.finishWithoutCancel(SecondPerson::tr("Done"))->setAutoDefault(false);
+  copy->setDefault(true);
+  copy->setFocus();
+  dialog.exec();
+}
+
+bool offerToAsk(QWidget* parent, ShellContext& shell, const DutyWish& wish, const QString& login) {
+  if (!wantsToAsk(parent)) {
+    return false;
+  }
+  const std::string half = askSecondPerson(shell.session(), wish);
+  if (!half.empty()) {
+    showStartPassword(parent, login, toQString(half), PasswordPart::kFirstHalf);
+  }
+  sayAsked(shell);
+  return true;
+}
+
+bool offerToAskForAll(QWidget* parent, ShellContext& shell, const std::vector<DutyWish>& wishes) {
+  if (!wantsToAsk(parent)) {
+    return false;
+  }
+  const std::vector<OpenRequest> open = openRequests(shell.session());
+  for (const DutyWish& wish : wishes) {
+    if (std::none_of(open.begin(), open.end(), [&](const OpenRequest& one) {
+          return one.request.act == wish.act && one.request.subject == wish.subject;
+        })) {
+      static_cast<void>(askSecondPerson(shell.session(), wish));
+    }
+  }
+  sayAsked(shell);
+  return true;
+}
+
+std::size_t actOrAskForAll(QWidget* parent, ShellContext& shell, const std::vector<DutyWish>& wishes,
+                           const std::function<void(const DutyWish&)>& act) {
+  std::vector<DutyWish> waiting;
+  for (const DutyWish& wish : wishes) {
+    try {
+      act(wish);
+    } catch (const SecondPersonNeeded&) {
+      waiting.push_back(wish);
+    }
+  }
+  if (!waiting.empty()) {
+    static_cast<void>(offerToAskForAll(parent, shell, waiting));
+  }
+  return wishes.size() - waiting.size();
+}
+
+bool actOrAsk(QWidget* parent, ShellContext& shell, const DutyWish& wish, const std::function<void()>& act,
+              const QString& login) {
+  try {
+    act();
+    return true;
+  } catch (const SecondPersonNeeded&) {
+    (void)offerToAsk(parent, shell, wish, login);
+  }
+  return false;
 }
 
 }  // namespace torsio::gui

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/curriculum/competence_dialog.h"
 
 #include <algorithm>
 #include <initializer_list>
+#include <string>
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -11,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -19,7 +22,11 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/outputs/wording/joined_sentences.h"
+#include "app/services/base/csv_table.h"
 #include "app/services/recording/competence.h"
+#include "app/services/study/standard_tables.h"
+#include "assessment/statistics/standard_setting.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 
@@ -30,9 +37,8 @@ namespace {
 constexpr int kDialogWidth = 640;
 
 QDoubleSpinBox* shareField(QWidget* parent, const char* name) {
-  auto* field = new QDoubleSpinBox(parent);
+  auto* field = ranged(new QDoubleSpinBox(parent), 0.1, 99.9);
   field->setObjectName(QString::fromLatin1(name));
-  field->setRange(0.1, 99.9);
   field->setDecimals(1);
   field->setSuffix(QStringLiteral(" %"));
   return field;
@@ -44,20 +50,20 @@ CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionI
     : QDialog(parent),
       shell_(shell),
       versionId_(versionId),
-      exercise_(new QComboBox(this)),
-      inForce_(sentence(this)),
-      source_(new QComboBox(this)),
-      tolerance_(new QDoubleSpinBox(this)),
+      exercise_(named(new QComboBox(this), "exercise")),
+      inForce_(named(sentence(this), "in-force")),
+      source_(named(new QComboBox(this), "source")),
+      tolerance_(ranged(named(new QDoubleSpinBox(this), "tolerance"), 0.1, 180.0)),
       cohort_(new QComboBox(this)),
       take_(new QPushButton(tr("Derive from &experts"), this)),
       standard_(sentence(this)),
       adequate_(shareField(this, "adequate")),
       inadequate_(shareField(this, "inadequate")),
-      attempts_(new QSpinBox(this)),
+      attempts_(ranged(named(new QSpinBox(this), "attempts"), 1, static_cast<int>(kMaxCompetenceAttempts))),
       falsePass_(shareField(this, "false-pass")),
       falseFail_(shareField(this, "false-fail")),
       reason_(new QLineEdit(this)),
-      preview_(sentence(this, false)),
+      preview_(named(sentence(this, false), "preview")),
       form_(new QFormLayout) {
   build();
   fillCohorts(cohort_, shell_.session(), CohortFirst::kStudy);
@@ -67,19 +73,11 @@ CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionI
 void CompetenceDialog::build() {
   setWindowTitle(tr("When trainees count as competent"));
   setMinimumWidth(kDialogWidth);
-  exercise_->setObjectName(QStringLiteral("exercise"));
-  source_->setObjectName(QStringLiteral("source"));
-  tolerance_->setObjectName(QStringLiteral("tolerance"));
-  attempts_->setObjectName(QStringLiteral("attempts"));
-  preview_->setObjectName(QStringLiteral("preview"));
-  inForce_->setObjectName(QStringLiteral("in-force"));
   for (const Term<ToleranceSource>& term : kToleranceSources) {
     source_->addItem(toQString(Text(term.label)), static_cast<int>(term.value));
   }
-  tolerance_->setRange(0.1, 180.0);
   tolerance_->setDecimals(1);
   tolerance_->setSuffix(QStringLiteral("\u00b0"));
-  attempts_->setRange(1, static_cast<int>(kMaxCompetenceAttempts));
   auto* experts = new QHBoxLayout;
   experts->addWidget(cohort_, 1);
   experts->addWidget(take_);
@@ -96,8 +94,7 @@ void CompetenceDialog::build() {
   form_->addRow(tr("Wrong &fails, at most"), falseFail_);
   form_->addRow(tr("&Reason"), reason_);
   form_->addRow(tr("Effect"), preview_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace});
   auto* rule = sentence(this);
   rule->setText(
       tr("An attempt is a completed twist or an untwisting. A registered design never changes; a new one "
@@ -105,8 +102,7 @@ void CompetenceDialog::build() {
   column->addWidget(rule);
   column->addLayout(form_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  register_ = buttons->addButton(tr("Register"), QDialogButtonBox::ActionRole);
-  register_->setObjectName(QStringLiteral("register"));
+  register_ = named(buttons->addButton(tr("Register"), QDialogButtonBox::ActionRole), "register");
   column->addWidget(buttons);
 
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -243,6 +239,149 @@ bool CompetenceDialog::registerDesign() {
     shell_.notify(tr("Registered as version %1.").arg(stored.version));
     read();
   });
+}
+
+namespace {
+
+enum Method { kAngoff, kBorderline, kContrasting };
+
+constexpr int kStandardWidth = 620;
+constexpr int kMinLines = 9;
+
+QString inHundredths(double value) {
+  return QString::number(value, 'f', 2);
+}
+
+QString angoffText(const CsvTable& table) {
+  const JudgedItems judged = readJudgedItems(table);
+  const Outcome<Angoff> result = angoff(judged.percent);
+  if (!result) {
+    return toQString(Text(result.reason()));
+  }
+  const QString cut = StandardDialog::tr("Pass from %1 of %2 items on (%3 %).")
+                          .arg(inHundredths(result->cut))
+                          .arg(judged.items.size())
+                          .arg(inHundredths(result->percent));
+  return result->deviation
+             ? joinedSentences(
+                   {cut, StandardDialog::tr(
+                             "%1 judges; they differ by %2 items (standard deviation), the cut is sure "
+                             "to %3 (standard error).")
+                             .arg(judged.judges.size())
+                             .arg(inHundredths(*result->deviation), inHundredths(*result->error))})
+             : joinedSentences(
+                   {cut, StandardDialog::tr("One judge alone says nothing about how sure this is.")});
+}
+
+QString borderlineText(const CsvTable& table, double borderline) {
+  const RatedScores rated = readRatedScores(table);
+  const Outcome<BorderlineRegression> result = borderlineRegression(rated.ratings, rated.scores, borderline);
+  if (!result) {
+    return toQString(Text(result.reason()));
+  }
+  return StandardDialog::tr(
+             "Pass from a score of %1 on (standard error %2). The ratings of %3 subjects explain "
+             "%4 % of the scores.")
+      .arg(inHundredths(result->cut), inHundredths(result->error))
+      .arg(rated.scores.size())
+      .arg(100.0 * result->rSquared, 0, 'f', 0);
+}
+
+QString contrastingText(const CsvTable& table) {
+  const ContrastedScores groups = readContrastedScores(table);
+  const Outcome<ContrastingGroups> result = contrastingGroups(groups.novices, groups.masters);
+  if (!result) {
+    return toQString(Text(result.reason()));
+  }
+  return StandardDialog::tr(
+             "Pass from a score of %1 on: %2 % of %3 novices would pass wrongly, %4 % of %5 masters "
+             "fail wrongly, were their scores normal.")
+      .arg(inHundredths(result->cutNormal))
+      .arg(100.0 * result->falsePass, 0, 'f', 0)
+      .arg(groups.novices.size())
+      .arg(100.0 * result->falseFail, 0, 'f', 0)
+      .arg(groups.masters.size());
+}
+
+}  // namespace
+
+StandardDialog::StandardDialog(QWidget* parent)
+    : QDialog(parent),
+      method_(named(new QComboBox(this), "method")),
+      asks_(sentence(this)),
+      table_(named(new QPlainTextEdit(this), "table")),
+      borderline_(ranged(named(new QDoubleSpinBox(this), "borderline"), -1000.0, 1000.0)),
+      answer_(named(sentence(this, false), "answer")),
+      form_(new QFormLayout) {
+  setWindowTitle(tr("Pass mark"));
+  setMinimumWidth(kStandardWidth);
+  method_->addItem(tr("judges say who would succeed (Angoff)"));
+  method_->addItem(tr("global ratings beside scores (borderline regression)"));
+  method_->addItem(tr("novices and masters (contrasting groups)"));
+  table_->setTabChangesFocus(true);
+  table_->setMinimumHeight(kMinLines * table_->fontMetrics().lineSpacing());
+  borderline_->setDecimals(1);
+  borderline_->setValue(3.0);
+  form_->addRow(tr("&Method"), method_);
+  form_->addRow(QString(), asks_);
+  form_->addRow(tr("&Table"), table_);
+  form_->addRow(tr("&Rating that means borderline"), borderline_);
+  form_->addRow(tr("Result"), answer_);
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace});
+  column->addLayout(form_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  column->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(method_, &QComboBox::currentIndexChanged, this, &StandardDialog::showMethod);
+  connect(table_, &QPlainTextEdit::textChanged, this, &StandardDialog::showAnswer);
+  connect(borderline_, &QDoubleSpinBox::valueChanged, this, &StandardDialog::showAnswer);
+  showMethod();
+}
+
+void StandardDialog::showMethod() {
+  const int method = method_->currentIndex();
+  form_->setRowVisible(borderline_, method == kBorderline);
+  asks_->setText(
+      method == kAngoff
+          ? tr("One line for each judge and item: of a hundred borderline trainees, how many would "
+               "succeed in it.")
+      : method == kBorderline
+          ? tr("One line for each subject: the score, and an expert's rating of the whole performance.")
+          : tr("One line for each subject: novice or master, as others have judged, and the score; higher is "
+               "better."));
+  table_->setPlaceholderText(method == kAngoff ? tr("judge,item,percent\nJ1,grip,80\nJ2,grip,70")
+                             : method == kBorderline
+                                 ? tr("subject,global,score\nT-01,3,14.5\nT-02,4,17")
+                                 : tr("subject,group,score\nT-01,novice,11\nT-02,master,17"));
+  showAnswer();
+}
+
+void StandardDialog::showAnswer() {
+  readAnswer();
+  growToSentences(this);
+}
+
+void StandardDialog::readAnswer() {
+  setLook(answer_, "caution", false);
+  const QString text = table_->toPlainText();
+  if (text.trimmed().isEmpty()) {
+    answer_->setText(tr("Paste the table above, with its first line as in the example."));
+    return;
+  }
+  try {
+    const std::string bytes = text.toStdString();
+    const std::string name = tr("table").toStdString();
+    const int method = method_->currentIndex();
+    answer_->setText(method == kAngoff
+                         ? angoffText(CsvTable::parse(bytes, name, {"judge", "item", "percent"}))
+                     : method == kBorderline
+                         ? borderlineText(CsvTable::parse(bytes, name, {"subject", "global", "score"}),
+                                          borderline_->value())
+                         : contrastingText(CsvTable::parse(bytes, name, {"subject", "group", "score"})));
+  } catch (const Error& error) {
+    setLook(answer_, "caution", true);
+    answer_->setText(tr("%1: %2").arg(translated(error).details, translatedLine(error)));
+  }
 }
 
 }  // namespace torsio::gui

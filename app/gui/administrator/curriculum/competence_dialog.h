@@ -15,6 +15,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
+class QPlainTextEdit;
 
 namespace torsio::gui {
 
@@ -63,6 +64,27 @@ class CompetenceDialog : public QDialog {
   QLabel* preview_;
   QFormLayout* form_;
   QPushButton* register_ = nullptr;
+};
+
+/// Standard setting: calculates the cut score from a pasted table of judges or scores at once (like torsio
+/// standard-setting). Stores nothing. GUI thread.
+class StandardDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit StandardDialog(QWidget* parent);
+
+ private:
+  void showMethod();
+  void showAnswer();
+  void readAnswer();
+
+  QComboBox* method_;
+  QLabel* asks_;
+  QPlainTextEdit* table_;
+  QDoubleSpinBox* borderline_;
+  QLabel* answer_;
+  QFormLayout* form_;
 };
 
 }  // namespace torsio::gui

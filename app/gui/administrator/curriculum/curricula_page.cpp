@@ -19,13 +19,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/curriculum/competence_dialog.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
-#include "app/gui/administrator/curriculum/curriculum_state.h"
-#include "app/gui/administrator/curriculum/standard_dialog.h"
+#include "app/gui/administrator/curriculum/curriculum_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -48,33 +45,24 @@ constexpr int kEditorWidth = 920;  // its forms fit without scrolling
 CurriculaPage::CurriculaPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
-      add_(new QPushButton(this)),
-      standard_(new QPushButton(this)),
-      table_(new DataTable(QStringLiteral("curricula"), this)),
+      add_(primaryButton(this)),
+      standard_(named(new QPushButton(this), "standard")),
+      table_(named(new DataTable(QStringLiteral("curricula"), this), "curricula")),
       showing_(new QLabel(this)),
-      versions_(new QComboBox(this)),
-      state_(sentence(this)),
+      versions_(named(new QComboBox(this), "versions")),
+      state_(named(sentence(this), "state")),
       take_(new QPushButton(this)),
       save_(new QPushButton(this)),
       publish_(new QPushButton(this)),
       begin_(new QPushButton(this)),
       close_(new QPushButton(this)),
       competence_(new QPushButton(this)),
-      editor_(new CurriculumEditor(shell.assets(), this)) {
-  state_->setObjectName(QStringLiteral("state"));
-  versions_->setObjectName(QStringLiteral("versions"));
-  table_->setObjectName(QStringLiteral("curricula"));
-  editor_->setObjectName(QStringLiteral("editor"));
-  add_->setProperty("primary", true);
-  standard_->setObjectName(QStringLiteral("standard"));
+      editor_(named(new CurriculumEditor(shell.assets(), this), "editor")) {
   heading_->addAction(standard_);
   heading_->addAction(add_);
   auto* right = editing_ = new QWidget(this);
-  auto* rightColumn = new QVBoxLayout(right);
-  rightColumn->setContentsMargins(0, 0, 0, 0);
-  rightColumn->setSpacing(kSpace);
-  auto* acts = new QHBoxLayout;
-  acts->setSpacing(kSpace);
+  QVBoxLayout* rightColumn = columnOf(right, {}, kSpace);
+  QHBoxLayout* acts = rowOf();
   showing_->setBuddy(versions_);
   acts->addWidget(showing_);
   acts->addWidget(versions_, 1);
@@ -500,8 +488,8 @@ void CurriculaPage::askClose() {
       again
           ? askReason(this, tr("Run again"), tr("%n version(s): cohorts can begin it again.", nullptr, count))
           : askReason(this, tr("Close"),
-                      tr("%n version(s): no further cohort can begin it; those who follow it go on.", nullptr,
-                         count));
+                      tr("%n version(s): no new cohort can choose it; cohorts that follow it continue.",
+                         nullptr, count));
   if (!reason) {
     return;
   }

@@ -14,7 +14,6 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
 #include "app/gui/administrator/curriculum/exercise_editor.h"
 #include "app/gui/administrator/curriculum/group_editor.h"
@@ -68,7 +67,7 @@ CurriculumEditor::CurriculumEditor(std::filesystem::path assets, QWidget* parent
       exercises_(new ExerciseEditor(assets_, content_)),
       groups_(new GroupEditor(content_)),
       pointsText_(sentence(nullptr)),
-      addOccasion_(new QPushButton),
+      addOccasion_(named(new QPushButton, "addOccasion")),
       problemList_(new QListWidget) {
   addTab(exercises_, QString());
   addTab(groups_, QString());
@@ -88,15 +87,12 @@ CurriculumEditor::CurriculumEditor(std::filesystem::path assets, QWidget* parent
 
 QWidget* CurriculumEditor::pointsTab() {
   auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 2 * kSpace, 0, 0);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = columnOf(page, {0, 2 * kSpace, 0, 0}, 2 * kSpace);
   column->addWidget(pointsText_);
   pointGrid_ = new QGridLayout;
   pointGrid_->setSpacing(kSpace);
   pointGrid_->setColumnStretch(2, 1);
   column->addLayout(pointGrid_);
-  addOccasion_->setObjectName(QStringLiteral("addOccasion"));
   column->addWidget(addOccasion_, 0, Qt::AlignLeft);
   column->addStretch(1);
   connect(addOccasion_, &QPushButton::clicked, this, &CurriculumEditor::occasionWanted);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/curriculum/curriculum_parts.h"
 
 #include <algorithm>
@@ -21,6 +22,8 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/signed_box.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/outputs/wording/joined_sentences.h"
 
 namespace torsio::gui {
 
@@ -41,8 +44,7 @@ QDoubleSpinBox* numberField(double least, double most, int decimals, QWidget* pa
 }
 
 QBoxLayout* buttonRow(std::initializer_list<QPushButton*> buttons) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kSpace / 2);
+  QHBoxLayout* row = rowOf({}, kSpace / 2);
   for (QPushButton* button : buttons) {
     button->setAutoDefault(false);
     row->addWidget(button);
@@ -118,8 +120,7 @@ void FormTexts::row(QFormLayout* form, QWidget* field, const char* source) {
 }
 
 void FormTexts::row(QFormLayout* form, std::initializer_list<std::pair<QWidget*, const char*>> fields) {
-  auto* box = new QHBoxLayout;
-  box->setSpacing(kSpace);
+  QHBoxLayout* box = rowOf();
   QLabel* first = nullptr;
   for (const auto& [field, source] : fields) {
     QLabel* label = add(field, source);
@@ -135,8 +136,7 @@ void FormTexts::row(QFormLayout* form, std::initializer_list<std::pair<QWidget*,
 }
 
 void FormTexts::title(QFormLayout* form, const char* source, QLayout* beside) {
-  QLabel* label = add(nullptr, source);
-  label->setObjectName(QStringLiteral("cardTitle"));
+  QLabel* label = named(add(nullptr, source), "cardTitle");
   label->setContentsMargins(0, kSpace, 0, 0);
   label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   if (beside == nullptr) {
@@ -179,6 +179,68 @@ void FieldHints::show(const std::vector<CurriculumProblem>& problems, Curriculum
     }
     sayHint(label, sentences.join(QLatin1Char('\n')));
   }
+}
+
+namespace {
+
+struct CurriculumState {
+  Q_DECLARE_TR_FUNCTIONS(CurriculumState)
+};
+
+}  // namespace
+
+QString draftText(const CurriculumRow& row, bool changed, const QLocale& locale) {
+  if (changed) {
+    return CurriculumState::tr("%1: changed, not saved. The draft is also saved when you leave.")
+        .arg(toQString(Text(row.curriculum.name)));
+  }
+  QString next = CurriculumState::tr(
+                     "Everything may be changed; nobody is affected until it is published as version %1.")
+                     .arg(row.versions.size() + 1);
+  if (row.hasDraft) {
+    next = CurriculumState::tr("Saved %1. %2").arg(shownTime(row.draftChangedUtc_us, locale), next);
+  }
+  if (row.versions.empty()) {
+    return next;
+  }
+  const CurriculumVersionRow& newest = row.versions.back();
+  return CurriculumState::tr("%1 The newest version is %2: %3.")
+      .arg(next)
+      .arg(newest.number)
+      .arg(toQString(labelOf(newest.state)));
+}
+
+QString versionText(const CurriculumRow& row, const CurriculumVersionRow& version, const QLocale& locale) {
+  QStringList followers;
+  for (const std::string& cohort : version.cohorts) {
+    followers << toQString(cohort);
+  }
+  const QString who =
+      followers.isEmpty()
+          ? CurriculumState::tr("No cohort follows it.")
+          : CurriculumState::tr("Followed by: %1.").arg(followers.join(CurriculumState::tr(", ")));
+  QString words;
+  if (version.state == torsio::CurriculumState::kDraft) {
+    words =
+        CurriculumState::tr("Published on %1 and never changes. Begin it, so that cohorts can follow it.");
+  } else if (version.state == torsio::CurriculumState::kRunning) {
+    words = CurriculumState::tr(
+        "Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the "
+        "draft and publish the next version.");
+  } else {
+    words = CurriculumState::tr(
+        "Published on %1, closed: no new cohort can choose it; cohorts that follow it continue. It is kept "
+        "as it was.");
+  }
+  words = words.arg(shownTime(version.createdUtc_us, locale));
+  if (!version.note.empty()) {
+    words = joinedSentences({words, CurriculumState::tr("Note: %1.").arg(toQString(version.note))});
+  }
+  if (version.number < row.versions.back().number) {
+    words = joinedSentences(
+        {words, CurriculumState::tr("Superseded by version %1.").arg(row.versions.back().number)});
+  }
+  return joinedSentences({words, who});
 }
 
 }  // namespace torsio::gui

@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include <QLocale>
 #include <QString>
 
 #include "app/services/study/curriculum_content.h"
+#include "app/services/study/curriculum_service.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -81,5 +83,13 @@ class FieldHints {
  private:
   std::vector<std::pair<CurriculumField, QLabel*>> labels_;
 };
+
+/// Returns the status line of a draft: when it was saved, its next version number, the latest published
+/// version. `changed`: it has unsaved edits.
+[[nodiscard]] QString draftText(const CurriculumRow& row, bool changed, const QLocale& locale);
+/// Returns the status line of a published version: date, state, cohorts that follow it, version that
+/// superseded it.
+[[nodiscard]] QString versionText(const CurriculumRow& row, const CurriculumVersionRow& version,
+                                  const QLocale& locale);
 
 }  // namespace torsio::gui

@@ -17,7 +17,6 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/curriculum/mastery_table.h"
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/translated_text.h"
@@ -62,16 +61,14 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, CurriculumVersion& 
       target_(numberField(-3600.0, 3600.0, 1)),
       tolerance_(numberField(0.0, 3600.0, 1)),
       hold_(numberField(0.0, 1e6, 1)),
-      twists_(new QSpinBox),
+      twists_(ranged(named(new QSpinBox, "leastTwists"), 1, kMaxTwists)),
       force_(numberField(0.0, 1e6, kForceDecimals)),
       torque_(numberField(0.0, 1e6, kTorqueDecimals)),
-      attempts_(new QSpinBox),
-      after_(new QListWidget),
+      attempts_(ranged(new QSpinBox, 0, kMaxAttempts)),
+      after_(named(new QListWidget, "prerequisites")),
       mastery_(new MasteryTable) {
-  after_->setObjectName(QStringLiteral("prerequisites"));
   after_->setProperty("checkable", true);  // style: aligns the check marks with the item's edge
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* column = columnOf(this, {});
   list_ = new OrderedList(QStringLiteral("exercises"), form(), this);
   column->addWidget(list_);
   connectFields();
@@ -104,9 +101,6 @@ QWidget* ExerciseEditor::form() {
   hold_->setSuffix(QStringLiteral(" s"));
   force_->setSuffix(QStringLiteral(" N"));
   torque_->setSuffix(QStringLiteral(" N m"));
-  twists_->setObjectName(QStringLiteral("leastTwists"));
-  twists_->setRange(1, kMaxTwists);
-  attempts_->setRange(0, kMaxAttempts);
   for (QSpinBox* count : {twists_, attempts_}) {
     count->setButtonSymbols(QAbstractSpinBox::NoButtons);
     count->setMinimumWidth(tolerance_->minimumWidth());

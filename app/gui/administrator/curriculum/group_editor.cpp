@@ -20,7 +20,6 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -59,15 +58,13 @@ GroupEditor::GroupEditor(CurriculumVersion& content, QWidget* parent)
       label_(new QLineEdit),
       rest_(numberField(0.0, kMaxMinutes, 1)),
       splittable_(new QCheckBox),
-      phases_(new QTableWidget(0, 4)),
+      phases_(named(new QTableWidget(0, 4), "phases")),
       totals_(sentence(nullptr)),
       addPhase_(new QPushButton),
       removePhase_(new QPushButton),
       phaseUp_(new QPushButton),
       phaseDown_(new QPushButton) {
-  phases_->setObjectName(QStringLiteral("phases"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* column = columnOf(this, {});
   list_ = new OrderedList(QStringLiteral("groups"), form(), this);
   column->addWidget(list_);
   connect(list_, &OrderedList::chosen, this, &GroupEditor::showContent);
@@ -100,10 +97,7 @@ QWidget* GroupEditor::form() {
   hints_.add(form, CurriculumField::kCode);
   hints_.add(form, CurriculumField::kTitle);
   rest_->setMaximumWidth(16 * kSpace);
-  auto* rest = new QHBoxLayout;
-  rest->setSpacing(2 * kSpace);
-  rest->addWidget(rest_);
-  rest->addWidget(splittable_);
+  QHBoxLayout* rest = rowOf({rest_, splittable_}, 2 * kSpace);
   rest->addStretch(1);
   form->addRow(texts_.add(rest_, QT_TR_NOOP("Rest")), rest);
   texts_.title(form, QT_TR_NOOP("Phases, one after the other"));

@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/printed_consent.h"
+#include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
@@ -44,22 +44,15 @@ ConsentDialog::ConsentDialog(ShellContext& shell, People people, QWidget* parent
     : QDialog(parent),
       shell_(shell),
       people_(std::move(people)),
-      version_(new QComboBox(this)),
-      purpose_(new QComboBox(this)),
-      signed_(new QDateEdit(QDate::currentDate(), this)),
-      granted_(new QPushButton(tr("&Given"), this)),
-      withdrawn_(new QPushButton(tr("&Withdrawn"), this)),
-      print_(new QPushButton(tr("&Print a form\u2026"), this)),
-      decisions_(new DataTable(QString(), this)) {
+      version_(named(new QComboBox(this), "version")),
+      purpose_(named(new QComboBox(this), "purpose")),
+      signed_(named(new QDateEdit(QDate::currentDate(), this), "signed")),
+      granted_(named(new QPushButton(tr("&Given"), this), "granted")),
+      withdrawn_(named(new QPushButton(tr("&Withdrawn"), this), "withdrawn")),
+      print_(named(new QPushButton(tr("&Print a form\u2026"), this), "printForm")),
+      decisions_(named(new DataTable(QString(), this), "decisions")) {
   setWindowTitle(tr("Consents of %1").arg(codes()));
   resize(kDecisionsWidth, kDecisionsHeight);
-  version_->setObjectName(QStringLiteral("version"));
-  purpose_->setObjectName(QStringLiteral("purpose"));
-  signed_->setObjectName(QStringLiteral("signed"));
-  granted_->setObjectName(QStringLiteral("granted"));
-  withdrawn_->setObjectName(QStringLiteral("withdrawn"));
-  print_->setObjectName(QStringLiteral("printForm"));
-  decisions_->setObjectName(QStringLiteral("decisions"));
   signed_->setCalendarPopup(true);
   showAsDate(signed_);
   signed_->setMaximumDate(QDate::currentDate());

@@ -16,7 +16,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/printed_consent.h"
+#include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
@@ -62,29 +62,19 @@ bool sameTexts(const std::vector<ConsentWords>& a, const std::vector<ConsentWord
 ConsentTextsDialog::ConsentTextsDialog(ShellContext& shell, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
-      version_(new QComboBox(this)),
-      language_(new QComboBox(this)),
-      addLanguage_(new QPushButton(tr("Add a &language\u2026"), this)),
-      purposes_(new QListWidget(this)),
-      addPurpose_(new QPushButton(tr("&Add"), this)),
-      removePurpose_(new QPushButton(tr("&Remove"), this)),
-      title_(new QLineEdit(this)),
-      text_(new QPlainTextEdit(this)),
-      print_(new QPushButton(tr("Print &forms\u2026"), this)),
-      publish_(new QPushButton(tr("&Publish\u2026"), this)) {
+      version_(named(new QComboBox(this), "version")),
+      language_(named(new QComboBox(this), "language")),
+      addLanguage_(named(new QPushButton(tr("Add a &language\u2026"), this), "addLanguage")),
+      purposes_(named(new QListWidget(this), "purposes")),
+      addPurpose_(named(new QPushButton(tr("&Add"), this), "addPurpose")),
+      removePurpose_(named(new QPushButton(tr("&Remove"), this), "removePurpose")),
+      title_(named(new QLineEdit(this), "title")),
+      text_(named(new QPlainTextEdit(this), "text")),
+      print_(named(new QPushButton(tr("Print &forms\u2026"), this), "printForms")),
+      publish_(named(new QPushButton(tr("&Publish\u2026"), this), "publish")) {
   setObjectName(QStringLiteral("consentTexts"));
   setWindowTitle(tr("Consent texts"));
   resize(kTextsWidth, kTextsHeight);
-  version_->setObjectName(QStringLiteral("version"));
-  language_->setObjectName(QStringLiteral("language"));
-  addLanguage_->setObjectName(QStringLiteral("addLanguage"));
-  purposes_->setObjectName(QStringLiteral("purposes"));
-  addPurpose_->setObjectName(QStringLiteral("addPurpose"));
-  removePurpose_->setObjectName(QStringLiteral("removePurpose"));
-  title_->setObjectName(QStringLiteral("title"));
-  text_->setObjectName(QStringLiteral("text"));
-  print_->setObjectName(QStringLiteral("printForms"));
-  publish_->setObjectName(QStringLiteral("publish"));
   build();
   connect(version_, &QComboBox::currentIndexChanged, this, &ConsentTextsDialog::showVersion);
   connect(language_, &QComboBox::currentIndexChanged, this, &ConsentTextsDialog::showPurposes);
@@ -101,13 +91,12 @@ ConsentTextsDialog::ConsentTextsDialog(ShellContext& shell, QWidget* parent)
 
 void ConsentTextsDialog::build() {
   QVBoxLayout* column = pageColumn(this);
-  QLabel* said = sentence(this);
-  said->setText(
+  QLabel* said = sentence(
+      this,
       tr("What people are asked to agree to, in each language. A change becomes the next version; what was "
          "agreed to before stays under its own. Let your data protection officer read it first."));
   column->addWidget(said);
-  auto* top = new QHBoxLayout;
-  top->setSpacing(kSpace);
+  QHBoxLayout* top = rowOf();
   version_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   language_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   nameField(addField(top, version_), tr("&Version"));
@@ -117,8 +106,7 @@ void ConsentTextsDialog::build() {
   column->addLayout(top);
   languageHint_ = fieldHint(this);
   column->addWidget(languageHint_);
-  auto* middle = new QHBoxLayout;
-  middle->setSpacing(2 * kSpace);
+  QHBoxLayout* middle = rowOf({}, 2 * kSpace);
   auto* left = new QVBoxLayout;
   purposes_->setFixedWidth(kListWidth);
   nameField(addField(left, purposes_), tr("P&urposes"));
@@ -297,8 +285,7 @@ void ConsentTextsDialog::addLanguage() {
   QuestionDialog dialog(this, tr("Add a language"),
                         tr("Its code as on web pages, such as de, fr or pt_BR. The texts of the language "
                            "that is shown are copied for you to translate."));
-  auto* code = new QLineEdit(&dialog);
-  code->setObjectName(QStringLiteral("code"));
+  auto* code = named(new QLineEdit(&dialog), "code");
   nameField(addField(dialog.column(), code), tr("&Code"));
   QPushButton* ok = dialog.finish(tr("Add"));
   const auto check = [&] {
@@ -324,7 +311,7 @@ void ConsentTextsDialog::publish() {
   const std::optional<std::string> note =
       askReason(this, tr("Publish"),
                 tr("From now on everybody is asked with these texts. Earlier decisions stay; people who "
-                   "decided on an earlier text are told so on their page. What has changed?"));
+                   "decided on an earlier text see this on their page. What has changed?"));
   if (!note) {
     return;
   }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/people/requests_dialog.h"
 
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <optional>
 #include <string>
 
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -14,9 +17,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/second_person.h"
-#include "app/gui/administrator/people/accounts_dialog.h"
-#include "app/gui/administrator/people/invitations_dialog.h"
+#include "app/gui/administrator/people/shown_once_dialog.h"
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -27,6 +28,7 @@
 #include "app/services/access/invitations.h"
 #include "app/services/base/progress.h"
 #include "app/services/maintenance/person_package.h"
+#include "app/services/people/consent_service.h"
 
 namespace torsio::gui {
 
@@ -56,13 +58,11 @@ RequestsDialog::RequestsDialog(ShellContext& shell, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
       table_(new DataTable(QStringLiteral("requests"), this)),
-      confirm_(listButton(table_)),
-      decline_(listButton(table_)) {
+      confirm_(named(listButton(table_), "confirmRequest")),
+      decline_(named(listButton(table_), "declineRequest")) {
   setObjectName(QStringLiteral("requestsDialog"));
   setWindowTitle(tr("Requests"));
   resize(1080, 460);
-  confirm_->setObjectName(QStringLiteral("confirmRequest"));
-  decline_->setObjectName(QStringLiteral("declineRequest"));
   confirm_->setText(tr("&Confirm\u2026"));
   QVBoxLayout* column = pageColumn(this);
   QLabel* words = sentence(this);
@@ -149,8 +149,7 @@ void RequestsDialog::confirmInvitations(const std::vector<OpenRequest>& requests
                         tr("%1 asks to invite %2. Do you know of it, and is it right? You get the links, and "
                            "hand each to its person.")
                             .arg(toQString(requests.front().requestedBy), firstFew(about)));
-  dialog.finish(tr("&Confirm"));
-  if (dialog.exec() != QDialog::Accepted) {
+  if (!dialog.ask(tr("&Confirm"))) {
     return;
   }
   std::vector<InvitationCardText> cards;
@@ -214,8 +213,7 @@ void RequestsDialog::erase(const OpenRequest& request) {
                                 .arg(toQString(request.requestedBy), toQString(request.shown),
                                      toQString(request.request.reason)) +
                             copies);
-  dialog.finish(tr("&Erase"));
-  if (dialog.exec() != QDialog::Accepted) {
+  if (!dialog.ask(tr("&Erase"))) {
     return;
   }
   attempt(shell_, [&] {
@@ -229,8 +227,7 @@ void RequestsDialog::confirmAccount(const OpenRequest& request) {
   QuestionDialog dialog(this, tr("Confirm"),
                         tr("%1 asks for this: \u201C%2\u201D. Do you know of it, and is it right?")
                             .arg(toQString(request.requestedBy), toQString(request.request.reason)));
-  dialog.finish(tr("&Confirm"));
-  if (dialog.exec() != QDialog::Accepted) {
+  if (!dialog.ask(tr("&Confirm"))) {
     return;
   }
   shell_.run(
@@ -258,8 +255,7 @@ void RequestsDialog::confirmAccounts(const std::vector<OpenRequest>& requests) {
                            "What is not about an account is confirmed by itself.",
                            nullptr, static_cast<int>(requests.size()))
                             .arg(toQString(requests.front().requestedBy), firstFew(about)));
-  dialog.finish(tr("&Confirm"));
-  if (dialog.exec() != QDialog::Accepted) {
+  if (!dialog.ask(tr("&Confirm"))) {
     return;
   }
   shell_.run(
@@ -306,6 +302,98 @@ void RequestsDialog::decline() {
   attempt(shell_, [&] {
     allOrNone(shell_.session(), table_->selectedIds(),
               [&](const QString& id) { declineRequest(shell_.session(), id.toStdString(), *why); });
+  });
+  read();
+}
+
+PersonRequestsDialog::PersonRequestsDialog(ShellContext& shell, QWidget* parent)
+    : QDialog(parent),
+      shell_(shell),
+      table_(new DataTable(QStringLiteral("person-requests"), this)),
+      goTo_(listButton(table_)),
+      done_(named(listButton(table_), "requestDone")),
+      decline_(named(listButton(table_), "requestDeclined")) {
+  setObjectName(QStringLiteral("personRequests"));
+  setWindowTitle(tr("What people asked for"));
+  resize(900, 460);
+  goTo_->setText(tr("&Go to the person"));
+  done_->setText(tr("&Done\u2026"));
+  decline_->setText(tr("De&cline\u2026"));
+  QLabel* words = sentence(this);
+  words->setText(
+      tr("Trainees ask on their page for a copy of their record, or that it be erased. Go to the person, do "
+         "it there, then say here that it is done."));
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(words);
+  column->addWidget(table_, 1);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  column->addWidget(buttons);
+  table_->setColumns(
+      {{tr("Person")}, {tr("Asked for")}, {tr("When")}, {tr("Answer")}, {tr("Reason")}, {tr("Answered")}});
+  table_->setEmptyText(tr("Nobody has asked for anything."));
+  connect(buttons, &QDialogButtonBox::rejected, this, &PersonRequestsDialog::reject);
+  connect(goTo_, &QPushButton::clicked, this, [this] {
+    if (const PersonRequest* one = current()) {
+      person_ = one->personId;
+      accept();
+    }
+  });
+  connect(done_, &QPushButton::clicked, this, [this] { answer(true); });
+  connect(decline_, &QPushButton::clicked, this, [this] { answer(false); });
+  connect(table_, &DataTable::currentChanged, this, &PersonRequestsDialog::showButtons);
+  read();
+}
+
+void PersonRequestsDialog::read() {
+  attempt(shell_, [&] { requests_ = personRequests(shell_.session()); });
+  std::vector<Row> rows;
+  for (const PersonRequest& one : requests_) {
+    rows.push_back({toQString(one.id),
+                    {{toQString(one.personCode)},
+                     {toQString(labelOf(one.kind))},
+                     timeCell(one.askedUtc_us),
+                     {one.answer ? toQString(labelOf(*one.answer)) : tr("waits")},
+                     {orDash(one.reason)},
+                     timeCell(one.answeredUtc_us)}});
+  }
+  table_->setRows(std::move(rows));
+  showButtons();
+}
+
+const PersonRequest* PersonRequestsDialog::current() const {
+  const std::string id = table_->currentId().toStdString();
+  const auto found = std::find_if(requests_.begin(), requests_.end(),
+                                  [&id](const PersonRequest& one) { return one.id == id; });
+  return found == requests_.end() ? nullptr : &*found;
+}
+
+void PersonRequestsDialog::showButtons() {
+  const PersonRequest* one = current();
+  goTo_->setEnabled(one != nullptr);
+  done_->setEnabled(!waiting().empty());
+  decline_->setEnabled(!waiting().empty());
+}
+
+std::vector<const PersonRequest*> PersonRequestsDialog::waiting() const {
+  std::vector<const PersonRequest*> chosen =
+      chosenRows(*table_, requests_, [](const PersonRequest& one) { return one.id; });
+  std::erase_if(chosen, [](const PersonRequest* one) { return one->answer.has_value(); });
+  return chosen;
+}
+
+void PersonRequestsDialog::answer(bool done) {
+  const std::vector<const PersonRequest*> chosen = waiting();
+  const QString code = firstFew(namesOf(chosen, [](const PersonRequest& one) { return one.personCode; }));
+  const std::optional<std::string> reason =
+      done ? askReason(this, tr("Done"), tr("%1: say what was done, and when it was handed over.").arg(code))
+           : askReason(this, tr("Decline"), tr("%1 reads this reason on their page.").arg(code));
+  if (!reason) {
+    return;
+  }
+  attempt(shell_, [&] {
+    allOrNone(shell_.session(), chosen, [&](const PersonRequest* one) {
+      answerPersonRequest(shell_.session(), one->id, done, *reason);
+    });
   });
   read();
 }

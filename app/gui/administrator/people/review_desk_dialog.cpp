@@ -57,35 +57,24 @@ ReviewDeskDialog::ReviewDeskDialog(ShellContext& shell, DeskPlace place, QWidget
     : QDialog(parent),
       shell_(shell),
       place_(std::move(place)),
-      state_(sentence(this, false)),
+      state_(named(sentence(this, false), "deskState")),
       openPart_(new QWidget(this)),
-      address_(new QComboBox(openPart_)),
+      address_(named(new QComboBox(openPart_), "deskAddress")),
       copy_(new QPushButton(tr("&Copy"), openPart_)),
-      trust_(sentence(openPart_)),
+      trust_(named(sentence(openPart_), "deskTrust")),
       choices_(new QWidget(this)),
-      reach_(new QComboBox(choices_)),
-      port_(new QSpinBox(choices_)),
-      certificate_(new QComboBox(choices_)),
+      reach_(named(new QComboBox(choices_), "deskReach")),
+      port_(ranged(named(new QSpinBox(choices_), "deskPort"), kLowestPort, kHighestPort)),
+      certificate_(named(new QComboBox(choices_), "deskCertificate")),
       files_(new QWidget(choices_)),
-      certificateFile_(new QLineEdit(files_)),
-      keyFile_(new QLineEdit(files_)),
-      goesOn_(new QCheckBox(tr("&Stays open when Torsio is closed here"), choices_)),
-      said_(sentence(this, false)),
-      act_(new QPushButton(this)) {
+      certificateFile_(named(new QLineEdit(files_), "certificateFile")),
+      keyFile_(named(new QLineEdit(files_), "keyFile")),
+      goesOn_(named(new QCheckBox(tr("&Stays open when Torsio is closed here"), choices_), "deskGoesOn")),
+      said_(named(sentence(this, false), "deskSaid")),
+      act_(named(primaryButton(this), "deskAct")) {
   setObjectName(QStringLiteral("reviewDesk"));
   setWindowTitle(tr("Let physicians score from their browsers"));
   resize(kReviewDeskSize);
-  state_->setObjectName(QStringLiteral("deskState"));
-  address_->setObjectName(QStringLiteral("deskAddress"));
-  trust_->setObjectName(QStringLiteral("deskTrust"));
-  reach_->setObjectName(QStringLiteral("deskReach"));
-  port_->setObjectName(QStringLiteral("deskPort"));
-  certificate_->setObjectName(QStringLiteral("deskCertificate"));
-  certificateFile_->setObjectName(QStringLiteral("certificateFile"));
-  keyFile_->setObjectName(QStringLiteral("keyFile"));
-  goesOn_->setObjectName(QStringLiteral("deskGoesOn"));
-  said_->setObjectName(QStringLiteral("deskSaid"));
-  act_->setObjectName(QStringLiteral("deskAct"));
   build();
   read();
 }
@@ -98,8 +87,7 @@ void ReviewDeskDialog::build() {
       "password. This computer must stay on."));
   address_->setAccessibleName(tr("Address"));
   trust_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  auto* shown = new QVBoxLayout(openPart_);
-  shown->setContentsMargins({});
+  QVBoxLayout* shown = columnOf(openPart_, {});
   auto* row = new QHBoxLayout;
   row->addWidget(address_, 1);
   row->addWidget(copy_);
@@ -107,7 +95,6 @@ void ReviewDeskDialog::build() {
   shown->addLayout(row);
   shown->addWidget(trust_);
   reach_->addItems({tr("Other computers of this network"), tr("This computer alone")});
-  port_->setRange(kLowestPort, kHighestPort);
   port_->setValue(kDefaultPort);
   certificate_->addItems({tr("Made by Torsio"), tr("From files")});
   auto* form = new QFormLayout;
@@ -125,13 +112,11 @@ void ReviewDeskDialog::build() {
     connect(choose, &QPushButton::clicked, this,
             [this, field = field, name = name] { chooseFile(field, name); });
   }
-  auto* column = new QVBoxLayout(choices_);
-  column->setContentsMargins({});
+  QVBoxLayout* column = columnOf(choices_, {});
   column->addLayout(form);
   column->addWidget(files_);
   column->addWidget(goesOn_);
   auto* buttons = new QDialogButtonBox(this);
-  act_->setProperty("primary", true);
   act_->setDefault(true);
   buttons->addButton(act_, QDialogButtonBox::ActionRole);
   buttons->addButton(tr("&Done"), QDialogButtonBox::RejectRole)->setAutoDefault(false);
@@ -154,8 +139,8 @@ void ReviewDeskDialog::read() {
   attempt(shell_, [this] {
     if (!mayOpenReviewDesk(shell_.session())) {
       state_->setText(
-          tr("This record lies on a server. Whoever runs that opens the review desk there, by "
-             "torsio serve; this window does not."));
+          tr("This record is on a server. The server's administrator opens the review desk there with torsio "
+             "serve, not this window."));
       openPart_->hide();
       choices_->hide();
       act_->hide();
@@ -193,9 +178,8 @@ void ReviewDeskDialog::showChoices() {
 }
 
 DeskWish ReviewDeskDialog::wish() const {
-  DeskWish wish;
-  wish.otherMachines = reach_->currentIndex() == kOtherMachines;
-  wish.port = static_cast<std::uint16_t>(port_->value());
+  DeskWish wish{.otherMachines = reach_->currentIndex() == kOtherMachines,
+                .port = static_cast<std::uint16_t>(port_->value())};
   if (wish.otherMachines && certificate_->currentIndex() == kCertificateFiles) {
     wish.certificate = toPath(certificateFile_->text().trimmed());
     wish.key = toPath(keyFile_->text().trimmed());

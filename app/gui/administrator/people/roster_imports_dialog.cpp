@@ -11,7 +11,6 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -29,13 +28,11 @@ constexpr int kImportedPeople = 7;  // column
 RosterImportsDialog::RosterImportsDialog(ShellContext& shell, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
-      table_(new DataTable(QStringLiteral("roster-imports"), this)),
-      takeBack_(listButton(table_)) {
+      table_(named(new DataTable(QStringLiteral("roster-imports"), this), "imports")),
+      takeBack_(named(listButton(table_), "takeBack")) {
   setObjectName(QStringLiteral("rosterImports"));
   setWindowTitle(tr("Imported rosters"));
   resize(900, 420);
-  table_->setObjectName(QStringLiteral("imports"));
-  takeBack_->setObjectName(QStringLiteral("takeBack"));
   takeBack_->setText(tr("&Take back\u2026"));
   QLabel* words = sentence(this);
   words->setText(

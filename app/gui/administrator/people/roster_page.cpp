@@ -10,22 +10,20 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/copies_text.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/second_person.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/people/consent_dialog.h"
 #include "app/gui/administrator/people/consent_texts_dialog.h"
-#include "app/gui/administrator/people/person_dialog.h"
-#include "app/gui/administrator/people/person_requests_dialog.h"
+#include "app/gui/administrator/people/requests_dialog.h"
 #include "app/gui/administrator/people/roster_imports_dialog.h"
 #include "app/gui/administrator/people/roster_wizard.h"
+#include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/table_choice.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/services/access/all_or_none.h"
 #include "app/services/maintenance/person_package.h"
@@ -37,42 +35,27 @@ namespace torsio::gui {
 RosterPage::RosterPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
-      import_(new QPushButton(this)),
-      undo_(new QPushButton(this)),
+      import_(primaryButton(this)),
+      undo_(named(new QPushButton(this), "undoImport")),
       add_(new QPushButton(this)),
-      texts_(new QPushButton(this)),
-      requests_(new QPushButton(this)),
-      table_(new DataTable(QStringLiteral("roster"), this)),
+      texts_(named(new QPushButton(this), "consentTexts")),
+      requests_(named(new QPushButton(this), "personRequests")),
+      table_(named(new DataTable(QStringLiteral("roster"), this), "table")),
       names_(new QCheckBox(this)),
-      edit_(nullptr),
-      state_(nullptr),
-      export_(nullptr),
-      consents_(nullptr),
-      package_(nullptr),
       erase_(nullptr) {
   table_->addTool(names_);
   edit_ = listButton(table_);
   state_ = listButton(table_);
   export_ = listButton(table_);
-  consents_ = listButton(table_);
-  package_ = listButton(table_);
-  erase_ = listButton(table_);
-  table_->setObjectName(QStringLiteral("table"));
-  consents_->setObjectName(QStringLiteral("consents"));
-  package_->setObjectName(QStringLiteral("exportPerson"));
-  erase_->setObjectName(QStringLiteral("erasePerson"));
-  import_->setProperty("primary", true);
-  texts_->setObjectName(QStringLiteral("consentTexts"));
-  requests_->setObjectName(QStringLiteral("personRequests"));
-  undo_->setObjectName(QStringLiteral("undoImport"));
+  consents_ = named(listButton(table_), "consents");
+  package_ = named(listButton(table_), "exportPerson");
+  erase_ = named(listButton(table_), "erasePerson");
   heading_->addAction(requests_);
   heading_->addAction(texts_);
   heading_->addAction(undo_);
   heading_->addAction(add_);
   heading_->addAction(import_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(table_, 1);
 

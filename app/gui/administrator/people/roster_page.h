@@ -54,11 +54,11 @@ class RosterPage : public Page {
   QPushButton* requests_;
   DataTable* table_;
   QCheckBox* names_;
-  QPushButton* edit_;
-  QPushButton* state_;
-  QPushButton* export_;
-  QPushButton* consents_;
-  QPushButton* package_;
+  QPushButton* edit_ = nullptr;
+  QPushButton* state_ = nullptr;
+  QPushButton* export_ = nullptr;
+  QPushButton* consents_ = nullptr;
+  QPushButton* package_ = nullptr;
   QPushButton* erase_;
 };
 

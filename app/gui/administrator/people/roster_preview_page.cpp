@@ -6,7 +6,6 @@
 #include <QProgressBar>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/people/roster_labels.h"
 #include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -29,7 +28,7 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
       import_(import),
       shell_(shell),
       summary_(new QLabel(this)),
-      progress_(new QProgressBar(this)),
+      progress_(ranged(new QProgressBar(this), 0, kWhole)),
       lines_(new DataTable(QStringLiteral("roster-preview"), this)) {
   setTitle(tr("Preview of the import"));
   setSubTitle(
@@ -37,7 +36,6 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
          "choose it again."));
   setFinalPage(true);
   summary_->setWordWrap(true);
-  progress_->setRange(0, kWhole);
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("Progress"));
   progress_->hide();

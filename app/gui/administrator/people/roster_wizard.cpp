@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/people/roster_wizard.h"
 
 #include <algorithm>
 #include <utility>
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,7 +17,6 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/people/roster_labels.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -111,7 +112,7 @@ RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
       import_(import),
       trainees_(new QRadioButton(tr("&Trainees"), this)),
       raters_(new QRadioButton(tr("&Raters"), this)),
-      path_(new QLineEdit(this)),
+      path_(named(new QLineEdit(this), "path")),
       columns_(sentence(this)),
       problem_(fieldHint(this)),
       templateProblem_(fieldHint(this)),
@@ -121,7 +122,6 @@ RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
       tr("A table saved as CSV (UTF-8), one person a line, with a header line. People are identified by "
          "their staff or student number, never by an e-mail address alone."));
   trainees_->setChecked(true);
-  path_->setObjectName(QStringLiteral("path"));
   path_->setPlaceholderText(tr("Path of the CSV file"));
   path_->setAccessibleName(tr("Path of the CSV file"));
   auto* choose = new QPushButton(tr("&Choose\u2026"), this);
@@ -222,7 +222,7 @@ RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
       import_(import),
       form_(new QGridLayout),
       sample_(new DataTable(QString(), this)),
-      hint_(sentence(this, false)) {
+      hint_(named(sentence(this, false), "rosterHint")) {
   setTitle(tr("The columns"));
   setSubTitle(
       tr("Match the columns to the fields. Fields with a star are required; the first lines of the file are "
@@ -235,7 +235,6 @@ RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
     form_->setColumnStretch(side, 1);
   }
   sample_->filter().hide();
-  hint_->setObjectName(QStringLiteral("rosterHint"));
   setLook(hint_, "caution", true);
   column->addLayout(form_);
   column->addWidget(hint_);
@@ -339,6 +338,57 @@ bool RosterColumnsPage::validatePage() {
   }
   keepColumns(*import_.file, import_.kind, import_.columns);
   return true;
+}
+
+namespace {
+
+struct RosterTexts {
+  Q_DECLARE_TR_FUNCTIONS(RosterTexts)
+};
+
+}  // namespace
+
+QString rosterFieldName(RosterField field) {
+  return toQString(Text(rosterFieldLabel(field)));
+}
+
+QString rosterStatusName(RosterStatus status) {
+  switch (status) {
+    case RosterStatus::kNew:
+      return RosterTexts::tr("+ new");
+    case RosterStatus::kSame:
+      return RosterTexts::tr("= as it is");
+    case RosterStatus::kChanges:
+      return RosterTexts::tr("\u2192 changes");
+    case RosterStatus::kError:
+      return RosterTexts::tr("! error");
+  }
+  return {};
+}
+
+QString rosterNote(const RosterRow& row) {
+  QStringList parts;
+  if (!row.problem.empty()) {
+    parts << RosterTexts::tr("%1. %2.").arg(toQString(row.problem), toQString(row.remedy));
+  }
+  for (const RosterChange& change : row.changes) {
+    parts << RosterTexts::tr("%1: %2 \u2192 %3")
+                 .arg(rosterFieldName(change.field),
+                      change.from.empty() ? QStringLiteral("\u2013") : toQString(change.from),
+                      toQString(change.to));
+  }
+  if (!row.hint.empty()) {
+    parts << toQString(row.hint);
+  }
+  return parts.join(QStringLiteral("; "));
+}
+
+QString rosterProblem(const Error& error) {
+  const TranslatedError said = translated(error);
+  const QString what =
+      said.details.isEmpty() ? said.happened : RosterTexts::tr("%1 (%2)").arg(said.happened, said.details);
+  return (said.remedy.isEmpty() ? RosterTexts::tr("%1.").arg(what)
+                                : RosterTexts::tr("%1. %2.").arg(what, said.remedy));
 }
 
 }  // namespace torsio::gui

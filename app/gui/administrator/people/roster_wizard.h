@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 
+#include <QString>
 #include <QWizard>
 
 #include "app/services/people/roster_import.h"
+#include "sim/core/error.h"
 
 class QComboBox;
 class QGridLayout;
@@ -132,5 +134,14 @@ class RosterPreviewPage : public QWizardPage {
   DataTable* lines_;
   bool busy_ = false;
 };
+
+/// Names a field of a roster in the user's language.
+[[nodiscard]] QString rosterFieldName(RosterField field);
+/// Names the effect on a line, with its sign: "+ new".
+[[nodiscard]] QString rosterStatusName(RosterStatus status);
+/// Returns the note for a line: its error, changes or peculiarities.
+[[nodiscard]] QString rosterNote(const RosterRow& row);
+/// Returns error and remedy in sentences.
+[[nodiscard]] QString rosterProblem(const Error& error);
 
 }  // namespace torsio::gui

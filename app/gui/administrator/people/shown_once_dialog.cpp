@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/people/shown_once_dialog.h"
 
 #include <utility>
 
 #include <QApplication>
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/printed_cards.h"
+#include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/services/access/invitations.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {
@@ -36,8 +44,7 @@ ShownOnceDialog::ShownOnceDialog(const QString& title, const QString& words, con
       cards_(new QPushButton(tr("Save c&ards (PDF)\u2026"), this)) {
   setWindowTitle(title);
   resize(kShownOnceSize);
-  QLabel* said = sentence(this);
-  said->setText(words);
+  QLabel* said = sentence(this, words);
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(cards_, QDialogButtonBox::ActionRole);
   buttons->addButton(copy_, QDialogButtonBox::ActionRole);
@@ -95,6 +102,128 @@ void ShownOnceDialog::reject() {
     return;
   }
   QDialog::reject();
+}
+
+AccountsDialog::AccountsDialog(const std::vector<StartAccount>& accounts, const std::string& centre,
+                               QWidget* parent)
+    : ShownOnceDialog(
+          tr("Start passwords"),
+          tr("These start passwords are shown only now. Give each to its owner, for example on a card in a "
+             "sealed envelope. Everybody chooses their own password at the first sign-in."),
+          tr("start-passwords.pdf"), parent),
+      accounts_(accounts),
+      centre_(centre) {
+  std::vector<Row> rows;
+  for (const StartAccount& account : accounts_) {
+    rows.push_back(
+        {toQString(account.login),
+         {{toQString(account.personCode)}, {toQString(account.login)}, {toQString(account.startPassword)}}});
+  }
+  setLines({{tr("Person")}, {tr("Sign-in name")}, {tr("Start password")}}, std::move(rows));
+}
+
+void AccountsDialog::writeCards(const std::filesystem::path& file) const {
+  writeAccountCards(accounts_, centre_, file);
+}
+
+KioskCardsDialog::KioskCardsDialog(std::vector<KioskCardText> cards, std::string centre, QWidget* parent)
+    : ShownOnceDialog(tr("Cards for the kiosk"),
+                      tr("These codes are shown only now. Each opens a kiosk for its trainee; one that is "
+                         "lost is revoked "
+                         "here, or replaced by making a new one."),
+                      tr("kiosk-cards.pdf"), parent),
+      cards_(std::move(cards)),
+      centre_(std::move(centre)) {
+  setObjectName(QStringLiteral("kioskCards"));
+  std::vector<Row> rows;
+  for (const KioskCardText& card : cards_) {
+    rows.push_back({toQString(card.login),
+                    {{toQString(card.personCode)}, {toQString(card.login)}, {toQString(card.code)}}});
+  }
+  setLines({{tr("Person")}, {tr("Sign-in name")}, {tr("Code")}}, std::move(rows));
+}
+
+void KioskCardsDialog::writeCards(const std::filesystem::path& file) const {
+  writeKioskCards(cards_, centre_, file);
+}
+
+namespace {
+
+struct InvitationQuestion {
+  Q_DECLARE_TR_FUNCTIONS(InvitationQuestion)
+};
+
+}  // namespace
+
+InvitationsDialog::InvitationsDialog(std::vector<InvitationCardText> cards, std::string centre,
+                                     QWidget* parent)
+    : ShownOnceDialog(
+          tr("Invitations"),
+          tr("Links and codes are shown only now. Each is for one person; a link works once and for a week. "
+             "Send each code by a different channel from the link, which another administrator hands over."),
+          tr("invitations.pdf"), parent),
+      cards_(std::move(cards)),
+      centre_(std::move(centre)) {
+  setObjectName(QStringLiteral("invitations"));
+  std::vector<Row> rows;
+  for (const InvitationCardText& card : cards_) {
+    rows.push_back(
+        {toQString(card.login),
+         {{toQString(card.personCode)}, {toQString(card.login)}, {orDash(card.link)}, {orDash(card.code)}}});
+  }
+  setLines({{tr("Person")}, {tr("Sign-in name")}, {tr("Link")}, {tr("Code")}}, std::move(rows));
+}
+
+void InvitationsDialog::writeCards(const std::filesystem::path& file) const {
+  writeInvitationCards(cards_, centre_, file);
+}
+
+QString InvitationsDialog::copied() const {
+  QStringList mails;
+  for (const InvitationCardText& card : cards_) {
+    const QString greeting = tr("For %1:").arg(toQString(card.login)) + QLatin1Char('\n');
+    mails << greeting +
+                 toQString(card.link.empty()
+                               ? invitationCodeWords(centre_, card.code)
+                               : invitationWords(centre_, card.login, card.link,
+                                                 shownTime(card.expiresUtc_us, locale()).toStdString()));
+  }
+  return mails.join(QStringLiteral("\n\n"));
+}
+
+std::optional<InvitationWish> askInvitation(QWidget* parent, const QString& logins,
+                                            const std::string& address, bool byTwo) {
+  QuestionDialog dialog(
+      parent, InvitationQuestion::tr("Invite"),
+      InvitationQuestion::tr(
+          "%1: each receives a link to set a password in a browser. Any earlier link stops working.")
+          .arg(logins));
+  auto* where = named(new QLineEdit(toQString(address), &dialog), "browserAddress");
+  where->setPlaceholderText(QStringLiteral("https://desk.example.org"));
+  auto* why = named(new QLineEdit(&dialog), "reason");
+  auto* form = new QFormLayout;
+  form->addRow(InvitationQuestion::tr("&Address of the review desk"), where);
+  if (byTwo) {
+    form->addRow(InvitationQuestion::tr("&Reason"), why);
+  }
+  why->setVisible(byTwo);
+  dialog.column()->addLayout(form);
+  dialog.addNote(byTwo ? InvitationQuestion::tr("This needs two people: you receive a code for each person, "
+                                                "and another administrator, who confirms, receives the link.")
+                       : InvitationQuestion::tr(
+                             "The address that torsio serve shows when it starts, or that of your proxy."));
+  QPushButton* ok = dialog.finish(InvitationQuestion::tr("&Invite"));
+  const auto check = [&] {
+    ok->setEnabled(!where->text().trimmed().isEmpty() && (!byTwo || !why->text().trimmed().isEmpty()));
+  };
+  QObject::connect(where, &QLineEdit::textChanged, &dialog, check);
+  QObject::connect(why, &QLineEdit::textChanged, &dialog, check);
+  check();
+  (address.empty() ? where : why)->setFocus();
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
+  return InvitationWish{where->text().trimmed().toStdString(), why->text().trimmed().toStdString()};
 }
 
 }  // namespace torsio::gui

@@ -9,7 +9,9 @@
 #include <QStringList>
 
 #include "app/services/access/access_service.h"
+#include "app/services/people/people_service.h"
 #include "assessment/domain/ids.h"
+#include "assessment/domain/people/person.h"
 
 class QWidget;
 
@@ -33,5 +35,15 @@ struct RolesChange {
 };
 [[nodiscard]] std::optional<RolesChange> askRoles(QWidget* parent, const QString& login,
                                                   const std::vector<std::string>& roles);
+
+struct PersonEdit {
+  PersonEntry entry{};
+  std::string reason{};  ///< of a change; empty for a new person
+};
+
+/// Asks for all data of a person. `present`: the person to edit; empty: a new one. Returns nothing if
+/// cancelled.
+[[nodiscard]] std::optional<PersonEdit> askPerson(QWidget* parent, const std::optional<PersonEntry>& present,
+                                                  const std::vector<SeniorityClass>& classes);
 
 }  // namespace torsio::gui

@@ -11,18 +11,15 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/people_dialog.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/second_person.h"
-#include "app/gui/administrator/people/accounts_dialog.h"
-#include "app/gui/administrator/people/invitations_dialog.h"
-#include "app/gui/administrator/people/kiosk_cards_dialog.h"
 #include "app/gui/administrator/people/requests_dialog.h"
 #include "app/gui/administrator/people/review_desk_dialog.h"
+#include "app/gui/administrator/people/shown_once_dialog.h"
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/all_or_none.h"
@@ -66,29 +63,20 @@ struct IssuedAccounts {
 UsersPage::UsersPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
-      table_(new DataTable(QStringLiteral("users"), this)),
-      add_(new QPushButton(this)),
+      table_(named(new DataTable(QStringLiteral("users"), this), "table")),
+      add_(primaryButton(this)),
       addForRoster_(new QPushButton(this)),
-      requests_(new QPushButton(this)),
-      desk_(new QPushButton(this)),
+      requests_(named(new QPushButton(this), "requests")),
+      desk_(named(new QPushButton(this), "reviewDeskOfBrowsers")),
       roles_(listButton(table_)),
       password_(listButton(table_)),
       active_(listButton(table_)),
-      cards_(listButton(table_)),
-      revoke_(listButton(table_)),
-      invite_(listButton(table_)),
-      uninvite_(listButton(table_)),
-      endSessions_(listButton(table_)) {
-  endSessions_->setObjectName(QStringLiteral("endBrowserSessions"));
-  invite_->setObjectName(QStringLiteral("inviteUsers"));
-  uninvite_->setObjectName(QStringLiteral("revokeInvitations"));
-  cards_->setObjectName(QStringLiteral("makeKioskCards"));
-  revoke_->setObjectName(QStringLiteral("revokeKioskCards"));
-  table_->setObjectName(QStringLiteral("table"));
-  add_->setProperty("primary", true);
+      cards_(named(listButton(table_), "makeKioskCards")),
+      revoke_(named(listButton(table_), "revokeKioskCards")),
+      invite_(named(listButton(table_), "inviteUsers")),
+      uninvite_(named(listButton(table_), "revokeInvitations")),
+      endSessions_(named(listButton(table_), "endBrowserSessions")) {
   desk_->setVisible(shell.may(Operation::kSettingsEdit));
-  requests_->setObjectName(QStringLiteral("requests"));
-  desk_->setObjectName(QStringLiteral("reviewDeskOfBrowsers"));
   heading_->addAction(desk_);
   heading_->addAction(requests_);
   heading_->addAction(addForRoster_);

@@ -45,20 +45,20 @@ ExportDialog::ExportDialog(ShellContext& shell, const ReportRequest& request,
       shell_(shell),
       digests_(std::move(digests)),
       language_(std::move(language)),
-      form_(new QComboBox(this)),
-      pseudonymised_(new QCheckBox(tr("&Pseudonymised"), this)),
-      freeText_(new QCheckBox(tr("Keep what people &wrote"), this)),
-      reason_(new QLineEdit(this)),
-      title_(new QLineEdit(this)),
-      licence_(new QComboBox(this)),
-      citation_(new QLineEdit(this)),
+      form_(named(new QComboBox(this), "format")),
+      pseudonymised_(named(new QCheckBox(tr("&Pseudonymised"), this), "pseudonymised")),
+      freeText_(named(new QCheckBox(tr("Keep what people &wrote"), this), "free-text")),
+      reason_(named(new QLineEdit(this), "reason")),
+      title_(named(new QLineEdit(this), "title")),
+      licence_(named(new QComboBox(this), "licence")),
+      citation_(named(new QLineEdit(this), "citation")),
       creator_(new QLineEdit(this)),
-      rate_(new QComboBox(this)),
-      what_(sentence(this, false)),
-      table_(new QComboBox(this)),
-      asInFile_(sentence(this)),
-      rows_(new QTableWidget(this)),
-      done_(sentence(this, false)) {
+      rate_(named(new QComboBox(this), "rate")),
+      what_(named(sentence(this, false), "what")),
+      table_(named(new QComboBox(this), "table")),
+      asInFile_(named(sentence(this), "as-in-file")),
+      rows_(named(new QTableWidget(this), "rows")),
+      done_(named(sentence(this, false), "done")) {
   request_.cohortId = request.cohortId;
   request_.campaignId = request.campaignId;
   request_.frozenId = request.frozenId;
@@ -70,14 +70,6 @@ void ExportDialog::build() {
   setWindowTitle(tr("Export for other programs"));
   const int room = parentWidget() != nullptr ? parentWidget()->window()->width() - 12 * kSpace : 0;
   setMinimumWidth(std::clamp(room, kDialogWidth, kWidestDialog));
-  form_->setObjectName(QStringLiteral("format"));
-  pseudonymised_->setObjectName(QStringLiteral("pseudonymised"));
-  freeText_->setObjectName(QStringLiteral("free-text"));
-  reason_->setObjectName(QStringLiteral("reason"));
-  table_->setObjectName(QStringLiteral("table"));
-  rows_->setObjectName(QStringLiteral("rows"));
-  what_->setObjectName(QStringLiteral("what"));
-  done_->setObjectName(QStringLiteral("done"));
   form_->addItem(tr("Workbook for spreadsheets (.xlsx), with charts"), static_cast<int>(Form::kWorkbook));
   form_->addItem(tr("Tables for SPSS (.sav)"), static_cast<int>(Form::kSpss));
   form_->addItem(tr("Tables for R (.csv and a script)"), static_cast<int>(Form::kR));
@@ -103,7 +95,6 @@ void ExportDialog::build() {
   rows_->setItemDelegate(new PaddedCells(rows_));
   rows_->setAlternatingRowColors(true);
   rows_->setAccessibleName(tr("First rows"));
-  asInFile_->setObjectName(QStringLiteral("as-in-file"));
   asInFile_->setText(tr(
       "Below the headings, cells are exactly as the file will hold them: words in English, numbers with all "
       "their digits."));
@@ -116,16 +107,14 @@ void ExportDialog::build() {
   buildDataset(*form);
   form->addRow(tr("What is in it"), what_);
   form->addRow(tr("First rows &of"), table_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace});
   column->addLayout(form);
   column->addWidget(asInFile_);
   column->addWidget(rows_, 1);
   column->addWidget(done_);
   followJobs(*column);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  save_ = buttons->addButton(tr("&Save\u2026"), QDialogButtonBox::ActionRole);
-  save_->setObjectName(QStringLiteral("save"));
+  save_ = named(buttons->addButton(tr("&Save\u2026"), QDialogButtonBox::ActionRole), "save");
   column->addWidget(buttons);
 
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -185,10 +174,6 @@ void ExportDialog::reject() {
 
 void ExportDialog::buildDataset(QFormLayout& form) {
   layout_ = &form;
-  title_->setObjectName(QStringLiteral("title"));
-  licence_->setObjectName(QStringLiteral("licence"));
-  citation_->setObjectName(QStringLiteral("citation"));
-  rate_->setObjectName(QStringLiteral("rate"));
   licence_->setEditable(true);
   licence_->addItems(
       {QStringLiteral("CC-BY-4.0"), QStringLiteral("CC-BY-NC-4.0"), QStringLiteral("CC0-1.0")});
@@ -231,7 +216,7 @@ QStringList ExportDialog::contents() const {
   QStringList words;
   if (chosen() == Form::kGradebook) {
     words << tr(
-        "A line for each trainee, known by staff number and mail address, and a score for each "
+        "A line for each trainee, identified by staff number and mail address, and a score for each "
         "occasion. It names people.");
     return words;
   }
@@ -245,7 +230,7 @@ QStringList ExportDialog::contents() const {
         "curriculum and definitions of metrics, in a new folder. No recordings that Torsio could "
         "replay.",
         nullptr, static_cast<int>(data_->inputs.trials.size()));
-    words << tr("Paths tell how somebody moves: publish them only with consent for that.");
+    words << tr("Paths reveal how a person moves: publish them only with consent for that.");
   }
   return words;
 }

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 
+#include <QDialog>
 #include <QImage>
 #include <QString>
 #include <QTextBrowser>
 
+#include "app/outputs/report/cell_trace.h"
 #include "app/outputs/wording/wording.h"
 #include "assessment/results/report_model.h"
+
+class QTreeWidget;
 
 namespace torsio::gui {
 
@@ -47,6 +52,37 @@ class ReportPreview : public QTextBrowser {
   std::map<QString, QImage> pictures_;
   int besideText_ = 0;       // margin beside the text, px, if the page is wider than a line should be
   std::set<QString> whole_;  // tables shown in full, by number
+};
+
+class DataTable;
+class ShellContext;
+
+/// All numbers of a report; traces the chosen one step by step to marks, criteria, recording and program
+/// version. GUI thread.
+class TraceDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `inputs`: the report's data.
+  TraceDialog(ShellContext& shell, const CohortId& cohortId, std::shared_ptr<const CohortInputs> inputs,
+              QWidget* parent);
+
+  /// Selects the number with this address and traces it.
+  void follow(const QString& address);
+
+ private:
+  void fill();
+  void start();
+  void show(const TraceStep& step);
+
+  ShellContext& shell_;
+  CohortId cohortId_;
+  std::shared_ptr<const CohortInputs> inputs_;
+  QString wanted_;
+  QString followed_;
+  bool running_ = false;
+  DataTable* numbers_;
+  QTreeWidget* steps_;
 };
 
 }  // namespace torsio::gui

@@ -14,7 +14,6 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/reporting/export_dialog.h"
 #include "app/gui/administrator/reporting/report_preview.h"
-#include "app/gui/administrator/reporting/trace_dialog.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/placed_dialog.h"
 #include "app/gui/base/shell_context.h"
@@ -48,28 +47,20 @@ ReportsPage::ReportsPage(ShellContext& shell)
     : Page(shell),
       digests_(std::make_shared<TrialDigests>(shell.assets())),
       heading_(new PageHeading(this)),
-      pdf_(new QPushButton(this)),
+      pdf_(primaryButton(this)),
       csv_(new QPushButton(this)),
-      tables_(new QPushButton(this)),
-      other_(new QPushButton(this)),
-      origin_(new QPushButton(this)),
+      tables_(named(new QPushButton(this), "codedTables")),
+      other_(named(new QPushButton(this), "export")),
+      origin_(named(new QPushButton(this), "origin")),
       cohort_(new QComboBox(this)),
       campaign_(new QComboBox(this)),
-      frozen_(new QComboBox(this)),
+      frozen_(named(new QComboBox(this), "dataSet")),
       freeze_(new QPushButton(this)),
-      identity_(new QComboBox(this)),
-      language_(new QComboBox(this)),
+      identity_(named(new QComboBox(this), "identity")),
+      language_(named(new QComboBox(this), "language")),
       warning_(sentence(this)),
-      preview_(new ReportPreview(this)) {
-  frozen_->setObjectName(QStringLiteral("dataSet"));
-  preview_->setObjectName(QStringLiteral("preview"));
-  language_->setObjectName(QStringLiteral("language"));
-  identity_->setObjectName(QStringLiteral("identity"));
-  pdf_->setProperty("primary", true);
-  tables_->setObjectName(QStringLiteral("codedTables"));
+      preview_(named(new ReportPreview(this), "preview")) {
   tables_->setVisible(shell.may(Operation::kTrialViewCoded) || shell.may(Operation::kMarkViewCoded));
-  other_->setObjectName(QStringLiteral("export"));
-  origin_->setObjectName(QStringLiteral("origin"));
   heading_->addAction(origin_);
   heading_->addAction(tables_);
   heading_->addAction(other_);
@@ -157,11 +148,10 @@ void ReportsPage::fillFrozen() {
 }
 
 ReportRequest ReportsPage::request() const {
-  ReportRequest request;
-  request.cohortId = chosenId(cohort_);
-  request.campaignId = chosenId(campaign_);
-  request.frozenId = chosenId(frozen_);
-  request.identity = static_cast<ReportIdentity>(identity_->currentData().toInt());
+  ReportRequest request{.cohortId = chosenId(cohort_),
+                        .campaignId = chosenId(campaign_),
+                        .frozenId = chosenId(frozen_),
+                        .identity = static_cast<ReportIdentity>(identity_->currentData().toInt())};
   return request;
 }
 
@@ -215,7 +205,7 @@ void ReportsPage::showButtons() {
   tables_->setEnabled(cohort_->count() > 0);
   QString words;
   if (ready && inputs_->identity == ReportIdentity::kNamed) {
-    words = tr("This report will name the trainees. That you took it out is kept in the audit trail.");
+    words = tr("This report will name the trainees. The audit trail records that you saved it.");
   } else if (ready && inputs_->freeze && !inputs_->freeze->unchanged) {
     words = tr("The record has changed since this data set was frozen; the report says so.");
   } else if (ready && !inputs_->freeze) {

@@ -55,17 +55,12 @@ ResultsPage::ResultsPage(ShellContext& shell)
     : Page(shell),
       digests_(std::make_shared<TrialDigests>(shell.assets())),
       heading_(new PageHeading(this)),
-      cohortLabel_(nullptr),
       cohort_(new QComboBox(this)),
-      campaignLabel_(nullptr),
       campaign_(new QComboBox(this)),
-      contents_(new QListWidget(this)),
+      contents_(named(new QListWidget(this), "contents")),
       empty_(sentence(this)),
-      card_(new FigureCard(this)) {
-  card_->setObjectName(QStringLiteral("card"));
-  contents_->setObjectName(QStringLiteral("contents"));
-  auto* choices = new QHBoxLayout;
-  choices->setSpacing(kSpace);
+      card_(named(new FigureCard(this), "card")) {
+  QHBoxLayout* choices = rowOf();
   cohortLabel_ = addField(choices, cohort_);
   choices->addSpacing(2 * kSpace);
   campaignLabel_ = addField(choices, campaign_);
@@ -111,9 +106,7 @@ void ResultsPage::enter(const QVariant& argument) {
 }
 
 void ResultsPage::compute() {
-  ReportRequest request;
-  request.cohortId = chosenId(cohort_);
-  request.campaignId = chosenId(campaign_);
+  ReportRequest request{.cohortId = chosenId(cohort_), .campaignId = chosenId(campaign_)};
   if (request.cohortId.empty()) {
     model_.reset();
     fill();

@@ -41,9 +41,9 @@ class ResultsPage : public Page {
   std::shared_ptr<TrialDigests> digests_;
   std::shared_ptr<ReportModel> model_;
   PageHeading* heading_;
-  QLabel* cohortLabel_;
+  QLabel* cohortLabel_ = nullptr;
   QComboBox* cohort_;
-  QLabel* campaignLabel_;
+  QLabel* campaignLabel_ = nullptr;
   QComboBox* campaign_;
   QListWidget* contents_;
   QLabel* empty_;

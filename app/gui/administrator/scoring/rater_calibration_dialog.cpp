@@ -23,6 +23,7 @@
 #include "app/gui/base/scene_titles.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/services/access/all_or_none.h"
@@ -42,21 +43,17 @@ RaterCalibrationDialog::RaterCalibrationDialog(ShellContext& shell, std::vector<
       shell_(shell),
       rubrics_(std::move(rubrics)),
       state_(new QLabel(this)),
-      present_(new DataTable(QString(), this)),
-      candidates_(new DataTable(QStringLiteral("calibration-candidates"), this)),
+      present_(named(new DataTable(QString(), this), "present")),
+      candidates_(named(new DataTable(QStringLiteral("calibration-candidates"), this), "candidates")),
       rubric_(new QComboBox(this)),
       mark_(new QDoubleSpinBox(this)),
-      panel_(new QSpinBox(this)),
+      panel_(ranged(new QSpinBox(this), 1, kLargestPanel)),
       withdraw_(new QPushButton(tr("&Withdraw\u2026"), this)),
       add_(new QPushButton(tr("&Add as a reference run"), this)),
       close_(new QPushButton(tr("Close"), this)) {
-  candidates_->setObjectName(QStringLiteral("candidates"));
-  present_->setObjectName(QStringLiteral("present"));
   setWindowTitle(tr("Reference runs for rater calibration"));
   resize(900, 660);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(kSpace);
+  QVBoxLayout* column = columnOf(this, {3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace}, kSpace);
   state_->setWordWrap(true);
   column->addWidget(state_);
   present_->setColumns({{tr("Name")},
@@ -96,7 +93,6 @@ void RaterCalibrationDialog::createForm() {
   for (const RubricRow& rubric : rubrics_) {
     rubric_->addItem(toQString(Text(rubric.name)), toQString(rubric.id));
   }
-  panel_->setRange(1, kLargestPanel);
   panel_->setValue(2);
   auto* form = new QFormLayout;
   form->setSpacing(kSpace);

@@ -37,24 +37,17 @@ struct MailServerDialog {
 }  // namespace
 
 std::optional<MailSettings> askMailServer(QWidget* parent, const std::optional<MailSettings>& before) {
-  QuestionDialog dialog(
-      parent, MailServerDialog::tr("Mail server"),
-      MailServerDialog::tr("Reminders go through this server of your centre. Its password is "
-                           "kept nowhere: whoever sends enters it."));
+  QuestionDialog dialog(parent, MailServerDialog::tr("Mail server"),
+                        MailServerDialog::tr("Reminders go through this server of your centre. Its password "
+                                             "is not stored: enter it each time you send."));
   const MailSettings known = before.value_or(MailSettings{});
-  auto* host = new QLineEdit(toQString(known.server.host), &dialog);
-  auto* port = new QSpinBox(&dialog);
-  auto* encryption = new QComboBox(&dialog);
-  auto* user = new QLineEdit(toQString(known.server.user), &dialog);
-  auto* from = new QLineEdit(toQString(known.from), &dialog);
-  host->setObjectName(QStringLiteral("mailHost"));
-  port->setObjectName(QStringLiteral("mailPort"));
-  encryption->setObjectName(QStringLiteral("mailEncryption"));
-  user->setObjectName(QStringLiteral("mailUser"));
-  from->setObjectName(QStringLiteral("mailFrom"));
+  auto* host = named(new QLineEdit(toQString(known.server.host), &dialog), "mailHost");
+  auto* port = ranged(named(new QSpinBox(&dialog), "mailPort"), 1, kLargestPort);
+  auto* encryption = named(new QComboBox(&dialog), "mailEncryption");
+  auto* user = named(new QLineEdit(toQString(known.server.user), &dialog), "mailUser");
+  auto* from = named(new QLineEdit(toQString(known.from), &dialog), "mailFrom");
   host->setPlaceholderText(QStringLiteral("mail.example.org"));
   from->setPlaceholderText(QStringLiteral("skills-laboratory@example.org"));
-  port->setRange(1, kLargestPort);
   encryption->addItem(MailServerDialog::tr("STARTTLS (port 587)"));  // in the order of MailEncryption
   encryption->addItem(MailServerDialog::tr("TLS from the beginning (port 465)"));
   encryption->addItem(MailServerDialog::tr("none: a server on this computer"));
@@ -72,8 +65,7 @@ std::optional<MailSettings> askMailServer(QWidget* parent, const std::optional<M
   form->addRow(MailServerDialog::tr("Sign-in &name, if it asks for one"), user);
   form->addRow(MailServerDialog::tr("Messages come &from"), from);
   dialog.column()->addLayout(form);
-  dialog.finish(MailServerDialog::tr("Save"));
-  if (dialog.exec() != QDialog::Accepted) {
+  if (!dialog.ask(MailServerDialog::tr("Save"))) {
     return std::nullopt;
   }
   MailSettings settings;
@@ -89,21 +81,15 @@ RemindDialog::RemindDialog(ShellContext& shell, const CohortId& cohortId, QWidge
     : QDialog(parent),
       shell_(shell),
       cohortId_(cohortId),
-      table_(new DataTable(QStringLiteral("reminders"), this)),
+      table_(named(new DataTable(QStringLiteral("reminders"), this), "reminders")),
       server_(sentence(this)),
-      passwordLabel_(nullptr),
-      password_(secretField(this)),
-      set_(new QPushButton(tr("Mail ser&ver\u2026"), this)),
+      password_(named(secretField(this), "mailPassword")),
+      set_(named(new QPushButton(tr("Mail ser&ver\u2026"), this), "setMailServer")),
       copy_(new QPushButton(tr("&Copy"), this)),
-      send_(new QPushButton(this)) {
+      send_(named(primaryButton(this), "sendReminders")) {
   setObjectName(QStringLiteral("remindDialog"));
   setWindowTitle(tr("Reminders"));
   resize(kRemindSize);
-  table_->setObjectName(QStringLiteral("reminders"));
-  password_->setObjectName(QStringLiteral("mailPassword"));
-  send_->setObjectName(QStringLiteral("sendReminders"));
-  set_->setObjectName(QStringLiteral("setMailServer"));
-  send_->setProperty("primary", true);
   table_->setColumns(
       {{tr("Rater")}, {tr("Mail address")}, {tr("Sheets"), true, true}, {tr("Late"), true, true}});
   table_->setEmptyText(tr("No sheets are outstanding."));
@@ -217,7 +203,7 @@ void RemindDialog::showRefusals(const std::vector<MailedReminder>& sent, const s
   server_->setText(
       refused.isEmpty()
           ? tr("\u2713 The mail server took %n message(s).", nullptr, static_cast<int>(sent.size()))
-          : tr("! Not taken by the mail server:") + QLatin1Char('\n') + refused.join(QLatin1Char('\n')));
+          : tr("! Refused by the mail server:") + QLatin1Char('\n') + refused.join(QLatin1Char('\n')));
 }
 
 }  // namespace torsio::gui

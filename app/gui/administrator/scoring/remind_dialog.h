@@ -44,7 +44,7 @@ class RemindDialog : public QDialog {
   std::optional<MailSettings> settings_;
   DataTable* table_;
   QLabel* server_;
-  QLabel* passwordLabel_;
+  QLabel* passwordLabel_ = nullptr;
   QLineEdit* password_;
   QPushButton* set_;
   QPushButton* copy_;

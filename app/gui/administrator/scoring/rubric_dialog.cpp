@@ -36,22 +36,15 @@ constexpr int kPreviewWidth = 460;
 RubricDialog::RubricDialog(ShellContext& shell, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
-      revision_(new QComboBox(this)),
-      form_(new RubricForm(this)),
-      preview_(new SheetEditorPanel(false, this)),
-      problem_(sentence(this, false)),
-      import_(new QPushButton(tr("&Import\u2026"), this)),
-      export_(new QPushButton(tr("&Export\u2026"), this)),
-      publish_(new QPushButton(tr("&Publish\u2026"), this)) {
+      revision_(named(new QComboBox(this), "revision")),
+      form_(named(new RubricForm(this), "form")),
+      preview_(named(new SheetEditorPanel(false, this), "preview")),
+      problem_(named(sentence(this, false), "problem")),
+      import_(named(new QPushButton(tr("&Import\u2026"), this), "import")),
+      export_(named(new QPushButton(tr("&Export\u2026"), this), "export")),
+      publish_(named(new QPushButton(tr("&Publish\u2026"), this), "publish")) {
   setObjectName(QStringLiteral("rubric"));
   resize(kRubricWidth, kRubricHeight);
-  revision_->setObjectName(QStringLiteral("revision"));
-  form_->setObjectName(QStringLiteral("form"));
-  preview_->setObjectName(QStringLiteral("preview"));
-  problem_->setObjectName(QStringLiteral("problem"));
-  import_->setObjectName(QStringLiteral("import"));
-  export_->setObjectName(QStringLiteral("export"));
-  publish_->setObjectName(QStringLiteral("publish"));
   build();
   connect(revision_, &QComboBox::currentIndexChanged, this, &RubricDialog::showRevision);
   connect(form_, &RubricForm::edited, this, &RubricDialog::changed);
@@ -77,18 +70,16 @@ RubricDialog::RubricDialog(ShellContext& shell, QWidget* parent)
 
 void RubricDialog::build() {
   QVBoxLayout* column = pageColumn(this);
-  auto* top = new QHBoxLayout;
-  top->setSpacing(kSpace);
+  QHBoxLayout* top = rowOf();
   revision_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   nameField(addField(top, revision_), tr("&Revision"));
-  QLabel* said = sentence(this);
-  said->setText(
+  QLabel* said = sentence(
+      this,
       tr("A change becomes the next revision, for raters who are asked from then on. Sheets that were asked "
          "for keep theirs."));
   top->addWidget(said, 1);
   column->addLayout(top);
-  auto* middle = new QHBoxLayout;
-  middle->setSpacing(2 * kSpace);
+  QHBoxLayout* middle = rowOf({}, 2 * kSpace);
   middle->addWidget(form_, 1);
   auto* right = new QVBoxLayout;
   preview_->setFixedWidth(kPreviewWidth);

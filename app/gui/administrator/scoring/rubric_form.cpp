@@ -101,19 +101,17 @@ void ScaleFields::setReadOnly(bool readOnly) {
 
 RubricForm::RubricForm(QWidget* parent)
     : QWidget(parent),
-      label_(new QLineEdit),
+      label_(named(new QLineEdit, "label")),
       scale_(new ScaleFields(QStringLiteral("row"))),
-      weight_(new QDoubleSpinBox),
-      anchors_(new QTableWidget(0, 2)),
-      addAnchor_(new QPushButton(tr("Add an a&nchor"))),
-      removeAnchor_(new QPushButton(tr("Remove the anc&hor"))),
+      weight_(ranged(named(new QDoubleSpinBox, "weight"), 0.0, kMaxWeight)),
+      anchors_(named(new QTableWidget(0, 2), "anchors")),
+      addAnchor_(named(new QPushButton(tr("Add an a&nchor")), "addAnchor")),
+      removeAnchor_(named(new QPushButton(tr("Remove the anc&hor")), "removeAnchor")),
       overall_(new ScaleFields(QStringLiteral("overall"))) {
   rows_ = new OrderedList(QStringLiteral("criteria"), rowForm(), this);
   rows_->setListName(tr("Criteria"));
   rows_->retranslate();
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace);
+  QVBoxLayout* column = columnOf(this, {}, kSpace);
   column->addWidget(rows_, 1);
   addHint(column, RubricField::kRows);
   auto* overall = new QGroupBox(tr("Overall mark"), this);
@@ -153,24 +151,19 @@ QWidget* RubricForm::rowForm() {
   auto* form = new QWidget;
   auto* column = new QVBoxLayout(form);
   column->setSpacing(kSpace);
-  label_->setObjectName(QStringLiteral("label"));
   nameField(addField(column, label_), tr("&Criterion"));
   addHint(column, RubricField::kLabel);
   column->addWidget(scale_);
   addHint(column, RubricField::kScale);
-  weight_->setObjectName(QStringLiteral("weight"));
-  weight_->setRange(0.0, kMaxWeight);
   weight_->setDecimals(2);
   weight_->setSingleStep(0.5);
   weight_->setToolTip(tr(
       "In the mean of the criteria, which the coded tables show beside the overall mark; 0 leaves it out"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kSpace);
+  QHBoxLayout* row = rowOf();
   nameField(addField(row, weight_), tr("&Weight"));
   row->addStretch(1);
   column->addLayout(row);
   addHint(column, RubricField::kWeight);
-  anchors_->setObjectName(QStringLiteral("anchors"));
   anchors_->setHorizontalHeaderLabels({tr("Mark"), tr("What it means")});
   anchors_->horizontalHeader()->setStretchLastSection(true);
   anchors_->setColumnWidth(0, kMarkWidth);
@@ -180,8 +173,6 @@ QWidget* RubricForm::rowForm() {
   anchors_->setWordWrap(true);
   nameField(addField(column, anchors_), tr("&Anchors"));
   auto* tools = new QHBoxLayout;
-  addAnchor_->setObjectName(QStringLiteral("addAnchor"));
-  removeAnchor_->setObjectName(QStringLiteral("removeAnchor"));
   tools->addWidget(addAnchor_);
   tools->addWidget(removeAnchor_);
   tools->addStretch(1);
@@ -291,8 +282,7 @@ void RubricForm::takeRow() {
 }
 
 void RubricForm::addRow() {
-  RubricLine added;
-  added.label = tr("New criterion").toStdString();
+  RubricLine added{.label = tr("New criterion").toStdString()};
   added.code = codeForCriterion(revision_, added.label);
   added.scale = revision_.overall;
   revision_.rows.push_back(std::move(added));

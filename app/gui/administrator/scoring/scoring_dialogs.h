@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -42,5 +43,18 @@ struct AdjudicatorChosen {
 /// cases go to the freest rater each, unless one rater is chosen for all. Empty: cancelled.
 [[nodiscard]] std::vector<AdjudicatorChosen> chooseAdjudicators(
     QWidget* parent, const std::vector<AdjudicatorRequest>& requests);
+
+/// Sheets to reassign.
+struct SheetsChosen {
+  std::vector<AssignmentId> sheets{};
+  RaterId newRaterId{};  ///< empty: only revoked
+  std::string reason{};
+};
+/// Asks which sheets of `matrix` to reassign: a rater's open sheets to another rater or nobody, or revoked
+/// ones back to the same rater. `raters`: possible raters. Object names of fields: "from", "to", "reason" and
+/// "what". Empty: cancelled.
+[[nodiscard]] std::optional<SheetsChosen> askReassignment(QWidget* parent, const ScoringMatrix& matrix,
+                                                          const std::vector<std::size_t>& lines,
+                                                          const std::vector<PersonRow>& raters);
 
 }  // namespace torsio::gui

@@ -10,9 +10,7 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/reminder_text.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/scoring/rater_calibration_dialog.h"
-#include "app/gui/administrator/scoring/reassign_dialog.h"
 #include "app/gui/administrator/scoring/remind_dialog.h"
 #include "app/gui/administrator/scoring/rubric_dialog.h"
 #include "app/gui/administrator/scoring/scoring_dialogs.h"
@@ -56,25 +54,20 @@ ScoringPage::ScoringPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       calibration_(new QPushButton(this)),
-      revise_(new QPushButton(this)),
-      invite_(new QPushButton(this)),
-      cohortLabel_(nullptr),
+      revise_(named(new QPushButton(this), "reviseRubric")),
+      invite_(primaryButton(this)),
       cohort_(new QComboBox(this)),
       summary_(new QLabel(this)),
-      table_(new DataTable(QStringLiteral("scoring-matrix"), this)),
+      table_(named(new DataTable(QStringLiteral("scoring-matrix"), this), "matrix")),
       reassign_(listButton(table_)),
       remind_(listButton(table_)),
       mail_(listButton(table_)),
       release_(listButton(table_)),
       adjudicator_(listButton(table_)) {
-  table_->setObjectName(QStringLiteral("matrix"));
-  invite_->setProperty("primary", true);
-  revise_->setObjectName(QStringLiteral("reviseRubric"));
   heading_->addAction(revise_);
   heading_->addAction(calibration_);
   heading_->addAction(invite_);
-  auto* choices = new QHBoxLayout;
-  choices->setSpacing(kSpace);
+  QHBoxLayout* choices = rowOf();
   cohortLabel_ = addField(choices, cohort_);
   choices->addSpacing(2 * kSpace);
   choices->addWidget(summary_, 1);
@@ -207,12 +200,11 @@ void ScoringPage::showSheet() {
 bool ScoringPage::ask(const std::vector<RaterId>& raterIds, const std::vector<std::string>& occasionCodes,
                       std::optional<std::int64_t> dueUtc_us) {
   return attempt(shell(), [&] {
-    ScoringPlan plan;
-    plan.cohortId = chosenId(cohort_);
-    plan.raterIds = raterIds;
-    plan.occasionCodes = occasionCodes;
-    plan.dueUtc_us = dueUtc_us;
-    plan.rubricRevisionId = rubricRevision();
+    ScoringPlan plan{.cohortId = chosenId(cohort_),
+                     .occasionCodes = occasionCodes,
+                     .raterIds = raterIds,
+                     .rubricRevisionId = rubricRevision(),
+                     .dueUtc_us = dueUtc_us};
     const ScoringPlanOutcome done = createAssignments(shell().session(), plan);
     read();
     shell().notify(tr("%n sheet(s) asked for", nullptr, static_cast<int>(done.created)));
@@ -321,8 +313,8 @@ void ScoringPage::retranslate() {
   mail_->setToolTip(
       tr("Through the centre's mail server, to all raters with outstanding sheets or some of them"));
   release_->setText(tr("Re&lease marks\u2026"));
-  table_->setEmptyText(tr(
-      "No rater has been invited yet. Press Invite raters: each gets the cases in an order of their own."));
+  table_->setEmptyText(
+      tr("No rater has been invited yet. Press Invite raters: each gets the cases in a different order."));
   showContent();
 }
 

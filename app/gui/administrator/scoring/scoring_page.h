@@ -56,7 +56,7 @@ class ScoringPage : public Page {
   QPushButton* calibration_;
   QPushButton* revise_;
   QPushButton* invite_;
-  QLabel* cohortLabel_;
+  QLabel* cohortLabel_ = nullptr;
   QComboBox* cohort_;
   QLabel* summary_;
   DataTable* table_;

@@ -19,6 +19,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/outputs/report/coded_tables.h"
@@ -50,23 +51,19 @@ AuditPage::AuditPage(ShellContext& shell)
     : Page(shell),
       most_(kFirstEntries),
       heading_(new PageHeading(this)),
-      verify_(new QPushButton(this)),
-      heads_(new QPushButton(this)),
+      verify_(primaryButton(this)),
+      heads_(named(new QPushButton(this), "heads")),
       verdict_(new QLabel(this)),
-      days_(new QComboBox(this)),
-      from_(new QDateEdit(this)),
-      to_(new QDateEdit(this)),
-      export_(nullptr),
-      more_(new QToolButton(this)),
+      days_(named(new QComboBox(this), "span")),
+      from_(named(new QDateEdit(this), "from")),
+      to_(named(new QDateEdit(this), "to")),
+      more_(named(new QToolButton(this), "more")),
       table_(new DataTable(QStringLiteral("audit"), this)),
       entry_(new QPlainTextEdit(this)) {
-  verify_->setProperty("primary", true);
-  heads_->setObjectName(QStringLiteral("heads"));
   heading_->addAction(heads_);
   heading_->addAction(verify_);
   verdict_->setWordWrap(true);
   verdict_->hide();
-  more_->setObjectName(QStringLiteral("more"));
   more_->hide();
   table_->addTool(more_);
   table_->addTool(days_);
@@ -80,9 +77,6 @@ AuditPage::AuditPage(ShellContext& shell)
       read();
     });
   }
-  from_->setObjectName(QStringLiteral("from"));
-  to_->setObjectName(QStringLiteral("to"));
-  days_->setObjectName(QStringLiteral("span"));
   export_ = listButton(table_);
   entry_->setReadOnly(true);
   auto* splitter = new QSplitter(Qt::Vertical, this);

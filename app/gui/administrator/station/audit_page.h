@@ -63,7 +63,7 @@ class AuditPage : public Page {
   QComboBox* days_;
   QDateEdit* from_;
   QDateEdit* to_;
-  QPushButton* export_;
+  QPushButton* export_ = nullptr;
   QToolButton* more_;
   DataTable* table_;
   QPlainTextEdit* entry_;

@@ -58,8 +58,7 @@ QPushButton* namedButton(QWidget* parent, const char* name) {
 }
 
 void addRow(Card* card, std::initializer_list<QPushButton*> buttons) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kSpace);
+  QHBoxLayout* row = rowOf();
   for (QPushButton* button : buttons) {
     row->addWidget(button);
   }
@@ -84,10 +83,10 @@ HeadsPage::HeadsPage(ShellContext& shell)
       heading_(new PageHeading(this)),
       back_(new QPushButton(this)),
       station_(new Card(QString(), this)),
-      keyText_(sentence(this, false)),
+      keyText_(named(sentence(this, false), "keyText")),
       makeKey_(namedButton(this, "makeKey")),
       useKey_(namedButton(this, "useKey")),
-      witnessText_(sentence(this, false)),
+      witnessText_(named(sentence(this, false), "witnessText")),
       witness_(namedButton(this, "chooseWitness")),
       noWitness_(namedButton(this, "noWitness")),
       now_(new Card(QString(), this)),
@@ -100,15 +99,10 @@ HeadsPage::HeadsPage(ShellContext& shell)
       compareText_(sentence(this, false)),
       lines_(lineField(this, "keptHeads", kCompareLines)),
       load_(namedButton(this, "loadWitness")),
-      publicLabel_(nullptr),
-      public_(new QLineEdit(this)),
+      public_(named(new QLineEdit(this), "publicKey")),
       verify_(namedButton(this, "verifyHeads")),
-      verdict_(sentence(this, false)),
+      verdict_(named(sentence(this, false), "headsVerdict")),
       checks_(new FieldChecks(this)) {
-  keyText_->setObjectName(QStringLiteral("keyText"));
-  witnessText_->setObjectName(QStringLiteral("witnessText"));
-  public_->setObjectName(QStringLiteral("publicKey"));
-  verdict_->setObjectName(QStringLiteral("headsVerdict"));
   line_->setReadOnly(true);
   layOut();
   connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kAudit); });
@@ -158,9 +152,7 @@ void HeadsPage::layOut() {
   verify_->setProperty("primary", true);
   compare_->content()->addWidget(compareText_);
   compare_->content()->addWidget(lines_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kSpace);
-  row->addWidget(load_);
+  QHBoxLayout* row = rowOf({load_});
   row->addSpacing(kSpace);
   publicLabel_ = addField(row, public_);
   row->setStretchFactor(public_, 1);

@@ -74,7 +74,7 @@ class HeadsPage : public Page {
   QLabel* compareText_;
   QPlainTextEdit* lines_;
   QPushButton* load_;
-  QLabel* publicLabel_;
+  QLabel* publicLabel_ = nullptr;
   QLineEdit* public_;
   QPushButton* verify_;
   QLabel* verdict_;

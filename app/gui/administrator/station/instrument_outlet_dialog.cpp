@@ -34,19 +34,14 @@ const QString kWholeNetwork = QStringLiteral("0.0.0.0");
 InstrumentOutletDialog::InstrumentOutletDialog(ShellContext& shell, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
-      on_(new QCheckBox(tr("&Offer the instrument of this station (OpenIGTLink)"), this)),
-      who_(new QComboBox(this)),
-      port_(new QSpinBox(this)),
-      caution_(sentence(this)),
-      state_(sentence(this, false)) {
+      on_(named(new QCheckBox(tr("&Offer the instrument of this station (OpenIGTLink)"), this), "outletOn")),
+      who_(named(new QComboBox(this), "outletWho")),
+      port_(ranged(named(new QSpinBox(this), "outletPort"), 1, 0xffff)),
+      caution_(named(sentence(this), "outletCaution")),
+      state_(named(sentence(this, false), "outletState")) {
   setObjectName(QStringLiteral("instrumentOutlet"));
   setWindowTitle(tr("Other programs"));
   setMinimumWidth(kOutletDialogWidth_px);
-  on_->setObjectName(QStringLiteral("outletOn"));
-  who_->setObjectName(QStringLiteral("outletWho"));
-  port_->setObjectName(QStringLiteral("outletPort"));
-  caution_->setObjectName(QStringLiteral("outletCaution"));
-  state_->setObjectName(QStringLiteral("outletState"));
   build();
   read();
 }
@@ -56,17 +51,16 @@ void InstrumentOutletDialog::build() {
   words->setText(
       tr("A program such as 3D Slicer can follow the instrument of this station in runs and free practice: "
          "its pose, and when it touches, grips and releases. The trainee's identity is not sent."));
-  port_->setRange(1, 0xffff);
   port_->setGroupSeparatorShown(false);
   who_->addItem(tr("programs on this computer"), kOwnComputer);
   who_->addItem(tr("all computers of the network"), kWholeNetwork);
-  caution_->setText(tr("What is sent is not encrypted, and nobody who connects is asked who they are."));
+  caution_->setText(tr("The data are sent unencrypted and without authentication."));
   auto* form = new QFormLayout;
   form->addRow(tr("&Who may connect"), who_);
   form->addRow(tr("&Port"), port_);
   auto* buttons = new QDialogButtonBox(this);
-  QPushButton* keepButton = buttons->addButton(tr("&Save"), QDialogButtonBox::ActionRole);
-  keepButton->setObjectName(QStringLiteral("outletKeep"));
+  QPushButton* keepButton =
+      named(buttons->addButton(tr("&Save"), QDialogButtonBox::ActionRole), "outletKeep");
   keepButton->setProperty("primary", true);
   keepButton->setDefault(true);
   buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);

@@ -27,49 +27,36 @@ constexpr QSize kLearningSize(820, 640);
 LearningRecordsDialog::LearningRecordsDialog(ShellContext& shell, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
-      on_(new QCheckBox(tr("Send learning &records (xAPI)"), this)),
-      endpoint_(new QLineEdit(this)),
-      homePage_(new QLineEdit(this)),
-      user_(new QLineEdit(this)),
-      secret_(secretField(this)),
-      key_(sentence(this)),
-      state_(sentence(this, false)),
-      dead_(new DataTable(QStringLiteral("deadLetters"), this)),
-      send_(new QPushButton(tr("Send &now"), this)),
-      retry_(new QPushButton(tr("&Try all again"), this)),
-      drop_(new QPushButton(tr("&Give up the refused"), this)) {
+      on_(named(new QCheckBox(tr("Send learning &records (xAPI)"), this), "lrsOn")),
+      endpoint_(named(new QLineEdit(this), "lrsEndpoint")),
+      homePage_(named(new QLineEdit(this), "lrsHomePage")),
+      user_(named(new QLineEdit(this), "lrsUser")),
+      secret_(named(secretField(this), "lrsSecret")),
+      key_(named(sentence(this), "lrsKeyText")),
+      state_(named(sentence(this, false), "lrsState")),
+      dead_(named(new DataTable(QStringLiteral("deadLetters"), this), "deadLetters")),
+      send_(named(new QPushButton(tr("Send &now"), this), "lrsSend")),
+      retry_(named(new QPushButton(tr("&Try all again"), this), "lrsRetry")),
+      drop_(named(new QPushButton(tr("&Give up the refused"), this), "lrsDrop")) {
   setObjectName(QStringLiteral("learningRecords"));
   setWindowTitle(tr("Learning records"));
   resize(kLearningSize);
-  on_->setObjectName(QStringLiteral("lrsOn"));
-  endpoint_->setObjectName(QStringLiteral("lrsEndpoint"));
-  homePage_->setObjectName(QStringLiteral("lrsHomePage"));
-  user_->setObjectName(QStringLiteral("lrsUser"));
-  secret_->setObjectName(QStringLiteral("lrsSecret"));
-  key_->setObjectName(QStringLiteral("lrsKeyText"));
-  state_->setObjectName(QStringLiteral("lrsState"));
-  dead_->setObjectName(QStringLiteral("deadLetters"));
-  send_->setObjectName(QStringLiteral("lrsSend"));
-  retry_->setObjectName(QStringLiteral("lrsRetry"));
-  drop_->setObjectName(QStringLiteral("lrsDrop"));
   build();
   read();
 }
 
 void LearningRecordsDialog::build() {
   QLabel* words = sentence(this, false);
-  words->setText(tr(
-      "The learning system of the centre hears of enrolments, runs, passes and failures, rests and remarks "
-      "that were read, under opaque accounts, of trainees who have agreed to it. What happened before "
-      "this was turned on is not told."));
+  words->setText(
+      tr("Enrolments, runs, passes and failures, rests and read remarks are sent to the centre's learning "
+         "system, under opaque accounts, for trainees who agreed. Earlier events are not sent."));
   endpoint_->setPlaceholderText(QStringLiteral("https://lrs.example.org/xapi"));
   homePage_->setPlaceholderText(QStringLiteral("https://skills.example.org"));
   auto* form = new QFormLayout;
   form->addRow(tr("&Address of the learning record store"), endpoint_);
   form->addRow(tr("Home &page of the accounts"), homePage_);
   auto* keyRow = new QHBoxLayout;
-  auto* set = new QPushButton(tr("Set the &key"), this);
-  set->setObjectName(QStringLiteral("lrsSetKey"));
+  auto* set = named(new QPushButton(tr("Set the &key"), this), "lrsSetKey");
   set->setAutoDefault(false);
   user_->setPlaceholderText(tr("name"));
   secret_->setPlaceholderText(tr("secret"));
@@ -79,8 +66,7 @@ void LearningRecordsDialog::build() {
   keyRow->addWidget(secret_, 1);
   keyRow->addWidget(set);
   form->addRow(tr("Key of this station"), keyRow);
-  auto* keepButton = new QPushButton(tr("&Save"), this);
-  keepButton->setObjectName(QStringLiteral("lrsKeep"));
+  auto* keepButton = named(new QPushButton(tr("&Save"), this), "lrsKeep");
   keepButton->setProperty("primary", true);
   keepButton->setDefault(true);
   dead_->setColumns({{tr("What")}, {tr("When")}, {tr("Tries"), true}, {tr("What the store said")}});
@@ -117,16 +103,17 @@ void LearningRecordsDialog::read() {
 }
 
 void LearningRecordsDialog::showView(const LearningRecordsView& view) {
-  key_->setText(view.hasKey
-                    ? tr("This station has a key and sends. The key lies in a file of this account, never in "
-                         "the record.")
-                    : tr("This station has no key and sends nothing. One station with a key is enough."));
+  key_->setText(
+      view.hasKey
+          ? tr("This station has a key and sends. The key is in a file of this account, never in the record.")
+          : tr("This station has no key and sends nothing. One station with a key is enough."));
   QString state = tr("Waiting: %1, delivered: %2, refused for good: %3")
                       .arg(view.counts.waiting)
                       .arg(view.counts.delivered)
                       .arg(view.counts.dead);
   if (!view.trouble.empty()) {
-    state += QLatin1Char('\n') + tr("! What waits was not taken: %1").arg(toQString(view.trouble));
+    state +=
+        QLatin1Char('\n') + tr("! The learning system refused the entries: %1").arg(toQString(view.trouble));
   }
   state_->setText(state);
   setLook(state_, "caution", !view.trouble.empty() || view.counts.dead > 0);

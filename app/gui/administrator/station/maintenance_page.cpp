@@ -42,13 +42,13 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       record_(new Card(QString(), this)),
-      recordText_(sentence(this, false)),
-      disk_(new QProgressBar(this)),
-      diskText_(sentence(this)),
+      recordText_(named(sentence(this, false), "recordText")),
+      disk_(ranged(new QProgressBar(this), 0, kDiskParts)),
+      diskText_(named(sentence(this), "diskText")),
       checkButton_(new QPushButton(this)),
       backup_(new Card(QString(), this)),
-      backupText_(sentence(this, false)),
-      backupButton_(new QPushButton(this)),
+      backupText_(named(sentence(this, false), "backupText")),
+      backupButton_(primaryButton(this)),
       testButton_(new QPushButton(this)),
       simulated_(new Card(QString(), this)),
       simulatedText_(sentence(this, false)),
@@ -58,9 +58,6 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
       restoreButton_(new QPushButton(this)),
       moveButton_(new QPushButton(this)),
       queue_(new RetentionQueue(shell, this)) {
-  diskText_->setObjectName(QStringLiteral("diskText"));
-  recordText_->setObjectName(QStringLiteral("recordText"));
-  backupText_->setObjectName(QStringLiteral("backupText"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(cards());
@@ -79,10 +76,8 @@ QWidget* MaintenancePage::cards() {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(2 * kSpace);
-  disk_->setRange(0, kDiskParts);
   disk_->setTextVisible(false);
   disk_->setFixedHeight(kSpace);
-  backupButton_->setProperty("primary", true);
   const auto fill = [](Card* card, std::initializer_list<QWidget*> content,
                        std::initializer_list<QPushButton*> acts) {
     for (QWidget* widget : content) {
@@ -181,8 +176,7 @@ void MaintenancePage::showButtons() {
       file
           ? tr("A backup takes the place of this record, or the record goes to a database server for several "
                "stations. Both ask first and show what they will do.")
-          : tr("This record lies on a database server. Its administrator backs it up and restores it with "
-               "the "
+          : tr("This record is on a database server. Its administrator backs it up and restores it with the "
                "server's own tools."));
 }
 
@@ -202,9 +196,8 @@ void MaintenancePage::backUp(const std::filesystem::path& file) {
         text +=
             QLatin1Char('\n') + tr("Head of the audit trail, to be kept elsewhere: %1").arg(toQString(head));
         if (remindOfKey()) {
-          text += QLatin1Char('\n') +
-                  tr("No key signs the heads of this station, so whoever can change the place "
-                     "where they are kept can replace them. Make one: Audit trail, Heads.");
+          text += QLatin1Char('\n') + tr("No key signs the heads of this station, so anybody who can write "
+                                         "to that place can replace them. Make one: Audit trail, Heads.");
         }
         backupText_->setText(text);
       });

@@ -36,7 +36,7 @@ MovePage::MovePage(ShellContext& shell)
       hostLabel_(new QLabel(this)),
       host_(new QLineEdit(this)),
       portLabel_(new QLabel(this)),
-      port_(new QSpinBox(this)),
+      port_(ranged(new QSpinBox(this), 1, kLastPort)),
       databaseLabel_(new QLabel(this)),
       database_(new QLineEdit(this)),
       userLabel_(new QLabel(this)),
@@ -49,21 +49,16 @@ MovePage::MovePage(ShellContext& shell)
       tlsMode_(new QComboBox(this)),
       rootLabel_(new QLabel(this)),
       root_(new QLineEdit(this)),
-      serverText_(sentence(this, false)),
-      test_(new QPushButton(this)),
+      serverText_(named(sentence(this, false), "serverText")),
+      test_(named(new QPushButton(this), "testButton")),
       copyCard_(new Card(QString(), this)),
-      copyText_(sentence(this, false)),
-      copy_(new QPushButton(this)),
+      copyText_(named(sentence(this, false), "copyText")),
+      copy_(named(new QPushButton(this), "copyButton")),
       switchCard_(new Card(QString(), this)),
       switchText_(sentence(this, false)),
       line_(new QLineEdit(this)),
       copyLine_(new QPushButton(this)),
-      switch_(new QPushButton(this)) {
-  copyText_->setObjectName(QStringLiteral("copyText"));
-  serverText_->setObjectName(QStringLiteral("serverText"));
-  switch_->setObjectName(QStringLiteral("switchButton"));
-  copy_->setObjectName(QStringLiteral("copyButton"));
-  test_->setObjectName(QStringLiteral("testButton"));
+      switch_(named(new QPushButton(this), "switchButton")) {
   layOut();
   connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMaintenance); });
   for (QLineEdit* field : {host_, database_, user_, password_, schema_, root_}) {
@@ -90,7 +85,6 @@ QWidget* MovePage::form() {
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(2 * kSpace);
   grid->setVerticalSpacing(kSpace / 2);
-  port_->setRange(1, kLastPort);
   port_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   port_->setValue(ServerAddress{}.port);
   const auto put = [grid](QLabel* label, QWidget* field, int row, int column) {
@@ -123,8 +117,7 @@ void MovePage::layOut() {
   }
   column->addStretch(1);
   const auto row = [](Card* card, std::initializer_list<QWidget*> widgets) {
-    auto* line = new QHBoxLayout;
-    line->setSpacing(kSpace);
+    QHBoxLayout* line = rowOf();
     for (QWidget* widget : widgets) {
       line->addWidget(widget);
     }
@@ -141,8 +134,7 @@ void MovePage::layOut() {
   row(copyCard_, {copy_});
   switchCard_->content()->addWidget(switchText_);
   line_->setReadOnly(true);
-  auto* lineRow = new QHBoxLayout;
-  lineRow->setSpacing(kSpace);
+  QHBoxLayout* lineRow = rowOf();
   lineRow->addWidget(line_, 1);
   lineRow->addWidget(copyLine_);
   switchCard_->content()->addLayout(lineRow);
@@ -244,11 +236,11 @@ void MovePage::showCheck() {
     words =
         check_->hindrance.empty()
             ? (check_->schemaVersion == 0
-                   ? tr("\u2713 %1 answers at %2. The database is empty: the record can go there.")
-                   : tr("\u2713 %1 answers at %2. Torsio's tables are there and empty: the record can go "
-                        "there."))
+                   ? tr("\u2713 %1 answers at %2. The database is empty: the record can be moved there.")
+                   : tr("\u2713 %1 answers at %2. Torsio's tables are there and empty: the record can be "
+                        "moved there."))
                   .arg(toQString(check_->server), toQString(check_->location))
-            : tr("\u2717 %1 answers at %2, but the record cannot go there: %3.")
+            : tr("\u2717 %1 answers at %2, but the record cannot be moved there: %3.")
                   .arg(toQString(check_->server), toQString(check_->location), toQString(check_->hindrance));
     if (check_->holdsRecord) {
       words =

@@ -16,7 +16,6 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/second_person.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/field_checks.h"
@@ -50,22 +49,17 @@ RestorePage::RestorePage(ShellContext& shell)
       backup_(new Card(QString(), this)),
       backupText_(sentence(this)),
       fileLabel_(new QLabel(this)),
-      file_(new QLineEdit(this)),
+      file_(named(new QLineEdit(this), "file")),
       choose_(new QPushButton(this)),
-      check_(new QPushButton(this)),
+      check_(named(primaryButton(this), "checkButton")),
       compare_(new Card(QString(), this)),
-      loss_(sentence(this, false)),
+      loss_(named(sentence(this, false), "lossText")),
       confirm_(new Card(QString(), this)),
       confirmText_(sentence(this, false)),
       wordLabel_(new QLabel(this)),
-      word_(new QLineEdit(this)),
-      restore_(new QPushButton(this)),
+      word_(named(new QLineEdit(this), "word")),
+      restore_(named(primaryButton(this), "restoreButton")),
       checks_(new FieldChecks(this)) {
-  loss_->setObjectName(QStringLiteral("lossText"));
-  restore_->setObjectName(QStringLiteral("restoreButton"));
-  check_->setObjectName(QStringLiteral("checkButton"));
-  word_->setObjectName(QStringLiteral("word"));
-  file_->setObjectName(QStringLiteral("file"));
   layOut();
   connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMaintenance); });
   connect(choose_, &QPushButton::clicked, this, &RestorePage::choose);
@@ -88,11 +82,8 @@ void RestorePage::layOut() {
   }
   column->addStretch(1);
 
-  check_->setProperty("primary", true);
   fileLabel_->setBuddy(file_);
-  auto* fileRow = new QHBoxLayout;
-  fileRow->setSpacing(kSpace);
-  fileRow->addWidget(fileLabel_);
+  QHBoxLayout* fileRow = rowOf({fileLabel_});
   fileRow->addWidget(file_, 1);
   fileRow->addWidget(choose_);
   fileRow->addWidget(check_);
@@ -113,14 +104,9 @@ void RestorePage::layOut() {
   compare_->content()->addSpacing(kSpace / 2);
   compare_->content()->addWidget(loss_);
 
-  restore_->setProperty("primary", true);
   wordLabel_->setBuddy(word_);
   word_->setMaximumWidth(kWordWidth);
-  auto* wordRow = new QHBoxLayout;
-  wordRow->setSpacing(kSpace);
-  wordRow->addWidget(wordLabel_);
-  wordRow->addWidget(word_);
-  wordRow->addWidget(restore_);
+  QHBoxLayout* wordRow = rowOf({wordLabel_, word_, restore_});
   wordRow->addStretch(1);
   confirm_->content()->addWidget(confirmText_);
   confirm_->content()->addLayout(wordRow);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include <QString>
 #include <QWidget>
 
 #include "app/services/maintenance/retention.h"
@@ -11,6 +14,7 @@
 
 class QLabel;
 class QPushButton;
+class QWidget;
 
 namespace torsio::gui {
 
@@ -48,5 +52,18 @@ class RetentionQueue : public QWidget {
   QPushButton* erase_;
   QPushButton* rules_;
 };
+
+/// Names a category of records in the user's language; the code of an unknown one.
+[[nodiscard]] QString retentionCategoryName(const std::string& code);
+
+/// An administrator's changes to the retention rules.
+struct RetentionRulesEdit {
+  std::vector<RetentionRule> set{};    ///< new or changed
+  std::vector<std::string> removed{};  ///< categories now kept without limit
+};
+/// Asks for retention period and lawful basis of each category. Object names of fields: "trainee" (enabled),
+/// "trainee.days", "trainee.basis". Empty: cancelled.
+[[nodiscard]] std::optional<RetentionRulesEdit> askRetentionRules(QWidget* parent,
+                                                                  const std::vector<RetentionRule>& rules);
 
 }  // namespace torsio::gui

@@ -8,12 +8,10 @@
 #include <QMessageBox>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/printed_cards.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/second_person.h"
 #include "app/gui/administrator/study/allocation_page.h"
-#include "app/gui/administrator/study/group_move_dialog.h"
+#include "app/gui/administrator/study/cohort_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"

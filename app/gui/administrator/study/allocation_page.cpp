@@ -11,7 +11,6 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
@@ -38,46 +37,37 @@ constexpr AllocationMethod kMethods[] = {AllocationMethod::kCompletePermutation,
 AllocationPage::AllocationPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
-      cohortLabel_(nullptr),
       cohort_(new QComboBox(this)),
       design_(new Card(QString(), this)),
       methodLabel_(new QLabel(this)),
-      method_(new QComboBox(this)),
+      method_(named(new QComboBox(this), "method")),
       factorsLabel_(new QLabel(this)),
       blocksLabel_(new QLabel(this)),
-      blocks_(new QLineEdit(QStringLiteral("3, 6"), this)),
+      blocks_(named(new QLineEdit(QStringLiteral("3, 6"), this), "blocks")),
       previewButton_(new QPushButton(this)),
-      lock_(new QPushButton(this)),
+      lock_(named(primaryButton(this), "lockButton")),
       state_(new Card(QString(), this)),
       stateText_(sentence(this, false)),
-      allocate_(new QPushButton(this)),
+      allocate_(named(new QPushButton(this), "allocateButton")),
       reveal_(new QPushButton(this)),
       check_(new QPushButton(this)),
       cards_(new QPushButton(this)),
       balanceTitle_(new QLabel(this)),
-      balance_(new DataTable(QStringLiteral("allocation-balance"), this)),
+      balance_(named(new DataTable(QStringLiteral("allocation-balance"), this), "balance")),
       recordsTitle_(new QLabel(this)),
-      records_(new DataTable(QStringLiteral("allocation-records"), this)),
-      move_(listButton(records_)) {
-  move_->setObjectName(QStringLiteral("moveByHand"));
-  allocate_->setObjectName(QStringLiteral("allocateButton"));
-  lock_->setObjectName(QStringLiteral("lockButton"));
-  records_->setObjectName(QStringLiteral("records"));
-  balance_->setObjectName(QStringLiteral("balance"));
-  method_->setObjectName(QStringLiteral("method"));
+      records_(named(new DataTable(QStringLiteral("allocation-records"), this), "records")),
+      move_(named(listButton(records_), "moveByHand")) {
   for (const AllocationMethod method : kMethods) {
     method_->addItem(QString(), static_cast<int>(method));
   }
   for (const Term<BalanceFactor>& factor : kBalanceFactors) {
     factors_[factor.value] = new QCheckBox(this);
   }
-  auto* choices = new QHBoxLayout;
-  choices->setSpacing(kSpace);
+  QHBoxLayout* choices = rowOf();
   cohortLabel_ = addField(choices, cohort_);
   choices->addStretch(1);
   cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  auto* cards = new QHBoxLayout;
-  cards->setSpacing(2 * kSpace);
+  QHBoxLayout* cards = rowOf({}, 2 * kSpace);
   cards->addWidget(designForm(), 1);
   stateText_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   state_->content()->addWidget(stateText_, 1);
@@ -129,8 +119,7 @@ QWidget* AllocationPage::designForm() {
   grid->addWidget(methodLabel_, 0, 0);
   grid->addWidget(method_, 0, 1);
   grid->addWidget(factorsLabel_, 1, 0);
-  auto* checks = new QHBoxLayout;
-  checks->setSpacing(2 * kSpace);
+  QHBoxLayout* checks = rowOf({}, 2 * kSpace);
   for (const auto& [factor, box] : factors_) {
     checks->addWidget(box);
   }
@@ -138,14 +127,12 @@ QWidget* AllocationPage::designForm() {
   grid->addLayout(checks, 1, 1);
   grid->addWidget(blocksLabel_, 2, 0);
   grid->addWidget(blocks_, 2, 1);
-  blocks_->setObjectName(QStringLiteral("blocks"));
   blocksHint_ = fieldHint();
   grid->addWidget(blocksHint_, 3, 1);
   connect(blocks_, &QLineEdit::textChanged, this, &AllocationPage::showFields);
   design_->content()->addLayout(grid);
   design_->content()->addStretch(1);
   auto* acts = new QHBoxLayout;
-  lock_->setProperty("primary", true);
   acts->addWidget(previewButton_);
   acts->addWidget(lock_);
   acts->addStretch(1);
@@ -180,9 +167,8 @@ void AllocationPage::read() {
 }
 
 AllocationPlan AllocationPage::plan() const {
-  AllocationPlan plan;
-  plan.cohortId = chosenId(cohort_);
-  plan.method = static_cast<AllocationMethod>(method_->currentData().toInt());
+  AllocationPlan plan{.cohortId = chosenId(cohort_),
+                      .method = static_cast<AllocationMethod>(method_->currentData().toInt())};
   if (usesFactors(plan.method)) {
     for (const auto& [factor, box] : factors_) {
       if (box->isChecked()) {

@@ -64,7 +64,7 @@ class AllocationPage : public Page {
   std::optional<BalancePreview> preview_;
   std::map<BalanceFactor, QCheckBox*> factors_;
   PageHeading* heading_;
-  QLabel* cohortLabel_;
+  QLabel* cohortLabel_ = nullptr;
   QComboBox* cohort_;
   Card* design_;
   QLabel* methodLabel_;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/gui/administrator/study/call_bar.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -19,11 +22,14 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/study_labels.h"
+#include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/theme.h"
+#include "app/gui/widgets/value_text.h"
+#include "app/services/study/day_board.h"
 #include "app/services/study/open_sheets.h"
 #include "assessment/domain/ids.h"
 
@@ -45,28 +51,19 @@ QString joined(const std::vector<std::string>& codes) {
 CallBar::CallBar(ShellContext& shell, QWidget* parent)
     : QWidget(parent),
       shell_(shell),
-      codeLabel_(nullptr),
-      code_(new QLineEdit(this)),
-      occasionLabel_(nullptr),
-      occasion_(new QComboBox(this)),
-      roomLabel_(nullptr),
-      room_(new QLineEdit(this)),
-      call_(primaryButton(this)),
+      code_(named(new QLineEdit(this), "callCode")),
+      occasion_(named(new QComboBox(this), "callOccasion")),
+      room_(named(new QLineEdit(this), "callRoom")),
+      call_(named(primaryButton(this), "call")),
       lines_(nullptr),
-      scroll_(new QScrollArea(this)),
-      more_(linkButton(this)) {
-  code_->setObjectName(QStringLiteral("callCode"));
-  room_->setObjectName(QStringLiteral("callRoom"));
-  call_->setObjectName(QStringLiteral("call"));
-  occasion_->setObjectName(QStringLiteral("callOccasion"));
+      scroll_(named(new QScrollArea(this), "calls")),
+      more_(named(linkButton(this), "allCalls")) {
   code_->setFixedWidth(kCodeWidth);
   room_->setFixedWidth(kRoomWidth);
   room_->setText(QSettings().value(kRoomKey).toString());
   occasion_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kSpace);
+  QVBoxLayout* column = columnOf(this, {});
+  QHBoxLayout* row = rowOf();
   codeLabel_ = addField(row, code_);
   roomLabel_ = addField(row, room_);
   occasionLabel_ = addField(row, occasion_);
@@ -82,10 +79,7 @@ CallBar::CallBar(ShellContext& shell, QWidget* parent)
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setObjectName(QStringLiteral("calls"));
-  more_->setObjectName(QStringLiteral("allCalls"));
-  auto* calls = new QHBoxLayout;
-  calls->setSpacing(kSpace);
+  QHBoxLayout* calls = rowOf();
   calls->addWidget(scroll_, 1);
   calls->addWidget(more_, 0, Qt::AlignTop);
   column->addLayout(calls);
@@ -183,17 +177,15 @@ void CallBar::copyReminder(const CalledCase& called) {
 }
 
 void CallBar::addLine(int row, const CalledCase& called) {
-  QLabel* text = sentence(this, false);
+  QLabel* text = named(sentence(this, false), "calledCase");
   text->setText(lineText(called, firstFew(listOf(called.missing))));
   text->setToolTip(lineText(called, joined(called.missing)));
-  text->setObjectName(QStringLiteral("calledCase"));
   setLook(text, "caution", called.call.endedUtc_us.has_value());
   auto* copy = new QPushButton(tr("Copy reminder"), this);
   copy->setVisible(!called.missing.empty());
   connect(copy, &QPushButton::clicked, this, [this, called] { copyReminder(called); });
   auto* wrong = new QPushButton(tr("Wrong person\u2026"), this);
-  auto* end = new QPushButton(tr("End call"), this);
-  end->setObjectName(QStringLiteral("endCall"));
+  auto* end = named(new QPushButton(tr("End call"), this), "endCall");
   const LiveCallId id = called.call.id;
   connect(end, &QPushButton::clicked, this, [this, id] {
     attempt(shell_, [&] { endCall(shell_.session(), cohortId_, id); });
@@ -267,6 +259,100 @@ void CallBar::retranslate() {
   }
   lineTexts_.clear();  // includes the buttons' texts
   showCalls(std::vector<CalledCase>(calls_));
+}
+
+namespace {
+
+constexpr qsizetype kAlertsSeen = 4;  // before the list scrolls
+
+struct AlertWords {
+  Q_DECLARE_TR_FUNCTIONS(AlertPanel)
+};
+
+/// Returns the number of alerts of a kind, in words; kinds in order of urgency.
+QString countText(DayAlert::Kind kind, std::size_t count) {
+  using Kind = DayAlert::Kind;
+  switch (kind) {
+    case Kind::kTrialOpen:
+      return AlertWords::tr("recordings cut off: %1").arg(count);
+    case Kind::kStationSilent:
+      return AlertWords::tr("stations that do not answer: %1").arg(count);
+    case Kind::kDeviceUnfit:
+      return AlertWords::tr("devices not fit: %1").arg(count);
+    case Kind::kServoUneven:
+      return AlertWords::tr("uneven runs: %1").arg(count);
+    case Kind::kSlotOverdue:
+      return AlertWords::tr("overdue: %1").arg(count);
+    case Kind::kRestTooLong:
+      return AlertWords::tr("rests too long: %1").arg(count);
+    case Kind::kSheetsMissing:
+      return AlertWords::tr("sheets due and missing: %1").arg(count);
+    case Kind::kNoGroup:
+      return AlertWords::tr("without a group: %1").arg(count);
+  }
+  return {};
+}
+
+}  // namespace
+
+AlertPanel::AlertPanel(QWidget* parent)
+    : QWidget(parent), line_(new FoldLine(this)), scroll_(new QScrollArea(this)), lines_(new QLabel) {
+  setObjectName(QStringLiteral("alertPanel"));
+  line_->label()->setObjectName(QStringLiteral("alertCounts"));
+  lines_->setObjectName(QStringLiteral("alerts"));
+  lines_->setTextFormat(Qt::PlainText);
+  lines_->setWordWrap(true);
+  lines_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  setLook(line_->label(), "caution", true);
+  setLook(lines_, "caution", true);
+  scroll_->setWidget(lines_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  QVBoxLayout* column = columnOf(this, {}, kSpace);
+  column->addWidget(line_);
+  column->addWidget(scroll_);
+  connect(line_, &FoldLine::toggled, scroll_, &QWidget::setVisible);
+  hide();
+}
+
+QString AlertPanel::textOf(const DayAlert& alert) const {
+  const QString since = alert.kind == DayAlert::Kind::kSlotOverdue ? slotTime(alert.sinceUtc_us, locale())
+                                                                   : shownTime(alert.sinceUtc_us, locale());
+  return toQString(alertText(alert, since.toStdString(), Text(occasionName(alert.occasion).toStdString())));
+}
+
+void AlertPanel::showAlerts(const std::vector<DayAlert>& alerts) {
+  QStringList lines;
+  std::vector<std::pair<DayAlert::Kind, std::size_t>> kinds;
+  for (const DayAlert& alert : alerts) {
+    lines << QStringLiteral("\u26A0 ") + textOf(alert);
+    auto known =
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.first == alert.kind; });
+    if (known == kinds.end()) {
+      known = kinds.insert(kinds.end(), {alert.kind, 0});
+    }
+    known->second += std::max<std::size_t>(alert.count, 1);
+  }
+  QStringList counts;
+  for (const auto& [kind, count] : kinds) {
+    counts << countText(kind, count);
+  }
+  line_->setText(lines.size() == 1 ? lines.front()
+                                   : QStringLiteral("\u26A0 ") + counts.join(QStringLiteral(" \u00B7 ")));
+  line_->setFoldable(lines.size() > 1);
+  scroll_->setVisible(line_->isOpen() && lines.size() > 1);
+  if (const QString text = lines.join(QLatin1Char('\n')); text != lines_->text()) {
+    lines_->setText(text);  // keeps the scroll position while nothing changes
+  }
+  scroll_->setFocusPolicy(lines.size() > kAlertsSeen ? Qt::StrongFocus : Qt::NoFocus);
+  scroll_->setAccessibleName(AlertWords::tr("What needs attention"));
+  const auto seen = static_cast<int>(std::clamp<qsizetype>(lines.size(), 1, kAlertsSeen));
+  scroll_->setFixedHeight(seen * lines_->fontMetrics().lineSpacing() + kSpace);
+  setVisible(!lines.isEmpty());
+}
+
+void AlertPanel::retranslate() {
+  line_->retranslate();
 }
 
 }  // namespace torsio::gui

@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "app/services/study/day_board.h"
 #include "app/services/study/live_call.h"
 
 class QComboBox;
@@ -50,11 +51,11 @@ class CallBar : public QWidget {
   ShellContext& shell_;
   CohortId cohortId_;
   std::vector<CalledCase> calls_;
-  QLabel* codeLabel_;
+  QLabel* codeLabel_ = nullptr;
   QLineEdit* code_;
-  QLabel* occasionLabel_;
+  QLabel* occasionLabel_ = nullptr;
   QComboBox* occasion_;
-  QLabel* roomLabel_;
+  QLabel* roomLabel_ = nullptr;
   QLineEdit* room_;
   QPushButton* call_;
   QGridLayout* lines_;
@@ -63,6 +64,25 @@ class CallBar : public QWidget {
   std::vector<QWidget*> shown_;
   QStringList lineTexts_;  // present texts of the lines
   bool open_ = false;
+};
+
+class FoldLine;
+
+/// Alerts of the day: one line with the number of each kind, which expands to a scrolling list. Hidden if
+/// there are none.
+class AlertPanel : public QWidget {
+ public:
+  explicit AlertPanel(QWidget* parent);
+
+  void showAlerts(const std::vector<DayAlert>& alerts);
+  void retranslate();
+
+ private:
+  [[nodiscard]] QString textOf(const DayAlert& alert) const;
+
+  FoldLine* line_;
+  QScrollArea* scroll_;
+  QLabel* lines_;
 };
 
 }  // namespace torsio::gui

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include <QDialog>
+#include <QString>
 
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_service.h"
+#include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 
 class QComboBox;
@@ -16,6 +18,9 @@ class QDialogButtonBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
+class QWidget;
+class QFormLayout;
+class QSpinBox;
 
 namespace torsio::gui {
 
@@ -62,5 +67,40 @@ struct CohortStateChange {
 /// Asks for a running curriculum to follow. Empty: cancelled.
 [[nodiscard]] std::optional<std::string> askCurriculum(QWidget* parent, const QString& names,
                                                        const std::vector<CurriculumRow>& curricula);
+
+/// A trainee's manual move to another group.
+struct GroupMove {
+  GroupId groupId{};
+  std::string reason{};
+};
+/// Asks for target group and reason. `groups`: possible targets. Empty: cancelled.
+[[nodiscard]] std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& codes,
+                                                    const std::vector<StudyGroup>& groups);
+
+/// Sample size calculation of a study, and the power of a given number (torsio power). GUI thread.
+class PowerDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit PowerDialog(QWidget* parent);
+
+ private:
+  void showAnswer();
+  void showAgreement();
+
+  QComboBox* design_;
+  QSpinBox* groups_;
+  QDoubleSpinBox* effect_;
+  QDoubleSpinBox* power_;
+  QDoubleSpinBox* alpha_;
+  QDoubleSpinBox* correlation_;
+  QDoubleSpinBox* icc_;
+  QDoubleSpinBox* width_;
+  QSpinBox* raters_;
+  QSpinBox* atHand_;
+  QFormLayout* form_;
+  QLabel* needed_;
+  QLabel* shown_;
+};
 
 }  // namespace torsio::gui

@@ -13,14 +13,11 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/chosen_rows.h"
-#include "app/gui/administrator/base/people_dialog.h"
 #include "app/gui/administrator/base/question_dialog.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/cohort_dialogs.h"
-#include "app/gui/administrator/study/power_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/services/access/all_or_none.h"
 
@@ -43,30 +40,22 @@ QString namesShown(const std::vector<const CohortRow*>& rows) {
 CohortsPage::CohortsPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
-      add_(new QPushButton(this)),
-      power_(new QPushButton(this)),
-      table_(new DataTable(QStringLiteral("cohorts"), this)),
+      add_(primaryButton(this)),
+      power_(named(new QPushButton(this), "power")),
+      table_(named(new DataTable(QStringLiteral("cohorts"), this), "cohorts")),
       enrol_(listButton(table_)),
       follow_(listButton(table_)),
       allocate_(listButton(table_)),
-      rename_(listButton(table_)),
-      life_(listButton(table_)),
-      archived_(new QCheckBox(this)),
-      membersTitle_(new QLabel(this)),
-      members_(new DataTable(QStringLiteral("cohort-members"), this)),
+      rename_(named(listButton(table_), "renameCohort")),
+      life_(named(listButton(table_), "cohortState")),
+      archived_(named(new QCheckBox(this), "archived")),
+      membersTitle_(named(new QLabel(this), "cardTitle")),
+      members_(named(new DataTable(QStringLiteral("cohort-members"), this), "members")),
       state_(listButton(members_)) {
-  members_->setObjectName(QStringLiteral("members"));
-  table_->setObjectName(QStringLiteral("cohorts"));
   table_->wrapWhatIsCut();
-  rename_->setObjectName(QStringLiteral("renameCohort"));
-  life_->setObjectName(QStringLiteral("cohortState"));
-  archived_->setObjectName(QStringLiteral("archived"));
   table_->addTool(archived_);
-  add_->setProperty("primary", true);
-  power_->setObjectName(QStringLiteral("power"));
   heading_->addAction(power_);
   heading_->addAction(add_);
-  membersTitle_->setObjectName(QStringLiteral("cardTitle"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(table_, 1);

@@ -76,18 +76,19 @@ DayPlanDialog::DayPlanDialog(ShellContext& shell, const CohortId& cohortId, Trai
       shell_(shell),
       cohortId_(cohortId),
       trainees_(std::move(trainees)),
-      day_(new QDateEdit(timeOf(shell.session().now_us()).date(), this)),
-      first_(new QTimeEdit(defaultFirstSlot(day_->date(), timeOf(shell.session().now_us())), this)),
-      minutes_(new QSpinBox(this)),
-      pause_(new QSpinBox(this)),
-      places_(new QLineEdit(this)),
-      more_(new QPushButton(this)),
+      day_(named(new QDateEdit(timeOf(shell.session().now_us()).date(), this), "planDate")),
+      first_(named(new QTimeEdit(defaultFirstSlot(day_->date(), timeOf(shell.session().now_us())), this),
+                   "planFirst")),
+      minutes_(ranged(named(new QSpinBox(this), "planMinutes"), 1, kLongestSlot_min)),
+      pause_(ranged(named(new QSpinBox(this), "planPause"), 0, kLongestPause_min)),
+      places_(named(new QLineEdit(this), "planPlaces")),
+      more_(named(new QPushButton(this), "planMore")),
       offered_(new QMenu(more_)),
-      outlook_(sentence(this, false)),
-      plan_(new QPushButton(this)),
-      table_(new DataTable(QStringLiteral("day-plan"), this)),
-      remove_(listButton(table_)),
-      print_(listButton(table_)) {
+      outlook_(named(sentence(this, false), "planOutlook")),
+      plan_(named(new QPushButton(this), "planAdd")),
+      table_(named(new DataTable(QStringLiteral("day-plan"), this), "planSlots")),
+      remove_(named(listButton(table_), "planRemove")),
+      print_(named(listButton(table_), "planPrint")) {
   build(places, others);
   read();
 }
@@ -96,30 +97,17 @@ void DayPlanDialog::build(const QStringList& places, const QStringList& others) 
   setObjectName(QStringLiteral("dayPlan"));
   setWindowTitle(tr("Plan of the day"));
   resize(820, 620);
-  day_->setObjectName(QStringLiteral("planDate"));
-  first_->setObjectName(QStringLiteral("planFirst"));
-  minutes_->setObjectName(QStringLiteral("planMinutes"));
-  pause_->setObjectName(QStringLiteral("planPause"));
-  places_->setObjectName(QStringLiteral("planPlaces"));
-  more_->setObjectName(QStringLiteral("planMore"));
-  plan_->setObjectName(QStringLiteral("planAdd"));
-  table_->setObjectName(QStringLiteral("planSlots"));
-  remove_->setObjectName(QStringLiteral("planRemove"));
-  print_->setObjectName(QStringLiteral("planPrint"));
   day_->setCalendarPopup(true);
-  minutes_->setRange(1, kLongestSlot_min);
   minutes_->setValue(kDefaultSlot_min);
   minutes_->setSuffix(tr(" min"));
-  pause_->setRange(0, kLongestPause_min);
   pause_->setSuffix(tr(" min"));
-  outlook_->setObjectName(QStringLiteral("planOutlook"));
   plan_->setText(tr("&Add %n trainee(s) to the plan", nullptr, static_cast<int>(trainees_.size())));
   remove_->setText(tr("&Remove"));
   print_->setText(tr("&Print\u2026"));
   auto* words = sentence(this);
   words->setText(
       tr("Trainees come in the order of the board, as many at a time as there are places. Swapping turns on "
-         "the board swaps slots, too; whoever has not begun five minutes after the start is shown as "
+         "the board swaps slots, too; people who have not begun five minutes after the start are shown as "
          "overdue."));
   auto* form = new QFormLayout;
   form->addRow(tr("&Day"), day_);
@@ -225,11 +213,11 @@ void DayPlanDialog::showOutlook() {
   const bool past = utcOf(first) < shell_.session().now_us();
   const QString end = locale().toString(last.time(), QLocale::ShortFormat);
   outlook_->setText(
-      !fits  ? tr("! That would take longer than this day: name more places, or choose fewer trainees.")
-      : past ? tr("! The last slot ends at %1. The first one has begun already: whoever is not there is "
-                  "overdue.")
-                   .arg(end)
-             : tr("The last slot ends at %1.").arg(end));
+      !fits ? tr("! That would take longer than this day: name more places, or choose fewer trainees.")
+      : past
+          ? tr("! The last slot ends at %1. The first slot has already begun; absent trainees are overdue.")
+                .arg(end)
+          : tr("The last slot ends at %1.").arg(end));
   setLook(outlook_, "caution", !fits || past);
   plan_->setEnabled(fits);
 }
@@ -255,8 +243,7 @@ void DayPlanDialog::read() {
 }
 
 void DayPlanDialog::plan() {
-  DayPlanRequest request;
-  request.cohortId = cohortId_;
+  DayPlanRequest request{.cohortId = cohortId_};
   for (const auto& [id, code] : trainees_) {
     request.enrolmentIds.push_back(id);
   }

@@ -31,15 +31,13 @@ DeviationsDialog::DeviationsDialog(ShellContext& shell, const CohortId& cohortId
     : QDialog(parent),
       shell_(shell),
       cohortId_(cohortId),
-      table_(new DataTable(QStringLiteral("deviations"), this)),
-      correct_(listButton(table_)) {
+      table_(named(new DataTable(QStringLiteral("deviations"), this), "deviations")),
+      correct_(named(listButton(table_), "correctDeviations")) {
   setObjectName(QStringLiteral("deviationsDialog"));
   setWindowTitle(tr("Deviations"));
   resize(kDeviationsSize);
-  table_->setObjectName(QStringLiteral("deviations"));
   table_->setColumns({{tr("When")}, {tr("Trainee")}, {tr("Kind")}, {tr("Description")}});
   table_->setEmptyText(tr("No deviation was noted."));
-  correct_->setObjectName(QStringLiteral("correctDeviations"));
   correct_->setText(tr("Entered in &error\u2026"));
   correct_->setToolTip(tr("Marks the selected deviations as wrong, with the reason; nothing is removed"));
   QLabel* words = sentence(this, false);
@@ -81,11 +79,11 @@ void DeviationsDialog::correct() {
   for (const QString& id : table_->selectedIds()) {
     wrong.emplace_back(id.toStdString());
   }
-  const std::optional<std::string> reason = askReason(
-      this, tr("Entered in error"),
-      tr("%n deviation(s) stay as they are; a correction with this reason stands beside each, in the "
-         "report as well.",
-         nullptr, static_cast<int>(wrong.size())));
+  const std::optional<std::string> reason =
+      askReason(this, tr("Entered in error"),
+                tr("%n deviation(s) stay as they are; a correction with this reason is added to each, in the "
+                   "report as well.",
+                   nullptr, static_cast<int>(wrong.size())));
   if (!reason) {
     return;
   }

@@ -42,18 +42,13 @@ PaperDialog::PaperDialog(ShellContext& shell, CohortId cohortId, QWidget* parent
     : QDialog(parent),
       shell_(shell),
       cohortId_(std::move(cohortId)),
-      table_(new DataTable(QStringLiteral("paper-sheets"), this)),
-      title_(new QLabel(this)),
+      table_(named(new DataTable(QStringLiteral("paper-sheets"), this), "cases")),
+      title_(named(new QLabel(this), "cardTitle")),
       scroll_(new QScrollArea(this)),
-      commentLabel_(nullptr),
-      comment_(new QLineEdit(this)),
-      keep_(primaryButton(this)) {
+      comment_(named(new QLineEdit(this), "comment")),
+      keep_(named(primaryButton(this), "keep")) {
   setWindowTitle(tr("Marks on paper"));
   resize(kWidth, kHeight);
-  table_->setObjectName(QStringLiteral("cases"));
-  keep_->setObjectName(QStringLiteral("keep"));
-  comment_->setObjectName(QStringLiteral("comment"));
-  title_->setObjectName(QStringLiteral("cardTitle"));
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   auto* form = new QVBoxLayout;
@@ -62,18 +57,15 @@ PaperDialog::PaperDialog(ShellContext& shell, CohortId cohortId, QWidget* parent
   form->addWidget(scroll_, 1);
   commentLabel_ = gui::addField(form, comment_);
   form->addWidget(keep_, 0, Qt::AlignRight);
-  auto* halves = new QHBoxLayout;
-  halves->setSpacing(3 * kSpace);
+  QHBoxLayout* halves = rowOf({}, 3 * kSpace);
   halves->addWidget(table_, 1);
   halves->addLayout(form, 1);
-  QLabel* words = sentence(this, false);
-  words->setText(tr("Two people type each sheet, each for themselves; it counts when both are alike."));
+  QLabel* words = sentence(
+      this, tr("Two people type each sheet, each for themselves; it counts when both are alike."), false);
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = pageColumn(this);
   column->addWidget(words);
   column->addLayout(halves, 1);
   column->addWidget(buttons);
@@ -121,12 +113,11 @@ void PaperDialog::addField(int row, const QString& label, const std::string& cod
   name->setTextFormat(Qt::PlainText);
   name->setWordWrap(true);
   setLook(name, "caution", differs);
-  auto* mark = new QDoubleSpinBox(scroll_->widget());
+  auto* mark = ranged(new QDoubleSpinBox(scroll_->widget()), lowest - step, pointsFromSteps(scale.hi, scale));
   mark->setObjectName(QStringLiteral("mark.") + toQString(code));
   mark->setAccessibleName(label);
   mark->setDecimals(decimalsOf(scale));
   mark->setSingleStep(step);
-  mark->setRange(lowest - step, pointsFromSteps(scale.hi, scale));
   mark->setSpecialValueText(QStringLiteral("\u2013"));
   mark->setFixedWidth(kNumberWidth);
   mark->setValue(typed.score_steps ? pointsFromSteps(*typed.score_steps, scale) : mark->minimum());
@@ -209,7 +200,7 @@ void PaperDialog::keep() {
   attempt(shell_, [&] {
     switch (enterPaperSheet(shell_.session(), chosen_, typed())) {
       case PaperOutcome::kFirst:
-        shell_.notify(tr("Saved. It counts once somebody else has typed the same."));
+        shell_.notify(tr("Saved. It counts once a second person has typed in the same marks."));
         break;
       case PaperOutcome::kDiffers:
         shell_.notify(

@@ -57,7 +57,7 @@ class PaperDialog : public QDialog {
   DataTable* table_;
   QLabel* title_;
   QScrollArea* scroll_;
-  QLabel* commentLabel_;
+  QLabel* commentLabel_ = nullptr;
   QLineEdit* comment_;
   QPushButton* keep_;
 };

@@ -7,11 +7,9 @@
 #include <QLineEdit>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/chosen_rows.h"
 #include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/base/reminder_text.h"
-#include "app/gui/administrator/base/study_labels.h"
 #include "app/gui/administrator/study/call_bar.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/administrator/study/paper_dialog.h"
@@ -214,7 +212,7 @@ void TodaysSessionsPage::printSheets() {
         paperSheets(shell().session(), chosenId(cohort_), row != nullptr ? row->enrolmentId : EnrolmentId(),
                     child<QComboBox>(*callBar_, "callOccasion").currentData().toString().toStdString());
     if (sheets.empty()) {
-      shell().notify(tr("No live sheet is missing for what is chosen."));
+      shell().notify(tr("No live sheet is missing in this selection."));
       return;
     }
     const QString file =

@@ -34,14 +34,6 @@ class FormDialog : public QuestionDialog {
     column()->addLayout(form);
   }
 
-  bool ask(const QString& accept, FieldChecks* checks = nullptr) {
-    QPushButton* ok = finish(accept);
-    if (checks != nullptr) {
-      checks->decide(ok);
-    }
-    return exec() == QDialog::Accepted;
-  }
-
   QFormLayout* form;
 };
 
@@ -50,11 +42,10 @@ class FormDialog : public QuestionDialog {
 std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee,
                                        const std::map<ExposureKind, QStringList>& unplanned) {
   FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("DayBoard", "Log time")), trainee);
-  auto* kind = new QComboBox(&dialog);
+  auto* kind = named(new QComboBox(&dialog), "exposureKind");
   for (const ExposureKind one : {ExposureKind::kReal, ExposureKind::kVirtual, ExposureKind::kRest}) {
     kind->addItem(toQString(labelOf(one)), QVariant::fromValue(static_cast<int>(one)));
   }
-  kind->setObjectName(QStringLiteral("exposureKind"));
   const auto beside = [kind, &unplanned] {
     const auto found = unplanned.find(static_cast<ExposureKind>(kind->currentData().toInt()));
     return found == unplanned.end() ? QStringList() : found->second;
@@ -62,20 +53,17 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee,
   while (!beside().isEmpty()) {  // rest is planned for everybody
     kind->setCurrentIndex(kind->currentIndex() + 1);
   }
-  auto* minutes = new QDoubleSpinBox(&dialog);
-  minutes->setRange(0.5, 240.0);
+  auto* minutes = ranged(new QDoubleSpinBox(&dialog), 0.5, 240.0);
   minutes->setDecimals(1);
   minutes->setButtonSymbols(QAbstractSpinBox::NoButtons);
   minutes->setValue(20.0);
   minutes->setSuffix(translated(QT_TRANSLATE_NOOP("DayBoard", " min")));
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("DayBoard", "&What")), kind);
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("DayBoard", "&How long")), minutes);
-  auto* caution = new QLabel(&dialog);
-  caution->setObjectName(QStringLiteral("besideThePlan"));
+  auto* caution = named(new QLabel(&dialog), "besideThePlan");
   caution->setWordWrap(true);
   setLook(caution, "caution", true);
-  auto* reason = new QLineEdit(&dialog);
-  reason->setObjectName(QStringLiteral("reason"));
+  auto* reason = named(new QLineEdit(&dialog), "reason");
   reason->setPlaceholderText(translated(QT_TRANSLATE_NOOP("DayBoard", "Why, without names")));
   dialog.form->addRow(caution);
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("DayBoard", "&Reason")), reason);
@@ -98,10 +86,9 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee,
   if (!dialog.ask(translated(QT_TRANSLATE_NOOP("DayBoard", "Log time")), &checks)) {
     return std::nullopt;
   }
-  NewExposure exposure;
-  exposure.reason = beside().isEmpty() ? std::string() : reason->text().trimmed().toStdString();
-  exposure.kind = static_cast<ExposureKind>(kind->currentData().toInt());
-  exposure.duration_us = static_cast<std::int64_t>(minutes->value() * 60e6);
+  NewExposure exposure{.kind = static_cast<ExposureKind>(kind->currentData().toInt()),
+                       .duration_us = static_cast<std::int64_t>(minutes->value() * 60e6),
+                       .reason = beside().isEmpty() ? std::string() : reason->text().trimmed().toStdString()};
   return exposure;
 }
 
@@ -121,9 +108,8 @@ std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee
   if (!dialog.ask(translated(QT_TRANSLATE_NOOP("DayBoard", "Report")))) {
     return std::nullopt;
   }
-  NewDeviation deviation;
-  deviation.kind = kind->currentData().toString().toStdString();
-  deviation.description = text->toPlainText().trimmed().toStdString();
+  NewDeviation deviation{.kind = kind->currentData().toString().toStdString(),
+                         .description = text->toPlainText().trimmed().toStdString()};
   return deviation;
 }
 

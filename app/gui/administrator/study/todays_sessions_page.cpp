@@ -17,8 +17,6 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
-#include "app/gui/administrator/base/study_labels.h"
-#include "app/gui/administrator/study/alert_panel.h"
 #include "app/gui/administrator/study/call_bar.h"
 #include "app/gui/administrator/study/day_plan_dialog.h"
 #include "app/gui/administrator/study/deviations_dialog.h"
@@ -53,20 +51,19 @@ TodaysSessionsPage::TodaysSessionsPage(ShellContext& shell)
     : Page(shell),
       clock_(new QTimer(this)),
       heading_(new PageHeading(this)),
-      cohortLabel_(nullptr),
       cohort_(new QComboBox(this)),
       summary_(new QLabel(this)),
       callBar_(new CallBar(shell, this)),
-      table_(new DataTable(QStringLiteral("run-day"), this)),
+      table_(named(new DataTable(QStringLiteral("run-day"), this), "table")),
       alerts_(new AlertPanel(this)),
       stationsLine_(new FoldLine(this)),
-      stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
+      stations_(named(new DataTable(QStringLiteral("run-day-stations"), this), "stations")),
       reader_(new Background(this)),
-      plan_(new QPushButton(this)),
-      print_(new QPushButton(this)),
+      plan_(named(new QPushButton(this), "planDay")),
+      print_(named(new QPushButton(this), "print")),
       callList_(new QAction(this)),
       sheets_(new QAction(this)),
-      typeIn_(new QAction(this)),
+      typeIn_(named(new QAction(this), "typeSheets")),
       reminders_(new QAction(this)),
       call_(listButton(table_)),
       time_(listButton(table_)),
@@ -74,10 +71,6 @@ TodaysSessionsPage::TodaysSessionsPage(ShellContext& shell)
       deviation_(listButton(table_)),
       deviations_(listButton(table_)),
       state_(listButton(table_)) {
-  stations_->setObjectName(QStringLiteral("stations"));
-  table_->setObjectName(QStringLiteral("table"));
-  print_->setObjectName(QStringLiteral("print"));
-  plan_->setObjectName(QStringLiteral("planDay"));
   heading_->addAction(plan_);
   connect(plan_, &QPushButton::clicked, this, &TodaysSessionsPage::planDay);
   auto* paper = new QMenu(print_);
@@ -88,8 +81,7 @@ TodaysSessionsPage::TodaysSessionsPage(ShellContext& shell)
   connect(sheets_, &QAction::triggered, this, &TodaysSessionsPage::printSheets);
   connect(typeIn_, &QAction::triggered, this, &TodaysSessionsPage::typeSheets);
   connect(reminders_, &QAction::triggered, this, &TodaysSessionsPage::copyReminders);
-  auto* choices = new QHBoxLayout;
-  choices->setSpacing(kSpace);
+  QHBoxLayout* choices = rowOf();
   cohortLabel_ = addField(choices, cohort_);
   choices->addSpacing(2 * kSpace);
   choices->addWidget(summary_, 1);
@@ -313,7 +305,6 @@ void TodaysSessionsPage::retranslate() {
   sheets_->setText(tr("Print sheets for the raters\u2026"));
   sheets_->setToolTip(tr("Of the chosen trainee; without one, of everybody whose scoring is due"));
   typeIn_->setText(tr("Type sheets in\u2026"));
-  typeIn_->setObjectName(QStringLiteral("typeSheets"));
   reminders_->setText(tr("Copy the outstanding sheets"));
   heading_->setTexts(
       tr("Today's sessions"),

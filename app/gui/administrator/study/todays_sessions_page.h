@@ -71,7 +71,7 @@ class TodaysSessionsPage : public Page {
   std::vector<CalledCase> calls_;
   QTimer* clock_;
   PageHeading* heading_;
-  QLabel* cohortLabel_;
+  QLabel* cohortLabel_ = nullptr;
   QComboBox* cohort_;
   QLabel* summary_;
   CallBar* callBar_;

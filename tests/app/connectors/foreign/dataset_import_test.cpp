@@ -212,7 +212,7 @@ TEST(DatasetImport, RejectsExistingChangedAndForeignData) {
   writeFileAtomically(set / "study.json", "{\"format\": \"torsio study 1\", \"cohort\": {}}");
   EXPECT_EQ(refusal(empty), "the study of the data set is damaged");
   writeFileAtomically(set / "study.json", "[1]");
-  EXPECT_EQ(refusal(empty), "this is no study of a data set of Torsio");
+  EXPECT_EQ(refusal(empty), "not a study of a data set of Torsio");
   EXPECT_EQ(empty.rowCounts(), before);
 }
 

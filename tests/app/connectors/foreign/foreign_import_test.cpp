@@ -321,7 +321,7 @@ TEST(ForeignImport, ReportsErrorsByLineAndStoresNothing) {
   };
   const std::vector<Case> cases = {
       {"jigsaws", "not 76 | S_C2.txt, line 7", [](auto&, auto& text) { spoilLine(text, 7, "1 2 3"); }},
-      {"jigsaws", "'nan' is no number | S_C2.txt, line 3, column 1",
+      {"jigsaws", "'nan' is not a number | S_C2.txt, line 3, column 1",
        [](auto&, auto& text) { spoilLine(text, 3, "nan 2 3"); }},
       {"jigsaws", "no instrument 'left'", [](auto& map, auto&) { map["instrument"] = "left"; }},
       {"jigsaws", "these files have no time",
@@ -336,26 +336,27 @@ TEST(ForeignImport, ReportsErrorsByLineAndStoresNothing) {
       {"perktutor", "fewer than two lines", [](auto& map, auto&) { map["instrument"] = "Nothing"; }},
       {"perktutor", "the time does not rise | S_C2.txt, line 4",
        [](auto&, auto& text) { spoilLine(text, 4, text.substr(text.find("  <log"), text.find("/>") - 20)); }},
-      {"csv", "no rotation | S_C2.txt, line 3",
+      {"csv", "not a rotation | S_C2.txt, line 3",
        [](auto&, auto& text) { spoilLine(text, 3, "520,0,0,0,1,1,0,0,0.1\r"); }},
-      {"csv", "no rotation | S_C2.txt, line 2",
+      {"csv", "not a rotation | S_C2.txt, line 2",
        [](auto& map, auto& text) {
          map["rotation"] = "quaternion xyzw";
          spoilLine(text, 2, "500,0,0,0,0.5,0,0,0,0.1\r");
        }},
       {"csv", "the time does not rise | S_C2.txt, line 9",
        [](auto&, auto& text) { spoilLine(text, 9, "500,0,0,0,1,0,0,0,0.1\r"); }},
-      {"csv", "'1;5' is no number", [](auto&, auto& text) { spoilLine(text, 3, "520,0,0,0,1,0,0,0,1;5\r"); }},
+      {"csv", "'1;5' is not a number",
+       [](auto&, auto& text) { spoilLine(text, 3, "520,0,0,0,1,0,0,0,1;5\r"); }},
       {"csv", "more than 200 m away | S_C2.txt, line 4",
        [](auto&, auto& text) { spoilLine(text, 4, "540,300,0,0,1,0,0,0,0.1\r"); }},
       {"csv", "there is not one column 'px'", [](auto& map, auto&) { map["position"][0] = "px"; }},
       {"csv", "the map must say this | map.json, \"frame\"", [](auto& map, auto&) { map.erase("frame"); }},
       {"csv", "the map must say this | map.json, \"unit\"", [](auto& map, auto&) { map.erase("unit"); }},
-      {"csv", "is none of: m, cm, mm", [](auto& map, auto&) { map["unit"] = "inch"; }},
-      {"csv", "means nothing here | map.json, \"rate_hz\"", [](auto& map, auto&) { map["rate_hz"] = 30; }},
-      {"csv", "nobody called 'Z' | map.json, \"recordings\" 2, \"person\"",
+      {"csv", "must be one of: m, cm, mm", [](auto& map, auto&) { map["unit"] = "inch"; }},
+      {"csv", "an unknown field | map.json, \"rate_hz\"", [](auto& map, auto&) { map["rate_hz"] = 30; }},
+      {"csv", "lists no person 'Z' | map.json, \"recordings\" 2, \"person\"",
        [](auto& map, auto&) { map["recordings"][1]["person"] = "Z"; }},
-      {"csv", "this is no time",
+      {"csv", "not a valid time",
        [](auto& map, auto&) { map["recordings"][0]["started"] = "2020-02-30T00:00:00Z"; }},
       {"csv", "no such file", [](auto& map, auto&) { map["recordings"][3]["file"] = "S_C9.txt"; }},
   };

@@ -282,8 +282,8 @@ TEST_F(MailByTls, TemporaryAndPermanentRejectionsAreReportedAndTheNextMessageIsS
 
 TEST_F(MailByTls, ALostConnectionIsReportedForTheRemainingMessages) {
   const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> cases{
-      {{".", ""}, "it is not known whether it was taken: "},
-      {{".", "drop"}, "it is not known whether it was taken: "},
+      {{".", ""}, "it is not known whether the server accepted it: "},
+      {{".", "drop"}, "it is not known whether the server accepted it: "},
       {{"DATA", "drop"}, "not sent: "},
       {{"MAIL", ""}, "not sent: "}};
   for (const auto& [instead, words] : cases) {

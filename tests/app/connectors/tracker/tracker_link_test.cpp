@@ -103,7 +103,7 @@ TEST(TrackerLink, ReconnectsWhenTheTrackerDisconnectsOrSendsGarbage) {
 
   ASSERT_TRUE(tracker.wait());
   ASSERT_TRUE(tracker.sendBytes(std::string(200, '\xff')));
-  ASSERT_TRUE(becomes([&] { return link.view().trouble.str() == "what came is no OpenIGTLink"; }));
+  ASSERT_TRUE(becomes([&] { return link.view().trouble.str() == "the data received are not OpenIGTLink"; }));
   EXPECT_EQ(link.view().stage, TrackerStage::kSeeking);
 
   ASSERT_TRUE(tracker.wait());

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long lists of administrators: what is displayed, found by the search, and remembered.
+
+#include <set>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDateEdit>
@@ -10,10 +13,13 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <gtest/gtest.h>
 
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/station/audit_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
+#include "app/gui/base/page.h"
+#include "app/gui/program/window_main.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/services/base/csv_table.h"
@@ -22,10 +28,12 @@
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/people/retention.h"
 #include "db/repository/base/audit_repository.h"
+#include "sim/core/error.h"
 #include "sim/core/time_units.h"
 #include "tests/app/gui/support/administrator_desk.h"
 
 namespace torsio::gui {
+
 namespace {
 
 using testing::AdministratorDesk;
@@ -176,4 +184,51 @@ TEST(RosterPage, ShowsNamesImmediately) {
 }
 
 }  // namespace
+
+namespace {
+
+using testing::AdministratorDesk;
+
+TEST(RightsOfTheWindow, StayAsReadWhileServicesCheckAgain) {
+  AdministratorDesk office;
+  SessionContext& session = office.centre.as("administrator");
+  ASSERT_TRUE(office.shell().may(Operation::kUserManage));
+
+  office.centre.connection().execute("DELETE FROM role_operation WHERE operation_code = ?",
+                                     {std::string(operationCode(Operation::kUserManage))});
+
+  EXPECT_TRUE(office.shell().may(Operation::kUserManage));
+  EXPECT_THROW(session.require(Operation::kUserManage), Error);
+  office.shell().readRights();
+  EXPECT_FALSE(office.shell().may(Operation::kUserManage));
+}
+
+TEST(RightsOfTheWindow, AreThoseOfTheSignedInUser) {
+  AdministratorDesk office;
+  office.centre.as("administrator");
+  ASSERT_TRUE(office.shell().may(Operation::kUserManage));
+
+  office.centre.as("statistician");
+
+  EXPECT_FALSE(office.shell().may(Operation::kUserManage));
+  EXPECT_TRUE(office.shell().may(Operation::kResultsCompute));
+}
+
+TEST(PageTable, ContainsEveryPageOnceWithAUniqueName) {
+  std::set<PageId> ids;
+  std::set<QString> texts;
+
+  for (const PageGroup& group : allPages()) {
+    for (const PageEntry& entry : group.pages) {
+      EXPECT_TRUE(ids.insert(entry.id).second) << pageText(entry.id).toStdString();
+      EXPECT_TRUE(texts.insert(pageText(entry.id)).second) << pageText(entry.id).toStdString();
+      EXPECT_FALSE(pageTitle(entry.id).isEmpty());
+    }
+  }
+
+  EXPECT_EQ(ids.size(), static_cast<std::size_t>(PageId::kDevices) + 1);  // last entry of the table
+}
+
+}  // namespace
+
 }  // namespace torsio::gui

@@ -23,7 +23,7 @@
 #include <QToolButton>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/people/accounts_dialog.h"
+#include "app/gui/administrator/people/shown_once_dialog.h"
 #include "app/gui/administrator/people/users_page.h"
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/administrator/station/audit_page.h"

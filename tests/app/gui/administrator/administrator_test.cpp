@@ -77,9 +77,7 @@ fs::path rosterFile(const fs::path& folder, bool raters) {
 /// Runs the three steps of the wizard, choosing columns by hand where headings do not suffice.
 std::size_t importFile(AdministratorDesk& office, const fs::path& file, RosterKind kind) {
   office.centre.as("administrator");
-  RosterImport import;
-  import.kind = kind;
-  import.file = readRoster(file);
+  RosterImport import{.kind = kind, .file = readRoster(file)};
   import.columns = suggestColumns(*import.file, kind);
   import.columns[static_cast<std::size_t>(RosterField::kExternalId)] = 0;
   import.columns[static_cast<std::size_t>(RosterField::kFullName)] = 1;
@@ -225,7 +223,7 @@ void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& fo
     shell.waitForJobs();
     child<QComboBox>(dialog, "format").setCurrentIndex(4);
     EXPECT_TRUE(
-        child<QLabel>(dialog, "what").text().contains(QStringLiteral("Paths tell how somebody moves")));
+        child<QLabel>(dialog, "what").text().contains(QStringLiteral("Paths reveal how a person moves")));
     child<QLineEdit>(dialog, "title").setText(QStringLiteral("Twists"));
     exported.writeTo(folder / "set");
     shell.waitForJobs();

@@ -179,7 +179,7 @@ TEST_F(SeveralAtOnce, SheetsOfCasesThatTheOtherRaterAlreadyScoresStay) {
     auto& whom = child<QComboBox>(dialog, "to");
     whom.setCurrentIndex(whom.findText(QStringLiteral("R-02"), Qt::MatchStartsWith));
     testing::leave(whom);
-    EXPECT_TRUE(testing::hintBelow(dialog, whom).contains(QStringLiteral("somebody else")));
+    EXPECT_TRUE(testing::hintBelow(dialog, whom).contains(QStringLiteral("another rater")));
     auto& reason = child<QLineEdit>(dialog, "reason");
     testing::leave(reason);
     EXPECT_FALSE(testing::hintBelow(dialog, reason).isEmpty());
@@ -301,8 +301,7 @@ TEST_F(SeveralAtOnce, DeviationsOfSeveralAreNotedAndCorrectedTogether) {
 }
 
 TEST_F(SeveralAtOnce, UnplannedTimeIsOnlyLoggedWithAReason) {
-  AllocationPlan plan;
-  plan.cohortId = cohort_;
+  AllocationPlan plan{.cohortId = cohort_};
   lockAllocation(office_.centre.as("allocator"), plan);
   allocateAll(office_.centre.as("allocator"), cohort_);  // one in each of the paper's groups
   auto page = office_.open<TodaysSessionsPage>("administrator", toQString(cohort_));

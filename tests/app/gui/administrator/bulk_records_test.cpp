@@ -80,9 +80,7 @@ class SeveralCohorts : public ::testing::Test {
     }
   }
   void allocate(const CohortId& cohort) {
-    AllocationPlan plan;
-    plan.cohortId = cohort;
-    lockAllocation(office_.centre.as("allocator"), plan);
+    lockAllocation(office_.centre.as("allocator"), {.cohortId = cohort});
     allocateAll(office_.centre.as("allocator"), cohort);
   }
   CohortRow stored(std::size_t cohort) { return cohorts(office_.centre.as("administrator")).at(cohort); }

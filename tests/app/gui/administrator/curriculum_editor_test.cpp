@@ -24,8 +24,7 @@
 #include "app/gui/administrator/curriculum/competence_dialog.h"
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/curriculum/exercise_editor.h"
-#include "app/gui/administrator/curriculum/standard_dialog.h"
-#include "app/gui/administrator/study/power_dialog.h"
+#include "app/gui/administrator/study/cohort_dialogs.h"
 #include "app/gui/base/language.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
@@ -114,6 +113,14 @@ Field* cell(QTableWidget* table, int row, int column) {
   return qobject_cast<Field*>(table->cellWidget(row, column));
 }
 
+/// A draft with everything in it, open in the editor.
+class DraftInTheEditor : public ::testing::Test {
+ protected:
+  AdministratorDesk office;
+  const std::string id = addEverything(office);
+  std::unique_ptr<CurriculaPage> page = office.open<CurriculaPage>("administrator");
+};
+
 TEST(CurriculumEditor, SavesUntouchedContentUnchanged) {
   AdministratorDesk office;
   const std::string id = addEverything(office);
@@ -130,11 +137,7 @@ TEST(CurriculumEditor, SavesUntouchedContentUnchanged) {
   EXPECT_EQ(curriculumJson(after.content), before);
 }
 
-TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
-  AdministratorDesk office;
-  addEverything(office);
-  auto page = office.open<CurriculaPage>("administrator");
-
+TEST_F(DraftInTheEditor, FitsASmallScreenWithoutScrollingItsForms) {
   page->resize(1162, 716);  // 1366 x 768 without navigation and header
   page->show();
   QApplication::processEvents();
@@ -150,10 +153,7 @@ TEST(CurriculumEditor, FitsASmallScreenWithoutScrollingItsForms) {
   }
 }
 
-TEST(CurriculaPage, ShowsFullNamesInItsListIfThereIsRoom) {
-  AdministratorDesk office;
-  addEverything(office);
-  auto page = office.open<CurriculaPage>("administrator");
+TEST_F(DraftInTheEditor, ShowsFullNamesInItsListIfThereIsRoom) {
   ASSERT_TRUE(page->add("Twisting of the small intestine, second year", ""));
   page->resize(1700, 1000);  // beside the navigation of a 1920 x 1080 screen
   page->show();
@@ -167,10 +167,7 @@ TEST(CurriculaPage, ShowsFullNamesInItsListIfThereIsRoom) {
   }
 }
 
-TEST(CurriculaPage, ShowsFullNamesInItsListOnASmallScreen) {
-  AdministratorDesk office;
-  addEverything(office);
-  auto page = office.open<CurriculaPage>("administrator");
+TEST_F(DraftInTheEditor, ShowsFullNamesInItsListOnASmallScreen) {
   ASSERT_TRUE(page->add("Twisting of the small intestine, second year", ""));
   page->resize(1146, 700);  // 1366 x 768 without navigation and header
   page->show();
@@ -240,10 +237,7 @@ TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasEdited) {
   EXPECT_EQ(curriculumJson(curriculumDraft(office.centre.session(), id).content), curriculumJson(expected));
 }
 
-TEST(CurriculumEditor, ShowsErrorsBesideTheirFields) {
-  AdministratorDesk office;
-  addEverything(office);
-  auto page = office.open<CurriculaPage>("administrator");
+TEST_F(DraftInTheEditor, ShowsErrorsBesideTheirFields) {
   page->resize(1162, 716);
   page->show();
   auto& editor = child<CurriculumEditor>(*page, "editor");
@@ -277,10 +271,7 @@ TEST(CurriculumEditor, ShowsErrorsBesideTheirFields) {
   EXPECT_TRUE(hints().isEmpty());
 }
 
-TEST(CurriculumEditor, PublishedVersionsPassThroughTheEditorUnchanged) {
-  AdministratorDesk office;
-  const std::string id = addEverything(office);
-  auto page = office.open<CurriculaPage>("administrator");
+TEST_F(DraftInTheEditor, PublishedVersionsPassThroughTheEditorUnchanged) {
   ASSERT_TRUE(page->publish("first"));
   ASSERT_TRUE(page->begin());
   const std::string first = curricula(office.centre.session()).front().versions.front().id;
@@ -299,10 +290,7 @@ TEST(CurriculumEditor, PublishedVersionsPassThroughTheEditorUnchanged) {
             curriculumJson(parseCurriculum(kEverything, "test")));
 }
 
-TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
-  AdministratorDesk office;
-  const std::string id = addEverything(office);
-  auto page = office.open<CurriculaPage>("administrator");
+TEST_F(DraftInTheEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(1);
   auto* rules = page->findChild<QTableWidget*>(QStringLiteral("mastery"));
 
@@ -346,10 +334,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 }
 
-TEST(CurriculumEditor, MovesAndRenamesWithoutBreakingReferences) {
-  AdministratorDesk office;
-  const std::string id = addEverything(office);
-  auto page = office.open<CurriculaPage>("administrator");
+TEST_F(DraftInTheEditor, MovesAndRenamesWithoutBreakingReferences) {
   page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(2);
 
   QWidget& exercises = *child<CurriculumEditor>(*page, "editor").widget(0);
@@ -369,10 +354,7 @@ TEST(CurriculumEditor, MovesAndRenamesWithoutBreakingReferences) {
   EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 }
 
-TEST(CurriculumEditor, SetsGroupsPhasesRestAndOccasions) {
-  AdministratorDesk office;
-  const std::string id = addEverything(office);
-  auto page = office.open<CurriculaPage>("administrator");
+TEST_F(DraftInTheEditor, SetsGroupsPhasesRestAndOccasions) {
   page->findChild<QListWidget*>(QStringLiteral("groups"))->setCurrentRow(1);
   auto* phases = page->findChild<QTableWidget*>(QStringLiteral("phases"));
 
@@ -518,7 +500,7 @@ TEST(PowerDialog, CalculatesTheNumberOfRatersForAgreement) {
   child<QComboBox>(dialog, "design").setCurrentIndex(3);
   EXPECT_EQ(child<QLabel>(dialog, "needed").text(), QStringLiteral("26 trainees, each scored by 4 raters"));
   EXPECT_EQ(child<QLabel>(dialog, "shown").text(),
-            QStringLiteral("too few for this width, however many raters score them"));
+            QStringLiteral("too few trainees for this width, even with more raters"));
   child<QSpinBox>(dialog, "atHand").setValue(31);
   EXPECT_EQ(child<QLabel>(dialog, "shown").text(), QStringLiteral("3 raters are enough for this width"));
 }

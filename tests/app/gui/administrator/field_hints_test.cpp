@@ -17,12 +17,11 @@
 #include <QTableView>
 
 #include "app/gui/administrator/people/consent_texts_dialog.h"
-#include "app/gui/administrator/people/person_dialog.h"
 #include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/administrator/people/user_dialogs.h"
-#include "app/gui/administrator/scoring/campaign_dialog.h"
+#include "app/gui/administrator/scoring/campaigns_page.h"
 #include "app/gui/administrator/scoring/rubric_dialog.h"
-#include "app/gui/administrator/station/station_settings_card.h"
+#include "app/gui/administrator/station/devices_page.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"

@@ -80,7 +80,7 @@ TEST_F(OutletPages, ExplainTheWholeNetworkAndWhyAPortIsInUse) {
   EXPECT_TRUE(caution.property("caution").toBool());
   child<QPushButton>(dialog, "outletKeep").click();
 
-  EXPECT_TRUE(says(dialog, QStringLiteral("nobody can be waited for")));
+  EXPECT_TRUE(says(dialog, QStringLiteral("cannot listen at this address")));
   EXPECT_TRUE(child<QLabel>(dialog, "outletState").property("caution").toBool());
 }
 

@@ -184,7 +184,7 @@ TEST_F(HeadsPages, AHeadEnteredByHandRevealsATruncatedTrail) {
 
   QStringList words = head.split(QLatin1Char(' '));
   words[2] = QStringLiteral("4000");
-  EXPECT_TRUE(verdictOn(heads, words.join(QLatin1Char(' '))).contains(QStringLiteral("it was cut off")));
+  EXPECT_TRUE(verdictOn(heads, words.join(QLatin1Char(' '))).contains(QStringLiteral("it was truncated")));
   EXPECT_TRUE(failures_.isEmpty());
 }
 
@@ -201,7 +201,7 @@ TEST_F(HeadsPages, AnInvalidHeadOrKeyIsReportedBelowItsField) {
   lines.setPlainText(QStringLiteral("something else"));
   EXPECT_EQ(hintBelow(heads, lines), QString());
   click(verify);
-  EXPECT_TRUE(hintBelow(heads, lines).contains(QStringLiteral("no head of an audit trail")))
+  EXPECT_TRUE(hintBelow(heads, lines).contains(QStringLiteral("not the head of an audit trail")))
       << hintBelow(heads, lines).toStdString();
   EXPECT_TRUE(failures_.isEmpty());
 

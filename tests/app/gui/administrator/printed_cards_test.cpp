@@ -13,7 +13,6 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/base/barcode.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/qr_code.h"
 

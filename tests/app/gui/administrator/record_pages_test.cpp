@@ -18,10 +18,9 @@
 #include <QTcpServer>
 
 #include "app/gui/administrator/curriculum/curricula_page.h"
-#include "app/gui/administrator/people/invitations_dialog.h"
-#include "app/gui/administrator/people/kiosk_cards_dialog.h"
 #include "app/gui/administrator/people/review_desk_dialog.h"
 #include "app/gui/administrator/people/roster_page.h"
+#include "app/gui/administrator/people/shown_once_dialog.h"
 #include "app/gui/administrator/people/users_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
 #include "app/gui/administrator/study/allocation_page.h"
@@ -304,9 +303,7 @@ TEST(AllocationPage, MovesATraineeByHandInAdditionToTheDraw) {
   SessionContext& session = office.centre.as("administrator");
   const CohortId cohort = addCohort(session, {.name = "Study", .curriculumVersionId = version});
   enrolTrainees(session, cohort, trainees);
-  AllocationPlan plan;
-  plan.cohortId = cohort;
-  const std::string design = lockAllocation(office.centre.as("allocator"), plan).stored.id;
+  const std::string design = lockAllocation(office.centre.as("allocator"), {.cohortId = cohort}).stored.id;
   allocateAll(office.centre.as("allocator"), cohort);
   const AllocationEntry drawn = allocations(office.centre.as("allocator"), design).front();
   auto page = office.open<AllocationPage>("allocator");

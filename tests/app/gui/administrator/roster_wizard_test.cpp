@@ -110,8 +110,8 @@ TEST_F(RosterWizardTest, ImportsNothingIfAnyLineIsWrongAndSaysWhatToCorrect) {
   EXPECT_FALSE(import().isEnabled());
   const QString shown = lines().asText();
   EXPECT_TRUE(shown.contains(QStringLiteral("Full name is missing")) &&
-              shown.contains(QStringLiteral("stands on line 2 already")) &&
-              shown.contains(QStringLiteral("no likely age")))
+              shown.contains(QStringLiteral("is already on line 2")) &&
+              shown.contains(QStringLiteral("not a plausible age")))
       << shown.toStdString();
   wizard->button(QWizard::CancelButton)->click();
   EXPECT_EQ(known(), 0U);

@@ -13,7 +13,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
-#include "app/gui/administrator/base/printed_consent.h"
+#include "app/gui/administrator/base/printed_sheets.h"
 #include "app/gui/administrator/people/consent_texts_dialog.h"
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/scoring/rubric_dialog.h"
@@ -222,9 +222,7 @@ TEST(CohortsPage, RenamesClosesAndArchivesACohort) {
   const CohortId id =
       addCohort(office.centre.session(), {.name = "Autumn", .groups = {{"G1", "one"}, {"G2", "two"}}});
   enrolTrainees(office.centre.session(), id, trainees);
-  AllocationPlan plan;
-  plan.cohortId = id;
-  lockAllocation(office.centre.as("allocator"), plan);
+  lockAllocation(office.centre.as("allocator"), {.cohortId = id});
   allocateAll(office.centre.as("allocator"), id);
   auto page = office.open<CohortsPage>("administrator");
   auto& table = child<DataTable>(*page, "cohorts");

@@ -2,7 +2,10 @@
 // The paper's study as an administrator runs it, from the roster to the exported report, with real widgets
 // and simulated marks; the exported numbers equal those of the command line.
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <sstream>
+#include <string>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -37,7 +40,6 @@
 #include "assessment/domain/study/station_state.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/file_io.h"
-#include "tests/app/gui/administrator/by_hand.h"
 #include "tests/app/gui/administrator/study_crowd.h"
 #include "tests/app/gui/support/administrator_desk.h"
 
@@ -48,6 +50,42 @@ namespace fs = std::filesystem;
 using testing::AdministratorDesk;
 using testing::answer;
 using testing::StudyCentre;
+
+/// Estimates the time of a user's actions with mouse and keys: keystroke-level model (Card, Moran and Newell
+/// 1980), and silent reading at 238 words per minute (Brysbaert 2019).
+class ByHand {
+ public:
+  /// Decide, point, press.
+  void press(int times = 1) { needed_s_ += times * (kDecide_s + kPoint_s + kKey_s), presses_ += times; }
+  void type(std::size_t keys) { needed_s_ += static_cast<double>(keys) * kKey_s, keys_ += keys; }
+  void wait_s(double seconds) { needed_s_ += seconds; }
+  /// Reads a part of a page of the guide once, from one text to another.
+  void read(const std::filesystem::path& page, const std::string& from, const std::string& to) {
+    const std::string text = readFile(page);
+    const std::size_t begin = text.find(from);
+    std::istringstream part(text.substr(begin, text.find(to, begin) - begin));
+    std::size_t words = 0;
+    for (std::string word; part >> word;) {
+      ++words;
+    }
+    needed_s_ += static_cast<double>(words) * kWord_s;
+    words_ += words;
+  }
+  [[nodiscard]] double minutes() const { return needed_s_ / 60.0; }
+  [[nodiscard]] int presses() const { return presses_; }
+  [[nodiscard]] std::size_t keys() const { return keys_; }
+  [[nodiscard]] std::size_t words() const { return words_; }
+
+ private:
+  static constexpr double kDecide_s = 1.35;
+  static constexpr double kPoint_s = 1.1;
+  static constexpr double kKey_s = 0.28;
+  static constexpr double kWord_s = 60.0 / 238.0;
+  double needed_s_ = 0.0;
+  int presses_ = 0;
+  std::size_t keys_ = 0;
+  std::size_t words_ = 0;
+};
 
 constexpr std::size_t kTrainees = 30;    // paper section 6
 constexpr std::size_t kChiefs = 10;      // who score the trainees
@@ -75,8 +113,8 @@ std::string ratersFile(const std::string& prefix, const std::vector<std::pair<st
 }
 
 /// Estimated time that a person would need for the actions of this test.
-testing::ByHand& byHand() {
-  static testing::ByHand hand;
+ByHand& byHand() {
+  static ByHand hand;
   return hand;
 }
 
@@ -246,7 +284,7 @@ void runTheDay(AdministratorDesk& office, const CohortId& cohortId) {
   constexpr int kPatience_ms = 30'000;
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
-        return child<QLabel>(*page, "alerts").text().contains(QStringLiteral("room 2 does not answer"));
+        return child<QLabel>(*page, "alerts").text().contains(QStringLiteral("room 2 has not answered"));
       },
       kPatience_ms))
       << child<QLabel>(*page, "alerts").text().toStdString();
@@ -276,7 +314,7 @@ void makeEvaluation(AdministratorDesk& office, const std::vector<std::string>& e
 
 /// Counts the steps of the guide that this test does not perform: the first run, the two-person rule,
 /// accounts of the allocator, the statistician and everybody on the roster, and the allocator's turn.
-void countRemainingSteps(testing::ByHand& hand) {
+void countRemainingSteps(ByHand& hand) {
   hand.press(8);  // first run
   hand.type(75);
   hand.press(5);  // one administrator disables the two-person rule
@@ -307,7 +345,7 @@ TEST(WholeStudy, GoesFromTheRosterToTheReportWithTheNumbersOfTheCommandLine) {
   const CohortId cohortId = makeCohort(office);
   drawGroups(office, cohortId);
   askChiefs(office, cohortId, chiefs);
-  testing::ByHand& hand = byHand();
+  ByHand& hand = byHand();
   countRemainingSteps(hand);
   hand.read(fs::path(TORSIO_SOURCE_DIR) / "docs/user-guide/administrator.md", "# For administrators",
             "### 6. Today's sessions");

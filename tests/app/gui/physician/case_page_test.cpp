@@ -31,15 +31,21 @@ namespace {
 
 using torsio::testing::ReviewCentre;
 
+/// The first case of the first physician, open at the desk.
+class CaseAtTheDesk : public ::testing::Test {
+ protected:
+  ReviewCentre centre{ReviewCentre::Setup{}};
+  DeskOf desk{centre, 0};
+  CasePage& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+};
+
 TEST(CasePage, LosesNoKeystrokeWhenItDisappears) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const QString id = inputOf(centre.cases(0).front());
   {
     DeskOf desk(centre, 0);
     desk.open<CasePage>(id);
-    desk.press(Qt::Key_8);
-    desk.press(Qt::Key_Down);
-    desk.press(Qt::Key_6);
+    desk.press({Qt::Key_8, Qt::Key_Down, Qt::Key_6});
     desk.press(Qt::Key_Right);  // 6.5
     auto& page = static_cast<CasePage&>(desk.page());
     child<QPlainTextEdit>(page, "comment").setFocus();
@@ -73,13 +79,8 @@ TEST(CasePage, ShowsAllTenScoresOnASmallScreen) {
   }
 }
 
-TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
-  desk.press(Qt::Key_8);
-  desk.press(Qt::Key_Down);
-  desk.press(Qt::Key_1);
+TEST_F(CaseAtTheDesk, UndoesToTheFirstMarkAndRedoes) {
+  desk.press({Qt::Key_8, Qt::Key_Down, Qt::Key_1});
   desk.press(Qt::Key_0);  // ten
   EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 100);
   desk.press(Qt::Key_Backspace);
@@ -99,10 +100,7 @@ TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
   EXPECT_EQ(SheetEditor(stored.rubric, stored.sheet).answer("time").score_steps, 80);
 }
 
-TEST(CasePage, ShowsTheMomentOfTheReplayLikeABookmarkThere) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, ShowsTheMomentOfTheReplayLikeABookmarkThere) {
   auto& replay = child<ReplayPanel>(page, "replay");
   const auto& time = child<QLabel>(replay, "time");
 
@@ -114,10 +112,7 @@ TEST(CasePage, ShowsTheMomentOfTheReplayLikeABookmarkThere) {
   EXPECT_EQ(end[0], end[1]);
 }
 
-TEST(CasePage, IgnoresItsKeysWhileTyping) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, IgnoresItsKeysWhileTyping) {
   child<ReplayPanel>(page, "replay").setRealTime(false);
   child<QPlainTextEdit>(page, "comment").setFocus();
 
@@ -129,28 +124,19 @@ TEST(CasePage, IgnoresItsKeysWhileTyping) {
   EXPECT_TRUE(caseRemarks(desk.session(), centre.cases(0).front()).empty());
 }
 
-TEST(CasePage, NotAssessableNeedsAReason) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, NotAssessableNeedsAReason) {
   desk.press(Qt::Key_N);
   desk.type(QStringLiteral("hand in 5 the way"));
   desk.press(Qt::Key_Return);
   EXPECT_EQ(editorOf(page)->answer("time").notAssessableReason, "hand in 5 the way");
 
-  desk.press(Qt::Key_Down);
-  desk.press(Qt::Key_4);
+  desk.press({Qt::Key_Down, Qt::Key_4});
 
   EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 40);
 }
 
-TEST(CasePage, EscAfterNKeepsTheScore) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
-  desk.press(Qt::Key_7);
-  desk.press(Qt::Key_N);
-  desk.press(Qt::Key_Escape);
+TEST_F(CaseAtTheDesk, EscAfterNKeepsTheScore) {
+  desk.press({Qt::Key_7, Qt::Key_N, Qt::Key_Escape});
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
 
   desk.press(Qt::Key_N);
@@ -162,10 +148,7 @@ TEST(CasePage, EscAfterNKeepsTheScore) {
   EXPECT_TRUE(editorOf(page)->answer("time").notAssessableReason.empty());
 }
 
-TEST(CasePage, TabStaysInTheSheetAndDigitsKeepScoring) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, TabStaysInTheSheetAndDigitsKeepScoring) {
   for (int i = 0; i < 4; ++i) {  // time, accuracy, overall, comment, and back to the start
     desk.press(Qt::Key_Tab);
   }
@@ -178,11 +161,7 @@ TEST(CasePage, TabStaysInTheSheetAndDigitsKeepScoring) {
   EXPECT_EQ(editorOf(page)->answer(kOverallRow).score_steps, 60);
 }
 
-TEST(CasePage, ShowsTheTaskButNotWhoseRecordingItIs) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
-
+TEST_F(CaseAtTheDesk, ShowsTheTaskButNotWhoseRecordingItIs) {
   const QString task = child<QLabel>(page, "task").text();
 
   EXPECT_TRUE(task.contains(QStringLiteral("Twist to 90°"))) << task.toStdString();
@@ -192,25 +171,16 @@ TEST(CasePage, ShowsTheTaskButNotWhoseRecordingItIs) {
   }
 }
 
-TEST(CasePage, SubmitsOnlyACompleteAndWatchedCase) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, SubmitsOnlyACompleteAndWatchedCase) {
   child<ReplayPanel>(page, "replay").setRealTime(false);
   const auto state = [&] { return openSheet(desk.session(), centre.cases(0).front()).state; };
   desk.press(Qt::Key_7);
-  for (int i = 0; i < 3; ++i) {
-    desk.press(Qt::Key_Return, Qt::ControlModifier);
-  }
+  desk.finish(3);
   EXPECT_EQ(state(), SheetState::kDraft);
   EXPECT_EQ(child<SheetPanel>(page, "sheetPanel").currentRow(), "accuracy");  // first open row
-  desk.press(Qt::Key_7);
-  desk.press(Qt::Key_Down);
-  desk.press(Qt::Key_7);
+  desk.press({Qt::Key_7, Qt::Key_Down, Qt::Key_7});
   child<ReplayPanel>(page, "replay").seek_us(1'900'000);  // seeking does not count as watching
-  for (int i = 0; i < 3; ++i) {
-    desk.press(Qt::Key_Return, Qt::ControlModifier);
-  }
+  desk.finish(3);
   EXPECT_EQ(state(), SheetState::kDraft);
 
   child<ReplayPanel>(page, "replay").seek_us(0);
@@ -219,17 +189,12 @@ TEST(CasePage, SubmitsOnlyACompleteAndWatchedCase) {
   desk.press(Qt::Key_L);  // locked: not faster
   EXPECT_DOUBLE_EQ(child<ReplayPanel>(page, "replay").recording()->playback.speed(), 1.0);
   watchAll(child<ReplayPanel>(page, "replay"));
-  for (int i = 0; i < 2; ++i) {
-    desk.press(Qt::Key_Return, Qt::ControlModifier);
-  }
+  desk.finish(2);
 
   EXPECT_EQ(state(), SheetState::kSubmitted);
 }
 
-TEST(CasePage, ClearsTheSheetInOneUndoStep) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, ClearsTheSheetInOneUndoStep) {
   desk.press(Qt::Key_7);
   ASSERT_EQ(editorOf(page)->answer("time").score_steps, 70);
 
@@ -240,10 +205,7 @@ TEST(CasePage, ClearsTheSheetInOneUndoStep) {
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
 }
 
-TEST(CasePage, AdvancesAfterADigitIfEnabled) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, AdvancesAfterADigitIfEnabled) {
   auto& sheet = child<SheetEditorPanel>(page, "sheetPanel");
   const std::vector<std::string> rows = editorOf(page)->order();
   ASSERT_GE(rows.size(), 3U);
@@ -257,10 +219,7 @@ TEST(CasePage, AdvancesAfterADigitIfEnabled) {
   EXPECT_EQ(sheet.currentRow(), rows[1]);  // may become a ten
   desk.press(Qt::Key_0);
   EXPECT_EQ(sheet.currentRow(), rows[2]);
-  desk.press(Qt::Key_1);
-  desk.press(Qt::Key_Up);
-  desk.press(Qt::Key_1);
-  desk.press(Qt::Key_4);
+  desk.press({Qt::Key_1, Qt::Key_Up, Qt::Key_1, Qt::Key_4});
 
   const SheetEditor& editor = *editorOf(page);
   const auto points = [&](std::size_t row) {
@@ -274,16 +233,9 @@ TEST(CasePage, AdvancesAfterADigitIfEnabled) {
   EXPECT_FALSE(sheet.advancing());
 }
 
-TEST(CasePage, BookmarksRemarksAndSteps) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, BookmarksRemarksAndSteps) {
   child<ReplayPanel>(page, "replay").setRealTime(false);
-  desk.press(Qt::Key_Period);
-  desk.press(Qt::Key_Period);
-  desk.press(Qt::Key_B);
-  desk.press(Qt::Key_Comma);
-  desk.press(Qt::Key_R);
+  desk.press({Qt::Key_Period, Qt::Key_Period, Qt::Key_B, Qt::Key_Comma, Qt::Key_R});
   desk.type(QStringLiteral("second grip slips"));
   desk.press(Qt::Key_Return);
 
@@ -313,10 +265,7 @@ TEST(CasePage, BookmarksRemarksAndSteps) {
   EXPECT_EQ(caseRemarks(desk.session(), centre.cases(0).front()).front().earlier.size(), 1U);
 }
 
-TEST(CasePage, ShowsTheOverallMarkWithoutScrollingAndRowsAreSliders) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, ShowsTheOverallMarkWithoutScrollingAndRowsAreSliders) {
   page.resize(1146, 420);  // less than on a screen of 768 lines
   QApplication::processEvents();
 
@@ -339,13 +288,10 @@ TEST(CasePage, ShowsTheOverallMarkWithoutScrollingAndRowsAreSliders) {
   EXPECT_TRUE(page.rect().contains(shown)) << shown.bottom() << " of " << page.height();
 }
 
-TEST(CasePage, TheOverallMarkFollowsTheRowsOnATallPage) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, TheOverallMarkFollowsTheRowsOnATallPage) {
   page.resize(3600, 2000);
   page.show();
-  const auto gap_px = [&page] {
+  const auto gap_px = [this] {
     int end = 0;
     int overall = 0;
     for (const ScoreRow* row : page.findChildren<ScoreRow*>()) {
@@ -359,10 +305,7 @@ TEST(CasePage, TheOverallMarkFollowsTheRowsOnATallPage) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return gap_px() >= 0 && gap_px() < 40; })) << gap_px();
 }
 
-TEST(CasePage, TracesOnlyGrowOnATallScreen) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, TracesOnlyGrowOnATallScreen) {
   page.show();
   auto& replay = *page.findChild<ReplayPanel*>();
   auto& curves = *page.findChild<TraceView*>();
@@ -390,9 +333,7 @@ TEST(CasePage, AHastyCtrlEnterDoesNotReachTheNextCase) {
   scoreCase(desk, 4, 6, 5);
   ASSERT_TRUE(desk.follow());
 
-  for (int i = 0; i < 3; ++i) {
-    desk.press(Qt::Key_Return, Qt::ControlModifier);
-  }
+  desk.finish(3);
   const auto& sheet = child<SheetEditorPanel>(desk.page(), "sheetPanel");
   EXPECT_FALSE(sheet.asking());
   EXPECT_TRUE(desk.notices().join(u' ').contains(QStringLiteral("This is the next case")));
@@ -429,10 +370,7 @@ TEST(CasePage, PlayPressedWhileTheRecordingLoadsStartsWithIt) {
   EXPECT_FALSE(replay.playing());
 }
 
-TEST(CasePage, WatchingCountsWhileTheQuestionIsShown) {
-  ReviewCentre centre(ReviewCentre::Setup{});
-  DeskOf desk(centre, 0);
-  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+TEST_F(CaseAtTheDesk, WatchingCountsWhileTheQuestionIsShown) {
   auto& replay = child<ReplayPanel>(page, "replay");
   replay.setRealTime(false);
   for (const Qt::Key key : {Qt::Key_7, Qt::Key_Down, Qt::Key_6, Qt::Key_Down, Qt::Key_5}) {
@@ -529,8 +467,7 @@ TEST(CasePage, FitsASmallScreenInEveryState) {
   EXPECT_LE(height(), kLeft_px);
   desk.press(Qt::Key_N);
   desk.type(QStringLiteral("hand in the way"));
-  desk.press(Qt::Key_Return);
-  desk.press(Qt::Key_R);
+  desk.press({Qt::Key_Return, Qt::Key_R});
   EXPECT_LE(height(), kLeft_px) << "while a remark is written";
   desk.type(QStringLiteral("second grip slips"));
   desk.press(Qt::Key_Return);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -63,6 +65,17 @@ class DeskOf {
     QWidget* target = page_->focusWidget() != nullptr ? page_->focusWidget() : page_.get();
     QTest::keyClick(target, key, modifiers);
   }
+  void press(std::initializer_list<Qt::Key> keys) {
+    for (const Qt::Key key : keys) {
+      press(key);
+    }
+  }
+  /// Presses Ctrl+Enter.
+  void finish(int times) {
+    for (int i = 0; i < times; ++i) {
+      press(Qt::Key_Return, Qt::ControlModifier);
+    }
+  }
   void type(const QString& text) {
     QWidget* target = page_->focusWidget() != nullptr ? page_->focusWidget() : page_.get();
     QTest::keyClicks(target, text);
@@ -102,15 +115,9 @@ inline void watchAll(ReplayPanel& replay) {
 inline void scoreCase(DeskOf& desk, int time, int accuracy, int overall) {
   auto& page = static_cast<CasePage&>(desk.page());
   child<ReplayPanel>(page, "replay").setRealTime(false);
-  desk.press(digit(time));
-  desk.press(Qt::Key_Down);
-  desk.press(digit(accuracy));
-  desk.press(Qt::Key_Tab);
-  desk.press(digit(overall));
-  desk.press(Qt::Key_Space);
+  desk.press({digit(time), Qt::Key_Down, digit(accuracy), Qt::Key_Tab, digit(overall), Qt::Key_Space});
   watchAll(child<ReplayPanel>(page, "replay"));
-  desk.press(Qt::Key_Return, Qt::ControlModifier);
-  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.finish(2);
 }
 
 inline QString inputOf(const std::string& id) {

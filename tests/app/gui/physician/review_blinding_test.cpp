@@ -80,9 +80,7 @@ void visitCaseStates(DeskOf& desk, Gathering& gathering, const QString& id) {
   desk.press(Qt::Key_N);
   desk.type(QStringLiteral("hand in the way"));
   gathering.look(page);
-  desk.press(Qt::Key_Return);
-  desk.press(Qt::Key_B);
-  desk.press(Qt::Key_R);
+  desk.press({Qt::Key_Return, Qt::Key_B, Qt::Key_R});
   desk.type(QStringLiteral("second grip slips"));
   gathering.look(page);
   desk.press(Qt::Key_Return);
@@ -110,8 +108,7 @@ void visitOtherPages(DeskOf& desk, Gathering& gathering) {
   auto& live = desk.open<LivePage>();
   gathering.look(live);
   for (int i = 0; i < 3; ++i) {
-    desk.press(Qt::Key_6);
-    desk.press(Qt::Key_Down);
+    desk.press({Qt::Key_6, Qt::Key_Down});
   }
   gathering.look(live);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
@@ -128,8 +125,7 @@ void visitOtherPages(DeskOf& desk, Gathering& gathering) {
   auto& evaluation = desk.open<EvaluationPage>();
   gathering.look(evaluation);
   for (int i = 0; i < 9; ++i) {
-    desk.press(Qt::Key_7);
-    desk.press(Qt::Key_Down);
+    desk.press({Qt::Key_7, Qt::Key_Down});
   }
   desk.press(Qt::Key_Return, Qt::ControlModifier);
   gathering.look(evaluation);
@@ -138,10 +134,7 @@ void visitOtherPages(DeskOf& desk, Gathering& gathering) {
 }
 
 TEST(Blinding, NothingReadableRevealsPersonGroupOrStage) {
-  ReviewCentre::Setup setup;
-  setup.raters = 3;
-  setup.live = true;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.raters = 3, .live = true});
   addReferenceRuns(*centre.administrator(),
                    {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
   centre.addTwoModels(false);

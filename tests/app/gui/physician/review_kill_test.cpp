@@ -33,8 +33,7 @@ constexpr int kKeys = 30;
   const auto tell = [] { std::cout << "key\n" << std::flush; };
   desk.press(Qt::Key_7);
   tell();
-  desk.press(Qt::Key_Down);
-  desk.press(Qt::Key_4);
+  desk.press({Qt::Key_Down, Qt::Key_4});
   tell();
   child<QPlainTextEdit>(page, "comment").setFocus();
   for (int i = 0;; ++i) {

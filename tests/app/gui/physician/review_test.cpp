@@ -54,10 +54,7 @@ void expectOnlyOwnMarks(ReviewCentre& centre, std::size_t index) {
 }
 
 TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
-  ReviewCentre::Setup setup;
-  setup.raters = 10;
-  setup.trainees = 3;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.raters = 10, .trainees = 3});
   for (std::size_t rater = 0; rater < 10; ++rater) {
     DeskOf desk(centre, rater);
     if (rater > 0) {
@@ -90,9 +87,7 @@ TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
 }
 
 TEST(ReviewPages, EverythingFocusableHasANameAndFitsASmallScreen) {
-  ReviewCentre::Setup setup;
-  setup.live = true;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.live = true});
   addReferenceRuns(*centre.administrator(),
                    {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
   applyTheme(*qApp, theme(ThemeKind::kLight));
@@ -120,11 +115,7 @@ TEST(ReviewPages, EverythingFocusableHasANameAndFitsASmallScreen) {
 }
 
 TEST(LivePage, ScoresInRunningOrderWithTouchTargets) {
-  ReviewCentre::Setup setup;
-  setup.trainees = 10;
-  setup.live = true;
-  setup.trial_s = 0.5;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.trainees = 10, .trial_s = 0.5, .live = true});
   DeskOf desk(centre, 0);
   applyTheme(*qApp, theme(ThemeKind::kLight));  // the style sheet affects sizes
   auto& page = desk.open<LivePage>();
@@ -142,13 +133,8 @@ TEST(LivePage, ScoresInRunningOrderWithTouchTargets) {
   EXPECT_EQ(targets, 10);
 
   for (int i = 0; i < 2; ++i) {
-    desk.press(Qt::Key_6);
-    desk.press(Qt::Key_Down);
-    desk.press(Qt::Key_7);
-    desk.press(Qt::Key_Down);
-    desk.press(digit(5 + i));
-    desk.press(Qt::Key_Return, Qt::ControlModifier);
-    desk.press(Qt::Key_Return, Qt::ControlModifier);
+    desk.press({Qt::Key_6, Qt::Key_Down, Qt::Key_7, Qt::Key_Down, digit(5 + i)});
+    desk.finish(2);
   }
 
   const std::vector<AssignmentId> live = centre.cases(0, true);
@@ -193,9 +179,7 @@ TEST(RaterCalibrationPage, HasScoreButtonsLargeEnoughForFingerAndMouse) {
 }
 
 TEST(DiscrepancyReviewPage, ChangesAMarkWithAReasonAndKeepsTheOther) {
-  ReviewCentre::Setup setup;
-  setup.trainees = 1;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.trainees = 1});
   for (std::size_t rater = 0; rater < 2; ++rater) {
     DeskOf scorer(centre, rater);
     scorer.open<CasePage>(inputOf(centre.caseAbout(rater, 0)));
@@ -295,12 +279,10 @@ TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
     EXPECT_TRUE(all.contains(QStringLiteral("10: prepares as well as the real thing")));
     EXPECT_TRUE(all.contains(QStringLiteral("There is no recording of this model here")));
     for (int i = 0; i < 5; ++i) {
-      desk.press(digit(i + 4));
-      desk.press(Qt::Key_Down);
+      desk.press({digit(i + 4), Qt::Key_Down});
     }
     EXPECT_TRUE(definition.text().contains(QStringLiteral("twisted shape"))) << "of fidelity";
-    desk.press(Qt::Key_1);
-    desk.press(Qt::Key_0);
+    desk.press({Qt::Key_1, Qt::Key_0});
     desk.press(Qt::Key_Left, Qt::ShiftModifier);  // 9.9
     desk.drop();
   }
@@ -311,11 +293,9 @@ TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
     desk.press(Qt::Key_Down);
   }
   for (int i = 0; i < 3; ++i) {
-    desk.press(Qt::Key_7);
-    desk.press(Qt::Key_Down);
+    desk.press({Qt::Key_7, Qt::Key_Down});
   }
-  desk.press(Qt::Key_Return, Qt::ControlModifier);
-  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.finish(2);
 
   const EvaluationForm form = evaluationForms(desk.session())[0];
   EXPECT_TRUE(form.models[0].submitted);
@@ -339,19 +319,15 @@ TEST(EvaluationPage, AHastyCtrlEnterDoesNotReachTheNextModel) {
     return std::count_if(form.models.begin(), form.models.end(),
                          [](const EvaluationFormModel& model) { return model.submitted; });
   };
-  desk.press(Qt::Key_Return, Qt::ControlModifier);
-  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.finish(2);
   ASSERT_EQ(sealed(), 1);
 
-  for (int i = 0; i < 3; ++i) {
-    desk.press(Qt::Key_Return, Qt::ControlModifier);
-  }
+  desk.finish(3);
   EXPECT_TRUE(desk.notices().join(u' ').contains(QStringLiteral("This is the next model")));
   EXPECT_EQ(sealed(), 1);
 
   desk.press(Qt::Key_Down);
-  desk.press(Qt::Key_Return, Qt::ControlModifier);
-  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.finish(2);
   EXPECT_EQ(sealed(), 2);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scoring for administrators, with real widgets: an adjudicator in two clicks, the runs of rater calibration.
+
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -17,6 +18,7 @@
 #include "app/gui/administrator/scoring/rater_calibration_dialog.h"
 #include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/physician/discrepancy_review_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/services/review/case_sheet.h"
@@ -34,6 +36,7 @@
 #include "tests/app/support/review_centre.h"
 
 namespace torsio::gui {
+
 namespace {
 
 using torsio::testing::ReviewCentre;
@@ -203,4 +206,20 @@ TEST_F(ScoringPages, WithdrawsARunOfRaterCalibrationWithAReason) {
 }
 
 }  // namespace
+
+namespace {
+
+TEST(ComparisonBars, UsesTheSameDecimalsThroughoutAComparison) {
+  RowComparison row{
+      .own = 1.0, .mean = 4.27, .lowest = 3.0, .highest = 5.5, .apart = true, .scale = {0, 100, 10}};
+  ComparisonBars bars;
+
+  bars.setRows({row});
+
+  EXPECT_EQ(bars.accessibleDescription().toStdString(),
+            "Overall: you 1.0; others 4.3, from 3.0 to 5.5; difference 3.3");
+}
+
+}  // namespace
+
 }  // namespace torsio::gui

@@ -12,7 +12,6 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/gui/physician/said_line.h"
 #include "app/gui/widgets/child.h"
 #include "assessment/domain/rating/rubric.h"
 #include "tests/app/gui/physician/desk_of.h"

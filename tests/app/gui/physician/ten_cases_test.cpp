@@ -29,10 +29,7 @@ constexpr double kRecording_s = 40.0;  // ten twists of a practised hand; each r
 constexpr double kTenMinutes_s = 600.0;
 
 TEST(QueuePage, ShowsHowManyCasesFitIntoTenMinutesAndThanksTheRater) {
-  ReviewCentre::Setup setup;
-  setup.raters = 1;
-  setup.trainees = 5;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.raters = 1, .trainees = 5});
   DeskOf desk(centre, 0);
   const std::vector<AssignmentId> cases = centre.cases(0);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -52,11 +49,7 @@ TEST(QueuePage, ShowsHowManyCasesFitIntoTenMinutesAndThanksTheRater) {
 }
 
 TEST(TenCases, AreScoredByKeyboardAloneInTenMinutes) {
-  ReviewCentre::Setup setup;
-  setup.raters = 1;
-  setup.trainees = kCases;
-  setup.trial_s = 1.0;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.raters = 1, .trainees = kCases, .trial_s = 1.0});
   DeskOf desk(centre, 0);
   int keys = 0;
   const auto press = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {

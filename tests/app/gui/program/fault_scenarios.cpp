@@ -115,7 +115,7 @@ std::vector<FaultScenario> lies() {
   all.push_back({"says what is no UTF-8", "FAKEHD_MODEL=Tou\xff\xfe", Course::kWorks, "Tou"});
   all.push_back({"calls after it was taken out", "FAKEHD_LATE_CALLBACKS=1", Course::kWorks, ""});
   all.push_back({"ticks at 400 Hz", "FAKEHD_TICK_US=2500", Course::kNeverOn, "no force is rendered"});
-  all.push_back({"does what it should", "", Course::kWorks, "without complaint"});
+  all.push_back({"does what it should", "", Course::kWorks, "without an error"});
   return all;
 }
 

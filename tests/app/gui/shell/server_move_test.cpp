@@ -146,7 +146,7 @@ TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
   EXPECT_FALSE(child<QPushButton>(page, "copyButton").isVisible());
   click(child<QPushButton>(page, "switchButton"));
   ASSERT_EQ(failures_.size(), 1);
-  EXPECT_EQ(failures_.front(), QStringLiteral("The record in this database holds no centre"));
+  EXPECT_EQ(failures_.front(), QStringLiteral("The record in this database contains no centre"));
   setUpCentre(*std::make_unique<SessionContext>(other),
               {.centre = "Old hospital", .login = "chief", .password = "a long enough password"});
   click(child<QPushButton>(page, "switchButton"));
@@ -183,7 +183,8 @@ TEST_F(ServerMove, ACancelledCopyKeepsNothingOnTheServerAndCanBeRepeated) {
   EXPECT_FALSE(contains(trail(record()), "database.move"));
   EXPECT_FALSE(child<QLabel>(page, "copyText").text().contains(QStringLiteral("same counts and hashes")));
   click(child<QPushButton>(page, "testButton"));
-  EXPECT_TRUE(child<QLabel>(page, "serverText").text().contains(QStringLiteral("the record can go there")));
+  EXPECT_TRUE(
+      child<QLabel>(page, "serverText").text().contains(QStringLiteral("the record can be moved there")));
   click(child<QPushButton>(page, "copyButton"));
   EXPECT_TRUE(child<QLabel>(page, "copyText").text().contains(QStringLiteral("same counts and hashes")));
 }

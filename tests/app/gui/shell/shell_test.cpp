@@ -197,13 +197,13 @@ TEST_F(Shell, AProblemIsShownInPlainWordsWithFoldedDetailsAndCanBeCopied) {
 TEST_F(Shell, AnOpenProblemFollowsTheLanguage) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
-  const Error error(ErrorCode::kBadParameter, Text::verbatim("the moment lies outside the recording"),
+  const Error error(ErrorCode::kBadParameter, Text::verbatim("the moment is outside the recording"),
                     Text::verbatim("7F"), Text::verbatim("Choose a time within it"));
   window_->desk()->context().report(std::make_exception_ptr(error));
   auto* panel = window_->desk()->findChild<ProblemPanel*>();
   press(*panel, QStringLiteral("Details"));
   const QString english = panel->wholeText();
-  ASSERT_TRUE(english.contains(QStringLiteral("The moment lies outside the recording")));
+  ASSERT_TRUE(english.contains(QStringLiteral("The moment is outside the recording")));
 
   LanguageSwitch language;
   language.choose(Language::kSimplifiedChinese);

@@ -16,15 +16,10 @@ inline constexpr const char* kAdminPassword = "a short sentence for the lab";
 
 /// Founds a centre in the record at `locator`. Returns the session of its administrator "admin", signed in.
 [[nodiscard]] inline std::unique_ptr<SessionContext> foundCentre(const std::string& locator) {
-  SessionKey key;
-  key.locator = locator;
-  key.station = "test";
+  SessionKey key{.locator = locator, .station = "test"};
   auto office = std::make_unique<SessionContext>(key);
   office->setPasswordCost(PasswordCost::kTest);
-  FirstRun first;
-  first.centre = "City hospital";
-  first.login = "admin";
-  first.password = kAdminPassword;
+  FirstRun first{.centre = "City hospital", .login = "admin", .password = kAdminPassword};
   setUpCentre(*office, first);
   EXPECT_EQ(torsio::signIn(*office, "admin", kAdminPassword).outcome, SignIn::kOk);
   return office;

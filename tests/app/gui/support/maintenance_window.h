@@ -61,8 +61,7 @@ class MaintenancePages : public ::testing::Test {
   }
 
   static PersonEntry person() {
-    PersonEntry entry;
-    entry.fullName = "Li Na";
+    PersonEntry entry{.fullName = "Li Na"};
     return entry;
   }
 

@@ -79,6 +79,13 @@ class Newcomer {
       pass(kFrame_ms * 1e-3);
     }
   }
+  /// Moves the jaw to the organ and closes it with `key`.
+  void grip(int key) {
+    pass(0.5);
+    wheelUntil([this] { return state().phase == ExercisePhase::kContact; });
+    hold(key);
+    waitUntil([this] { return state().phase == ExercisePhase::kTwisting; });
+  }
   [[nodiscard]] LiveState state() { return scene().controller().state(); }
   Station& station() { return station_; }
   [[nodiscard]] int actions() const { return actions_; }
@@ -100,10 +107,20 @@ class Newcomer {
   double run_s_ = 0.0;
 };
 
+/// A trainee in a run of the first module, not graded.
+class NewcomerInARun : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    station.openRun(false, nullptr);
+    ASSERT_TRUE(soon([this] { return station.run().busy(); }));
+  }
+  TrainingCentre centre;
+  Newcomer newcomer{centre};
+  Station& station = newcomer.station();
+};
+
 TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
-  TrainingCentre::Setup setup;
-  setup.consent = false;
-  TrainingCentre centre(setup);
+  TrainingCentre centre({.consent = false});
   Newcomer newcomer(centre);
   Station& station = newcomer.station();
   station.open(PageId::kNextStep);
@@ -120,10 +137,7 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
 
   const TrainingModule module = station.run().runSession()->module();
   const auto off_rad = [&] { return newcomer.state().response.angle_rad - module.targetAngle_rad; };
-  newcomer.pass(0.5);
-  newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
-  newcomer.hold(Qt::Key_Space);
-  newcomer.waitUntil([&] { return newcomer.state().phase == ExercisePhase::kTwisting; });
+  newcomer.grip(Qt::Key_Space);
   const int way = off_rad() < 0.0 ? Qt::Key_E : Qt::Key_Q;
   newcomer.hold(way);
   newcomer.pass(0.1);
@@ -166,12 +180,7 @@ TEST(FirstRunByHand, ReachesAPassedExerciseInFourMinutesAndTwentyFiveActions) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(FirstRunByHand, HoldingEnterOnTheEndQuestionUsesNoAttempt) {
-  TrainingCentre centre;
-  Newcomer newcomer(centre);
-  Station& station = newcomer.station();
-  station.openRun(false, nullptr);
-  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
+TEST_F(NewcomerInARun, HoldingEnterOnTheEndQuestionUsesNoAttempt) {
   bool asked = false;
   QTimer::singleShot(0, qApp, [&asked] {
     auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
@@ -187,17 +196,9 @@ TEST(FirstRunByHand, HoldingEnterOnTheEndQuestionUsesNoAttempt) {
   EXPECT_TRUE(station.run().busy());
 }
 
-TEST(FirstRunByHand, ATwistReleasedTooFarIsReportedImmediately) {
-  TrainingCentre centre;
-  Newcomer newcomer(centre);
-  Station& station = newcomer.station();
-  station.openRun(false, nullptr);
-  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
+TEST_F(NewcomerInARun, ATwistReleasedTooFarIsReportedImmediately) {
   const TrainingModule module = station.run().runSession()->module();
-  newcomer.pass(0.5);
-  newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
-  newcomer.hold(Qt::Key_Space);
-  newcomer.waitUntil([&] { return newcomer.state().phase == ExercisePhase::kTwisting; });
+  newcomer.grip(Qt::Key_Space);
   newcomer.hold(module.targetAngle_rad < 0.0 ? Qt::Key_Q : Qt::Key_E);
   newcomer.waitUntil([&] {
     return std::abs(newcomer.state().response.angle_rad) >
@@ -211,17 +212,9 @@ TEST(FirstRunByHand, ATwistReleasedTooFarIsReportedImmediately) {
   EXPECT_TRUE(told.contains(QStringLiteral("On target: 0 of 1"))) << told.toStdString();
 }
 
-TEST(FirstRunByHand, ATwistInTheWrongDirectionIsNamed) {
-  TrainingCentre centre;
-  Newcomer newcomer(centre);
-  Station& station = newcomer.station();
-  station.openRun(false, nullptr);
-  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
+TEST_F(NewcomerInARun, ATwistInTheWrongDirectionIsNamed) {
   const TrainingModule module = station.run().runSession()->module();
-  newcomer.pass(0.5);
-  newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
-  newcomer.hold(Qt::Key_Space);
-  newcomer.waitUntil([&] { return newcomer.state().phase == ExercisePhase::kTwisting; });
+  newcomer.grip(Qt::Key_Space);
   newcomer.hold(module.targetAngle_rad < 0.0 ? Qt::Key_E : Qt::Key_Q);
   newcomer.waitUntil([&] {
     return std::abs(newcomer.state().response.angle_rad - module.targetAngle_rad) >
@@ -236,12 +229,7 @@ TEST(FirstRunByHand, ATwistInTheWrongDirectionIsNamed) {
   EXPECT_TRUE(told.contains(QStringLiteral("On target: 0 of 1"))) << told.toStdString();
 }
 
-TEST(FirstRunByHand, TheTimerMovesNoButtonBetweenPressAndRelease) {
-  TrainingCentre centre;
-  Newcomer newcomer(centre);
-  Station& station = newcomer.station();
-  station.openRun(false, nullptr);
-  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
+TEST_F(NewcomerInARun, TheTimerMovesNoButtonBetweenPressAndRelease) {
   station.page->show();
   QApplication::processEvents();
   auto* stop = station.find<QPushButton>("stop");
@@ -269,21 +257,13 @@ TEST(FirstRunByHand, TheTimerMovesNoButtonBetweenPressAndRelease) {
   }
 }
 
-TEST(FirstRunByHand, AJawOpenedByALossOfFocusIsReportedAndTheMouseRestoresIt) {
-  TrainingCentre centre;
-  Newcomer newcomer(centre);
-  Station& station = newcomer.station();
-  station.openRun(false, nullptr);
-  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
+TEST_F(NewcomerInARun, AJawOpenedByALossOfFocusIsReportedAndTheMouseRestoresIt) {
   station.page->show();
   QApplication::setActiveWindow(station.page.get());
   SceneView& view = child<LiveScene>(station.run(), "scene").view();
   view.setFocus();
   station.notices.clear();
-  newcomer.pass(0.5);
-  newcomer.wheelUntil([&] { return newcomer.state().phase == ExercisePhase::kContact; });
-  newcomer.hold(Qt::Key_G);
-  newcomer.waitUntil([&] { return newcomer.state().phase == ExercisePhase::kTwisting; });
+  newcomer.grip(Qt::Key_G);
 
   station.find<QPushButton>("stop")->setFocus();
   newcomer.pass(0.5);
@@ -297,10 +277,9 @@ TEST(FirstRunByHand, AJawOpenedByALossOfFocusIsReportedAndTheMouseRestoresIt) {
 
 // The rest ends while "Go on now" is pressed: the button stays until it is released.
 TEST(FirstRunByHand, TheTimerRemovesNoPressedButton) {
-  TrainingCentre::Setup setup;
-  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
-  setup.restAllowance_us = 30 * kSecond_us;
-  TrainingCentre centre(setup);
+  TrainingCentre centre(
+      {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}},
+       .restAllowance_us = 30 * kSecond_us});
   Station station(centre);
   station.openRun(false, nullptr);
   ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));

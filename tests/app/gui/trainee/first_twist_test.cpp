@@ -12,7 +12,7 @@
 
 #include "app/gui/base/language.h"
 #include "app/gui/trainee/live_scene.h"
-#include "app/gui/trainee/session_story.h"
+#include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/twist_guide.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/angle.h"
@@ -113,9 +113,7 @@ TEST(FirstTwist, IsGuidedInTheFirstPracticeAndOnRequestLater) {
 
 TEST(FirstTwist, AVisitorStartsWithTheFirstExerciseWhateverTheSimulatedTraineeHasMastered) {
   for (const bool simulated : {false, true}) {
-    TrainingCentre::Setup setup;
-    setup.simulated = simulated;
-    TrainingCentre centre(setup);
+    TrainingCentre centre({.simulated = simulated});
     centre.attempt("first", "practice", 1.0);
     centre.attempt("first", "practice", 1.0);
     Station station(centre);
@@ -213,14 +211,11 @@ TEST(FirstTwist, ASoundPlaysOnceAtALimitIfTheCentreWantsIt) {
 }
 
 Debrief toldRun(const TrialId& id, std::int64_t started_us, std::initializer_list<double> errors_deg) {
-  Debrief told;
-  told.trialId = id;
-  told.startedUtc_us = started_us;
+  Debrief told{.trialId = id, .startedUtc_us = started_us};
   for (const double error_deg : errors_deg) {
-    TwistResult twist;
-    twist.target_rad = radians(90.0);
-    twist.released_rad = radians(90.0 + error_deg);
-    twist.passed = std::abs(error_deg) <= 3.0;
+    TwistResult twist{.target_rad = radians(90.0),
+                      .released_rad = radians(90.0 + error_deg),
+                      .passed = std::abs(error_deg) <= 3.0};
     told.twists.push_back(twist);
   }
   return told;

@@ -17,8 +17,6 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/questions_card.h"
-#include "app/gui/physician/replies_card.h"
-#include "app/gui/trainee/ask_card.h"
 #include "app/gui/trainee/remarks_page.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/base/assets.h"

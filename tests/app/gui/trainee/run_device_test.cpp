@@ -73,9 +73,24 @@ std::vector<TrialOutcome> outcomes(TrainingCentre& centre) {
   return all;
 }
 
-TEST(RunDevice, ARefusedRunShowsNothingOfThePreviousRun) {
+/// A station without an open run.
+class DeviceAtTheStation : public ::testing::Test {
+ protected:
+  /// Trains for five seconds with a device whose cable can be pulled.
+  std::shared_ptr<Wire> trainWired(bool graded) {
+    auto wire = std::make_shared<Wire>();
+    station.openRun(graded, [wire](const Scene& scene, double target_rad) {
+      return std::make_unique<Wired>(wire, practised(scene, target_rad));
+    });
+    EXPECT_TRUE(soon([this] { return station.run().busy(); }));
+    station.train(5 * kSecond_us);
+    return wire;
+  }
   TrainingCentre centre;
-  Station station(centre);
+  Station station{centre};
+};
+
+TEST_F(DeviceAtTheStation, ARefusedRunShowsNothingOfThePreviousRun) {
   station.openRun(false, nullptr);
   ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   const std::unique_ptr<Page> kept = std::move(station.page);  // the desk keeps its pages
@@ -100,15 +115,8 @@ TEST(RunDevice, ARefusedRunShowsNothingOfThePreviousRun) {
   EXPECT_FALSE(child<QPushButton>(run, "stop").isEnabled());
 }
 
-TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
-  TrainingCentre centre;
-  Station station(centre);
-  const auto wire = std::make_shared<Wire>();
-  station.openRun(true, [wire](const Scene& scene, double target_rad) {
-    return std::make_unique<Wired>(wire, practised(scene, target_rad));
-  });
-  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
-  station.train(5 * kSecond_us);
+TEST_F(DeviceAtTheStation, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
+  const auto wire = trainWired(true);
 
   unplug(station, *wire);
 
@@ -125,15 +133,8 @@ TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
   EXPECT_EQ(stepOf(steps, centre.module("first")).attempts, 0);
 }
 
-TEST(RunDevice, PracticeThatLosesItsDeviceContinuesWithTheMouse) {
-  TrainingCentre centre;
-  Station station(centre);
-  const auto wire = std::make_shared<Wire>();
-  station.openRun(false, [wire](const Scene& scene, double target_rad) {
-    return std::make_unique<Wired>(wire, practised(scene, target_rad));
-  });
-  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
-  station.train(5 * kSecond_us);
+TEST_F(DeviceAtTheStation, PracticeThatLosesItsDeviceContinuesWithTheMouse) {
+  const auto wire = trainWired(false);
 
   unplug(station, *wire);
 
@@ -150,10 +151,9 @@ TEST(RunDevice, PracticeThatLosesItsDeviceContinuesWithTheMouse) {
 }
 
 TEST(RunDevice, TheClockWaitsForTheDeviceButTheWindowDoesNot) {
-  TrainingCentre::Setup setup;
-  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
-  setup.restAllowance_us = 30 * kSecond_us;
-  TrainingCentre centre(setup);
+  TrainingCentre centre(
+      {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}},
+       .restAllowance_us = 30 * kSecond_us});
   Station station(centre);
   auto gate = std::make_shared<std::binary_semaphore>(0);
   station.openRun(true, [gate](const Scene& scene, double target_rad) {
@@ -189,9 +189,7 @@ TEST(RunDevice, TheClockWaitsForTheDeviceButTheWindowDoesNot) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(RunDevice, WaitingForTheDeviceCanBeCancelled) {
-  TrainingCentre centre;
-  Station station(centre);
+TEST_F(DeviceAtTheStation, WaitingForTheDeviceCanBeCancelled) {
   auto gate = std::make_shared<std::binary_semaphore>(0);
   auto given = std::make_shared<std::atomic<int>>(0);
   station.openRun(true, [gate, given](const Scene& scene, double target_rad) {
@@ -210,9 +208,7 @@ TEST(RunDevice, WaitingForTheDeviceCanBeCancelled) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
-TEST(RunDevice, AGradedRunDoesNotStartWithADeviceThatCannotBeOpened) {
-  TrainingCentre centre;
-  Station station(centre);
+TEST_F(DeviceAtTheStation, AGradedRunDoesNotStartWithADeviceThatCannotBeOpened) {
   station.openRun(true, [](const Scene&, double) -> std::unique_ptr<HapticDevice> {
     throw Error(ErrorCode::kDevice, Text::verbatim("the device does not answer"), Text::verbatim("port 1"),
                 Text::verbatim("Check its cable"));

@@ -33,8 +33,8 @@
 #include "app/gui/trainee/trainee_labels.h"
 #include "app/gui/trainee/transcript_page.h"
 #include "app/gui/trainee/trend_page.h"
-#include "app/gui/trainee/trend_plot.h"
 #include "app/gui/widgets/gauges.h"
+#include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/services/people/consent_service.h"
@@ -54,9 +54,14 @@ using torsio::testing::kMinute_us;
 using torsio::testing::kSecond_us;
 using torsio::testing::TrainingCentre;
 
-TEST(Station, TheResultOfTheDeviceCheckIsOnTheBoardOfTheDay) {
+/// A station at its first page.
+class AtTheStation : public ::testing::Test {
+ protected:
   TrainingCentre centre;
-  Station station(centre);
+  Station station{centre};
+};
+
+TEST_F(AtTheStation, TheResultOfTheDeviceCheckIsOnTheBoardOfTheDay) {
   StationWriter line({centre.locator(), "station 1", centre.session().actor()});
   station.shell().setLine(&line);
   station.light = Light::kRed;
@@ -73,9 +78,7 @@ TEST(Station, TheResultOfTheDeviceCheckIsOnTheBoardOfTheDay) {
 }
 
 TEST(StationPages, TheRingFillsWhileTheTargetIsHeldAndEmptiesOffTarget) {
-  TrainingCentre::Setup setup;
-  setup.hold_us = kSecond_us;
-  TrainingCentre centre(setup);
+  TrainingCentre centre({.hold_us = kSecond_us});
   Station station(centre);
   station.open(PageId::kNextStep);
   station.press("begin");
@@ -128,9 +131,8 @@ TEST(StationPages, TheLastResultIsShownInOneLineBesideItsModule) {
 }
 
 TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
-  TrainingCentre::Setup setup;
-  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us}};
-  TrainingCentre centre(setup);
+  TrainingCentre centre(
+      {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us}}});
   for (int i = 0; i < 2; ++i) {
     centre.attempt("first", "practice", 1.0);
   }
@@ -178,7 +180,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
 
   ASSERT_EQ(station.pageId, PageId::kTrend);
   EXPECT_EQ(static_cast<TrendPage&>(*station.page).trend().points.size(), 1U);
-  EXPECT_TRUE(station.find<QLabel>("level")->text().startsWith(QStringLiteral("Not shown yet, ")));
+  EXPECT_TRUE(station.find<QLabel>("level")->text().startsWith(QStringLiteral("Not shown yet; ")));
   EXPECT_TRUE(station.find<QLabel>("competence")
                   ->text()
                   .contains(QStringLiteral("are judged competent (false pass)")));
@@ -186,9 +188,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
 }
 
 TEST(StationPages, NothingIsRecordedBeforeTheTraineeConsents) {
-  TrainingCentre::Setup setup;
-  setup.consent = false;
-  TrainingCentre centre(setup);
+  TrainingCentre centre({.consent = false});
   Station station(centre);
   station.open(PageId::kNextStep);
   station.press("begin");
@@ -214,9 +214,7 @@ TEST(StationPages, NothingIsRecordedBeforeTheTraineeConsents) {
   EXPECT_EQ(decided, expected) << "each purpose is a decision of its own";
 }
 
-TEST(StationPages, ConsentIsStoredWithoutAskingTwiceAndWithdrawnOnlyForTheRecord) {
-  TrainingCentre centre;
-  Station station(centre);
+TEST_F(AtTheStation, ConsentIsStoredWithoutAskingTwiceAndWithdrawnOnlyForTheRecord) {
   station.open(PageId::kConsent);
   const std::size_t before = ownConsents(centre.session()).size();
   ASSERT_EQ(before, 1U) << "the training record alone was decided about";
@@ -245,9 +243,7 @@ TEST(StationPages, ConsentIsStoredWithoutAskingTwiceAndWithdrawnOnlyForTheRecord
   }
 }
 
-TEST(StationPages, ATraineeRequestsACopyOfTheRecordAndReadsTheAnswer) {
-  TrainingCentre centre;
-  Station station(centre);
+TEST_F(AtTheStation, ATraineeRequestsACopyOfTheRecordAndReadsTheAnswer) {
   station.open(PageId::kConsent);
   station.press("askCopy");
 
@@ -286,11 +282,10 @@ TEST(StationPages, AmberAllowsOnlyPracticeAndRedNothing) {
 }
 
 TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsAutomatically) {
-  TrainingCentre::Setup setup;
-  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us},
-                  {.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kMinute_us}};
-  setup.restAllowance_us = 30 * kSecond_us;
-  TrainingCentre centre(setup);
+  TrainingCentre centre(
+      {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us},
+                  {.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kMinute_us}},
+       .restAllowance_us = 30 * kSecond_us});
   Station station(centre);
   station.desk().moduleId = centre.module("first");
   station.desk().readiness = deviceWith(Light::kGreen);
@@ -320,10 +315,9 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsAutomatically) {
 
 // A hasty second click ends neither the rest nor the run.
 TEST(StationPages, ADoubleClickOnRestStartsASingleRest) {
-  TrainingCentre::Setup setup;
-  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
-  setup.restAllowance_us = 30 * kSecond_us;
-  TrainingCentre centre(setup);
+  TrainingCentre centre(
+      {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}},
+       .restAllowance_us = 30 * kSecond_us});
   Station station(centre);
   station.desk().moduleId = centre.module("first");
   station.desk().readiness = deviceWith(Light::kGreen);
@@ -354,11 +348,10 @@ TEST(StationPages, ADoubleClickOnRestStartsASingleRest) {
 }
 
 TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
-  TrainingCentre::Setup setup;
-  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us},
-                  {.kind = PhaseKind::kReal, .label = "real 40 s", .duration_us = 40 * kSecond_us}};
-  setup.restAllowance_us = 20 * kSecond_us;
-  TrainingCentre centre(setup);
+  TrainingCentre centre(
+      {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us},
+                  {.kind = PhaseKind::kReal, .label = "real 40 s", .duration_us = 40 * kSecond_us}},
+       .restAllowance_us = 20 * kSecond_us});
   Station station(centre);
   applyTheme(*qApp, theme(ThemeKind::kLight));
   station.desk().moduleId = centre.module("first");
@@ -378,9 +371,7 @@ TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
 
 // With a visitor's bar, the page is even lower, with a feedback of two lines below.
 TEST(StationPages, AWarningIsFullyVisibleInTheSmallestWindow) {
-  TrainingCentre::Setup setup;
-  setup.leastTwists = 2;
-  TrainingCentre centre(setup);
+  TrainingCentre centre({.leastTwists = 2});
   Station station(centre);
   applyTheme(*qApp, theme(ThemeKind::kLight));
   station.openRun(false, nullptr);
@@ -450,9 +441,7 @@ TEST(StationPages, AnAbortedRunIsShownAsInterrupted) {
   EXPECT_EQ(nextSteps(centre.session(), centre.person()).interrupted.size(), 1U);
 }
 
-TEST(StationPages, TheDebriefMentionsATwistInterruptedByTheEnd) {
-  TrainingCentre centre;
-  Station station(centre);
+TEST_F(AtTheStation, TheDebriefMentionsATwistInterruptedByTheEnd) {
   const auto unfinishedIn = [&](const std::string& trial) {
     return torsio::debrief(centre.session(), trial, {}, &torsio::testing::trainingBar()).unfinishedTwists;
   };
@@ -535,9 +524,7 @@ TEST(StationPages, TheDebriefShowsTheRunIn3dWithTheExpertsGhost) {
   EXPECT_NEAR(replay->position_s(), middle_s + 0.5, 0.02);
 }
 
-TEST(StationPages, ALateEnterNeverDecidesConsent) {
-  TrainingCentre centre;
-  Station station(centre);
+TEST_F(AtTheStation, ALateEnterNeverDecidesConsent) {
   station.open(PageId::kConsent);
   station.page->show();
   QApplication::processEvents();
@@ -547,9 +534,7 @@ TEST(StationPages, ALateEnterNeverDecidesConsent) {
 }
 
 TEST(StationPages, TheRunCountsItsTwists) {
-  TrainingCentre::Setup setup;
-  setup.leastTwists = 3;
-  TrainingCentre centre(setup);
+  TrainingCentre centre({.leastTwists = 3});
   const LanguageSwitch english;  // for its plurals
   Station station(centre);
   station.openRun(false, [](const Scene& scene, double target_rad) -> std::unique_ptr<HapticDevice> {
@@ -657,8 +642,7 @@ TEST(StationPages, TheDebriefFitsTheWidthOfASmallWindow) {
 
 TEST(TrendPlot, CountsHaveOnlyWholeMarks) {
   const auto marksOf = [](Quantity quantity, double most) {
-    Trend trend;
-    trend.quantity = quantity;
+    Trend trend{.quantity = quantity};
     for (const double value : {0.0, most}) {
       trend.points.emplace_back().value = value;
     }
@@ -715,9 +699,7 @@ TEST(StationPages, TheTranscriptIsAPdf) {
   EXPECT_GT(std::filesystem::file_size(file), 2'000U);
 }
 
-TEST(StationPages, EveryPageCanBeEnteredByABeginner) {
-  TrainingCentre centre;
-  Station station(centre);
+TEST_F(AtTheStation, EveryPageCanBeEnteredByABeginner) {
   for (const PageId id : {PageId::kNextStep, PageId::kDebrief, PageId::kTrend, PageId::kRemarks,
                           PageId::kTranscript, PageId::kDeviceCheck, PageId::kConsent}) {
     station.open(id);

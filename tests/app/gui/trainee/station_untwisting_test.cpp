@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The station's pages with a module whose organ comes twisted.
+
 #include <filesystem>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QWidget>
 #include <gtest/gtest.h>
@@ -10,7 +12,10 @@
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/debrief_plot.h"
 #include "app/gui/trainee/detorsion_card.h"
+#include "app/gui/trainee/trend_page.h"
+#include "app/gui/widgets/data_table.h"
 #include "app/services/recording/recorded_run.h"
+#include "assessment/catalogue/quantity.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/scene/scene_file.h"
@@ -18,6 +23,7 @@
 #include "tests/app/support/training_centre.h"
 
 namespace torsio::gui {
+
 namespace {
 
 using torsio::testing::TrainingCentre;
@@ -104,4 +110,59 @@ TEST(StationOfAnUntwisting, TheDebriefSwitchesBetweenATwistAndAnUntwisting) {
 }
 
 }  // namespace
+
+namespace {
+
+using torsio::testing::TrainingCentre;
+
+TrainingCentre::Setup untwistings() {
+  TrainingCentre::Setup setup;
+  setup.sceneId = "testis";
+  setup.patternId = "detorse";
+  setup.mastery = {{.metric = "detorse.done", .threshold = 1.0, .unit = "1"},
+                   {.metric = "detorse.dose", .comparison = "at_most", .threshold = 0.9, .unit = "1"},
+                   {.metric = "detorse.relapse", .comparison = "at_most", .threshold = 0.0, .unit = "1"}};
+  return setup;
+}
+
+TEST(UntwistingPages, TheTrendShowsTheQuantitiesOfAnUntwisting) {
+  TrainingCentre centre(untwistings());
+  centre.untwist("first", "practice");
+  centre.untwist("first", "practice", 1);
+  Station station(centre);
+
+  station.open(PageId::kTrend, QString::fromStdString(centre.module("first")));
+  auto& page = static_cast<TrendPage&>(*station.page);
+  const auto* table = page.findChild<DataTable*>();
+  ASSERT_NE(table, nullptr);
+
+  EXPECT_TRUE(table->asText().contains(QStringLiteral("Ischaemic dose")));
+  EXPECT_TRUE(table->asText().contains(QStringLiteral("Not passed")));
+  EXPECT_FALSE(table->asText().contains(QStringLiteral("not measured")));
+  for (const QComboBox* box : page.findChildren<QComboBox*>()) {
+    EXPECT_LT(box->findText(QStringLiteral("Twists on target")), 0);
+  }
+  page.chooseQuantity(Quantity::kUntwisted);
+  EXPECT_TRUE(table->asText().contains(QStringLiteral("yes")));
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("Not reached")));
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("A yes or no has no learning curve.")));
+  EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+TEST(UntwistingPages, TheNextStepShowsAYesOrNoRuleInWords) {
+  TrainingCentre centre(untwistings());
+  centre.untwist("first", "practice", 1);
+  Station station(centre);
+
+  station.open(PageId::kNextStep);
+  const QString all = station.allText();
+
+  EXPECT_TRUE(all.contains(QStringLiteral("Untwisted: yes"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QStringLiteral("Relapse: no"))) << all.toStdString();
+  EXPECT_TRUE(all.contains(QStringLiteral("Last time: not untwisted, ischaemic dose"))) << all.toStdString();
+  EXPECT_FALSE(all.contains(QStringLiteral("Twists on target"))) << all.toStdString();
+}
+
+}  // namespace
+
 }  // namespace torsio::gui

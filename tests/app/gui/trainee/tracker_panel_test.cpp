@@ -146,7 +146,7 @@ TEST(TrackerPanel, ConnectsToTheGivenAddressAndRemembersIt) {
   ASSERT_TRUE(tracker.sendBytes("HTTP/1.1 400 Bad Request\r\n" + std::string(200, '-')));
   ASSERT_TRUE(testing::eventually([&] {
     station.run().tick();
-    return station.find<QLabel>("trackerStatus")->text().contains(QStringLiteral("no OpenIGTLink"));
+    return station.find<QLabel>("trackerStatus")->text().contains(QStringLiteral("not OpenIGTLink"));
   }));
   station.press("trackerConnect");
   EXPECT_TRUE(station.find<QSpinBox>("trackerPort")->isEnabled());

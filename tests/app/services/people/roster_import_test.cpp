@@ -123,7 +123,7 @@ TEST(RosterImport, GivesEveryLineItsStatusAndARemedy) {
   EXPECT_NE(preview.rows[2].hint.str().find("the e-mail address belongs to"), std::string::npos);
   EXPECT_EQ(preview.rows[3].problem, "\"purple\" is not understood as Sex");
   EXPECT_EQ(preview.rows[4].problem, "Staff or student number is missing");
-  EXPECT_EQ(preview.rows[5].problem, "the number S-3 stands on line 4 already");
+  EXPECT_EQ(preview.rows[5].problem, "the number S-3 is already on line 4");
   EXPECT_EQ(preview.rows[6].problem, "the line has 3 values, the header 5");
   for (std::size_t i = 3; i < 7; ++i) {
     EXPECT_FALSE(preview.rows[i].remedy.empty()) << i;
@@ -164,7 +164,7 @@ TEST(RosterImport, ReportsTheLineOfATextThatIsTooLongOrHasInvisibleCharacters) {
 
   ASSERT_EQ(preview.rows.size(), 6U);
   EXPECT_EQ(preview.rows[1].problem, "Full name is longer than 200 characters");
-  EXPECT_EQ(preview.rows[2].problem, "Full name holds the character U+202E, which nobody can see");
+  EXPECT_EQ(preview.rows[2].problem, "Full name contains the invisible character U+202E");
   EXPECT_EQ(preview.rows[3].line, 5U);
   EXPECT_FALSE(preview.rows[3].problem.empty());
   EXPECT_FALSE(preview.rows[4].problem.empty());

@@ -245,7 +245,7 @@ TEST_F(StationStartTest, AFileThatConflictsWithTheRecordIsKeptAndReported) {
 
   EXPECT_TRUE(start.trials.empty());
   ASSERT_EQ(start.kept.size(), 1U);
-  EXPECT_NE(start.kept[0].str().find("stored already with other content"), std::string::npos)
+  EXPECT_NE(start.kept[0].str().find("already stored with different content"), std::string::npos)
       << start.kept[0];
   EXPECT_NE(start.kept[0].str().find("Its file is kept: " + file.string()), std::string::npos)
       << start.kept[0];

@@ -227,9 +227,8 @@ TEST(StationWriter, EndsInTimeEvenIfTheServerNeverAnswers) {
 }
 
 TEST(StationWriter, ARunContinuesWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
-  TrainingCentre::Setup setup;
-  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 120 * kSecond_us}};
-  TrainingCentre centre(setup);
+  TrainingCentre centre(
+      {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 120 * kSecond_us}}});
   const SessionKey key = keyOf(centre, centre.session().actor());
   Gate gate;
   gate.close();

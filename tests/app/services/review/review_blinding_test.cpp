@@ -76,9 +76,7 @@ TEST(BlindedRecording, TwoRatersCannotMatchTheirCasesByTheDigest) {
 }
 
 TEST(BlindedRecording, IsForAssignedRatersOnlyAndOnlyWhileAssigned) {
-  ReviewCentre::Setup setup;
-  setup.live = true;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.live = true});
   const auto desk = centre.physician(0);
   const auto other = centre.physician(1);
   const std::string id = centre.cases(0).front();
@@ -106,10 +104,7 @@ TEST(BlindedRecording, ItsErrorsNameOnlyTheCase) {
 }
 
 TEST(DiscrepancyReview, MarksOfOthersAreHiddenUntilAllHaveSubmitted) {
-  ReviewCentre::Setup setup;
-  setup.raters = 3;
-  setup.trainees = 1;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.raters = 3, .trainees = 1});
   const auto first = centre.physician(0);
   submitSheet(*first, centre.caseAbout(0, 0), reviewSheet(2, 2, 2), watchedWhole());
   submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole());

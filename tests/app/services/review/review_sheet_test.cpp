@@ -278,9 +278,7 @@ TEST(CaseSheet, AnAmendmentKeepsBothVersionsAndNeedsAReason) {
 }
 
 TEST(CaseSheet, OnceThePanelsMarksAreVisibleAChangeNeedsAReasonAndIsFlagged) {
-  ReviewCentre::Setup setup;
-  setup.trainees = 1;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.trainees = 1});
   const auto desk = centre.physician(0);
   const std::string id = centre.caseAbout(0, 0);
   submitSheet(*desk, id, reviewSheet(3, 3, 3), whole(2'000'000));
@@ -320,10 +318,7 @@ TEST(CaseSheet, IsOnlyForItsRater) {
 }
 
 TEST(ReviewQueue, ShowsOneDeadlineForAllRecordedCases) {
-  ReviewCentre::Setup setup;
-  setup.trainees = 4;
-  setup.dueByTrainee = true;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.trainees = 4, .dueByTrainee = true});
   const auto desk = centre.physician(0);
   const std::int64_t told_us = kReviewTime_us + 4 * kReviewDay_us;
   const auto deadlines = [&] {
@@ -357,10 +352,7 @@ TEST(ReviewQueue, ShowsOneDeadlineForAllRecordedCases) {
 }
 
 TEST(ReviewQueue, EstimatesTimesAndKnowsTheNextCase) {
-  ReviewCentre::Setup setup;
-  setup.trainees = 5;
-  setup.live = true;
-  ReviewCentre centre(setup);
+  ReviewCentre centre({.trainees = 5, .live = true});
   const auto desk = centre.physician(0);
   const std::vector<AssignmentId> ids = centre.cases(0);
 

@@ -116,7 +116,7 @@ TEST(CurriculumContent, ListsEveryProblemWithItsPlaceAndRemedy) {
   EXPECT_TRUE(mentions(problems, "module A2", "lacks"));
   EXPECT_TRUE(mentions(problems, "module A2", "target of 0"));
   EXPECT_TRUE(mentions(problems, "module A2", "code of another module"));
-  EXPECT_TRUE(mentions(problems, "module I1", "no module of this curriculum"));
+  EXPECT_TRUE(mentions(problems, "module I1", "not a module of this curriculum"));
   EXPECT_TRUE(mentions(problems, "mastery beauty", "measured by nothing"));
   EXPECT_TRUE(mentions(problems, "module S1", "given in \"kg\""));
   EXPECT_TRUE(mentions(problems, "arm G1, phase 1", "takes no time"));
@@ -151,7 +151,7 @@ TEST(CurriculumContent, FindsCyclesOfPrerequisites) {
 
   EXPECT_TRUE(
       mentions(curriculumProblems(circle, centre.assets(), OccasionRepository(centre.connection()).all()),
-               "A1", "wait for each other"));
+               "A1", "require each other"));
 }
 
 TEST(CurriculumService, ADraftBecomesAVersionThatRunsAndCloses) {

@@ -187,7 +187,7 @@ TEST(Debrief, MasteryCountsTheAttemptsUpToThisOne) {
 TEST(Debrief, CallsOnlyCloseResultsClose) {
   DebriefFinding finding{
       .quantity = Quantity::kSubMovements, .value = 20.0, .expert = 12.0, .merit = -0.45, .strength = true};
-  EXPECT_NE(finding.text().str().find("came nearest"), std::string::npos);
+  EXPECT_NE(finding.text().str().find("closest to the expert"), std::string::npos);
   finding.value = 13.0;
   finding.merit = -0.07;
   EXPECT_NE(finding.text().str().find("close to the expert"), std::string::npos);

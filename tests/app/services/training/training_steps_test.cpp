@@ -139,9 +139,7 @@ TEST(NextSteps, ValuesAreMeasuredOnceAndStoredWithTheTrial) {
 }
 
 TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {
-  TrainingCentre::Setup setup;
-  setup.consent = false;
-  TrainingCentre centre(setup);
+  TrainingCentre centre({.consent = false});
   const ManualClock clock;
   const auto begin = [&](bool graded, Light light) {
     RunSession(centre.session(), {centre.module("first"), graded, deviceWith(light)}, clock);
