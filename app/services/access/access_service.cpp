@@ -30,15 +30,6 @@ AccessRepository signInAccess(SessionContext& session) {
   return AccessRepository(session.connectionWithoutRight(), session.passwordCost());
 }
 
-UserAccount userOf(const AccessRepository& access, const UserId& userId) {
-  for (const UserAccount& user : access.users()) {
-    if (user.id == userId) {
-      return user;
-    }
-  }
-  refuseParameter(Text::tr("there is no such user"), userId, Text::tr("Choose one from the list"));
-}
-
 /// Throws unless an active administrator would remain.
 void requireRemainingAdministrator(SessionContext& session, const std::string& withoutUser) {
   const std::vector<UserAccount> all = repository(session).users();
@@ -82,7 +73,7 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
     noteFailure(session, login, result.outcome, practiceOnly ? "pin" : "password");
     return answer;
   }
-  const UserAccount user = userOf(signInAccess(session), result.userId);
+  const UserAccount user = userOf(signInAccess(session).users(), result.userId);
   // If every signature asks for the password, the sign-in itself does not count for any.
   const bool signs = !practiceOnly && centreSetting<kSignMinutes>(session.connectionWithoutRight()) > 0;
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
@@ -129,6 +120,15 @@ void requireUnlikeOthers(const AccessRepository& access, const std::string& logi
 }
 
 }  // namespace
+
+UserAccount userOf(std::span<const UserAccount> all, const UserId& userId) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const UserAccount& user) { return user.id == userId; });
+  if (found == all.end()) {
+    refuseParameter(Text::tr("there is no such user"), userId, Text::tr("Choose one from the list"));
+  }
+  return *found;
+}
 
 bool needsFirstRun(Connection& connection) {
   return AccessRepository(connection).users().empty();
@@ -267,7 +267,7 @@ void setUserRoles(SessionContext& session, const UserId& userId, const std::vect
                   const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
-  const UserAccount before = userOf(repository(session), userId);
+  const UserAccount before = userOf(repository(session).users(), userId);
   const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministratorRole) != roles.end();
   if (isActiveAdministrator(before) && !keepsRole) {
     requireRemainingAdministrator(session, userId);
@@ -284,7 +284,7 @@ void setUserRoles(SessionContext& session, const UserId& userId, const std::vect
 void setUserActive(SessionContext& session, const UserId& userId, bool active, const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
-  if (!active && isActiveAdministrator(userOf(repository(session), userId))) {
+  if (!active && isActiveAdministrator(userOf(repository(session).users(), userId))) {
     requireRemainingAdministrator(session, userId);
   }
   repository(session).setActive(userId, active);
@@ -297,7 +297,7 @@ void resetPassword(SessionContext& session, const UserId& userId, const std::str
                    const std::string& reason) {
   session.require(Operation::kUserManage);
   AccessRepository access = repository(session);
-  const UserAccount user = userOf(access, userId);
+  const UserAccount user = userOf(access.users(), userId);
   if (passwordNeedsTwo(session, user)) {
     throw SecondPersonNeeded(DutyAct::kResetPassword, userId);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,8 @@ struct NewUser {
 };
 UserId addUser(SessionContext& session, const NewUser& user);
 [[nodiscard]] std::vector<UserAccount> users(SessionContext& session);
+/// Returns the user with this id, for services. Throws Error{kBadParameter} if there is none.
+[[nodiscard]] UserAccount userOf(std::span<const UserAccount> all, const UserId& userId);
 /// Throws Error{kBadParameter} unless an active administrator remains, SecondPersonNeeded for new roles that
 /// need two people.
 void setUserRoles(SessionContext& session, const UserId& userId, const std::vector<std::string>& roles,

@@ -15,6 +15,7 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/contracts.h"
+#include "sim/core/digest.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -89,6 +90,15 @@ void requireKnownRecord(const std::string& locator) {
   }
   throw Error(ErrorCode::kVerifyFailed, Text::tr("the record of this station no longer contains a centre"),
               parseLocator(locator).shown(), Text::tr("Restore the latest backup"));
+}
+
+std::string hashOfSecret(std::string_view purpose, const std::string& typed) {
+  std::string secret = typed;
+  std::erase_if(secret, [](char c) { return c == ' ' || c == '-'; });
+  Digest digest;
+  digest.update(purpose);
+  digest.update(std::string_view(secret));
+  return digest.hex();
 }
 
 std::string randomStartPassword() {

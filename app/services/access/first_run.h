@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/services/access/access_service.h"
@@ -56,6 +57,9 @@ using AddPeople = std::function<std::vector<StartAccount>(SessionContext&)>;
 std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRun& first,
                                           const AddPeople& addPeople);
 
+/// Returns the hash under which a secret for one `purpose` is stored, however its groups were typed: without
+/// spaces and hyphens.
+[[nodiscard]] std::string hashOfSecret(std::string_view purpose, const std::string& typed);
 /// Returns twenty characters in groups that can be read aloud, from the system's random source.
 [[nodiscard]] std::string randomStartPassword();
 

@@ -12,7 +12,6 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
-#include "sim/core/digest.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -20,16 +19,7 @@ namespace torsio {
 namespace {
 
 std::string hashOfInvitation(const std::string& secret, const std::string& code) {
-  std::string letters;
-  for (const char c : secret + code) {
-    if (c != ' ' && c != '-') {
-      letters.push_back(c);
-    }
-  }
-  Digest digest;
-  digest.update(std::string_view("torsio invitation"));
-  digest.update(std::string_view(letters));
-  return digest.hex();
+  return hashOfSecret("torsio invitation", secret + code);
 }
 
 /// Returns whether only this machine could open a link to the address.
@@ -46,20 +36,16 @@ bool isThisMachine(const std::string& address) {
 
 UserAccount accountToInvite(SessionContext& session, const std::vector<UserAccount>& users,
                             const UserId& userId) {
-  const auto found =
-      std::find_if(users.begin(), users.end(), [&](const UserAccount& user) { return user.id == userId; });
-  if (found == users.end()) {
-    refuseParameter(Text::tr("there is no such user"), userId, Text::tr("Choose one from the list"));
-  }
-  if (!found->active) {
-    refuseParameter(Text::tr("this account may not sign in"), found->login,
+  UserAccount found = userOf(users, userId);
+  if (!found.active) {
+    refuseParameter(Text::tr("this account may not sign in"), found.login,
                     Text::tr("Enable it first, or leave it out"));
   }
-  if (found->id == session.actor().userId) {
-    refuseParameter(Text::tr("this is your own account"), found->login,
+  if (found.id == session.actor().userId) {
+    refuseParameter(Text::tr("this is your own account"), found.login,
                     Text::tr("Change your password where you are signed in"));
   }
-  return *found;
+  return found;
 }
 
 }  // namespace

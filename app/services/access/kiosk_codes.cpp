@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/access/kiosk_codes.h"
 
-#include <algorithm>
 
 #include <QRandomGenerator>
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/centre_settings.h"
+#include "app/services/access/first_run.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
-#include "sim/core/digest.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -29,25 +28,7 @@ std::string freshCode() {
 }
 
 std::string hashOf(const std::string& code) {
-  std::string digits;
-  for (const char c : code) {
-    if (c != ' ' && c != '-') {
-      digits.push_back(c);
-    }
-  }
-  Digest digest;
-  digest.update(std::string_view("torsio kiosk code"));
-  digest.update(std::string_view(digits));
-  return digest.hex();
-}
-
-UserAccount accountOf(const std::vector<UserAccount>& users, const UserId& userId) {
-  const auto found =
-      std::find_if(users.begin(), users.end(), [&](const UserAccount& user) { return user.id == userId; });
-  if (found == users.end()) {
-    refuseParameter(Text::tr("there is no such user"), userId, Text::tr("Choose one from the list"));
-  }
-  return *found;
+  return hashOfSecret("torsio kiosk code", code);
 }
 
 }  // namespace
@@ -67,7 +48,7 @@ std::vector<KioskCard> makeKioskCodes(SessionContext& session, std::span<const U
   const std::vector<UserAccount> users = access.users();
   std::vector<KioskCard> cards;
   for (const UserId& id : userIds) {
-    const UserAccount user = accountOf(users, id);
+    const UserAccount user = userOf(users, id);
     if (user.roles != std::vector<std::string>{"trainee"}) {
       refuseParameter(Text::tr("a card opens a kiosk for trainees only"), user.login,
                       Text::tr("Choose users whose only role is that of a trainee"));
@@ -121,7 +102,7 @@ SignInAnswer signInWithCode(SessionContext& session, const std::string& code) {
     session.note(AuditAction::kUserSignInFailed, AuditObject::kAppUser, result.userId, {{"with", "card"}});
     return answer;
   }
-  const UserAccount user = accountOf(access.users(), result.userId);
+  const UserAccount user = userOf(access.users(), result.userId);
   answer.actor = {user.id, user.login, user.personId, user.roles, false, 0};
   session.setActor(answer.actor);
   session.note(AuditAction::kUserSignInCode, AuditObject::kAppUser, user.id);

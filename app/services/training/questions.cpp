@@ -36,6 +36,17 @@ double secondsOf(std::int64_t time_us) {
   return static_cast<double>(time_us) * 1e-6;
 }
 
+AskedQuestion asked(const TraineeQuestion& stored) {
+  return {.id = stored.remarkId,
+          .at_s = secondsOf(stored.time_us),
+          .text = stored.text,
+          .askedUtc_us = stored.askedUtc_us,
+          .answered = !stored.answerId.empty(),
+          .answer = stored.answerText,
+          .answeredUtc_us = stored.answeredUtc_us,
+          .answerEditedUtc_us = stored.answerEditedUtc_us};
+}
+
 /// Only for practice that was never given to raters.
 bool namesMayBeShown(SessionContext& session, const TrialListing& trial) {
   return trial.attemptMode == AttemptMode::kPractice &&
@@ -98,15 +109,7 @@ QuestionDesk questionDesk(SessionContext& session, const TrialId& trialId) {
   desk.mayAsk = namesMayBeShown(session, trial) && !desk.physicians.empty();
   for (const TraineeQuestion& stored : QuestionRepository(session.connection()).ofTrial(trialId)) {
     const std::optional<Person> person = people.find(stored.raterId);
-    desk.questions.push_back({.id = stored.remarkId,
-                              .physician = nameOf(people, stored.raterId, person ? person->code : ""),
-                              .at_s = secondsOf(stored.time_us),
-                              .text = stored.text,
-                              .askedUtc_us = stored.askedUtc_us,
-                              .answered = !stored.answerId.empty(),
-                              .answer = stored.answerText,
-                              .answeredUtc_us = stored.answeredUtc_us,
-                              .answerEditedUtc_us = stored.answerEditedUtc_us});
+    desk.questions.push_back({asked(stored), nameOf(people, stored.raterId, person ? person->code : "")});
   }
   return desk;
 }
@@ -151,18 +154,9 @@ std::vector<PhysicianQuestion> questionsToMe(SessionContext& session) {
     if (stored.answerEditedUtc_us != 0) {
       earlier = RemarkRepository(session.connection()).earlierWordings(stored.trialId);
     }
-    questions.push_back({.id = stored.remarkId,
-                         .trainee = nameOf(people, stored.personId, person ? person->code : ""),
-                         .moduleTitle = moduleTitle(session, stored.trialId),
-                         .trialId = stored.trialId,
-                         .at_s = secondsOf(stored.time_us),
-                         .text = stored.text,
-                         .askedUtc_us = stored.askedUtc_us,
-                         .answered = !stored.answerId.empty(),
-                         .answer = stored.answerText,
-                         .answeredUtc_us = stored.answeredUtc_us,
-                         .answerEditedUtc_us = stored.answerEditedUtc_us,
-                         .earlierAnswers = std::move(earlier[stored.answerId])});
+    questions.push_back({asked(stored), nameOf(people, stored.personId, person ? person->code : ""),
+                         moduleTitle(session, stored.trialId), stored.trialId,
+                         std::move(earlier[stored.answerId])});
   }
   return questions;
 }

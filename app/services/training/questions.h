@@ -19,10 +19,9 @@ struct AskablePhysician {
   bool lastAsked = false;
 };
 
-/// A trainee's question about a moment of a run, and its answer.
-struct OwnQuestion {
+/// A question about a moment of a run, and its answer.
+struct AskedQuestion {
   RemarkId id{};
-  std::string physician{};
   double at_s = 0.0;
   std::string text{};
   std::int64_t askedUtc_us = 0;
@@ -30,6 +29,10 @@ struct OwnQuestion {
   std::string answer{};
   std::int64_t answeredUtc_us = 0;
   std::int64_t answerEditedUtc_us = 0;  ///< 0: never edited
+};
+
+struct OwnQuestion : AskedQuestion {
+  std::string physician{};
 };
 
 /// Questions about one of the trainee's runs.
@@ -51,18 +54,10 @@ RemarkId askPhysician(SessionContext& session, const TrialId& trialId, double at
                       const std::string& text);
 
 /// A question as seen by the physician.
-struct PhysicianQuestion {
-  RemarkId id{};
+struct PhysicianQuestion : AskedQuestion {
   std::string trainee{};  ///< name, or the code if no name is known
   std::string moduleTitle{};
   TrialId trialId{};
-  double at_s = 0.0;
-  std::string text{};
-  std::int64_t askedUtc_us = 0;
-  bool answered = false;
-  std::string answer{};
-  std::int64_t answeredUtc_us = 0;
-  std::int64_t answerEditedUtc_us = 0;          ///< 0: never edited
   std::vector<RemarkWording> earlierAnswers{};  ///< previous versions, oldest first
 };
 /// Returns the questions to the actor: unanswered ones first, oldest first. kTrialViewAssigned.

@@ -154,15 +154,15 @@ std::vector<OrganMarker> tenMarkers() {
   std::vector<OrganMarker> markers(10);
   for (int k = 0; k < 10; ++k) {
     markers[static_cast<std::size_t>(k)].number = k + 1;
-    markers[static_cast<std::size_t>(k)].name = "point " + std::to_string(k + 1);
+    markers[static_cast<std::size_t>(k)].name = k == 2 ? "radial styloid" : "point " + std::to_string(k + 1);
   }
   return markers;
 }
 
-/// Returns where a table of these rows is rejected; "" if it is not.
-std::string refusedAt(const std::string& rows) {
-  const fs::path file = fs::temp_directory_path() / "torsio_measured_markers_test.csv";
-  std::ofstream(file) << "marker,time,x,y,z,unit,subject\n" << rows;
+/// Returns where a file of this name and text is rejected; "" if it is not.
+std::string refusedIn(const std::string& name, const std::string& text) {
+  const fs::path file = fs::temp_directory_path() / name;
+  std::ofstream(file) << text;
   try {
     static_cast<void>(readMeasuredMarkers(file, tenMarkers()));
   } catch (const Error& error) {
@@ -171,6 +171,11 @@ std::string refusedAt(const std::string& rows) {
     return fs::path(error.where()).filename().string();
   }
   return "";
+}
+
+/// Returns where a table of these rows is rejected; "" if it is not.
+std::string refusedAt(const std::string& rows) {
+  return refusedIn("torsio_measured_markers_test.csv", "marker,time,x,y,z,unit,subject\n" + rows);
 }
 
 TEST(MeasuredMarkers, AreReadInMetresWithTheirSubjects) {
@@ -213,36 +218,17 @@ TEST(MeasuredMarkers, ReportInvalidTablesWithTheirPlace) {
 
 const fs::path kTracks = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.trc";
 
-/// The organ's markers by number and name; positions do not matter here.
-std::vector<OrganMarker> namedMarkers() {
-  std::vector<OrganMarker> markers(10);
-  for (int k = 0; k < 10; ++k) {
-    markers[static_cast<std::size_t>(k)].number = k + 1;
-    markers[static_cast<std::size_t>(k)].name = k == 2 ? "radial styloid" : "point " + std::to_string(k + 1);
-  }
-  return markers;
-}
-
 /// Returns where the synthetic file is rejected after replacing `from` by `to`; "" if it is not.
 std::string refusedWith(const std::string& from, const std::string& to) {
   std::string text = readFile(kTracks);
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  const fs::path file = fs::temp_directory_path() / "torsio_camera_markers_test.trc";
-  std::ofstream(file) << text;
-  try {
-    static_cast<void>(readMeasuredMarkers(file, namedMarkers()));
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadData);
-    EXPECT_FALSE(error.remedy().empty());
-    return fs::path(error.where()).filename().string();
-  }
-  return "";
+  return refusedIn("torsio_camera_markers_test.trc", text);
 }
 
 TEST(CameraMarkers, AreReadInMetresByNumberAndByName) {
-  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kTracks, namedMarkers());
+  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kTracks, tenMarkers());
 
   ASSERT_EQ(subjects.size(), 1U);
   EXPECT_EQ(subjects[0].name, "markers_synthetic");

@@ -51,6 +51,17 @@ TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
   EXPECT_EQ(progress.restLeft_us, 0);  // the allowance may not be split
 }
 
+/// Begins a trial of T-01 at this station.
+TrialId begunTrial(SixTrainees& study, const std::string& station) {
+  TrialHeader header;
+  header.trialId = study.centre.session().ids().newUuid();
+  header.traineeCode = "T-01";
+  header.startedUtc_us = kStudyTime_us;
+  TrialRepository(study.centre.connection(), {.station = station, .enrolmentId = study.enrolmentIds[0]})
+      .begin(header);
+  return header.trialId;
+}
+
 TEST(DayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   SixTrainees study;
   study.allocate();
@@ -91,13 +102,7 @@ TEST(DayBoard, ShowsWhoTrainsAtWhichStation) {
   SixTrainees study;
   study.allocate();
   SessionContext& session = study.centre.as("administrator");
-  const TrialId trialId = session.ids().newUuid();
-  TrialHeader header;
-  header.trialId = trialId;
-  header.traineeCode = "T-01";
-  header.startedUtc_us = kStudyTime_us;
-  TrialRepository(study.centre.connection(), {.station = "station 2", .enrolmentId = study.enrolmentIds[0]})
-      .begin(header);
+  const TrialId trialId = begunTrial(study, "station 2");
   StationRepository(study.centre.connection())
       .heartbeat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = kStudyTime_us});
 
@@ -129,13 +134,7 @@ TEST(DayBoard, ShowsWhoTrainsAtWhichStation) {
 TEST(DayBoard, AlertsOfSilentStationsFirstThenOfWhatIsMissing) {
   SixTrainees study;
   SessionContext& session = study.centre.as("administrator");
-  const TrialId trialId = session.ids().newUuid();
-  TrialHeader header;
-  header.trialId = trialId;
-  header.traineeCode = "T-01";
-  header.startedUtc_us = kStudyTime_us;
-  TrialRepository(study.centre.connection(), {.station = "room 2", .enrolmentId = study.enrolmentIds[0]})
-      .begin(header);
+  const TrialId trialId = begunTrial(study, "room 2");
   StationRepository stations(study.centre.connection());
   stations.heartbeat({.station = "room 1", .heartbeatUtc_us = kStudyTime_us});
   stations.heartbeat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = kStudyTime_us});
