@@ -18488,7 +18488,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Not judged: such a recording has no requirements</source>
-        <translation>不作评判：这类记录没有要求</translation>
+        <translation>未评定：此类录制没有目标要求</translation>
     </message>
     <message>
         <source>This is not your fault: the computer lost part of this run, so not all of it could be measured.</source>
@@ -29637,7 +29637,7 @@ T-02,master,17</translation>
     </message>
     <message>
         <source>of a recording, at spee&amp;ds</source>
-        <translation>的录像，播放速度(&amp;D)</translation>
+        <translation>的录制，播放速度(&amp;D)</translation>
     </message>
     <message>
         <source>Discrepanc&amp;y review from</source>

@@ -274,7 +274,7 @@ TEST(RequireOrgan, RefusesAnEmptyMeshABadIndexAndABadNumber) {
   for (Vec3& v : mesh.vertices_m) {
     v.x += 1000.0;
   }
-  EXPECT_THAT(refusal(mesh), HasSubstr("M07 vertex 0 lies at ("));
+  EXPECT_THAT(refusal(mesh), HasSubstr("M07 vertex 0 is at ("));
 }
 
 struct UnitCase {

@@ -349,7 +349,7 @@ TEST(ForeignImport, ReportsErrorsByLineAndStoresNothing) {
        [](auto&, auto& text) { spoilLine(text, 3, "520,0,0,0,1,0,0,0,1;5\r"); }},
       {"csv", "more than 200 m away | S_C2.txt, line 4",
        [](auto&, auto& text) { spoilLine(text, 4, "540,300,0,0,1,0,0,0,0.1\r"); }},
-      {"csv", "there is not one column 'px'", [](auto& map, auto&) { map["position"][0] = "px"; }},
+      {"csv", "there must be exactly one column 'px'", [](auto& map, auto&) { map["position"][0] = "px"; }},
       {"csv", "the map must say this | map.json, \"frame\"", [](auto& map, auto&) { map.erase("frame"); }},
       {"csv", "the map must say this | map.json, \"unit\"", [](auto& map, auto&) { map.erase("unit"); }},
       {"csv", "must be one of: m, cm, mm", [](auto& map, auto&) { map["unit"] = "inch"; }},
