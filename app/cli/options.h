@@ -28,15 +28,6 @@ CLI::Option* addDefaulted(CLI::App& command, const std::string& name, Value& val
   throw Error(ErrorCode::kUsage, what, where, remedy);
 }
 
-}  // namespace torsio::cli
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
-
-namespace torsio::cli {
-
 /// Options that identify the maintainer of a record.
 struct MaintenanceOptions {
   std::string login{};
@@ -77,14 +68,6 @@ CLI::Option* addDatabaseOption(CLI::App& command, DatabaseOption& option);
 /// Adds an argument that is such an address.
 CLI::Option* addDatabaseArgument(CLI::App& command, const std::string& name, std::string& address,
                                  const std::string& description);
-
-}  // namespace torsio::cli
-
-namespace CLI {
-class App;
-}
-
-namespace torsio::cli {
 
 /// Options that choose an organ and its model; identical in all commands.
 struct OrganArguments {
