@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Agreement of the raters: overall, within groups, and with missing marks.
+// Agreement of the raters: overall, within groups, with missing marks, and of pairs in whole points.
 #include <algorithm>
 
 #include "assessment/results/analysis_tables.h"
@@ -13,55 +13,38 @@ namespace {
 
 constexpr int kAgreementDecimals = 3;
 
-Text coefficientText(const Outcome<IccResult>& icc, IccForm IccResult::*form) {
-  return icc ? Text(withInterval(((*icc).*form).estimate, ((*icc).*form).interval))
-             : notDefined(icc.reason());
-}
-
-Text errorText(const Outcome<IccResult>& icc, double IccResult::*error) {
-  return icc ? Text(formatFixed((*icc).*error, kAgreementDecimals)) : Text::tr("not defined");
-}
-
 }  // namespace
 
-ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-agreement", Text::tr("Agreement of the raters at each occasion"),
                           Text::tr("Shrout and Fleiss ICC(2,1), ICC(2,k); Krippendorff alpha"));
-  table.columns = {Text::tr("Occasion"),
-                   Text::tr("Trainees"),
-                   Text::tr("ICC(2,1) [95 %]"),
-                   Text::tr("ICC(2,k) [95 %]"),
-                   Text::tr("SEM of one rater (points)"),
-                   Text::tr("SEM of the mean (points)"),
-                   Text::tr("Krippendorff alpha")};
+  ResultTable rows(
+      ledger, table,
+      {{Text::tr("Occasion")},
+       {Text::tr("Trainees"), "trainees_with_every_mark"},
+       {Text::tr("ICC(2,1) [95 %]"), "icc_2_1", kWithInterval},
+       {Text::tr("ICC(2,k) [95 %]"), "icc_2_k", kWithInterval},
+       {Text::tr("SEM of one rater (points)"), "sem_agreement", fixed(kAgreementDecimals)},
+       {Text::tr("SEM of the mean (points)"), "sem_of_mean", fixed(kAgreementDecimals)},
+       {Text::tr("Krippendorff alpha"), "krippendorff_alpha_interval", fixed(kAgreementDecimals)}});
   bool holes = false;
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
     table.provenance.n += at.n;
     table.provenance.missing += at.missing;
-    const CellsAt cell({.section = ResultSection::kAgreement, .occasion = t});
-    table.rows.push_back(
-        {in.occasions[t], std::to_string(at.completeTrainees),
-         cell("icc_2_1", coefficientText(at.icc, &IccResult::agreementSingle)),
-         cell("icc_2_k", coefficientText(at.icc, &IccResult::agreementMean)),
-         cell("sem_agreement", errorText(at.icc, &IccResult::semAgreement)),
-         cell("sem_of_mean", errorText(at.icc, &IccResult::semMean)),
-         cell("krippendorff_alpha_interval", at.alpha ? Text(formatFixed(at.alpha->alpha, kAgreementDecimals))
-                                                      : notDefined(at.alpha.reason()))});
+    const ResultKey place{.section = ResultSection::kAgreement, .occasion = t};
+    rows.row({in.occasions[t]}, place);
     if (at.missing == 0) {
       continue;
     }
     holes = true;
-    const auto shown = [&](double IncompleteReliability::*value) {
-      return at.reliability ? Text(formatFixed((*at.reliability).*value, kAgreementDecimals))
-                            : notDefined(at.reliability.reason());
-    };
-    table.rows.push_back({Text::tr("%1, every mark", in.occasions[t]), std::to_string(at.marks.size()),
-                          cell("reml_one_rater", shown(&IncompleteReliability::single)),
-                          cell("reml_mean", shown(&IncompleteReliability::mean)),
-                          cell("reml_sem_of_one_rater", shown(&IncompleteReliability::semSingle)),
-                          cell("reml_sem_of_mean", shown(&IncompleteReliability::semMean)), ""});
+    const ResultsAt cell(ledger, place);
+    table.rows.push_back({Text::tr("%1, every mark", in.occasions[t]), cell("trainees_with_marks"),
+                          cell("reml_one_rater", fixed(kAgreementDecimals)),
+                          cell("reml_mean", fixed(kAgreementDecimals)),
+                          cell("reml_sem_of_one_rater", fixed(kAgreementDecimals)),
+                          cell("reml_sem_of_mean", fixed(kAgreementDecimals)), ""});
   }
   table.notes = {
       holes
@@ -81,22 +64,23 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
   return table;
 }
 
-ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-agreement-groups", Text::tr("Agreement of the raters within each group"),
                           Text::tr("Shrout and Fleiss ICC(2,1), ICC(2,k), each group alone"));
-  table.columns = {Text::tr("Occasion"),        Text::tr("Group"),
-                   Text::tr("Trainees"),        Text::tr("ICC(2,1) [95 %]"),
-                   Text::tr("ICC(2,k) [95 %]"), Text::tr("SEM of the mean (points)")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Occasion")},
+                    {Text::tr("Group")},
+                    {Text::tr("Trainees"), "trainees_with_every_mark"},
+                    {Text::tr("ICC(2,1) [95 %]"), "icc_2_1", kWithInterval},
+                    {Text::tr("ICC(2,k) [95 %]"), "icc_2_k", kWithInterval},
+                    {Text::tr("SEM of the mean (points)"), "sem_of_mean", fixed(kAgreementDecimals)}});
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     table.provenance.n += study.occasions[t].n;
     table.provenance.missing += study.occasions[t].missing;
     for (const GroupAgreement& of : study.occasions[t].groups) {
-      const CellsAt cell({.section = ResultSection::kAgreement, .group = of.group, .occasion = t});
-      table.rows.push_back({in.occasions[t], in.groups[of.group].name, std::to_string(of.trainees),
-                            cell("icc_2_1", coefficientText(of.icc, &IccResult::agreementSingle)),
-                            cell("icc_2_k", coefficientText(of.icc, &IccResult::agreementMean)),
-                            cell("sem_of_mean", errorText(of.icc, &IccResult::semMean))});
+      rows.row({in.occasions[t], in.groups[of.group].name},
+               {.section = ResultSection::kAgreement, .group = of.group, .occasion = t});
     }
   }
   table.notes = {
@@ -105,31 +89,55 @@ ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& st
   return table;
 }
 
-std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
+  ReportTable table = itemOf<ReportTable>(
+      in, "table-kappa", Text::tr("Agreement of the raters in whole points, pair by pair"),
+      Text::tr("Cohen's kappa with quadratic weights; marks rounded to whole points"));
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Occasion")},
+                    {Text::tr("Pairs of raters"), "rater_pairs"},
+                    {Text::tr("Marks compared"), "rater_pairs", kValues},
+                    {Text::tr("Kappa, median (lowest to highest)")},
+                    {Text::tr("Same point"), "share_same_point", percent(0)},
+                    {Text::tr("Within one point"), "share_within_one_point", percent(0)}});
+  for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+    table.provenance.n += study.occasions[t].n;
+    table.provenance.missing += study.occasions[t].missing;
+    const ResultKey place{.section = ResultSection::kAgreement, .occasion = t};
+    const ResultsAt cell(ledger, place);
+    ReportCell kappa = cell("kappa_quadratic_median", fixed(kAgreementDecimals));
+    if (cell.number("kappa_quadratic_median")) {
+      static_cast<Text&>(kappa) =
+          Text::tr("%1 (%2 to %3)", kappa, cell("kappa_quadratic_lowest", fixed(kAgreementDecimals)),
+                   cell("kappa_quadratic_highest", fixed(kAgreementDecimals)));
+    }
+    rows.row({in.occasions[t], kappa}, place);
+  }
+  table.notes = {
+      Text::tr("Kappa is agreement beyond chance; distances count by their square. If one pair is far below "
+               "the others, these raters should compare how they mark: see their severity.")};
+  return table;
+}
+
+std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyAnalysis& study,
+                                            const Ledger& ledger) {
   ReportFigure figure =
       itemOf<ReportFigure>(in, "figure-agreement", Text::tr("Agreement of the raters with 95 % intervals"),
                            Text::tr("Shrout and Fleiss ICC(2,1), ICC(2,k)"));
   figure.kind = FigureKind::kForest;
   figure.yLabel = Text::tr("intraclass correlation");
-  FigureSeries one;
-  FigureSeries mean;
-  one.name = Text::tr("ICC(2,1), one rater");
-  mean.name = Text::tr("ICC(2,k), mean of all raters");
-  const auto add = [](FigureSeries& series, const IccForm& form) {
-    series.y.emplace_back(form.estimate);
-    series.low.push_back(form.interval->lower);
-    series.high.push_back(form.interval->upper);
-  };
+  FigureSeries one{.name = Text::tr("ICC(2,1), one rater")};
+  FigureSeries mean{.name = Text::tr("ICC(2,k), mean of all raters")};
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-    const OccasionMarks& at = study.occasions[t];
-    if (!at.icc || !at.icc->agreementSingle.interval || !at.icc->agreementMean.interval) {
+    const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = t});
+    if (at.find("icc_2_1_95") == nullptr || at.find("icc_2_k_95") == nullptr) {
       continue;
     }
     figure.categories.push_back(in.occasions[t]);
-    add(one, at.icc->agreementSingle);
-    add(mean, at.icc->agreementMean);
-    figure.provenance.n += at.n;
-    figure.provenance.missing += at.missing;
+    addPoint(one, at, "icc_2_1", true);
+    addPoint(mean, at, "icc_2_k", true);
+    figure.provenance.n += study.occasions[t].n;
+    figure.provenance.missing += study.occasions[t].missing;
   }
   if (figure.categories.empty()) {
     return std::nullopt;

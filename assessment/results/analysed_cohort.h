@@ -22,8 +22,9 @@ struct AnalysedCohort {
 
 [[nodiscard]] AnalysedCohort analysedCohort(const CohortInputs& inputs);
 
-/// Return the keys for the results of a run, and of inputs.competence[number].
+/// Return the keys for the results of a run, of a trainee, and of inputs.competence[number].
 [[nodiscard]] ResultKey trialKey(const TrialSummaryRow& trial);
+[[nodiscard]] ResultKey traineeKey(const CohortTrainee& trainee);
 [[nodiscard]] ResultKey competenceKey(const CohortInputs& inputs, std::size_t number);
 
 /// Builds cohortReport(inputs) from analysedCohort(inputs). Throws like the former.

@@ -14,23 +14,7 @@ namespace {
 
 constexpr int kDecimals = 3;
 
-void addEffect(const CohortInputs& in, const std::string& id, const Text& name, const AnovaEffect& effect,
-               ReportTable& table) {
-  const auto cell = [&](const char* statistic, const std::string& shown) {
-    return ReportCell(shown, {.section = ResultSection::kComparison,
-                              .statistic = id + statistic,
-                              .occasion = in.occasions.size() - 1});
-  };
-  table.rows.push_back(
-      {name, cell("_f", formatFixed(effect.f, 2)),
-       filledIn("%1, %2", {formatFixed(effect.df, 0), formatFixed(effect.dfError, 0)}),
-       cell("_p", formatP(effect.p)),
-       effect.pGreenhouseGeisser ? cell("_p_greenhouse_geisser", formatP(*effect.pGreenhouseGeisser))
-                                 : ReportCell(Text::tr("does not apply")),
-       cell("_generalised_eta_squared", formatFixed(effect.generalizedEtaSquared, kDecimals))});
-}
-
-ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-mixed-anova", Text::tr("Course of the groups over the occasions"),
                           Text::tr("analysis of variance, groups x occasions, type III"));
@@ -46,13 +30,22 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
     return table;
   }
-  if (got->interaction) {
-    addEffect(in, "mixed_interaction", Text::tr("group x occasion"), *got->interaction, table);
+  const ResultsAt cell(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+  for (const auto& [id, name] :
+       std::vector<std::pair<std::string, Phrase>>{{"mixed_interaction", Text::tr("group x occasion")},
+                                                   {"mixed_group", Text::tr("group")},
+                                                   {"mixed_time", Text::tr("occasion")}}) {
+    if (cell.find(id + "_f") == nullptr) {
+      continue;
+    }
+    const ReportCell df = cell(id + "_df", fixed(0));
+    table.rows.push_back({name,
+                          cell(id + "_f", fixed(2)),
+                          {Text::verbatim("%1, %2", df, cell(id + "_df_error", fixed(0))), df.key},
+                          cell(id + "_p", kAsP),
+                          cell(id + "_p_greenhouse_geisser", kAsP, Text::tr("does not apply")),
+                          cell(id + "_generalised_eta_squared", fixed(kDecimals))});
   }
-  if (got->group) {
-    addEffect(in, "mixed_group", Text::tr("group"), *got->group, table);
-  }
-  addEffect(in, "mixed_time", Text::tr("occasion"), got->time, table);
   table.notes = {
       Text::tr("The interaction is the question: whether the groups take different courses. "
                "Greenhouse-Geisser epsilon %1.",
@@ -66,7 +59,8 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
   return table;
 }
 
-std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis& study,
+                                     const Ledger& ledger) {
   if (!study.gains) {
     return std::nullopt;
   }
@@ -74,27 +68,20 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
   ReportTable table =
       itemOf<ReportTable>(in, "table-gains", Text::tr("Gain from before to the end, by ranks"),
                           Text::tr("Kruskal-Wallis, Dunn with Holm, exact Mann-Whitney"));
-  table.columns = {Text::tr("Comparison"), Text::tr("Difference of mean ranks"), Text::tr("z (Dunn)"),
-                   Text::tr("p (Holm)"),   Text::tr("P(first > second)"),        Text::tr("p (exact)")};
-  for (const std::vector<double>& group : study.gains->gains) {
-    table.provenance.n += std::ssize(group);
-  }
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Comparison")},
+                    {Text::tr("Difference of mean ranks"), "gain_difference_of_mean_ranks", fixed(2)},
+                    {Text::tr("z (Dunn)"), "gain_dunn_z", fixed(2)},
+                    {Text::tr("p (Holm)"), "gain_dunn_p_holm", kAsP},
+                    {Text::tr("P(first > second)"), "gain_superiority", fixed(2)},
+                    {Text::tr("p (exact)"), "gain_mann_whitney_p_exact", kAsP, Text::tr("not counted")}});
+  table.provenance.n = comparedTrainees(study);
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
     return table;
   }
-  for (std::size_t i = 0; i < got->pairs.size(); ++i) {
-    const DunnPair& pair = got->pairs[i];
-    const Outcome<MannWhitney>& exact = study.gains->pairs[i];
-    const CellsAt cell = cellsOfPair(in, pair.first, pair.second);
-    table.rows.push_back(
-        {pairName(in, pair.first, pair.second),
-         cell("gain_difference_of_mean_ranks", formatFixed(-pair.difference, 2)),
-         cell("gain_dunn_z", formatFixed(-pair.z, 2)), cell("gain_dunn_p_holm", formatP(pair.pHolm)),
-         cell("gain_superiority",
-              exact ? Text(formatFixed(exact->superiority, 2)) : notDefined(exact.reason())),
-         cell("gain_mann_whitney_p_exact",
-              exact && exact->pExact ? Text(formatP(*exact->pExact)) : Text(Text::tr("not counted")))});
+  for (const DunnPair& pair : got->pairs) {
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
   }
   table.notes = {
       Text::tr("Kruskal-Wallis H = %1, %2, epsilon squared %3.", formatFixed(got->h, 2), equalsP(got->p),
@@ -105,7 +92,7 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
   return table;
 }
 
-std::optional<ReportTable> modelsTable(const CohortInputs& in) {
+std::optional<ReportTable> modelsTable(const CohortInputs& in, const Ledger& ledger) {
   const std::optional<ModelOrder> order = modelOrder(in);
   if (!order) {
     return std::nullopt;
@@ -114,16 +101,16 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-friedman", Text::tr("Order of the models over all raters"),
                           Text::tr("Friedman on the raters' own comprehensive scores"));
-  table.columns = {Text::tr("Model"), Text::tr("Mean rank (1 is lowest)")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Model")}, {Text::tr("Mean rank (1 is lowest)"), "mean_rank", fixed(2)}});
   table.provenance.formulaVersion = kEvaluationFormulaVersion;
   table.provenance.n = order->raters * std::ssize(in.evaluations);
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), ""});
     return table;
   }
-  for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
-    const CellsAt cell({.section = ResultSection::kEvaluation, .model = in.evaluations[k].model});
-    table.rows.push_back({in.evaluations[k].model, cell("mean_rank", formatFixed(order->meanRanks[k], 2))});
+  for (const ModelEvaluation& model : in.evaluations) {
+    rows.row({model.model}, {.section = ResultSection::kEvaluation, .model = model.model});
   }
   table.notes = {Text::tr("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.",
                           formatFixed(got->df, 0), formatFixed(got->chiSquared, 2), equalsP(got->p),
@@ -162,7 +149,7 @@ std::optional<ModelOrder> modelOrder(const CohortInputs& in) {
   return out;
 }
 
-ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study) {
+ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportSection section{"comparisons", Text::tr("Agreement and comparisons")};
   if (in.demonstration) {
     section.paragraphs.push_back(Text::tr(
@@ -179,37 +166,37 @@ ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study
       section.tables.push_back(std::move(*table));
     }
   };
-  if (std::optional<ReportFigure> figure = agreementFigure(in, study)) {
+  if (std::optional<ReportFigure> figure = agreementFigure(in, study, ledger)) {
     section.figures.push_back(std::move(*figure));
   }
-  addTable(agreementTable(in, study));
-  addTable(agreementWithinTable(in, study));
-  addTable(kappaTable(in, study));
+  addTable(agreementTable(in, study, ledger));
+  addTable(agreementWithinTable(in, study, ledger));
+  addTable(kappaTable(in, study, ledger));
   if (study.occasions.size() >= 2) {
-    for (ReportFigure& figure : differenceFigures(in, study)) {
+    for (ReportFigure& figure : differenceFigures(in, study, ledger)) {
       section.figures.push_back(std::move(figure));
     }
-    for (ReportFigure& figure : residualFigures(in, study)) {
+    for (ReportFigure& figure : residualFigures(in, study, ledger)) {
       section.figures.push_back(std::move(figure));
     }
-    addTable(meansTable(in, study));
-    addTable(missingTable(in, study));
-    addTable(mixedModelTable(in, study));
-    addTable(covarianceTable(in, study));
-    addTable(slopesTable(in, study));
-    addTable(boundsTable(in, study));
-    addTable(equivalenceTable(in, study));
+    addTable(meansTable(in, study, ledger));
+    addTable(missingTable(in, study, ledger));
+    addTable(mixedModelTable(in, study, ledger));
+    addTable(covarianceTable(in, study, ledger));
+    addTable(slopesTable(in, study, ledger));
+    addTable(boundsTable(in, study, ledger));
+    addTable(equivalenceTable(in, study, ledger));
     if (!in.equivalenceMargin) {
       section.paragraphs.push_back(Text::tr(
           "No margin was planned within which a difference would not matter. Nothing here shows that "
           "groups are equal, however far a difference is from significant."));
     }
-    addTable(courseTable(in, study));
-    addTable(gainTable(in, study));
+    addTable(courseTable(in, study, ledger));
+    addTable(gainTable(in, study, ledger));
   } else {
     section.paragraphs.push_back(Text::tr("Groups are not compared: there are fewer than two occasions."));
   }
-  addTable(modelsTable(in));
+  addTable(modelsTable(in, ledger));
   return section;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/results/cohort_report.h"
+#include "assessment/results/ledger.h"
 #include "assessment/results/study_analysis.h"
 
 // Tables and figures of the section on agreement and comparisons. Private to assessment/results.
@@ -20,29 +21,35 @@ namespace torsio {
 [[nodiscard]] std::vector<double> scoresOf(const CohortInputs& inputs, std::size_t group,
                                            std::size_t occasion);
 
-[[nodiscard]] ReportTable agreementTable(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] ReportTable agreementTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                         const Ledger& ledger);
 /// Returns agreement within each group, excluding differences between groups.
-[[nodiscard]] ReportTable agreementWithinTable(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] ReportTable agreementWithinTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                               const Ledger& ledger);
 /// Returns pairwise agreement of raters, for marks in whole points.
-[[nodiscard]] ReportTable kappaTable(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] ReportTable kappaTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                     const Ledger& ledger);
 [[nodiscard]] std::optional<ReportFigure> agreementFigure(const CohortInputs& inputs,
-                                                          const StudyAnalysis& study);
+                                                          const StudyAnalysis& study, const Ledger& ledger);
 
 /// Returns the mean of each group at each occasion with its interval.
-[[nodiscard]] ReportTable meansTable(const CohortInputs& inputs, const StudyAnalysis& study);
-[[nodiscard]] ReportTable covarianceTable(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] ReportTable meansTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                     const Ledger& ledger);
+[[nodiscard]] ReportTable covarianceTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                          const Ledger& ledger);
 /// Returns the differences with separate slopes per group; empty if the slopes do not differ.
-[[nodiscard]] std::optional<ReportTable> slopesTable(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] std::optional<ReportTable> slopesTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                                     const Ledger& ledger);
 /// Returns whether the differences of the primary comparison are within the planned margin; empty without a
 /// margin.
 [[nodiscard]] std::optional<ReportTable> equivalenceTable(const CohortInputs& inputs,
-                                                          const StudyAnalysis& study);
+                                                          const StudyAnalysis& study, const Ledger& ledger);
 /// Returns adjusted and standardised differences with intervals; empty if undefined.
 [[nodiscard]] std::vector<ReportFigure> differenceFigures(const CohortInputs& inputs,
-                                                          const StudyAnalysis& study);
+                                                          const StudyAnalysis& study, const Ledger& ledger);
 /// Returns residuals against fitted values, and against normal quantiles.
 [[nodiscard]] std::vector<ReportFigure> residualFigures(const CohortInputs& inputs,
-                                                        const StudyAnalysis& study);
+                                                        const StudyAnalysis& study, const Ledger& ledger);
 
 /// The raters' order of the models: Friedman's test of their own comprehensive scores.
 struct ModelOrder {
@@ -60,11 +67,13 @@ struct ModelOrder {
 /// Describes which analysis was planned, which one is primary here, and who is excluded from what.
 [[nodiscard]] std::vector<Text> plannedAndUsed(const CohortInputs& inputs, const StudyAnalysis& study);
 /// Returns whose marks are missing; empty: none.
-[[nodiscard]] std::optional<ReportTable> missingTable(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] std::optional<ReportTable> missingTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                                      const Ledger& ledger);
 /// Returns the comparison by the mixed model; empty if no mark is missing.
 [[nodiscard]] std::optional<ReportTable> mixedModelTable(const CohortInputs& inputs,
-                                                         const StudyAnalysis& study);
+                                                         const StudyAnalysis& study, const Ledger& ledger);
 /// Returns how far missing marks could change each difference; empty if no mark is missing.
-[[nodiscard]] std::optional<ReportTable> boundsTable(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] std::optional<ReportTable> boundsTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                                     const Ledger& ledger);
 
 }  // namespace torsio

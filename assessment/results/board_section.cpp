@@ -174,7 +174,8 @@ std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& st
   return out;
 }
 
-std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnalysis& study,
+                                         const Ledger& ledger) {
   const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
   if (pairs.empty()) {
     return std::nullopt;
@@ -186,16 +187,14 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   figure.kind = FigureKind::kForest;
   figure.valuesInLabels = true;
   figure.yLabel = Text::tr("difference (points)");
-  FigureSeries series;
-  series.name = Text::tr("difference [95 %]");
+  FigureSeries series{.name = Text::tr("difference [95 %]")};
   for (const PrimaryDifference& pair : pairs) {
     const int decimals = decimalsOf(pair);  // points, like the axis: a chart truncates long labels
     figure.categories.push_back(Text::verbatim(
         "%1: %2 [%3; %4]", pairName(in, pair.first, pair.second), formatFixed(pair.value, decimals),
         formatFixed(pair.interval.lower, decimals), formatFixed(pair.interval.upper, decimals)));
-    series.y.emplace_back(pair.value);
-    series.low.push_back(pair.interval.lower);
-    series.high.push_back(pair.interval.upper);
+    addPoint(series, resultsOfPair(in, ledger, pair.first, pair.second),
+             study.mixed ? "mixed_model_difference" : "adjusted_difference", true);
   }
   figure.series = {series};
   figure.references = {{0.0, Text::tr("no difference")}};
@@ -205,18 +204,23 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   return figure;
 }
 
-/// Formats "2 of 10: T-03, T-07".
-Text ableOf(const CohortInputs& in, const std::vector<Text>& able, std::int64_t judged) {
-  const Text count = Text::tr("%1 of %2", able.size(), judged);
-  if (able.empty() || in.identity == ReportIdentity::kAggregated) {
-    return count;
+/// Formats how many are competent, "2 of 10: T-03, T-07".
+ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t group,
+                  const std::vector<Text>& able) {
+  const ResultsAt at(ledger, {.section = ResultSection::kCompetence, .group = group});
+  ReportCell cell = at("able_at_every_exercise", {}, Text::tr("did not train there"));
+  if (cell.key == nullptr) {
+    return cell;
   }
-  return able.size() > kNamedAtMost ? Text::tr("%1, see the section Competence", count)
-                                    : Text::tr("%1: %2", count, listed(able));
+  const Text count = Text::tr("%1 of %2", cell, at("able_at_every_exercise", kValues));
+  static_cast<Text&>(cell) = able.empty() || in.identity == ReportIdentity::kAggregated ? count
+                             : able.size() > kNamedAtMost ? Text::tr("%1, see the section Competence", count)
+                                                          : Text::tr("%1: %2", count, listed(able));
+  return cell;
 }
 
 /// Returns per group the scores at the end, and how many were shown competent on the simulator.
-ReportTable standardTable(const CohortInputs& in) {
+ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-standard", Text::tr("Scores at the end, and who reached the standard"),
                           Text::tr("mean of the trainee scores; LC-CUSUM"));
@@ -238,32 +242,23 @@ ReportTable standardTable(const CohortInputs& in) {
     falseFail = std::clamp(sum, falseFail, 1.0);
   }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    std::int64_t people = 0;
-    std::int64_t judged = 0;
     std::vector<Text> able;
     for (const CohortTrainee& trainee : in.trainees) {
-      people += trainee.group == g ? 1 : 0;
       const auto verdict = ableAtAll.find(trainee.code);
-      if (trainee.group == g && verdict != ableAtAll.end()) {
-        ++judged;
-        if (verdict->second) {
-          able.emplace_back(trainee.code);
-        }
+      if (trainee.group == g && verdict != ableAtAll.end() && verdict->second) {
+        able.emplace_back(trainee.code);
       }
     }
-    ReportCell score = Text::tr("none");
-    for (const GroupSummary& summary : in.summaries) {
-      if (summary.group == g && summary.occasion + 1 == in.occasions.size()) {
-        score = {Text::verbatim("%1 [%2; %3]", formatFixed(summary.mean, kPointDecimals),
-                                formatFixed(summary.min, kPointDecimals),
-                                formatFixed(summary.max, kPointDecimals)),
-                 {.statistic = "mean", .group = g, .occasion = summary.occasion}};
-      }
+    const ResultsAt end(ledger, {.group = g, .occasion = in.occasions.size() - 1});
+    ReportCell score = end("mean", fixed(kPointDecimals), Text::tr("none"));
+    if (score.key != nullptr) {
+      static_cast<Text&>(score) = Text::verbatim("%1 [%2; %3]", score, end("min", fixed(kPointDecimals)),
+                                                 end("max", fixed(kPointDecimals)));
     }
-    table.rows.push_back({in.groups[g].name, std::to_string(people), score,
-                          judged == 0 ? Text::tr("did not train there") : ableOf(in, able, judged)});
-    table.provenance.n += people;
+    const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
+    table.rows.push_back({in.groups[g].name, group("allocated"), score, ableOf(in, ledger, g, able)});
   }
+  table.provenance.n = std::ssize(in.trainees);
   if (!ableAtAll.empty()) {
     table.notes = {Text::tr(
         "Competent now: at every exercise that was tried, by the designs of the section Competence. Within "
@@ -291,7 +286,7 @@ ReportTable signatureTable(bool roomy) {
 
 }  // namespace
 
-ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
+ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportSection section{"summary", Text::tr("At a glance")};
   section.onFirstPage = true;
   section.paragraphs = {questionOf(in), peopleOf(in), answerOf(in, study)};
@@ -301,11 +296,11 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study) {
   section.paragraphs.push_back(
       Text::tr("What this does not show: %1 Marks on a training arm say nothing about patients.",
                detectableSentence(in)));
-  if (std::optional<ReportFigure> figure = answerFigure(in, study)) {
+  if (std::optional<ReportFigure> figure = answerFigure(in, study, ledger)) {
     section.figures.push_back(std::move(*figure));
   }
   const bool roomy = in.groups.size() <= kRoomyGroups;
-  section.tables = {standardTable(in), signatureTable(roomy)};
+  section.tables = {standardTable(in, ledger), signatureTable(roomy)};
   return section;
 }
 

@@ -28,6 +28,9 @@ std::string resultText(const ResultValue& value) {
   if (const auto* word = std::get_if<Text>(&value)) {
     return word->str();
   }
+  if (const auto* interval = std::get_if<Interval>(&value)) {
+    return "[" + formatExact(interval->lower) + ", " + formatExact(interval->upper) + "]";
+  }
   const std::optional<double> number = numberIn(value);
   return number ? formatExact(*number) : std::string();
 }
@@ -35,12 +38,12 @@ std::string resultText(const ResultValue& value) {
 std::vector<CohortCsvRow> cohortCsvRows(const Ledger& ledger) {
   std::vector<CohortCsvRow> rows;
   rows.reserve(ledger.every().size());
-  for (const Result& result : ledger.every()) {
+  ledger.eachLine([&](const Result& result) {
     auto [section, item, group, model, index, occasion, statistic] = keyCells(result.key, ledger.names());
     rows.push_back({std::move(section), std::move(item), std::move(group), std::move(model), std::move(index),
                     std::move(occasion), std::move(statistic), resultText(result.value),
                     std::to_string(result.n), result.flags});
-  }
+  });
   return rows;
 }
 

@@ -24,10 +24,11 @@ struct CohortCsvRow {
   std::string flags{};  ///< joined by "; "
 };
 
-/// Returns the shortest text that reads back as the same number, or a word; empty if undefined.
+/// Returns the shortest text that reads back as the same number, a word, or an interval "[1, 2]"; empty if
+/// undefined.
 [[nodiscard]] std::string resultText(const ResultValue& value);
 
-/// Lists the results of a ledger as rows of cohort.csv, in order.
+/// Lists the lines of a ledger as rows of cohort.csv, in order.
 [[nodiscard]] std::vector<CohortCsvRow> cohortCsvRows(const Ledger& ledger);
 
 /// Formats cohort.csv in csvCell() format, with a header: comma-separated, decimal point, line ends \r\n. No

@@ -124,12 +124,12 @@ void addCover(const CohortInputs& in, ReportModel& report) {
   }
 }
 
-ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
-                     const std::optional<StudyAnalysis>& study) {
+ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>& study,
+                     const Ledger& ledger) {
   ReportModel report;
   addCover(in, report);
   if (study) {
-    report.sections.push_back(boardSection(in, *study));
+    report.sections.push_back(boardSection(in, *study, ledger));
   }
   if (!in.simulated.empty()) {
     ReportSection section{"simulated", Text::tr("What was simulated")};
@@ -137,35 +137,35 @@ ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
     report.sections.push_back(section);
   }
   if (!in.trainees.empty()) {
-    report.sections.push_back(participantsSection(in, all));
+    report.sections.push_back(participantsSection(in, ledger));
   }
   if (!in.evaluations.empty() || in.unfinishedEvaluation) {
-    report.sections.push_back(evaluationSection(in));
+    report.sections.push_back(evaluationSection(in, ledger));
   }
   if (!in.scores.empty()) {
-    report.sections.push_back(trainingSection(in));
+    report.sections.push_back(trainingSection(in, ledger));
   }
   if (!in.criterionMarks.empty()) {
-    report.sections.push_back(criteriaSection(in));
+    report.sections.push_back(criteriaSection(in, ledger));
   }
   if (study) {
-    report.sections.push_back(analysisSection(in, *study));
-    if (std::optional<ReportTable> within = withinGroupsTable(in, *study)) {
+    report.sections.push_back(analysisSection(in, *study, ledger));
+    if (std::optional<ReportTable> within = withinGroupsTable(in, *study, ledger)) {
       report.sections.back().tables.push_back(std::move(*within));
     }
-    report.sections.push_back(ratersSection(in, *study));
-    for (ReportTable& table : reliabilityTables(in, *study)) {
+    report.sections.push_back(ratersSection(in, *study, ledger));
+    for (ReportTable& table : reliabilityTables(in, *study, ledger)) {
       report.sections.back().tables.push_back(std::move(table));
     }
   }
-  if (ReportSection learning = learningSection(in); !learning.tables.empty()) {
+  if (ReportSection learning = learningSection(in, ledger); !learning.tables.empty()) {
     report.sections.push_back(std::move(learning));
   }
   if (!in.competence.empty()) {
-    report.sections.push_back(competenceSection(in));
+    report.sections.push_back(competenceSection(in, ledger));
   }
   if (!in.trials.empty()) {
-    report.sections.push_back(trialsSection(in));
+    report.sections.push_back(trialsSection(in, ledger));
   }
   if (!in.trainees.empty()) {
     report.sections.push_back(deviationsSection(in));
@@ -174,28 +174,13 @@ ReportModel reportOf(const CohortInputs& in, const CohortInputs& all,
     report.sections.push_back(signaturesSection(in));
   }
   report.sections.push_back(methodsSection(in, study ? *study : StudyAnalysis{}));
-  report.sections.push_back(provenanceSection(in));
+  report.sections.push_back(provenanceSection(in, ledger));
   for (ReportSection& section : report.sections) {
     for (ReportFigure& figure : section.figures) {
       figure.valuesStand = Text::tr("The program shows them under Results.");
     }
   }
   return report;
-}
-
-/// Removes the keys of cells whose results are undefined or not to be shown.
-void forgetMissingKeys(const Ledger& ledger, ReportModel& report) {
-  for (ReportSection& section : report.sections) {
-    for (ReportTable& table : section.tables) {
-      for (std::vector<ReportCell>& row : table.rows) {
-        for (ReportCell& cell : row) {
-          if (cell.key != nullptr && ledger.find(*cell.key) == nullptr) {
-            cell.key.reset();
-          }
-        }
-      }
-    }
-  }
 }
 
 std::string hashOf(const Ledger& ledger) {
@@ -227,8 +212,7 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
       std::async(std::launch::async, [&analysed] { return hashOf(analysed.ledger); });
   std::vector<Text> left = analysed.left;
   const bool aggregated = in.identity == ReportIdentity::kAggregated;
-  std::vector<Text> unsaid;
-  ReportModel report = reportOf(in, aggregated ? withoutSmallGroups(inputs, unsaid) : inputs, analysed.study);
+  ReportModel report = reportOf(in, analysed.study, analysed.ledger);
   if (aggregated) {
     removeIndividuals(report);
     left.push_back(
@@ -243,7 +227,6 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
   report.names = analysed.ledger.names();
-  forgetMissingKeys(analysed.ledger, report);
   addReference(inputs, numbersHash.get(), report);
   return report;
 }

@@ -13,6 +13,7 @@
 #include "assessment/results/result_writer.h"
 #include "assessment/results/shown_inputs.h"
 #include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/quantiles.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -32,6 +33,57 @@ void addStatistics(ResultWriter& rows, const ScoreStatistics& s) {
   rows.add("class_weighted_moment", s.classWeightedMoment, s.n);
   rows.add("se_of_M", s.standardError, s.n);
   rows.add("se_df", s.standardErrorDf, s.n);
+}
+
+/// Adds the means of the classes of raters for an index.
+void addClassMeans(const CohortInputs& in, const ScoreStatistics& s, ResultWriter& rows) {
+  for (std::size_t c = 0; c < s.classMeans.size(); ++c) {
+    rows.place.raterClass = in.instrument.classes[c].id;
+    rows.add("class_mean", s.classMeans[c], s.classCounts[c]);
+  }
+  rows.place.raterClass.clear();
+}
+
+/// Adds the distribution of the raters' own scores of a model.
+void addComposites(const ModelEvaluation& model, ResultWriter& rows) {
+  std::vector<double> scores;
+  for (const RaterComposite& composite : model.composites) {
+    if (composite.score) {
+      scores.push_back(*composite.score);
+    }
+  }
+  const std::int64_t n = std::ssize(scores);
+  rows.madeOf = partsOf(
+      {ResultPattern{.section = kEvaluation, .statistic = "composite", .of = kEach, .model = model.model},
+       RecordRef{RecordKind::kCampaign}});
+  rows.addCount("raters_with_all_marks", n, n);
+  const auto& statistics = model.compositeStatistics;
+  rows.add("composite_M", statistics ? std::optional(statistics->m) : std::nullopt, n);
+  rows.add("composite_se_of_M", statistics ? statistics->standardError : std::nullopt, n);
+  if (const std::optional<BoxNumbers> box = boxNumbers(scores)) {
+    rows.add("composite_lowest", box->min, n);
+    rows.add("composite_lower_whisker", box->whiskerLow, n);
+    rows.add("composite_lower_quartile", box->q1, n);
+    rows.add("composite_median", box->median, n);
+    rows.add("composite_upper_quartile", box->q3, n);
+    rows.add("composite_upper_whisker", box->whiskerHigh, n);
+    rows.add("composite_highest", box->max, n);
+    rows.add("composite_plain_mean", box->mean, n);
+  }
+}
+
+void addWeights(const CohortInputs& in, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kEvaluation}, commonFlags(in));
+  rows.madeOf = partsOf({RecordRef{RecordKind::kCampaign}});
+  for (const EvaluationIndex& index : in.instrument.indices) {
+    rows.place.index = index.id;
+    rows.add("index_weight", static_cast<double>(index.weight_milli) / 1000.0, 1);
+  }
+  rows.place.index.clear();
+  for (const RaterClass& raterClass : in.instrument.classes) {
+    rows.place.raterClass = raterClass.id;
+    rows.add("class_weight", static_cast<double>(raterClass.weight_milli) / 1000.0, 1);
+  }
 }
 
 void addMarks(const CohortInputs& in, const ModelRatings& ratings, ResultWriter& rows) {
@@ -85,11 +137,17 @@ void addUnfinishedEvaluation(const CohortInputs& in, Ledger& ledger) {
                                          .raterClass = rows.place.raterClass,
                                          .model = of.model},
                            RecordRef{RecordKind::kCampaign}});
-    rows.add(kClassScoreStatistic, of.score, of.raters);
+    rows.put(kClassScoreStatistic,
+             of.score ? ResultValue(*of.score) : Undefined{Text::tr("an index has no mark")}, of.raters);
+    rows.addCount("class_raters", of.raters, of.raters);
+    rows.addCount("class_marks", of.marks, of.marks);
   }
 }
 
 void addEvaluation(const CohortInputs& in, Ledger& ledger) {
+  if (!in.ratings.empty()) {
+    addWeights(in, ledger);
+  }
   if (in.unfinishedEvaluation) {
     addUnfinishedEvaluation(in, ledger);
     return;
@@ -108,9 +166,11 @@ void addEvaluation(const CohortInputs& in, Ledger& ledger) {
                                            .model = model.model,
                                            .index = rows.place.index}});
       addStatistics(rows, model.indices[j]);
+      addClassMeans(in, model.indices[j], rows);
     }
     rows.place.index.clear();
     rows.setFlags({});
+    addComposites(model, rows);
     for (const RaterComposite& composite : model.composites) {
       rows.place.of = composite.rater;
       rows.place.raterClass = in.instrument.classes[composite.raterClass].id;
@@ -142,6 +202,7 @@ void addSummaries(const CohortInputs& in, ResultWriter& rows) {
     rows.add("max", s.max, s.trainees);
     rows.add("variance_of_scores_divisor_n", s.varianceOfScores, s.trainees);
     rows.add("variance_of_scores_divisor_n_minus_1", s.sampleVarianceOfScores, s.trainees);
+    rows.add("standard_deviation_of_scores", sampleDeviation(scores), s.trainees);
     rows.madeOf = partsOf(
         {ResultPattern{.statistic = "rater_mark", .of = kEach, .group = s.group, .occasion = s.occasion}});
     rows.add("variance_of_all_marks_divisor_n", s.varianceOfMarks, s.marks);
@@ -217,6 +278,46 @@ void addTrials(const CohortInputs& in, Ledger& ledger) {
   }
 }
 
+/// Adds per group how many are competent at each exercise, and at all that they tried.
+void addCompetenceOfGroups(const CohortInputs& in, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kCompetence}, commonFlags(in));
+  std::map<std::pair<std::string, std::size_t>, std::array<std::int64_t, 2>> cells;  // not able, able
+  std::map<std::pair<std::size_t, std::string>, bool> ableAtAll;
+  for (const CohortCompetence& one : in.competence) {
+    ++cells[{one.exercise.str(), one.group}][one.able ? 1 : 0];
+    const auto known = ableAtAll.try_emplace({one.group, one.trainee}, true).first;
+    known->second = known->second && one.able;
+  }
+  for (const auto& [place, counts] : cells) {
+    rows.place.index = place.first;
+    rows.place.group = place.second;
+    rows.madeOf = partsOf({ResultPattern{.section = kCompetence,
+                                         .statistic = "able",
+                                         .of = kEach,
+                                         .group = place.second,
+                                         .index = place.first}});
+    rows.put(
+        "competent_and_not",
+        countsText({{Text::tr("competent"), counts[1]}, {Text::tr("not competent"), counts[0]}}, in.identity),
+        counts[0] + counts[1]);
+  }
+  rows.place.index.clear();
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    std::int64_t judged = 0;
+    std::int64_t able = 0;
+    for (const auto& [place, all] : ableAtAll) {
+      judged += place.first == g ? 1 : 0;
+      able += place.first == g && all ? 1 : 0;
+    }
+    if (judged > 0) {
+      rows.place.group = g;
+      rows.madeOf =
+          partsOf({ResultPattern{.section = kCompetence, .statistic = "able", .of = kEach, .group = g}});
+      rows.addCount("able_at_every_exercise", able, judged);
+    }
+  }
+}
+
 void addCompetence(const CohortInputs& in, Ledger& ledger) {
   for (std::size_t i = 0; i < in.competence.size(); ++i) {
     const CohortCompetence& one = in.competence[i];
@@ -240,18 +341,48 @@ void addCompetence(const CohortInputs& in, Ledger& ledger) {
     rows.add("false_alarm", one.falseAlarm, one.withinAttempts);
     rows.addCount("within_attempts", one.withinAttempts, one.attempts);
     rows.addCount("design_version", one.designVersion, one.attempts);
+    for (const double sum : one.sums) {
+      ++rows.place.number;
+      rows.add("cumulative_sum_of_limit", sum / one.limit, rows.place.number);
+    }
   }
+  addCompetenceOfGroups(in, ledger);
 }
 
 void addDeviations(const CohortInputs& in, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kDeviation}, commonFlags(in));
   for (std::size_t i = 0; i < in.deviations.size(); ++i) {
     const CohortDeviation& deviation = in.deviations[i];
-    rows.place.of = deviation.trainee;
-    rows.place.when = formatUtc(deviation.happenedUtc_us);
-    rows.place.record = std::to_string(i);
+    rows.place = deviationKey(in, i);
     rows.madeOf = partsOf({RecordRef{RecordKind::kDeviation, deviation.id}});
     rows.put(deviation.kind, Text(deviation.description), 1);
+  }
+}
+
+/// Adds the counts and hashes of what the parts of the report are computed from.
+void addSources(const CohortInputs& in, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kRecord}, commonFlags(in));
+  const auto add = [&](const char* of, const MarksHash& source, ResultPart part) {
+    if (source.count > 0) {
+      rows.place.of = of;
+      rows.madeOf = partsOf({std::move(part)});
+      rows.addCount("count", source.count, source.count);
+      rows.put("blake2b", Text(source.hash), source.count);
+    }
+  };
+  add(kEvaluationMarks, hashOfEvaluationMarks(in), RecordRef{RecordKind::kCampaign});
+  add(kTrainingMarks, hashOfTrainingMarks(in), ResultPattern{.statistic = "rater_mark", .of = kEach});
+  add(kRecordings, hashOfTrials(in),
+      ResultPattern{.section = kTrial, .statistic = "content_hash", .of = kEach});
+  rows.place = {};
+  std::map<std::string, std::int64_t> marks;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    ++marks[mark.trainee];
+  }
+  for (const auto& [trainee, count] : marks) {
+    rows.place.of = trainee;
+    rows.madeOf = partsOf({ResultPattern{.statistic = "rater_mark", .of = trainee}});
+    rows.addCount("marks", count, count);
   }
 }
 
@@ -261,14 +392,15 @@ bool isAggregate(const Result& result) {
   if (key.section == kScoringSheet || key.section == kRecord) {
     return true;
   }
-  if (!key.of.empty() || key.section == kDeviation || key.section == kTrial) {
+  if (!key.of.empty() || key.section == kDeviation || (key.section == kTrial && !key.record.empty())) {
     return false;
   }
   return key.section == kEvaluation || result.n >= kSmallestCell;
 }
 
 bool isSingleMark(const ResultKey& key) {
-  return key.statistic == "mark" || key.statistic == "rater_mark" || key.statistic == "criterion_mark";
+  return key.statistic == "mark" || key.statistic == "rater_mark" || key.statistic == "criterion_mark" ||
+         key.statistic == kMarkAndOthers || key.statistic == kMarkMinusOthers;
 }
 
 /// Lists all results: `in` is the visible part of `inputs`, `study` its analysis, empty without marks.
@@ -288,6 +420,10 @@ Ledger ledgerOf(const CohortInputs& inputs, const CohortInputs& in,
   addTrials(in, ledger);
   addCompetence(in, ledger);
   addDeviations(in, ledger);
+  std::vector<Text> unsaid;
+  const bool aggregated = inputs.identity == ReportIdentity::kAggregated;
+  addPracticeResults(in, aggregated ? withoutSmallGroups(inputs, unsaid) : inputs, ledger);
+  addSources(in, ledger);
   if (inputs.sheetsAsked > inputs.sheetsPresent) {
     ResultWriter sheets(ledger, {.section = kTraining}, commonFlags(in));
     sheets.madeOf = partsOf({RecordRef{RecordKind::kSheetRequests}});
@@ -304,7 +440,6 @@ Ledger ledgerOf(const CohortInputs& inputs, const CohortInputs& in,
     program.madeOf = partsOf({RecordRef{RecordKind::kProgram}});
     program.put("file_blake2b", Text(in.programHash), 1);
   }
-  const bool aggregated = inputs.identity == ReportIdentity::kAggregated;
   if (inputs.singleMarks && !aggregated) {
     return ledger;
   }
@@ -322,7 +457,7 @@ void ResultWriter::setFlags(const std::vector<std::string>& own) {
 }
 
 void ResultWriter::put(const std::string& statistic, ResultValue value, std::int64_t n) {
-  Result result{place, std::move(value), n, joined_, madeOf};
+  Result result{place, std::move(value), n, joined_, madeOf, origin};
   result.key.statistic = statistic;
   if (std::holds_alternative<Undefined>(result.value)) {
     result.flags += result.flags.empty() ? "undefined" : "; undefined";
@@ -338,13 +473,8 @@ void ResultWriter::addInterval(const std::string& statistic, double value,
                                const std::optional<Interval>& interval, std::int64_t n) {
   add(statistic, value, n);
   if (interval) {
-    addBounds(statistic, *interval, n);
+    put(statistic + "_95", *interval, n);
   }
-}
-
-void ResultWriter::addBounds(const std::string& statistic, const Interval& interval, std::int64_t n) {
-  add(statistic + "_lower_95", interval.lower, n);
-  add(statistic + "_upper_95", interval.upper, n);
 }
 
 AnalysedCohort analysedCohort(const CohortInputs& inputs) {

@@ -3,9 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "assessment/results/aggregated_inputs.h"
 #include "assessment/results/analysed_cohort.h"
-#include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "sim/core/text.h"
@@ -52,7 +50,7 @@ std::vector<Text> designSentences(const CohortInputs& in) {
 }
 
 /// Shows the sums relative to the limit, up to the attempt that proved competence.
-ReportFigure sumsFigure(const CohortInputs& in) {
+ReportFigure sumsFigure(const CohortInputs& in, const Ledger& ledger) {
   auto figure =
       competenceItem<ReportFigure>(in, "figure-lc-cusum", Text::tr("LC-CUSUM of every trainee and exercise"));
   figure.kind = FigureKind::kLines;
@@ -60,15 +58,15 @@ ReportFigure sumsFigure(const CohortInputs& in) {
   figure.xLabel = Text::tr("number of the attempt");
   figure.yLabel = Text::tr("cumulative sum, share of the limit");
   figure.yMin = 0.0;
-  for (const CohortCompetence& one : in.competence) {
-    FigureSeries series;
-    series.name = one.trainee;
-    series.look = one.group;
-    series.faint = true;
+  for (std::size_t i = 0; i < in.competence.size(); ++i) {
+    const CohortCompetence& one = in.competence[i];
+    FigureSeries series{.name = one.trainee, .look = one.group, .faint = true};
+    ResultKey key = competenceKey(in, i);
     const auto shown = one.ableAt ? static_cast<std::size_t>(*one.ableAt) : one.sums.size();
-    for (std::size_t i = 0; i < std::min(shown, one.sums.size()); ++i) {
-      series.x.push_back(static_cast<double>(i + 1));
-      series.y.emplace_back(one.sums[i] / one.limit);
+    while (series.x.size() < std::min(shown, one.sums.size())) {
+      ++key.number;
+      series.x.push_back(static_cast<double>(key.number));
+      addPoint(series, ResultsAt(ledger, key), "cumulative_sum_of_limit");
     }
     figure.series.push_back(std::move(series));
   }
@@ -80,52 +78,44 @@ ReportFigure sumsFigure(const CohortInputs& in) {
   return figure;
 }
 
-Text shareText(double share) {
-  return Text::verbatim("%1 %", formatFixed(100.0 * share, 1));
-}
-
-ReportTable verdictsTable(const CohortInputs& in) {
+ReportTable verdictsTable(const CohortInputs& in, const Ledger& ledger) {
   auto table = competenceItem<ReportTable>(in, "table-competence", Text::tr("Competence of every trainee"));
   table.individual = true;
-  table.columns = {Text::tr("Group"),           Text::tr("Trainee"),    Text::tr("Exercise"),
-                   Text::tr("Attempts"),        Text::tr("Failed"),     Text::tr("Level"),
-                   Text::tr("False pass"),      Text::tr("False fail"), Text::tr("False alarm"),
-                   Text::tr("Within attempts"), Text::tr("Design")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Group")},
+                    {Text::tr("Trainee")},
+                    {Text::tr("Exercise")},
+                    {Text::tr("Attempts"), "level", kValues},
+                    {Text::tr("Failed"), "failed"},
+                    {Text::tr("Level"), "level"},
+                    {Text::tr("False pass"), "false_pass", percent(1)},
+                    {Text::tr("False fail"), "false_fail", percent(1)},
+                    {Text::tr("False alarm"), "false_alarm", percent(1)},
+                    {Text::tr("Within attempts"), "within_attempts"},
+                    {Text::tr("Design")}});
   for (std::size_t i = 0; i < in.competence.size(); ++i) {
     const CohortCompetence& one = in.competence[i];
-    const CellsAt cell(competenceKey(in, i));
-    table.rows.push_back(
-        {in.groups[one.group].name, one.trainee, one.exercise, cell("level", std::to_string(one.attempts)),
-         cell("failed", std::to_string(one.failed)), cell("level", one.level),
-         cell("false_pass", shareText(one.falsePass)), cell("false_fail", shareText(one.falseFail)),
-         cell("false_alarm", shareText(one.falseAlarm)),
-         cell("within_attempts", std::to_string(one.withinAttempts)),
-         one.designVersion > 0 ? Text::tr("registered, version %1", one.designVersion)
-                               : Text::tr("shipped with the exercise")});
+    rows.row({in.groups[one.group].name, one.trainee, one.exercise,
+              one.designVersion > 0 ? Text::tr("registered, version %1", one.designVersion)
+                                    : Text::tr("shipped with the exercise")},
+             competenceKey(in, i));
   }
   return table;
 }
 
-ReportTable countsTable(const CohortInputs& in) {
-  struct Counts {
-    std::int64_t able = 0;
-    std::int64_t notAble = 0;
-  };
-  std::map<std::pair<std::string, std::size_t>, Counts> cells;
-  std::map<std::string, Text> titles;
+ReportTable countsTable(const CohortInputs& in, const Ledger& ledger) {
+  std::map<std::pair<std::string, std::size_t>, Text> exercises;
   for (const CohortCompetence& one : in.competence) {
-    Counts& counts = cells[{one.exercise.str(), one.group}];
-    titles[one.exercise.str()] = one.exercise;
-    ++(one.able ? counts.able : counts.notAble);
+    exercises[{one.exercise.str(), one.group}] = one.exercise;
   }
   auto table = competenceItem<ReportTable>(in, "table-competence-groups", Text::tr("Competence by group"));
-  table.columns = {Text::tr("Exercise"), Text::tr("Group"),
-                   Text::tr("Competent and not yet competent, trainees")};
-  for (const auto& [place, counts] : cells) {
-    table.rows.push_back(
-        {titles[place.first], in.groups[place.second].name,
-         countsText({{Text::tr("competent"), counts.able}, {Text::tr("not competent"), counts.notAble}},
-                    in.identity)});
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Exercise")},
+                    {Text::tr("Group")},
+                    {Text::tr("Competent and not yet competent, trainees"), "competent_and_not"}});
+  for (const auto& [place, exercise] : exercises) {
+    rows.row({exercise, in.groups[place.second].name},
+             {.section = ResultSection::kCompetence, .group = place.second, .index = place.first});
   }
   return table;
 }
@@ -141,11 +131,11 @@ ResultKey competenceKey(const CohortInputs& in, std::size_t number) {
           .record = std::to_string(number)};
 }
 
-ReportSection competenceSection(const CohortInputs& in) {
+ReportSection competenceSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"competence", Text::tr("Competence")};
   section.paragraphs = designSentences(in);
-  section.figures = {sumsFigure(in)};
-  section.tables = {countsTable(in), verdictsTable(in)};
+  section.figures = {sumsFigure(in, ledger)};
+  section.tables = {countsTable(in, ledger), verdictsTable(in, ledger)};
   return section;
 }
 

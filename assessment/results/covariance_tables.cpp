@@ -9,7 +9,6 @@
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/statistics/descriptive.h"
-#include "assessment/statistics/distributions.h"
 #include "assessment/statistics/shapiro_wilk.h"
 #include "sim/core/text.h"
 
@@ -23,24 +22,6 @@ ReportFigure forestOf(const CohortInputs& in, const std::string& id, const Text&
   figure.kind = FigureKind::kForest;
   figure.yLabel = axis;
   return figure;
-}
-
-void addInterval(FigureSeries& series, double value, const Interval& interval) {
-  series.y.emplace_back(value);
-  series.low.push_back(interval.lower);
-  series.high.push_back(interval.upper);
-}
-
-Text regionText(const SignificantRegion& region) {
-  if (region.inside) {
-    return Text::tr("for a score before between %1 and %2", formatFixed(region.inside->lower, 2),
-                    formatFixed(region.inside->upper, 2));
-  }
-  if (region.outside) {
-    return Text::tr("for a score before below %1 or above %2", formatFixed(region.outside->lower, 2),
-                    formatFixed(region.outside->upper, 2));
-  }
-  return region.everywhere ? Text::tr("for every score before") : Text::tr("for no score before");
 }
 
 /// Describes the test of equal slopes and its consequence.
@@ -82,20 +63,19 @@ std::vector<double> scoresOf(const CohortInputs& in, std::size_t group, std::siz
   return scores;
 }
 
-ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportTable table = itemOf<ReportTable>(in, "table-means", Text::tr("Mean scores of the groups"),
                                           Text::tr("mean over trainees, Student's t"));
-  table.columns = {Text::tr("Group"), Text::tr("Occasion"), Text::tr("Trainees"),
-                   Text::tr("Mean [95 %, not adjusted]"), Text::tr("Standard deviation")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Group")},
+                    {Text::tr("Occasion")},
+                    {Text::tr("Trainees"), "mean", kValues, Text(std::to_string(0))},
+                    {Text::tr("Mean [95 %, not adjusted]"), "mean", kWithInterval},
+                    {Text::tr("Standard deviation"), "standard_deviation_of_scores", fixed(3)}});
+  table.provenance.n = std::ssize(in.scores);
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-      const std::vector<double> scores = scoresOf(in, g, t);
-      table.provenance.n += std::ssize(scores);
-      table.rows.push_back({in.groups[g].name, in.occasions[t], std::to_string(scores.size()),
-                            scores.empty() ? ReportCell(Text::tr("not defined"))
-                                           : ReportCell(withInterval(meanOf(scores), meanInterval(scores)),
-                                                        {.statistic = "mean", .group = g, .occasion = t}),
-                            formatFixed(sampleDeviation(scores), 3)});
+      rows.row({in.groups[g].name, in.occasions[t]}, {.group = g, .occasion = t});
     }
   }
   table.provenance.missing = study.endMissing;
@@ -105,19 +85,20 @@ ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study) {
   return table;
 }
 
-ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-ancova", Text::tr("Scores at the end, adjusted for the score before"),
                           Text::tr("analysis of covariance, one pooled slope"));
-  table.columns = {Text::tr("Comparison"),
-                   Text::tr("Difference [95 %, not adjusted]"),
-                   Text::tr("[95 %, all pairs together]"),
-                   Text::verbatim("t"),
-                   Text::verbatim("p"),
-                   Text::tr("p (Holm)"),
-                   Text::tr("Hedges g of the end scores [95 %, not adjusted]")};
+  ResultTable rows(
+      ledger, table,
+      {{Text::tr("Comparison")},
+       {Text::tr("Difference [95 %, not adjusted]"), "adjusted_difference", kWithInterval},
+       {Text::tr("[95 %, all pairs together]"), "adjusted_difference_simultaneous_95"},
+       {Text::verbatim("t"), "t", fixed(2)},
+       {Text::verbatim("p"), "p", kAsP},
+       {Text::tr("p (Holm)"), "p_holm", kAsP},
+       {Text::tr("Hedges g of the end scores [95 %, not adjusted]"), "hedges_g", kWithInterval}});
   const Outcome<Ancova>& got = study.ancova;
-  const Groups& after = study.ends.after;
   table.provenance.n = comparedTrainees(study);
   table.provenance.missing = study.endMissing;
   if (!got) {
@@ -125,14 +106,7 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) 
     return table;
   }
   for (const AdjustedDifference& pair : got->pairs) {
-    const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]);
-    const CellsAt cell = cellsOfPair(in, pair.first, pair.second);
-    table.rows.push_back(
-        {pairName(in, pair.first, pair.second),
-         cell("adjusted_difference", withInterval(pair.difference, pair.interval)),
-         cell("adjusted_difference_simultaneous_lower_95", intervalText(pair.simultaneous)),
-         cell("t", formatFixed(pair.t, 2)), cell("p", formatP(pair.p)), cell("p_holm", formatP(pair.pHolm)),
-         g ? cell("hedges_g", withInterval(g->g, g->interval)) : ReportCell(notDefined(g.reason()))});
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
   }
   std::vector<Text> means;
   for (std::size_t i = 0; i < got->adjusted.size(); ++i) {
@@ -149,22 +123,30 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) 
   return table;
 }
 
-std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalysis& study,
+                                       const Ledger& ledger) {
   if (!study.slopes) {
     return std::nullopt;
   }
   ReportTable table = itemOf<ReportTable>(
       in, "table-slopes", Text::tr("Scores at the end where each group has a slope of its own"),
       Text::tr("analysis of covariance, separate slopes; Johnson and Neyman"));
-  table.columns = {
-      Text::tr("Comparison"), Text::tr("Score before"), Text::tr("Difference [95 %, not adjusted]"),
-      Text::verbatim("p"),    Text::tr("p (Holm)"),     Text::tr("Differ (5 %)")};
+  ResultTable rows(
+      ledger, table,
+      {{Text::tr("Comparison")},
+       {Text::tr("Score before"), "separate_slopes_score_before", fixed(2)},
+       {Text::tr("Difference [95 %, not adjusted]"), "separate_slopes_difference", kWithInterval},
+       {Text::verbatim("p"), "separate_slopes_p", kAsP},
+       {Text::tr("p (Holm)"), "separate_slopes_p_holm", kAsP},
+       {Text::tr("Differ (5 %)")}});
   for (const SlopesPair& pair : study.slopes->pairs) {
+    ResultKey place = pairKey(in, pair.first, pair.second);
+    const ReportCell differ = ResultsAt(ledger, place)("separate_slopes_differ");
     for (std::size_t b = 0; b < pair.at.size(); ++b) {
-      const AdjustedDifference& at = pair.at[b];
-      table.rows.push_back({pairName(in, pair.first, pair.second), formatFixed(study.slopes->baselines[b], 2),
-                            withInterval(at.difference, at.interval), formatP(at.p), formatP(at.pHolm),
-                            regionText(pair.region)});
+      const ResultKey baseline = slopesKey(study, b);
+      place.index = baseline.index;
+      place.record = baseline.record;
+      rows.row({pairName(in, pair.first, pair.second), differ}, place);
     }
   }
   std::vector<Text> slopes;
@@ -182,7 +164,51 @@ std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalys
   return table;
 }
 
-std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyAnalysis& study,
+                                            const Ledger& ledger) {
+  if (!in.equivalenceMargin) {
+    return std::nullopt;
+  }
+  const std::string margin = formatFixed(*in.equivalenceMargin, 2);
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-equivalence", Text::tr("Whether the groups are equal within the margin"),
+                          study.mixed ? Text::tr("two one-sided tests, linear mixed model")
+                                      : Text::tr("two one-sided tests, analysis of covariance"));
+  table.columns = {Text::tr("Comparison"), Text::tr("Difference [90 %, not adjusted]"),
+                   Text::tr("p (of equality)"), Text::tr("Equal within %1 points (5 %)", margin)};
+  table.provenance.n = study.mixed ? static_cast<std::int64_t>(study.mixed->marks) : comparedTrainees(study);
+  table.provenance.missing = study.endMissing;
+  table.notes = {Text::tr(
+      "Planned with the cohort: a difference of at most %1 points does not matter. Equal: the 90 % "
+      "interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does not "
+      "say that the groups differ.",
+      margin)};
+  for (const PrimaryDifference& pair : primaryDifferences(study)) {
+    if (!(pair.error > 0.0)) {
+      table.rows.push_back({pairName(in, pair.first, pair.second), Text::tr("not defined"), "", ""});
+      continue;
+    }
+    const ResultsAt cell = resultsOfPair(in, ledger, pair.first, pair.second);
+    const ReportCell p = cell("equivalence_p", kAsP);
+    ReportCell difference = cell("equivalence_90");
+    if (difference.key != nullptr) {
+      static_cast<Text&>(difference) = Text::verbatim("%1 %2", formatFixed(pair.value, 3), difference);
+    }
+    table.rows.push_back(
+        {pairName(in, pair.first, pair.second),
+         difference,
+         p,
+         {cell.number("equivalence_p") < 1.0 - kDefaultConfidence ? Text::tr("yes") : Text::tr("not shown"),
+          p.key}});
+  }
+  if (table.rows.empty()) {
+    table.rows.push_back({notDefined(study.ancova.reason()), "", "", ""});
+  }
+  return table;
+}
+
+std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyAnalysis& study,
+                                            const Ledger& ledger) {
   if (!study.ancova) {
     return {};
   }
@@ -195,24 +221,18 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
   ReportFigure effects =
       forestOf(in, "figure-effects", Text::tr("Standardised differences of the scores at the end"),
                Text::tr("Hedges g"), Text::tr("Hedges g, interval from the noncentral t distribution"));
-  FigureSeries difference;
-  FigureSeries primary;
-  FigureSeries effect;
-  difference.name = study.mixed ? Text::tr("complete cases [95 %]") : Text::tr("difference [95 %]");
-  primary.name = Text::tr("mixed model, primary [95 %]");
-  effect.name = Text::tr("Hedges g [95 %]");
-  const Groups& after = study.ends.after;
-  for (std::size_t i = 0; i < study.ancova->pairs.size(); ++i) {
-    const AdjustedDifference& pair = study.ancova->pairs[i];
+  FigureSeries difference{.name = study.mixed ? Text::tr("complete cases [95 %]")
+                                              : Text::tr("difference [95 %]")};
+  FigureSeries primary{.name = Text::tr("mixed model, primary [95 %]")};
+  FigureSeries effect{.name = Text::tr("Hedges g [95 %]")};
+  for (const AdjustedDifference& pair : study.ancova->pairs) {
+    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
     points.categories.push_back(pairName(in, pair.first, pair.second));
-    addInterval(difference, pair.difference, pair.interval);
-    if (study.mixed) {
-      const ModelEstimate& of = study.mixed->pairs[i].difference;
-      addInterval(primary, of.value, of.interval);
-    }
-    if (const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second])) {
+    addPoint(difference, at, "adjusted_difference", true);
+    addPoint(primary, at, "mixed_model_difference", true);
+    if (at.number("hedges_g")) {
       effects.categories.push_back(pairName(in, pair.first, pair.second));
-      addInterval(effect, g->g, g->interval);
+      addPoint(effect, at, "hedges_g", true);
     }
   }
   points.series = study.mixed ? std::vector{primary, difference} : std::vector{difference};
@@ -255,7 +275,8 @@ FigureSeries normalLine(const std::vector<FigureSeries>& points) {
 
 }  // namespace
 
-std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAnalysis& study) {
+std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAnalysis& study,
+                                          const Ledger& ledger) {
   if (!study.ancova) {
     return {};
   }
@@ -273,13 +294,20 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
   normal.yLabel = Text::tr("residual (points)");
   std::vector<double> all;
   for (const std::size_t g : model.groups) {
-    FigureSeries series;
-    series.name = in.groups[g].name;
-    series.x = model.fitted[g];
-    series.y.assign(model.residuals[g].begin(), model.residuals[g].end());
-    fitted.series.push_back(series);
-    series.x = model.quantiles[g];
-    normal.series.push_back(std::move(series));
+    FigureSeries line{.name = in.groups[g].name};
+    FigureSeries quantiles = line;
+    for (std::size_t i = 0; i < model.residuals[g].size(); ++i) {
+      const ResultsAt at(ledger, {.section = ResultSection::kComparison,
+                                  .of = study.endCodes[g][i],
+                                  .group = g,
+                                  .occasion = in.occasions.size() - 1});
+      line.x.push_back(model.fitted[g][i]);
+      addPoint(line, at, "ancova_residual");
+      quantiles.x.push_back(model.quantiles[g][i]);
+      addPoint(quantiles, at, "ancova_residual");
+    }
+    fitted.series.push_back(std::move(line));
+    normal.series.push_back(std::move(quantiles));
     all.insert(all.end(), model.residuals[g].begin(), model.residuals[g].end());
   }
   normal.series.push_back(normalLine(normal.series));

@@ -10,6 +10,7 @@
 
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/results/result_writer.h"
 #include "assessment/results/shown_inputs.h"
@@ -20,6 +21,7 @@ namespace torsio {
 namespace {
 
 constexpr const char* kCriterionMark = "criterion_mark";
+constexpr const char* kCriterionMean = "criterion_mean";
 constexpr int kMeanDecimals = 1;  // like the scores of the first page
 
 struct Mean {
@@ -99,10 +101,17 @@ ResultKey criterionKey(const CohortInputs& in, std::size_t number, std::size_t c
           .record = std::to_string(number)};
 }
 
+ResultKey sheetKey(const CohortInputs& in, std::size_t number) {
+  return {.section = ResultSection::kScoringSheet,
+          .of = in.sheets[number].name,
+          .index = "revision " + std::to_string(in.sheets[number].revision),
+          .record = std::to_string(number)};
+}
+
 /// Returns the key for the mean of a group or trainee for a criterion.
 ResultKey meanKey(const CohortInputs& in, const TraineeCriteria& one, std::size_t criterion) {
   ResultKey key = criterionKey(in, one.sheet, criterion);
-  key.statistic = "criterion_mean";
+  key.statistic = kCriterionMean;
   key.of = one.trainee;
   key.group = one.group;
   key.occasion = one.occasion;
@@ -115,10 +124,10 @@ Text anchorsOf(const ReportedCriterion& criterion) {
   for (const ReportedAnchor& anchor : criterion.anchors) {
     anchors.push_back(Text::verbatim("%1: %2", formatExact(anchor.points), anchor.meaning));
   }
-  return anchors.empty() ? Text::tr("none") : listed(anchors, Text::tr("%1; %2"));
+  return listed(anchors, Text::tr("%1; %2"));
 }
 
-ReportTable sheetTable(const CohortInputs& in, std::size_t number) {
+ReportTable sheetTable(const CohortInputs& in, const Ledger& ledger, std::size_t number) {
   const ReportedSheet& sheet = in.sheets[number];
   ReportTable table =
       itemOf<ReportTable>(in, "table-sheet-" + std::to_string(number + 1),
@@ -126,9 +135,17 @@ ReportTable sheetTable(const CohortInputs& in, std::size_t number) {
   table.columns = {Text::tr("Criterion"), Text::tr("Scale"), Text::tr("Weight"),
                    Text::tr("What the marks mean (anchors)")};
   for (const ReportedCriterion& criterion : sheet.criteria) {
+    ResultKey key = sheetKey(in, number);
+    key.model = criterion.code;
+    const ResultsAt at(ledger, key);
+    const ReportCell lowest = at("lowest", kExactly);
     table.rows.push_back({criterion.label,
-                          Text::tr("%1 to %2", formatExact(criterion.lowest), formatExact(criterion.highest)),
-                          formatExact(criterion.weight), anchorsOf(criterion)});
+                          {Text::tr("%1 to %2", lowest, at("highest", kExactly)), lowest.key},
+                          at("weight", kExactly),
+                          criterion.anchors.empty()
+                              ? ReportCell(Text::tr("none"))
+                              : ReportCell(anchorsOf(criterion),
+                                           at("anchor_" + formatExact(criterion.anchors[0].points)).key)});
   }
   table.provenance.formulaVersion.clear();
   return table;
@@ -141,16 +158,26 @@ std::vector<Text> columnsOf(const ReportedSheet& sheet, std::vector<Text> first)
   return first;
 }
 
-/// Adds the means of a group or trainee to a table's last row.
-void addMeans(const CohortInputs& in, const TraineeCriteria& one, ReportTable& table) {
-  for (std::size_t c = 0; c < one.criteria.size(); ++c) {
-    const std::optional<double> value = valueOf(one.criteria[c], fewestFor(in));
-    table.rows.back().push_back(value ? ReportCell(formatFixed(*value, kMeanDecimals), meanKey(in, one, c))
-                                      : ReportCell(Text::tr("none")));
+/// Adds a row with the means of a group or trainee, and the number of values of that with the most.
+void addMeans(const CohortInputs& in, const Ledger& ledger, const TraineeCriteria& one, const Text& who,
+              ReportTable& table) {
+  const auto most = std::max_element(one.criteria.begin(), one.criteria.end(),
+                                     [](const Mean& a, const Mean& b) { return a.n < b.n; });
+  std::vector<ReportCell> row{who, in.occasions[one.occasion]};
+  if (most != one.criteria.end()) {
+    const auto c = static_cast<std::size_t>(most - one.criteria.begin());
+    row.push_back(ResultsAt(ledger, meanKey(in, one, c))(kCriterionMean, kValues));
+  } else {
+    row.emplace_back(std::to_string(0));
   }
+  for (std::size_t c = 0; c < one.criteria.size(); ++c) {
+    row.push_back(
+        ResultsAt(ledger, meanKey(in, one, c))(kCriterionMean, fixed(kMeanDecimals), Text::tr("none")));
+  }
+  table.rows.push_back(std::move(row));
 }
 
-ReportTable groupsTable(const CohortInputs& in, std::size_t number,
+ReportTable groupsTable(const CohortInputs& in, const Ledger& ledger, std::size_t number,
                         const std::vector<TraineeCriteria>& groups) {
   ReportTable table = itemOf<ReportTable>(in, "table-criteria-" + std::to_string(number + 1),
                                           Text::tr("Criteria by group: %1", titleOf(in.sheets[number])),
@@ -161,17 +188,12 @@ ReportTable groupsTable(const CohortInputs& in, std::size_t number,
     if (group.sheet != number) {
       continue;
     }
-    std::int64_t most = 0;
-    for (const Mean& mean : group.criteria) {
-      most = std::max(most, mean.n);
-    }
-    table.rows.push_back({in.groups[group.group].name, in.occasions[group.occasion], std::to_string(most)});
-    addMeans(in, group, table);
+    addMeans(in, ledger, group, in.groups[group.group].name, table);
   }
   return table;
 }
 
-ReportTable traineesTable(const CohortInputs& in, std::size_t number,
+ReportTable traineesTable(const CohortInputs& in, const Ledger& ledger, std::size_t number,
                           const std::vector<TraineeCriteria>& trainees) {
   ReportTable table = itemOf<ReportTable>(in, "table-criteria-trainees-" + std::to_string(number + 1),
                                           Text::tr("Criteria by trainee: %1", titleOf(in.sheets[number])),
@@ -189,12 +211,7 @@ ReportTable traineesTable(const CohortInputs& in, std::size_t number,
     return std::tie(a->group, a->trainee, a->occasion) < std::tie(b->group, b->trainee, b->occasion);
   });
   for (const TraineeCriteria* one : sorted) {
-    std::int64_t most = 0;
-    for (const Mean& mean : one->criteria) {
-      most = std::max(most, mean.n);
-    }
-    table.rows.push_back({one->trainee, in.occasions[one->occasion], std::to_string(most)});
-    addMeans(in, *one, table);
+    addMeans(in, ledger, *one, one->trainee, table);
   }
   table.notes = {
       in.singleMarks
@@ -207,7 +224,7 @@ ReportTable traineesTable(const CohortInputs& in, std::size_t number,
 
 }  // namespace
 
-ReportSection criteriaSection(const CohortInputs& in) {
+ReportSection criteriaSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"criteria", Text::tr("Criteria of the scoring sheet")};
   const bool whole = std::all_of(in.criterionMarks.begin(), in.criterionMarks.end(),
                                  [](const CriterionMark& mark) { return mark.points.has_value(); });
@@ -222,9 +239,9 @@ ReportSection criteriaSection(const CohortInputs& in) {
   const std::vector<TraineeCriteria> trainees = traineeCriteria(in);
   const std::vector<TraineeCriteria> groups = groupCriteria(in, trainees);
   for (std::size_t i = 0; i < in.sheets.size(); ++i) {
-    section.tables.push_back(sheetTable(in, i));
-    section.tables.push_back(groupsTable(in, i, groups));
-    section.tables.push_back(traineesTable(in, i, trainees));
+    section.tables.push_back(sheetTable(in, ledger, i));
+    section.tables.push_back(groupsTable(in, ledger, i, groups));
+    section.tables.push_back(traineesTable(in, ledger, i, trainees));
   }
   return section;
 }
@@ -233,9 +250,7 @@ void addCriteriaResults(const CohortInputs& in, Ledger& ledger) {
   ResultWriter lines(ledger, {.section = ResultSection::kScoringSheet}, commonFlags(in));
   for (std::size_t i = 0; i < in.sheets.size(); ++i) {
     const ReportedSheet& sheet = in.sheets[i];
-    lines.place.of = sheet.name;
-    lines.place.index = "revision " + std::to_string(sheet.revision);
-    lines.place.record = std::to_string(i);
+    lines.place = sheetKey(in, i);
     lines.madeOf = partsOf({RecordRef{RecordKind::kRubricRevision, sheet.id}});
     for (const ReportedCriterion& criterion : sheet.criteria) {
       lines.place.model = criterion.code;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 
 #include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
-#include "assessment/statistics/quantiles.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -33,6 +34,19 @@ std::vector<Text> mergedFlags(const CohortInputs& in) {
     }
   }
   return flags;
+}
+
+ResultKey indexKey(const CohortInputs& in, const ModelEvaluation& model, std::size_t index) {
+  return {
+      .section = ResultSection::kEvaluation, .model = model.model, .index = in.instrument.indices[index].id};
+}
+
+ResultKey compositeKey(const CohortInputs& in, const ModelEvaluation& model,
+                       const RaterComposite& composite) {
+  return {.section = ResultSection::kEvaluation,
+          .of = composite.rater,
+          .raterClass = in.instrument.classes[composite.raterClass].id,
+          .model = model.model};
 }
 
 /// Counts a model's missing marks; each rater should score every model.
@@ -67,27 +81,27 @@ ReportFigure figure(const CohortInputs& in, const std::string& id, const Text& t
   return out;
 }
 
-ReportFigure rangesFigure(const CohortInputs& in) {
+ReportFigure rangesFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure out =
       figure(in, "figure-15", Text::tr("Lowest, weighted mean and highest score of each index"),
              FigureKind::kRanges, Text::tr("Eq. 25"));
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
-    FigureSeries series;
-    series.name = model.model;
-    for (const ScoreStatistics& index : model.indices) {
-      series.y.emplace_back(index.m);
-      series.low.push_back(index.min);
-      series.high.push_back(index.max);
+    FigureSeries series{.name = model.model};
+    for (std::size_t j = 0; j < model.indices.size(); ++j) {
+      const ResultsAt at(ledger, indexKey(in, model, j));
+      addPoint(series, at, "M");
+      series.low.push_back(*at.number("min"));
+      series.high.push_back(*at.number("max"));
     }
-    out.series.push_back(series);
+    out.series.push_back(std::move(series));
   }
   out.notes = {Text::tr(
       "Corresponds to Fig. 15 of the paper. The symbol in each range is the class-weighted mean M.")};
   return out;
 }
 
-ReportFigure barsFigure(const CohortInputs& in, bool variance) {
+ReportFigure barsFigure(const CohortInputs& in, const Ledger& ledger, bool variance) {
   ReportFigure out = variance ? figure(in, "figure-17",
                                        Text::tr("Variance of each index about the weighted mean, divisor n"),
                                        FigureKind::kGroupedBars, Text::tr("Eq. 26"))
@@ -95,12 +109,11 @@ ReportFigure barsFigure(const CohortInputs& in, bool variance) {
                                        FigureKind::kGroupedBars, Text::tr("Eq. 25"));
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
-    FigureSeries series;
-    series.name = model.model;
-    for (const ScoreStatistics& index : model.indices) {
-      series.y.emplace_back(variance ? index.s2 : index.m);
+    FigureSeries series{.name = model.model};
+    for (std::size_t j = 0; j < model.indices.size(); ++j) {
+      addPoint(series, ResultsAt(ledger, indexKey(in, model, j)), variance ? "s2_eq26_divisor_n" : "M");
     }
-    out.series.push_back(series);
+    out.series.push_back(std::move(series));
   }
   if (variance) {
     out.yLabel = Text::tr("variance (points squared)");
@@ -116,16 +129,16 @@ ReportFigure barsFigure(const CohortInputs& in, bool variance) {
   return out;
 }
 
-ReportFigure chiefsFigure(const CohortInputs& in) {
+ReportFigure chiefsFigure(const CohortInputs& in, const Ledger& ledger) {
   const Text of = in.instrument.classes[in.chiefClass].name;
   ReportFigure out =
       figure(in, "figure-18", Text::tr("Comprehensive score of each rater of the class %1", of),
              FigureKind::kPoints, Text::tr("Eq. 27 for one rater"));
   out.xLabel = Text::tr("rater");
   out.individual = true;
+  out.provenance.n = 0;
   for (const ModelEvaluation& model : in.evaluations) {
-    FigureSeries series;
-    series.name = model.model;
+    FigureSeries series{.name = model.model};
     for (const RaterComposite& composite : model.composites) {
       if (composite.raterClass != in.chiefClass) {
         continue;
@@ -136,53 +149,47 @@ ReportFigure chiefsFigure(const CohortInputs& in) {
         at = out.categories.insert(out.categories.end(), rater);
       }
       series.x.push_back(static_cast<double>(std::distance(out.categories.begin(), at)));
-      series.y.push_back(composite.score);
+      addPoint(series, ResultsAt(ledger, compositeKey(in, model, composite)), "composite");
+      out.provenance.n += composite.score ? 1 : 0;
     }
-    out.series.push_back(series);
-  }
-  out.provenance.n = 0;
-  for (const FigureSeries& series : out.series) {
-    for (const std::optional<double>& y : series.y) {
-      out.provenance.n += y ? 1 : 0;
-    }
+    out.series.push_back(std::move(series));
   }
   out.notes = {Text::tr("Corresponds to Fig. 18 of the paper: %1 only, one point a rater and model.", of)};
   return out;
 }
 
-std::vector<double> completeComposites(const ModelEvaluation& model) {
-  std::vector<double> scores;
-  for (const RaterComposite& composite : model.composites) {
-    if (composite.score) {
-      scores.push_back(*composite.score);
-    }
-  }
-  return scores;
-}
-
-std::optional<BoxSummary> boxOf(const std::vector<double>& values) {
-  const std::optional<BoxNumbers> box = boxNumbers(values);
-  if (!box) {
-    return std::nullopt;
-  }
-  return BoxSummary{box->whiskerLow,  box->q1,   box->median,  box->q3,
-                    box->whiskerHigh, box->mean, box->outliers};
-}
-
-ReportFigure boxesFigure(const CohortInputs& in) {
+ReportFigure boxesFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure out = figure(in, "figure-19", Text::tr("Comprehensive scores of all raters"),
                             FigureKind::kBoxes, Text::tr("Eq. 27 for one rater; quantiles of type 7"));
   out.provenance.n = 0;
   for (const ModelEvaluation& model : in.evaluations) {
     out.categories.push_back(model.model);
-    FigureSeries series;
-    series.name = model.model;
-    for (const double score : completeComposites(model)) {
-      series.y.emplace_back(score);
+    FigureSeries series{.name = model.model};
+    for (const RaterComposite& composite : model.composites) {
+      if (composite.score) {
+        addPoint(series, ResultsAt(ledger, compositeKey(in, model, composite)), "composite");
+      }
     }
-    series.box = boxOf(completeComposites(model));
+    const ResultsAt at(ledger, {.section = ResultSection::kEvaluation, .model = model.model});
+    if (at.number("composite_median")) {
+      series.boxKey = at("composite_median").key;
+      const auto number = [&](const char* name) { return *at.number(std::string("composite_") + name); };
+      series.box = BoxSummary{number("lower_whisker"),
+                              number("lower_quartile"),
+                              number("median"),
+                              number("upper_quartile"),
+                              number("upper_whisker"),
+                              number("plain_mean"),
+                              {}};
+      for (const std::optional<double>& score : series.y) {
+        if (score && (*score < series.box->lowerWhisker || *score > series.box->upperWhisker)) {
+          series.box->outliers.push_back(*score);
+        }
+      }
+      std::sort(series.box->outliers.begin(), series.box->outliers.end());
+    }
     out.provenance.n += std::ssize(series.y);
-    out.series.push_back(series);
+    out.series.push_back(std::move(series));
   }
   out.notes = {
       Text::tr(
@@ -197,59 +204,47 @@ ReportFigure boxesFigure(const CohortInputs& in) {
 }
 
 /// Shows where the classes of raters disagree: class means of every index, one row per model and class.
-ReportFigure classesFigure(const CohortInputs& in) {
+ReportFigure classesFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure out = figure(in, "figure-classes", Text::tr("Mean score by class of raters"),
                             FigureKind::kHeatMap, Text::tr("class means of Eq. 25"));
   out.xLabel = Text::tr("index");
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
     for (std::size_t c = 0; c < in.instrument.classes.size(); ++c) {
-      FigureSeries series;
-      series.name = Text::tr("%1, %2", model.model, Text(in.instrument.classes[c].name));
-      for (const ScoreStatistics& index : model.indices) {
-        series.y.push_back(c < index.classMeans.size() ? index.classMeans[c] : std::nullopt);
+      FigureSeries series{.name = Text::tr("%1, %2", model.model, Text(in.instrument.classes[c].name))};
+      for (std::size_t j = 0; j < model.indices.size(); ++j) {
+        ResultKey key = indexKey(in, model, j);
+        key.raterClass = in.instrument.classes[c].id;
+        addPoint(series, ResultsAt(ledger, key), "class_mean");
       }
-      out.series.push_back(series);
+      out.series.push_back(std::move(series));
     }
   }
   return out;
 }
 
-ReportTable comprehensiveTable(const CohortInputs& in) {
+ReportTable comprehensiveTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-comprehensive";
   table.title = Text::tr("Comprehensive score N of each model");
-  table.columns = {Text::tr("Model"),
-                   Text::tr("N (Eq. 27)"),
-                   Text::tr("Raters with all marks"),
-                   Text::tr("Mean of raters, by class weight"),
-                   Text::tr("SE"),
-                   Text::tr("Lowest"),
-                   Text::tr("Lower quartile"),
-                   Text::tr("Median"),
-                   Text::tr("Upper quartile"),
-                   Text::tr("Highest"),
-                   Text::tr("Flags")};
+  const auto column = [](Phrase title, const char* statistic) {
+    return ResultColumn{title, statistic, fixed(kScoreDecimals)};
+  };
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Model")},
+                    column(Text::tr("N (Eq. 27)"), "N_eq27"),
+                    {Text::tr("Raters with all marks"), "raters_with_all_marks"},
+                    column(Text::tr("Mean of raters, by class weight"), "composite_M"),
+                    column(Text::tr("SE"), "composite_se_of_M"),
+                    column(Text::tr("Lowest"), "composite_lowest"),
+                    column(Text::tr("Lower quartile"), "composite_lower_quartile"),
+                    column(Text::tr("Median"), "composite_median"),
+                    column(Text::tr("Upper quartile"), "composite_upper_quartile"),
+                    column(Text::tr("Highest"), "composite_highest"),
+                    {Text::tr("Flags")}});
   for (const ModelEvaluation& model : in.evaluations) {
-    const std::vector<double> composites = completeComposites(model);
-    const std::optional<BoxNumbers> box = boxNumbers(composites);
-    const std::vector<Text> flags(model.flags.begin(), model.flags.end());
-    std::vector<ReportCell> row = {
-        model.model,
-        {Text(formatFixed(model.n27, kScoreDecimals)),
-         {.section = ResultSection::kEvaluation, .statistic = "N_eq27", .model = model.model}},
-        std::to_string(composites.size())};
-    const bool known = model.compositeStatistics.has_value();
-    row.push_back(known ? Text(formatFixed(model.compositeStatistics->m, kScoreDecimals))
-                        : Text::tr("not defined"));
-    row.push_back(known ? Text(formatFixed(model.compositeStatistics->standardError, kScoreDecimals))
-                        : Text::tr("not defined"));
-    for (const auto part :
-         {&BoxNumbers::min, &BoxNumbers::q1, &BoxNumbers::median, &BoxNumbers::q3, &BoxNumbers::max}) {
-      row.push_back(box ? Text(formatFixed((*box).*part, kScoreDecimals)) : Text::tr("not defined"));
-    }
-    row.push_back(listed(flags));
-    table.rows.push_back(row);
+    rows.row({model.model, listed(std::vector<Text>(model.flags.begin(), model.flags.end()))},
+             {.section = ResultSection::kEvaluation, .model = model.model});
   }
   table.notes = {
       Text::tr("With no mark missing, the class-weighted mean of the raters' own scores equals N exactly.")};
@@ -257,30 +252,25 @@ ReportTable comprehensiveTable(const CohortInputs& in) {
   return table;
 }
 
-ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
+ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-indices-" + model.model;
   table.title = Text::tr("Model %1: exact values by index", model.model);
-  table.columns = {Text::tr("Index"),       Text::tr("Weight"),     Text::verbatim("n"),
-                   Text::tr("Lowest"),      Text::tr("M (Eq. 25)"), Text::tr("Highest"),
-                   Text::tr("s2 (Eq. 26)"), Text::tr("Plain mean"), Text::tr("Sample variance"),
-                   Text::tr("SE of M")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Index")},
+                    {Text::tr("Weight")},
+                    {Text::verbatim("n"), "M", kValues},
+                    {Text::tr("Lowest"), "min", fixed(1)},
+                    {Text::tr("M (Eq. 25)"), "M", fixed(kScoreDecimals)},
+                    {Text::tr("Highest"), "max", fixed(1)},
+                    {Text::tr("s2 (Eq. 26)"), "s2_eq26_divisor_n", fixed(kScoreDecimals)},
+                    {Text::tr("Plain mean"), "plain_mean", fixed(kScoreDecimals)},
+                    {Text::tr("Sample variance"), "sample_variance", fixed(kScoreDecimals)},
+                    {Text::tr("SE of M"), "se_of_M", fixed(kScoreDecimals)}});
   for (std::size_t j = 0; j < model.indices.size(); ++j) {
-    const ScoreStatistics& s = model.indices[j];
-    const auto cell = [&](const char* statistic, const std::string& shown) {
-      return ReportCell(shown, {.section = ResultSection::kEvaluation,
-                                .statistic = statistic,
-                                .model = model.model,
-                                .index = in.instrument.indices[j].id});
-    };
-    table.rows.push_back({in.instrument.indices[j].name,
-                          formatFixed(static_cast<double>(in.instrument.indices[j].weight_milli) / 1000.0, 3),
-                          cell("M", std::to_string(s.n)), cell("min", formatFixed(s.min, 1)),
-                          cell("M", formatFixed(s.m, kScoreDecimals)), cell("max", formatFixed(s.max, 1)),
-                          cell("s2_eq26_divisor_n", formatFixed(s.s2, kScoreDecimals)),
-                          cell("plain_mean", formatFixed(s.plainMean, kScoreDecimals)),
-                          cell("sample_variance", formatFixed(s.sampleVariance, kScoreDecimals)),
-                          cell("se_of_M", formatFixed(s.standardError, kScoreDecimals))});
+    const EvaluationIndex& index = in.instrument.indices[j];
+    const ResultsAt weight(ledger, {.section = ResultSection::kEvaluation, .index = index.id});
+    rows.row({index.name, weight("index_weight", fixed(3))}, indexKey(in, model, j));
   }
   table.notes = {Text::tr(
       "s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with "
@@ -300,10 +290,10 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
 
 }  // namespace
 
-ReportSection evaluationSection(const CohortInputs& in) {
+ReportSection evaluationSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"evaluation", Text::tr("Evaluation of the models")};
   if (in.unfinishedEvaluation) {
-    return unfinishedSection(in);
+    return unfinishedSection(in, ledger);
   }
   std::vector<Text> classes;
   for (const RaterClass& raterClass : in.instrument.classes) {
@@ -337,11 +327,11 @@ ReportSection evaluationSection(const CohortInputs& in) {
   section.paragraphs.push_back(Text::tr(
       "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
       "the tables do not depend on the order of the raters."));
-  section.figures = {rangesFigure(in), barsFigure(in, false), barsFigure(in, true),
-                     chiefsFigure(in), boxesFigure(in),       classesFigure(in)};
-  section.tables.push_back(comprehensiveTable(in));
+  section.figures = {rangesFigure(in, ledger), barsFigure(in, ledger, false), barsFigure(in, ledger, true),
+                     chiefsFigure(in, ledger), boxesFigure(in, ledger),       classesFigure(in, ledger)};
+  section.tables.push_back(comprehensiveTable(in, ledger));
   for (const ModelEvaluation& model : in.evaluations) {
-    section.tables.push_back(indexTable(in, model));
+    section.tables.push_back(indexTable(in, model, ledger));
   }
   return section;
 }

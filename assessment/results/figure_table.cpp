@@ -68,7 +68,7 @@ class Twin {
     }
     for (std::vector<ReportCell>& row : table_.rows) {
       if (std::string cell = row[column].str(); idle > 0 && !cell.empty()) {
-        row[column] = cell.substr(0, cell.size() - idle);
+        static_cast<Text&>(row[column]) = cell.substr(0, cell.size() - idle);
       }
     }
   }
@@ -78,6 +78,11 @@ class Twin {
   }
   [[nodiscard]] Text heading() const {
     return figure_.xLabel.empty() ? Text::tr("Category") : figure_.xLabel;
+  }
+
+  /// Returns a cell about the i-th value of a series.
+  static ReportCell cell(const std::string& words, const FigureSeries& series, std::size_t i) {
+    return {words, i < series.keys.size() ? series.keys[i] : nullptr};
   }
 
   /// Writes one row per category; a series with intervals needs three columns.
@@ -98,11 +103,11 @@ class Twin {
       for (const FigureSeries& series : figure_.series) {
         const bool known = c < series.y.size() && series.y[c].has_value();
         if (!series.low.empty()) {
-          row.emplace_back(known ? number(series.low[c]) : std::string());
+          row.push_back(cell(known ? number(series.low[c]) : std::string(), series, c));
         }
-        row.emplace_back(known ? number(*series.y[c]) : std::string());
+        row.push_back(cell(known ? number(*series.y[c]) : std::string(), series, c));
         if (!series.low.empty()) {
-          row.emplace_back(known ? number(series.high[c]) : std::string());
+          row.push_back(cell(known ? number(series.high[c]) : std::string(), series, c));
         }
       }
       table_.rows.push_back(row);
@@ -118,18 +123,15 @@ class Twin {
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
       std::vector<ReportCell> row = {figure_.categories[c]};
       for (const FigureSeries& series : figure_.series) {
-        std::string cell;
+        ReportCell cell;
         for (std::size_t i = 0; i < series.y.size(); ++i) {
           const std::size_t at = i < series.x.size() ? static_cast<std::size_t>(series.x[i]) : i;
           if (at != c || !series.y[i]) {
             continue;
           }
-          if (!cell.empty()) {
-            cell += "; ";
-          }
-          cell += number(*series.y[i]);
+          cell = Twin::cell(cell.str() + (cell.empty() ? "" : "; ") + number(*series.y[i]), series, i);
         }
-        row.emplace_back(cell);
+        row.push_back(std::move(cell));
       }
       table_.rows.push_back(row);
     }
@@ -145,9 +147,14 @@ class Twin {
       for (const double value : box.outliers) {
         outside += (outside.empty() ? "" : "; ") + number(value);
       }
-      table_.rows.push_back({series.name, std::to_string(series.y.size()), number(box.lowerWhisker),
-                             number(box.lowerQuartile), number(box.median), number(box.upperQuartile),
-                             number(box.upperWhisker), number(box.mean), outside});
+      std::vector<ReportCell> row{series.name};
+      for (const std::string& words :
+           {std::to_string(series.y.size()), number(box.lowerWhisker), number(box.lowerQuartile),
+            number(box.median), number(box.upperQuartile), number(box.upperWhisker), number(box.mean)}) {
+        row.emplace_back(words, series.boxKey);
+      }
+      row.emplace_back(outside, series.boxKey);
+      table_.rows.push_back(std::move(row));
     }
   }
 
@@ -162,8 +169,8 @@ class Twin {
           continue;
         }
         const double x = i < series.x.size() ? series.x[i] : static_cast<double>(i + 1);
-        table_.rows.push_back(
-            {series.name, x == std::floor(x) ? formatExact(x) : number(x), number(*series.y[i])});
+        table_.rows.push_back({series.name, cell(x == std::floor(x) ? formatExact(x) : number(x), series, i),
+                               cell(number(*series.y[i]), series, i)});
       }
     }
   }
@@ -174,7 +181,8 @@ class Twin {
     for (const FigureSeries& series : figure_.series) {
       std::vector<ReportCell> row = {series.name};
       for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
-        row.emplace_back(c < series.y.size() && series.y[c] ? number(*series.y[c]) : std::string());
+        row.push_back(
+            cell(c < series.y.size() && series.y[c] ? number(*series.y[c]) : std::string(), series, c));
       }
       table_.rows.push_back(row);
     }

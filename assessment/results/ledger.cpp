@@ -10,9 +10,9 @@ namespace torsio {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kSectionNames = {
-    "evaluation", "training", "scoring_sheet", "criterion", "agreement",
-    "comparison", "trial",    "competence",    "deviation", "record"};
+constexpr std::array<std::string_view, 12> kSectionNames = {
+    "evaluation", "training",   "scoring_sheet", "criterion", "agreement",    "comparison",
+    "trial",      "competence", "deviation",     "record",    "participants", "practice"};
 
 std::string groupCell(const ResultKey& key, const ResultNames& names) {
   if (!key.group) {
@@ -122,11 +122,32 @@ std::vector<const Result*> Ledger::select(const ResultPattern& pattern) const {
   return found;
 }
 
+void Ledger::eachLine(const std::function<void(const Result&)>& visit) const {
+  for (const Result& result : results_) {
+    const auto* interval = std::get_if<Interval>(&result.value);
+    if (interval == nullptr) {
+      visit(result);
+      continue;
+    }
+    const std::string& name = result.key.statistic;
+    const std::size_t level = name.ends_with("_95") || name.ends_with("_90") ? name.size() - 3 : name.size();
+    Result line = result;
+    for (const bool upper : {false, true}) {
+      line.key.statistic = name;
+      line.key.statistic.insert(level, upper ? "_upper" : "_lower");
+      line.value = upper ? interval->upper : interval->lower;
+      visit(line);
+    }
+  }
+}
+
 Ledger Ledger::filtered(const std::function<bool(const Result&)>& shown) const {
   Ledger kept(names_);
   for (const Result& result : results_) {
     if (shown(result)) {
       kept.add(result);
+    } else {
+      kept.hidden_.insert(result.key);
     }
   }
   return kept;

@@ -12,9 +12,11 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <variant>
 #include <vector>
 
+#include "assessment/statistics/values.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -31,6 +33,8 @@ enum class ResultSection : std::uint8_t {
   kCompetence,
   kDeviation,
   kRecord,
+  kParticipants,
+  kPractice,  ///< times of training, learning curves
 };
 
 /// Returns "evaluation", "training" ..., the first column of cohort.csv.
@@ -74,6 +78,7 @@ enum class RecordKind : std::uint8_t {
   kCompetenceDesign,  ///< number of its version; 0: shipped with the exercise
   kDeviation,
   kEnrolments,     ///< of the cohort: who should be marked
+  kTrainingTimes,  ///< of the cohort: the times noted for training and rest
   kSheetRequests,  ///< of the cohort: the sheets requested from raters
   kCampaign,       ///< the evaluation of models: who was assigned
   kCohortPlan,     ///< plan of the cohort
@@ -98,15 +103,19 @@ struct Undefined {
   Text reason{};
 };
 
-using ResultValue = std::variant<Undefined, double, std::int64_t, bool, Text>;
+using ResultValue = std::variant<Undefined, double, std::int64_t, bool, Text, Interval>;
 
-/// A number, word or hash of a cohort with its full description.
+/// Whether a result belongs to the analysis that was planned with the cohort.
+enum class Origin : std::uint8_t { kUnplanned, kPlanned };
+
+/// A number, interval, word or hash of a cohort with its full description.
 struct Result {
   ResultKey key;
   ResultValue value;
   std::int64_t n = 0;  ///< values used
   std::string flags;   ///< joined by "; "
   ResultParts madeOf;  ///< never empty
+  Origin origin = Origin::kUnplanned;
 };
 
 /// Returns a value as a number; empty if it is not one.
@@ -137,14 +146,18 @@ class Ledger {
   [[nodiscard]] std::vector<const Result*> select(const ResultPattern& pattern) const;
   [[nodiscard]] const std::deque<Result>& every() const noexcept { return results_; }
   [[nodiscard]] const ResultNames& names() const noexcept { return names_; }
+  /// Visits the results as lines of cohort.csv: an interval "mean_95" as mean_lower_95 and mean_upper_95.
+  void eachLine(const std::function<void(const Result&)>& visit) const;
 
-  /// Returns a ledger of the results for which `shown` is true.
+  /// Returns a ledger of the results for which `shown` is true; it knows the keys of the others.
   [[nodiscard]] Ledger filtered(const std::function<bool(const Result&)>& shown) const;
+  [[nodiscard]] bool hides(const ResultKey& key) const { return hidden_.contains(key); }
 
  private:
   ResultNames names_;
   std::deque<Result> results_;
   std::unordered_map<ResultKey, std::size_t, ResultKeyHash> byKey_;
+  std::unordered_set<ResultKey, ResultKeyHash> hidden_;
   std::unordered_map<std::string, std::vector<std::size_t>> byPerson_;  // by ResultKey::of
 };
 

@@ -167,19 +167,25 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
   return out;
 }
 
-std::optional<ReportTable> missingTable(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportTable> missingTable(const CohortInputs& in, const StudyAnalysis& study,
+                                        const Ledger& ledger) {
   if (study.missing.empty()) {
     return std::nullopt;
   }
   ReportTable table = itemOf<ReportTable>(in, "table-missing", Text::tr("Trainees of whom marks are missing"),
                                           Text::tr("counts"));
   table.individual = true;
-  table.columns = {Text::tr("Trainee"), Text::tr("Group"), Text::tr("Marks missing before"),
-                   Text::tr("Marks missing at the end"), Text::tr("Compared")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Trainee")},
+                    {Text::tr("Group")},
+                    {Text::tr("Marks missing before"), "marks_missing_before"},
+                    {Text::tr("Marks missing at the end"), "marks_missing_at_the_end"},
+                    {Text::tr("Compared"), "compared"}});
   for (const MissingTrainee& trainee : study.missing) {
-    table.rows.push_back({trainee.trainee, in.groups[trainee.group].name,
-                          std::to_string(trainee.marks.before), std::to_string(trainee.marks.after),
-                          trainee.leftOut ? Text::tr("no") : Text::tr("yes")});
+    rows.row({trainee.trainee, in.groups[trainee.group].name}, {.section = ResultSection::kComparison,
+                                                                .of = trainee.trainee,
+                                                                .group = trainee.group,
+                                                                .occasion = in.occasions.size() - 1});
   }
   table.provenance.n = study.endMarks;
   table.provenance.missing = study.endMissing;
@@ -187,34 +193,29 @@ std::optional<ReportTable> missingTable(const CohortInputs& in, const StudyAnaly
   return table;
 }
 
-std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAnalysis& study,
+                                           const Ledger& ledger) {
   if (study.asPlanned()) {
     return std::nullopt;
   }
   ReportTable table = itemOf<ReportTable>(
       in, "table-mixed-model", Text::tr("Marks at the end, adjusted for the score before: every mark given"),
       Text::tr("linear mixed model, restricted maximum likelihood"));
-  table.columns = {Text::tr("Comparison"),
-                   Text::tr("Difference [95 %, not adjusted]"),
-                   Text::tr("[95 %, all pairs together]"),
-                   Text::verbatim("t"),
-                   Text::tr("Degrees of freedom"),
-                   Text::verbatim("p"),
-                   Text::tr("p (Holm)")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Comparison")},
+                    {Text::tr("Difference [95 %, not adjusted]"), "mixed_model_difference", kWithInterval},
+                    {Text::tr("[95 %, all pairs together]"), "mixed_model_difference_simultaneous_95"},
+                    {Text::verbatim("t"), "mixed_model_t", fixed(2)},
+                    {Text::tr("Degrees of freedom"), "mixed_model_df", fixed(1)},
+                    {Text::verbatim("p"), "mixed_model_p", kAsP},
+                    {Text::tr("p (Holm)"), "mixed_model_p_holm", kAsP}});
   if (!study.mixed) {
     table.rows.push_back({notDefined(study.mixed.reason()), "", "", "", "", "", ""});
     return table;
   }
   const MixedComparison& model = *study.mixed;
   for (const MixedComparison::Pair& pair : model.pairs) {
-    const ModelEstimate& of = pair.difference;
-    const CellsAt cell = cellsOfPair(in, pair.first, pair.second);
-    table.rows.push_back(
-        {pairName(in, pair.first, pair.second),
-         cell("mixed_model_difference", withInterval(of.value, of.interval)),
-         cell("mixed_model_difference_simultaneous_lower_95", intervalText(pair.simultaneous)),
-         formatFixed(of.t, 2), cell("mixed_model_df", formatFixed(of.df, 1)),
-         cell("mixed_model_p", formatP(of.p)), cell("mixed_model_p_holm", formatP(pair.pHolm))});
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
   }
   std::vector<Text> means;
   for (std::size_t g = 0; g < model.adjusted.size(); ++g) {
@@ -242,18 +243,20 @@ std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAn
   return table;
 }
 
-std::optional<ReportTable> boundsTable(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportTable> boundsTable(const CohortInputs& in, const StudyAnalysis& study,
+                                       const Ledger& ledger) {
   if (study.bounds.empty()) {
     return std::nullopt;
   }
   ReportTable table =
       itemOf<ReportTable>(in, "table-bounds", Text::tr("What the missing marks could do at worst"),
                           Text::tr("analysis of covariance, missing marks at the ends of the scale"));
-  table.columns = {Text::tr("Comparison"), Text::tr("Worst for the first group [95 %, not adjusted]"),
-                   Text::tr("Best for the first group [95 %, not adjusted]"), Text::tr("Direction")};
-  const auto shown = [](const Outcome<AdjustedDifference>& of) {
-    return of ? Text(withInterval(of->difference, of->interval)) : notDefined(of.reason());
-  };
+  ResultTable rows(
+      ledger, table,
+      {{Text::tr("Comparison")},
+       {Text::tr("Worst for the first group [95 %, not adjusted]"), "bound_worst", kWithInterval},
+       {Text::tr("Best for the first group [95 %, not adjusted]"), "bound_best", kWithInterval},
+       {Text::tr("Direction")}});
   for (const MissingBounds& pair : study.bounds) {
     Text direction = Text::tr("not known");
     if (pair.worst && pair.best) {
@@ -261,9 +264,7 @@ std::optional<ReportTable> boundsTable(const CohortInputs& in, const StudyAnalys
                   : pair.best->interval.upper < 0.0 ? Text::tr("second is better whatever is missing")
                                                     : Text::tr("not decided");
     }
-    const CellsAt cell = cellsOfPair(in, pair.first, pair.second);
-    table.rows.push_back({pairName(in, pair.first, pair.second), cell("bound_worst", shown(pair.worst)),
-                          cell("bound_best", shown(pair.best)), direction});
+    rows.row({pairName(in, pair.first, pair.second), direction}, pairKey(in, pair.first, pair.second));
   }
   table.notes = {
       Text::tr("Every missing mark at the end is taken as the lowest of the scale in one group and as the "

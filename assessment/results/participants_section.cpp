@@ -1,55 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "assessment/results/aggregated_inputs.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/record_sentences.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 
 namespace torsio {
 
 namespace {
 
-/// Returns a group's mean before the training; `all`: including what is not shown.
-Text meanBefore(const CohortInputs& in, const CohortInputs& all, std::size_t group) {
-  const auto ofGroup = [&](const GroupSummary& summary) {
-    return summary.group == group && summary.occasion == 0;
-  };
-  if (const auto shown = std::find_if(in.summaries.begin(), in.summaries.end(), ofGroup);
-      shown != in.summaries.end()) {
-    return formatFixed(shown->mean, 2);
-  }
-  return std::any_of(all.summaries.begin(), all.summaries.end(), ofGroup) ? Text::tr("not shown")
-                                                                          : Text::tr("not recorded");
-}
-
-ReportTable groupsTable(const CohortInputs& in, const CohortInputs& all) {
+ReportTable groupsTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-participants";
   table.title = Text::tr("Participants by group");
-  table.columns = {Text::tr("Group"),  Text::tr("Protocol"), Text::tr("Trainees"),
-                   Text::tr("By sex"), Text::tr("By level"), Text::tr("Mean score before")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Group")},
+                    {Text::tr("Protocol")},
+                    {Text::tr("Trainees"), "allocated"},
+                    {Text::tr("By sex"), "by_sex", {}, ""},
+                    {Text::tr("By level"), "by_level", {}, ""},
+                    {Text::tr("Mean score before")}});
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    std::map<std::string, std::int64_t> sexes;
-    std::map<std::string, std::int64_t> levels;
-    std::int64_t n = 0;
-    for (const CohortTrainee& trainee : in.trainees) {
-      if (trainee.group != g) {
-        continue;
-      }
-      ++n;
-      ++sexes[trainee.sex];
-      ++levels[trainee.level];
-    }
-    const auto counted = [&](const std::map<std::string, std::int64_t>& counts) {
-      return countsText({counts.begin(), counts.end()}, in.identity);
-    };
-    table.rows.push_back({in.groups[g].name, in.groups[g].protocol, std::to_string(n), counted(sexes),
-                          counted(levels), meanBefore(in, all, g)});
+    const bool scored =
+        ResultsAt(ledger, {.section = ResultSection::kParticipants, .group = g, .occasion = 0})
+            .number("scored")
+            .value_or(0.0) > 0.0;
+    const ResultsAt before(ledger, {.group = g, .occasion = 0});
+    rows.row({in.groups[g].name, in.groups[g].protocol,
+              before("mean", fixed(2), scored ? Text::tr("not shown") : Text::tr("not recorded"))},
+             {.section = ResultSection::kParticipants, .group = g});
   }
   if (in.allocation.method.empty()) {
     table.notes = {
@@ -75,37 +61,26 @@ ReportTable groupsTable(const CohortInputs& in, const CohortInputs& all) {
 }
 
 /// Counts who was scored over the whole record, whether shown or not.
-ReportTable flowTable(const CohortInputs& in, const CohortInputs& all) {
+ReportTable flowTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-flow";
   table.title = Text::tr("Flow of participants");
-  table.columns = {Text::tr("Group"), Text::tr("Allocated"), Text::tr("Withdrew"), Text::tr("Recorded runs"),
-                   Text::tr("Interrupted runs")};
+  std::vector<ResultColumn> columns{{Text::tr("Group")},
+                                    {Text::tr("Allocated"), "allocated"},
+                                    {Text::tr("Withdrew"), "withdrew"},
+                                    {Text::tr("Recorded runs"), "runs"},
+                                    {Text::tr("Interrupted runs"), "runs_interrupted"}};
   for (const Text& occasion : in.occasions) {
-    table.columns.push_back(Text::tr("Scored %1", occasion));
+    columns.push_back({Text::tr("Scored %1", occasion)});
   }
+  ResultTable rows(ledger, table, std::move(columns));
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    std::int64_t allocated = 0;
-    std::int64_t withdrew = 0;
-    std::int64_t trials = 0;
-    std::int64_t interrupted = 0;
-    for (const CohortTrainee& trainee : in.trainees) {
-      allocated += trainee.group == g ? 1 : 0;
-      withdrew += trainee.group == g && trainee.withdrew ? 1 : 0;
-    }
-    for (const TrialSummaryRow& trial : in.trials) {
-      trials += trial.group == g ? 1 : 0;
-      interrupted += trial.group == g && trial.interrupted ? 1 : 0;
-    }
-    std::vector<ReportCell> row = {in.groups[g].name, std::to_string(allocated), std::to_string(withdrew),
-                                   std::to_string(trials), std::to_string(interrupted)};
+    std::vector<ReportCell> labels{in.groups[g].name};
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-      row.push_back(
-          std::to_string(std::count_if(all.scores.begin(), all.scores.end(), [&](const TraineeScore& score) {
-            return score.group == g && score.occasion == t;
-          })));
+      labels.push_back(
+          ResultsAt(ledger, {.section = ResultSection::kParticipants, .group = g, .occasion = t})("scored"));
     }
-    table.rows.push_back(row);
+    rows.row(labels, {.section = ResultSection::kParticipants, .group = g});
   }
   table.provenance.formula = Text::tr("counts");
   table.provenance.n = std::ssize(in.trainees);
@@ -126,7 +101,7 @@ ReportTable pairsTable(const std::string& id, const Text& title, const Facts& pa
 
 }  // namespace
 
-ReportSection participantsSection(const CohortInputs& in, const CohortInputs& all) {
+ReportSection participantsSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"participants", Text::tr("Participants and allocation")};
   const CohortAllocation& drawn = in.allocation;
   const Text enrolled = in.notAllocated > 0
@@ -143,11 +118,75 @@ ReportSection participantsSection(const CohortInputs& in, const CohortInputs& al
                                         : drawn.method.empty() ? Text::tr("not recorded")
                                                                : Text(std::to_string(drawn.seed))));
   section.paragraphs.push_back(Text::verbatim("%1 %2", commitmentSentence(drawn), replaySentence(drawn)));
-  section.tables = {groupsTable(in, all), flowTable(in, all)};
+  section.tables = {groupsTable(in, ledger), flowTable(in, ledger)};
   if (!in.allocation.design.empty()) {
     section.tables.push_back(
         pairsTable("table-allocation", Text::tr("Design of the allocation"), in.allocation.design));
   }
+  return section;
+}
+
+ResultKey deviationKey(const CohortInputs& in, std::size_t number) {
+  const CohortDeviation& deviation = in.deviations[number];
+  return {.section = ResultSection::kDeviation,
+          .statistic = deviation.kind,
+          .of = deviation.trainee,
+          .when = formatUtc(deviation.happenedUtc_us),
+          .record = std::to_string(number)};
+}
+
+ReportSection deviationsSection(const CohortInputs& in) {
+  ReportSection section{"deviations", Text::tr("Deviations")};
+  if (in.deviations.empty()) {
+    section.paragraphs.push_back(Text::tr("No deviation from the protocol was reported."));
+    return section;
+  }
+  std::map<std::string, std::int64_t> kinds;
+  for (const CohortDeviation& deviation : in.deviations) {
+    ++kinds[deviation.kind];
+  }
+  section.paragraphs.push_back(
+      Text::tr("%1 {deviation from the protocol was|deviations from the protocol were} reported: %2.",
+               in.deviations.size(), countsText({kinds.begin(), kinds.end()}, in.identity)));
+  ReportTable table;
+  table.id = "table-deviations";
+  table.title = Text::tr("Deviations from the protocol");
+  table.individual = true;
+  table.columns = {Text::tr("When"), Text::tr("Trainee"), Text::tr("Kind"), Text::tr("What happened")};
+  for (std::size_t i = 0; i < in.deviations.size(); ++i) {
+    const CohortDeviation& deviation = in.deviations[i];
+    const ResultKey key = deviationKey(in, i);
+    table.rows.push_back({{formatUtc(deviation.happenedUtc_us), key},
+                          deviation.trainee.empty() ? Text::tr("whole cohort") : Text(deviation.trainee),
+                          deviation.kind,
+                          {deviation.description, key}});
+  }
+  table.provenance.n = std::ssize(in.deviations);
+  table.provenance.flags = commonFlags(in);
+  section.tables.push_back(table);
+  return section;
+}
+
+/// Name, meaning and time with the signed object, as required by 21 CFR 11.50.
+ReportSection signaturesSection(const CohortInputs& in) {
+  ReportSection section{"signatures", Text::tr("Signatures of the marks")};
+  section.paragraphs.push_back(
+      Text::tr("%1 {mark was|marks were} signed with the password of their rater, %2 {was|were} not.",
+               in.signatures.size(), in.unsignedMarks));
+  ReportTable table;
+  table.id = "table-mark-signatures";
+  table.title = Text::tr("Who signed which mark");
+  table.individual = true;
+  table.columns = {Text::tr("Signed by"), Text::tr("Trainee"), Text::tr("Occasion"), Text::tr("Version"),
+                   Text::tr("Meaning"),   Text::tr("When"),    Text::tr("Why")};
+  for (const CohortSignature& one : in.signatures) {
+    table.rows.push_back({one.signer, one.trainee, one.occasion, std::to_string(one.version), one.meaning,
+                          formatUtc(one.signedUtc_us),
+                          in.singleMarks ? Text(one.reason) : Text()});  // a reason may reveal the mark
+  }
+  table.provenance.n = std::ssize(in.signatures);
+  table.provenance.flags = commonFlags(in);
+  section.tables.push_back(table);
   return section;
 }
 

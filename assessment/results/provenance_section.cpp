@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <map>
 
-#include "assessment/results/number_format.h"
+#include "assessment/results/analysed_cohort.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "sim/core/digest.h"
 
@@ -11,40 +12,6 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kPrintedDigits = 16;
-
-std::string hashOfTrainingMarks(const CohortInputs& in) {
-  Digest digest;
-  for (const TrainingMark& mark : in.trainingMarks) {
-    digest.update(mark.trainee);
-    digest.update(mark.rater);
-    digest.update(static_cast<std::int64_t>(mark.occasion));
-    digest.update(mark.steps);
-  }
-  return digest.hex();
-}
-
-std::string hashOfEvaluationMarks(const CohortInputs& in) {
-  Digest digest;
-  for (const ModelRatings& model : in.ratings) {
-    for (const RaterSheet& sheet : model.sheets) {
-      digest.update(model.model);
-      digest.update(sheet.rater);
-      for (const std::optional<std::int64_t>& steps : sheet.steps) {
-        digest.update(steps.value_or(-1));
-      }
-    }
-  }
-  return digest.hex();
-}
-
-std::string hashOfTrials(const CohortInputs& in) {
-  Digest digest;
-  for (const TrialSummaryRow& trial : in.trials) {
-    digest.update(trial.trialId.text());
-    digest.update(trial.contentHash);
-  }
-  return digest.hex();
-}
 
 ReportTable versionsTable(const CohortInputs& in) {
   ReportTable table;
@@ -81,30 +48,24 @@ ReportTable versionsTable(const CohortInputs& in) {
 }
 
 /// Lists the marks and recordings behind the parts of the report.
-ReportTable sourcesTable(const CohortInputs& in) {
+ReportTable sourcesTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-sources";
   table.title = Text::tr("What each part is computed from");
   table.columns = {Text::tr("Part of the report"), Text::tr("Source"), Text::tr("Count"),
                    Text::tr("Hash of the source")};
-  const auto add = [&](const Text& part, const Text& source, std::int64_t count, const std::string& hash) {
-    if (count > 0) {
-      table.rows.push_back({part, source, std::to_string(count), hash.substr(0, kPrintedDigits)});
+  const auto add = [&](const Text& part, const Text& source, const char* of) {
+    const ResultsAt at(ledger, {.section = ResultSection::kRecord, .of = of});
+    if (at.number("count")) {
+      ReportCell hash = at("blake2b");
+      static_cast<Text&>(hash) = hash.str().substr(0, kPrintedDigits);
+      table.rows.push_back({part, source, at("count"), std::move(hash)});
     }
   };
-  std::int64_t evaluationMarks = 0;
-  for (const ModelRatings& model : in.ratings) {
-    for (const RaterSheet& sheet : model.sheets) {
-      evaluationMarks += std::count_if(sheet.steps.begin(), sheet.steps.end(),
-                                       [](const auto& steps) { return steps.has_value(); });
-    }
-  }
-  add(Text::tr("Evaluation of the models"), Text::tr("submitted marks of the campaign"), evaluationMarks,
-      hashOfEvaluationMarks(in));
+  add(Text::tr("Evaluation of the models"), Text::tr("submitted marks of the campaign"), kEvaluationMarks);
   add(Text::tr("Training study; Agreement and comparisons; Raters"),
-      Text::tr("submitted marks of the occasions"), std::ssize(in.trainingMarks), hashOfTrainingMarks(in));
-  add(Text::tr("Learning; Recorded runs"), Text::tr("recordings, listed below"), std::ssize(in.trials),
-      hashOfTrials(in));
+      Text::tr("submitted marks of the occasions"), kTrainingMarks);
+  add(Text::tr("Learning; Recorded runs"), Text::tr("recordings, listed below"), kRecordings);
   if (!in.trials.empty()) {
     const auto open = std::count_if(in.trials.begin(), in.trials.end(),
                                     [](const TrialSummaryRow& trial) { return trial.contentHash.empty(); });
@@ -127,21 +88,14 @@ ReportTable sourcesTable(const CohortInputs& in) {
 }
 
 /// Lists the marks and recordings behind each trainee's score.
-ReportTable chainTable(const CohortInputs& in) {
-  struct Chain {
-    std::int64_t marks = 0;
-    std::string trials;
-  };
-  std::map<std::string, Chain> chains;
+ReportTable chainTable(const CohortInputs& in, const Ledger& ledger) {
+  std::map<std::string, std::string> chains;  // recordings by trainee
   for (const TrainingMark& mark : in.trainingMarks) {
-    ++chains[mark.trainee].marks;
+    chains[mark.trainee];
   }
   for (const TrialSummaryRow& trial : in.trials) {
-    std::string& trials = chains[trial.trainee].trials;
-    if (!trials.empty()) {
-      trials += ", ";
-    }
-    trials += trial.trialId.text().substr(0, 8);
+    std::string& trials = chains[trial.trainee];
+    trials += (trials.empty() ? "" : ", ") + trial.trialId.text().substr(0, 8);
   }
   ReportTable table;
   table.id = "table-chain";
@@ -149,15 +103,16 @@ ReportTable chainTable(const CohortInputs& in) {
   table.individual = true;
   table.columns = {Text::tr("Trainee"), Text::tr("Marks behind the scores"),
                    Text::tr("Recordings (first eight digits of the run)")};
-  for (const auto& [trainee, chain] : chains) {
-    table.rows.push_back({trainee, std::to_string(chain.marks),
-                          chain.trials.empty() ? Text::tr("none on the simulator") : Text(chain.trials)});
+  for (const auto& [trainee, trials] : chains) {
+    const ResultsAt at(ledger, {.of = trainee});
+    table.rows.push_back({trainee, at("marks", {}, Text(std::to_string(0))),
+                          trials.empty() ? Text::tr("none on the simulator") : Text(trials)});
   }
   table.provenance.flags = commonFlags(in);
   return table;
 }
 
-ReportTable trialsTable(const CohortInputs& in) {
+ReportTable trialsTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-trial-hashes";
   table.title = Text::tr("Recorded runs");
@@ -165,9 +120,14 @@ ReportTable trialsTable(const CohortInputs& in) {
   table.columns = {Text::tr("Run"),     Text::tr("Trainee"), Text::tr("Phase"),       Text::tr("Model"),
                    Text::tr("Minutes"), Text::tr("Outcome"), Text::tr("Content hash")};
   for (const TrialSummaryRow& trial : in.trials) {
-    table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
-                          formatFixed(trial.minutes, 2), wordOf(trial.outcome),
-                          trial.contentHash.substr(0, kPrintedDigits)});
+    const ResultsAt at(ledger, trialKey(trial));
+    table.rows.push_back({{trial.trialId, at("trial").key},
+                          trial.trainee,
+                          trial.phase,
+                          trial.model,
+                          at("minutes", fixed(2)),
+                          at("outcome"),
+                          {trial.contentHash.substr(0, kPrintedDigits), at("content_hash").key}});
   }
   table.notes = {Text::tr(
       "The first 16 digits of each content hash; the whole hashes are in the table of numbers (CSV).")};
@@ -178,17 +138,54 @@ ReportTable trialsTable(const CohortInputs& in) {
 
 }  // namespace
 
-ReportSection provenanceSection(const CohortInputs& in) {
+MarksHash hashOfTrainingMarks(const CohortInputs& in) {
+  Digest digest;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    digest.update(mark.trainee);
+    digest.update(mark.rater);
+    digest.update(static_cast<std::int64_t>(mark.occasion));
+    digest.update(mark.steps);
+  }
+  return {std::ssize(in.trainingMarks), digest.hex()};
+}
+
+MarksHash hashOfEvaluationMarks(const CohortInputs& in) {
+  MarksHash out;
+  Digest digest;
+  for (const ModelRatings& model : in.ratings) {
+    for (const RaterSheet& sheet : model.sheets) {
+      digest.update(model.model);
+      digest.update(sheet.rater);
+      for (const std::optional<std::int64_t>& steps : sheet.steps) {
+        digest.update(steps.value_or(-1));
+        out.count += steps ? 1 : 0;
+      }
+    }
+  }
+  out.hash = digest.hex();
+  return out;
+}
+
+MarksHash hashOfTrials(const CohortInputs& in) {
+  Digest digest;
+  for (const TrialSummaryRow& trial : in.trials) {
+    digest.update(trial.trialId.text());
+    digest.update(trial.contentHash);
+  }
+  return {std::ssize(in.trials), digest.hex()};
+}
+
+ReportSection provenanceSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"provenance", Text::tr("Provenance")};
   section.tables = {versionsTable(in)};
-  if (ReportTable sources = sourcesTable(in); !sources.rows.empty()) {
+  if (ReportTable sources = sourcesTable(in, ledger); !sources.rows.empty()) {
     section.tables.push_back(std::move(sources));
   }
-  if (ReportTable chain = chainTable(in); !chain.rows.empty()) {
+  if (ReportTable chain = chainTable(in, ledger); !chain.rows.empty()) {
     section.tables.push_back(std::move(chain));
   }
   if (!in.trials.empty()) {
-    section.tables.push_back(trialsTable(in));
+    section.tables.push_back(trialsTable(in, ledger));
   }
   return section;
 }

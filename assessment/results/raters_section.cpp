@@ -22,7 +22,7 @@ Item individualItem(const CohortInputs& in, const std::string& id, const Text& t
 }
 
 /// Shows each rater's mean mark of each trainee over the occasions.
-ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
+ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportFigure figure =
       individualItem<ReportFigure>(in, "figure-marks", Text::tr("Marks by trainee and rater, last occasion"),
                                    Text::tr("marks as submitted"));
@@ -33,13 +33,17 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
   figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
   figure.categories.assign(study.trainees.begin(), study.trainees.end());
   const OccasionMarks& last = study.occasions.back();
-  for (std::size_t r = 0; r < study.raters.size(); ++r) {
-    FigureSeries series;
-    series.name = study.raters[r];
-    for (const std::vector<std::optional<double>>& row : last.marks) {
-      series.y.push_back(row[r]);
+  for (const std::string& rater : study.raters) {
+    FigureSeries series{.name = rater};
+    for (std::size_t i = 0; i < study.trainees.size(); ++i) {
+      addPoint(series,
+               ResultsAt(ledger, {.of = study.trainees[i],
+                                  .group = study.groupOf[i],
+                                  .index = rater,
+                                  .occasion = in.occasions.size() - 1}),
+               "rater_mark");
     }
-    figure.series.push_back(series);
+    figure.series.push_back(std::move(series));
   }
   figure.provenance.n = last.n;
   figure.provenance.missing = last.missing;
@@ -49,7 +53,7 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
   return figure;
 }
 
-ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) {
+ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportFigure figure =
       individualItem<ReportFigure>(in, "figure-severity", Text::tr("Severity of the raters"),
                                    Text::tr("mean of own mark minus mean of the other raters"));
@@ -59,18 +63,16 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
   std::vector<RaterSeverity> ordered = study.severity;
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const RaterSeverity& a, const RaterSeverity& b) { return a.offset < b.offset; });
-  FigureSeries series;
-  series.name = Text::tr("offset [95 %]");
+  FigureSeries series{.name = Text::tr("offset [95 %]")};
+  bool alone = false;
   for (const RaterSeverity& rater : ordered) {
     figure.categories.emplace_back(rater.rater);
-    series.y.emplace_back(rater.offset);
-    series.low.push_back(rater.interval ? rater.interval->lower : rater.offset);
-    series.high.push_back(rater.interval ? rater.interval->upper : rater.offset);
+    addPoint(series, ResultsAt(ledger, {.section = ResultSection::kAgreement, .of = rater.rater}),
+             "severity_offset", true);
     figure.provenance.n += rater.n;
+    alone = alone || !rater.interval;
   }
   figure.series = {series};
-  const bool alone =
-      std::any_of(ordered.begin(), ordered.end(), [](const RaterSeverity& rater) { return !rater.interval; });
   figure.notes = {
       allMarksGiven(in)
           ? Text::tr(
@@ -86,27 +88,21 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
 }
 
 /// Shows every mark of the last occasion against the mean of the other raters.
-std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study,
+                                              const Ledger& ledger) {
   ReportFigure figure = individualItem<ReportFigure>(
       in, "figure-bland-altman", Text::tr("Each mark against the other raters, last occasion"),
       Text::tr("each mark against the mean of the others, limits for repeated measures"));
   figure.kind = FigureKind::kScatter;
   figure.xLabel = Text::tr("mean of own mark and the others' mean (points)");
   figure.yLabel = Text::tr("own minus others' mean");
-  FigureSeries series;
-  series.name = Text::tr("one mark");
-  for (const std::vector<std::optional<double>>& row : study.occasions.back().marks) {
-    for (std::size_t r = 0; r < row.size(); ++r) {
-      if (!row[r]) {
-        continue;
-      }
-      const std::optional<double> others = meanOfOthers(row, r);
-      if (!others) {
-        continue;
-      }
-      series.x.push_back(0.5 * (*row[r] + *others));
-      series.y.emplace_back(*row[r] - *others);
-    }
+  FigureSeries series{.name = Text::tr("one mark")};
+  for (const Result* mark :
+       ledger.select({.section = ResultSection::kAgreement, .statistic = kMarkMinusOthers, .of = kEach})) {
+    ResultKey both = mark->key;
+    both.statistic = kMarkAndOthers;
+    series.x.push_back(*numberIn(ledger.find(both)->value));
+    addPoint(series, ResultsAt(ledger, mark->key), kMarkMinusOthers);
   }
   const Outcome<IncompleteReliability>& variances = study.occasions.back().reliability;
   if (!variances || variances->usualRaters < 2) {
@@ -130,29 +126,26 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
   return figure;
 }
 
-ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportTable table =
       individualItem<ReportTable>(in, "table-raters", Text::tr("Raters side by side"),
                                   Text::tr("Bland and Altman against the mean of the others, last occasion"));
-  table.columns = {Text::tr("Rater"), Text::tr("Trainees"), Text::tr("Offset [95 %], all occasions"),
-                   Text::tr("Limits of agreement, last occasion")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Rater")},
+                    {Text::tr("Trainees"), "severity_offset", kValues},
+                    {Text::tr("Offset [95 %], all occasions"), "severity_offset", kWithInterval},
+                    {Text::tr("Limits of agreement, last occasion")}});
   for (const RaterSeverity& rater : study.severity) {
-    const auto at = static_cast<std::size_t>(
-        std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());
-    const Outcome<BlandAltmanResult>& against = study.againstPanel[at];
-    const Text limits = against ? Text::tr("%1 to %2", formatFixed(against->limits.lower, kRaterDecimals),
-                                           formatFixed(against->limits.upper, kRaterDecimals))
-                                : notDefined(against.reason());
-    table.rows.push_back(
-        {rater.rater,
-         std::to_string(rater.n),
-         {Text(withInterval(rater.offset, rater.interval)),
-          {.section = ResultSection::kAgreement, .statistic = "severity_offset", .of = rater.rater}},
-         {limits,
-          {.section = ResultSection::kAgreement,
-           .statistic = "limit_of_agreement_lower",
-           .of = rater.rater,
-           .occasion = in.occasions.size() - 1}}});
+    const ResultsAt last(
+        ledger,
+        {.section = ResultSection::kAgreement, .of = rater.rater, .occasion = in.occasions.size() - 1});
+    ReportCell limits = last("limit_of_agreement");
+    const Result* found = last.find("limit_of_agreement");
+    if (const auto* ends = found == nullptr ? nullptr : std::get_if<Interval>(&found->value)) {
+      static_cast<Text&>(limits) = Text::tr("%1 to %2", formatFixed(ends->lower, kRaterDecimals),
+                                            formatFixed(ends->upper, kRaterDecimals));
+    }
+    rows.row({rater.rater, limits}, {.section = ResultSection::kAgreement, .of = rater.rater});
     table.provenance.n += rater.n;
   }
   table.notes = {
@@ -162,28 +155,28 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
 
 }  // namespace
 
-ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study) {
+ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportSection section{"raters", Text::tr("Raters")};
   section.paragraphs = {Text::tr(
       "Offsets are taken against the mean of the other raters; a mean that contains the rater would agree by "
       "construction.")};
   if (in.singleMarks) {
-    section.figures.push_back(heatMap(in, study));
+    section.figures.push_back(heatMap(in, study, ledger));
   } else {
     section.paragraphs.push_back(Text::tr(
         "Single marks are not shown. The role that made this report sees them, under codes, once every rater "
         "has submitted and the data set is frozen."));
   }
   if (!study.severity.empty()) {
-    section.figures.push_back(severityFigure(in, study));
+    section.figures.push_back(severityFigure(in, study, ledger));
   }
   if (in.singleMarks) {
-    if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study)) {
+    if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study, ledger)) {
       section.figures.push_back(*figure);
     }
   }
   if (!study.severity.empty()) {
-    section.tables = {ratersTable(in, study)};
+    section.tables = {ratersTable(in, study, ledger)};
   }
   return section;
 }

@@ -21,12 +21,16 @@ Text neededSentence(const RatersNeeded& found) {
                         formatFixed(kWantedDependability, 2));
 }
 
-ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   auto table = itemOf<ReportTable>(in, "table-raters-needed", Text::tr("How many raters are needed"),
                                    Text::tr("G-study of trainees x raters, last occasion; D-study"));
-  table.columns = {Text::tr("Raters"), Text::tr("Dependability (level)"),
-                   Text::tr("Generalizability (order)"),
-                   Text::tr("Standard error of the mean mark (points)")};
+  ResultTable rows(
+      ledger, table,
+      {{Text::tr("Raters")},
+       {Text::tr("Dependability (level)"), "dependability", fixed(kReliabilityDecimals)},
+       {Text::tr("Generalizability (order)"), "generalizability", fixed(kReliabilityDecimals), ""},
+       {Text::tr("Standard error of the mean mark (points)"), "standard_error_of_mean_mark",
+        fixed(kReliabilityDecimals), ""}});
   const RatersNeeded& found = study.needed;
   table.provenance.n = found.marks;
   table.provenance.missing = study.occasions.back().missing;
@@ -35,19 +39,9 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
     return table;
   }
   for (const auto& [raters, planned] : found.planned) {
-    if (!planned) {
-      table.rows.push_back({std::to_string(raters), notDefined(planned.reason()), "", ""});
-      continue;
-    }
-    const CellsAt cell({.section = ResultSection::kAgreement,
-                        .index = ratersIndex(raters),
-                        .occasion = in.occasions.size() - 1});
-    table.rows.push_back(
-        {std::to_string(raters),
-         cell("dependability", formatFixed(planned->dependability, kReliabilityDecimals)),
-         cell("generalizability", formatFixed(planned->generalizability, kReliabilityDecimals)),
-         cell("standard_error_of_mean_mark",
-              formatFixed(std::sqrt(planned->absoluteError), kReliabilityDecimals))});
+    rows.row({std::to_string(raters)}, {.section = ResultSection::kAgreement,
+                                        .index = ratersIndex(raters),
+                                        .occasion = in.occasions.size() - 1});
   }
   const GStudy& components = *found.components;
   if (std::any_of(found.planned.begin(), found.planned.end(),
@@ -64,7 +58,7 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
   return table;
 }
 
-ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
+ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   auto table = itemOf<ReportTable>(in, "table-rasch", Text::tr("Raters on one scale, last occasion"),
                                    Text::tr("many-facet Rasch model, joint maximum likelihood"));
   table.individual = true;
@@ -79,16 +73,14 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
   }
   for (std::size_t r = 0; r < study.raters.size(); ++r) {
     const RaschRater& rater = found->raters[r];
-    const auto shown = [&](const std::optional<double>& value) {
-      return value                                     ? Text(formatFixed(*value, 2))
-             : rater.status == RaschStatus::kNoRatings ? Text::tr("no mark here")
-                                                       : Text::tr("only extreme marks");
-    };
-    const CellsAt cell(
+    const Text none =
+        rater.status == RaschStatus::kNoRatings ? Text::tr("no mark here") : Text::tr("only extreme marks");
+    const ResultsAt cell(
+        ledger,
         {.section = ResultSection::kAgreement, .of = study.raters[r], .occasion = in.occasions.size() - 1});
-    table.rows.push_back({study.raters[r], cell("rasch_severity", shown(rater.severity)),
-                          cell("rasch_error", shown(rater.error)), cell("rasch_infit", shown(rater.infit)),
-                          cell("rasch_outfit", shown(rater.outfit))});
+    table.rows.push_back({study.raters[r], cell("rasch_severity", fixed(2), none),
+                          cell("rasch_error", fixed(2), none), cell("rasch_infit", fixed(2), none),
+                          cell("rasch_outfit", fixed(2), none)});
   }
   table.notes = {Text::tr(
       "Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater's marks follow "
@@ -98,44 +90,40 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study) {
   return table;
 }
 
-/// Formats p of the signed-rank test; for random sign changes, with its standard error.
-Text signedRankP(const SignedRank& ranks) {
-  return ranks.exact ? Text(formatP(ranks.pTwoSided))
-                     : Text::tr("%1, random changes of sign, standard error %2", formatP(ranks.pTwoSided),
-                                formatFixed(ranks.error, 4));
-}
-
 }  // namespace
 
-std::vector<ReportTable> reliabilityTables(const CohortInputs& in, const StudyAnalysis& study) {
+std::vector<ReportTable> reliabilityTables(const CohortInputs& in, const StudyAnalysis& study,
+                                           const Ledger& ledger) {
   if (study.occasions.empty() || study.raters.size() < 2) {
     return {};
   }
-  return {ratersNeededTable(in, study), raschTable(in, study)};
+  return {ratersNeededTable(in, study, ledger), raschTable(in, study, ledger)};
 }
 
-std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const StudyAnalysis& study) {
+std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const StudyAnalysis& study,
+                                             const Ledger& ledger) {
   if (!study.gains) {
     return std::nullopt;
   }
   auto table = itemOf<ReportTable>(in, "table-within-groups", Text::tr("What each group gained by itself"),
                                    Text::tr("exact signed ranks; Friedman; bootstrap of the median, BCa"));
-  table.columns = {
-      Text::tr("Group"),          Text::tr("Trainees"),  Text::tr("Median gain [95 %] (points)"),
-      Text::tr("Signed ranks V"), Text::tr("p (exact)"), Text::tr("p (Friedman, all occasions)")};
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Group")},
+                    {Text::tr("Trainees"), "median_gain", kValues},
+                    {Text::tr("Median gain [95 %] (points)"), "median_gain", kWithInterval},
+                    {Text::tr("Signed ranks V"), "gain_signed_rank_v", fixed(1)},
+                    {Text::tr("p (exact)")},
+                    {Text::tr("p (Friedman, all occasions)"), "occasions_friedman_p", kAsP}});
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const GroupGain& gain = study.gains->within[g];
-    const CellsAt cell(
-        {.section = ResultSection::kComparison, .group = g, .occasion = in.occasions.size() - 1});
-    table.rows.push_back(
-        {in.groups[g].name, std::to_string(gain.n),
-         cell("median_gain", gain.median ? Text(withInterval(gain.median->estimate, gain.median->bca))
-                                         : notDefined(gain.median.reason())),
-         cell("gain_signed_rank_v",
-              gain.ranks ? Text(formatFixed(gain.ranks->v, 1)) : notDefined(gain.ranks.reason())),
-         cell("gain_signed_rank_p", gain.ranks ? signedRankP(*gain.ranks) : Text("")),
-         cell("occasions_friedman_p",
-              gain.occasions ? Text(formatP(gain.occasions->p)) : notDefined(gain.occasions.reason()))});
+    const ResultKey place{
+        .section = ResultSection::kComparison, .group = g, .occasion = in.occasions.size() - 1};
+    ReportCell p = ResultsAt(ledger, place)("gain_signed_rank_p", kAsP);
+    if (gain.ranks && !gain.ranks->exact) {  // random sign changes
+      static_cast<Text&>(p) =
+          Text::tr("%1, random changes of sign, standard error %2", p, formatFixed(gain.ranks->error, 4));
+    }
+    rows.row({in.groups[g].name, gain.ranks ? p : ReportCell()}, place);
     table.provenance.n += gain.n;
   }
   table.notes = {

@@ -30,6 +30,7 @@ struct Provenance {
 struct ReportCell : Text {
   ReportCell() = default;
   ReportCell(const std::convertible_to<Text> auto& words) : Text(words) {}  // NOLINT: text is a cell
+  ReportCell(const Text& words, std::shared_ptr<const ResultKey> of) : Text(words), key(std::move(of)) {}
   ReportCell(const Text& words, ResultKey of)
       : Text(words), key(std::make_shared<const ResultKey>(std::move(of))) {}
 
@@ -75,15 +76,17 @@ struct BoxSummary {
 };
 
 struct FigureSeries {
-  Text name;
+  Text name{};
   std::vector<double>
-      x;  ///< kLines without categories: abscissa; kPoints: category index from 0; otherwise empty
-  std::vector<std::optional<double>> y;  ///< one per category; kBoxes: all raw values
-  std::vector<double> low;               ///< kRanges, kForest: same length as y; kLines: same or empty
-  std::vector<double> high;
-  std::optional<BoxSummary> box;    ///< kBoxes: required
-  std::optional<std::size_t> look;  ///< colour and marker of this index instead of the series' own
-  bool faint = false;               ///< one curve of many: thin, unnamed; kScatter: a reference line
+      x{};  ///< kLines without categories: abscissa; kPoints: category index from 0; otherwise empty
+  std::vector<std::optional<double>> y{};  ///< one per category; kBoxes: all raw values
+  std::vector<double> low{};               ///< kRanges, kForest: same length as y; kLines: same or empty
+  std::vector<double> high{};
+  std::optional<BoxSummary> box{};    ///< kBoxes: required
+  std::optional<std::size_t> look{};  ///< colour and marker of this index instead of the series' own
+  bool faint = false;                 ///< one curve of many: thin, unnamed; kScatter: a reference line
+  std::vector<std::shared_ptr<const ResultKey>> keys{};  ///< of y; null or shorter: no result
+  std::shared_ptr<const ResultKey> boxKey{};             ///< of the median
 };
 
 struct ReportFigure {

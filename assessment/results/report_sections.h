@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/catalogue/quantity.h"
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/ledger.h"
 #include "assessment/results/study_analysis.h"
@@ -16,12 +18,12 @@
 namespace torsio {
 
 /// The board's one-minute page; requires scores.
-[[nodiscard]] ReportSection boardSection(const CohortInputs& inputs, const StudyAnalysis& study);
-/// `all`: including hidden marks, of which only the counts of those scored are used.
-[[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs, const CohortInputs& all);
-[[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection boardSection(const CohortInputs& inputs, const StudyAnalysis& study,
+                                         const Ledger& ledger);
+[[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs, const Ledger& ledger);
+[[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs, const Ledger& ledger);
 /// Describes what an evaluation lacks that cannot be computed yet, and each class's own result.
-[[nodiscard]] ReportSection unfinishedSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection unfinishedSection(const CohortInputs& inputs, const Ledger& ledger);
 /// Returns the raters with a sheet for any model: each should score all of them.
 [[nodiscard]] std::set<std::string> evaluationRaters(const CohortInputs& inputs);
 /// Counts the marks of a model.
@@ -40,34 +42,76 @@ struct ClassScore {
 [[nodiscard]] std::vector<ClassScore> classScores(const CohortInputs& inputs);
 inline constexpr const char* kClassScoreStatistic = "class_score_eq27";
 
+/// All twists of a trainee in the order of recording.
+struct PracticeCourse {
+  std::string trainee;
+  std::size_t group = 0;
+  std::vector<TwistAttempt> attempts;
+};
+/// Returns the trainees with twists by group and code.
+[[nodiscard]] std::vector<PracticeCourse> practiceCourses(const CohortInputs& inputs);
+/// The marks or recordings behind a part of the report.
+struct MarksHash {
+  std::int64_t count = 0;
+  std::string hash;  ///< BLAKE2b-256
+};
+[[nodiscard]] MarksHash hashOfEvaluationMarks(const CohortInputs& inputs);
+[[nodiscard]] MarksHash hashOfTrainingMarks(const CohortInputs& inputs);
+[[nodiscard]] MarksHash hashOfTrials(const CohortInputs& inputs);
+inline constexpr const char* kEvaluationMarks = "evaluation_marks";
+inline constexpr const char* kTrainingMarks = "training_marks";
+inline constexpr const char* kRecordings = "recordings";
+
+/// Quantities of a recording of other equipment.
+inline constexpr std::array kForeignQuantities{Quantity::kTime, Quantity::kTipPath, Quantity::kIdleTime};
+/// Returns the key for a trainee's course of such a quantity.
+[[nodiscard]] ResultKey foreignKey(const std::string& trainee, std::size_t group, const std::string& metric);
+inline constexpr const char* kRegripsBeyondLeast = "regrips_beyond_least";
+/// Returns tables on recordings of other equipment: medians by group and phase, and each trainee's course
+/// over the recordings. Empty if there are none.
+[[nodiscard]] std::vector<ReportTable> foreignTables(const CohortInputs& inputs, const Ledger& ledger);
+
+/// Returns the key for the runs of the group and phase of a run.
+[[nodiscard]] ResultKey phaseKey(const TrialSummaryRow& trial);
+
 /// Returns the index of results for this number of raters.
 [[nodiscard]] std::string ratersIndex(std::size_t raters);
+/// Returns the key, without groups and occasion, of differences at a score before.
+[[nodiscard]] ResultKey slopesKey(const StudyAnalysis& study, std::size_t baseline);
+/// A mark of the last occasion and the mean of the other raters' marks of the trainee: half their sum, and
+/// the first less the second.
+inline constexpr const char* kMarkAndOthers = "mean_of_mark_and_others";
+inline constexpr const char* kMarkMinusOthers = "mark_minus_others";
 
-[[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs, const Ledger& ledger);
 /// The scoring sheets with their anchors, and the marks per criterion.
-[[nodiscard]] ReportSection criteriaSection(const CohortInputs& inputs);
-[[nodiscard]] ReportSection analysisSection(const CohortInputs& inputs, const StudyAnalysis& study);
-[[nodiscard]] ReportSection ratersSection(const CohortInputs& inputs, const StudyAnalysis& study);
-[[nodiscard]] ReportSection learningSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection criteriaSection(const CohortInputs& inputs, const Ledger& ledger);
+[[nodiscard]] ReportSection analysisSection(const CohortInputs& inputs, const StudyAnalysis& study,
+                                            const Ledger& ledger);
+[[nodiscard]] ReportSection ratersSection(const CohortInputs& inputs, const StudyAnalysis& study,
+                                          const Ledger& ledger);
+[[nodiscard]] ReportSection learningSection(const CohortInputs& inputs, const Ledger& ledger);
 /// Who is competent, by which design and with which error rates.
-[[nodiscard]] ReportSection competenceSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection competenceSection(const CohortInputs& inputs, const Ledger& ledger);
 /// Deviations from the protocol.
 [[nodiscard]] ReportSection deviationsSection(const CohortInputs& inputs);
+/// Returns the key for inputs.deviations[number].
+[[nodiscard]] ResultKey deviationKey(const CohortInputs& inputs, std::size_t number);
 /// Who signed which mark; requires signatures.
 [[nodiscard]] ReportSection signaturesSection(const CohortInputs& inputs);
-[[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs, const Ledger& ledger);
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs, const StudyAnalysis& study);
-[[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs, const Ledger& ledger);
 
 /// Returns the effect of more or fewer raters, and each rater's severity on one scale.
 [[nodiscard]] std::vector<ReportTable> reliabilityTables(const CohortInputs& inputs,
-                                                         const StudyAnalysis& study);
+                                                         const StudyAnalysis& study, const Ledger& ledger);
 /// Returns the gains within each group; empty if scores are missing.
 [[nodiscard]] std::optional<ReportTable> withinGroupsTable(const CohortInputs& inputs,
-                                                           const StudyAnalysis& study);
+                                                           const StudyAnalysis& study, const Ledger& ledger);
 
 /// Returns the table of untwistings; empty if there are none.
-[[nodiscard]] std::optional<ReportTable> detorsionTable(const CohortInputs& inputs);
+[[nodiscard]] std::optional<ReportTable> detorsionTable(const CohortInputs& inputs, const Ledger& ledger);
 
 /// Returns the flags of all figures and tables of a demonstration.
 [[nodiscard]] std::vector<Text> commonFlags(const CohortInputs& inputs);

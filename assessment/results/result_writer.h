@@ -26,6 +26,7 @@ class ResultWriter {
 
   ResultKey place;
   ResultParts madeOf;
+  Origin origin = Origin::kUnplanned;
 
   /// Sets flags of these results in addition to the cohort's.
   void setFlags(const std::vector<std::string>& own);
@@ -42,11 +43,9 @@ class ResultWriter {
   }
   /// Adds a hash, a word, or yes or no.
   void put(const std::string& statistic, ResultValue value, std::int64_t n);
-  /// Adds a number with its interval as `statistic` with _lower_95 and _upper_95.
+  /// Adds a number, and its interval as `statistic`_95.
   void addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
                    std::int64_t n);
-  /// Adds an interval alone; `statistic` states its subject and level.
-  void addBounds(const std::string& statistic, const Interval& interval, std::int64_t n);
 
  private:
   Ledger& ledger_;
@@ -57,6 +56,9 @@ class ResultWriter {
 /// Adds the criteria: every scoring sheet used with its anchors, marks per criterion of each group and
 /// trainee, and all single ones (criteria_section.cpp).
 void addCriteriaResults(const CohortInputs& inputs, Ledger& ledger);
+
+/// Adds who takes part, and their times, runs and learning; `all`: including marks that are not shown.
+void addPracticeResults(const CohortInputs& inputs, const CohortInputs& all, Ledger& ledger);
 
 /// Adds results about raters and groups from the marks of the training study.
 void addStudyResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);

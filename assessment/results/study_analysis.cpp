@@ -301,12 +301,12 @@ std::vector<std::size_t> groupsWithoutEnds(const StudyAnalysis& study) {
 StudyAnalysis analyseStudy(const CohortInputs& in) {
   StudyAnalysis out;
   gatherMarks(in, out);
-  std::vector<std::size_t> groupOf(out.trainees.size(), 0);
+  out.groupOf.resize(out.trainees.size(), 0);
   for (const TrainingMark& mark : in.trainingMarks) {
-    groupOf[rank(out.trainees, mark.trainee)] = mark.group;
+    out.groupOf[rank(out.trainees, mark.trainee)] = mark.group;
   }
   for (OccasionMarks& occasion : out.occasions) {
-    measureAgreement(in, groupOf, occasion);
+    measureAgreement(in, out.groupOf, occasion);
   }
   out.severity = severities(out);
   if (out.occasions.empty()) {

@@ -110,6 +110,7 @@ struct PrimaryDifference {
 /// Analysis of the training marks for the report, its figures and its table of numbers; computed once.
 struct StudyAnalysis {
   std::vector<std::string> trainees;  ///< codes of trainees with marks, ascending
+  std::vector<std::size_t> groupOf;   ///< of `trainees`
   std::vector<std::string> raters;
   std::vector<OccasionMarks> occasions;
   std::vector<RaterSeverity> severity;                   ///< in rater order

@@ -66,14 +66,18 @@ ResultParts courseScores(const CohortInputs& in, const StudyAnalysis& study,
   return partsOf(std::move(parts));
 }
 
-void addCoefficients(ResultWriter& rows, const Outcome<IccResult>& icc, std::int64_t n) {
-  if (!icc) {
-    return;
+void addCoefficients(ResultWriter& rows, const Outcome<IccResult>& icc, std::int64_t trainees,
+                     std::int64_t n) {
+  if (icc) {
+    rows.addInterval("icc_2_1", icc->agreementSingle.estimate, icc->agreementSingle.interval, n);
+    rows.addInterval("icc_2_k", icc->agreementMean.estimate, icc->agreementMean.interval, n);
+    rows.add("sem_agreement", icc->semAgreement, n);
+    rows.add("sem_of_mean", icc->semMean, n);
+  } else {
+    rows.put("icc_2_1", Undefined{icc.reason()}, n);
+    rows.put("icc_2_k", Undefined{icc.reason()}, n);
   }
-  rows.addInterval("icc_2_1", icc->agreementSingle.estimate, icc->agreementSingle.interval, n);
-  rows.addInterval("icc_2_k", icc->agreementMean.estimate, icc->agreementMean.interval, n);
-  rows.add("sem_agreement", icc->semAgreement, n);
-  rows.add("sem_of_mean", icc->semMean, n);
+  rows.addCount("trainees_with_every_mark", trainees, n);
 }
 
 /// Adds pairwise agreement of the raters in whole points.
@@ -146,20 +150,20 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& le
     ResultWriter rows(ledger, {.section = kAgreement, .occasion = t}, commonFlags(in),
                       flagIf(at.missing > 0, "marks missing"));
     rows.madeOf = partsOf({marksAt(t)});
-    addCoefficients(rows, at.icc, at.n);
+    addCoefficients(rows, at.icc, at.completeTrainees, at.n);
     addPoints(rows, at.points);
     rows.add("krippendorff_alpha_interval", at.alpha, &KrippendorffResult::alpha, at.n);
-    if (at.missing > 0 && at.reliability) {
-      const IncompleteReliability& every = *at.reliability;
-      rows.add("reml_one_rater", every.single, at.n);
-      rows.add("reml_mean", every.mean, at.n);
-      rows.add("reml_sem_of_one_rater", every.semSingle, at.n);
-      rows.add("reml_sem_of_mean", every.semMean, at.n);
+    if (at.missing > 0) {
+      rows.addCount("trainees_with_marks", std::ssize(at.marks), at.n);
+      rows.add("reml_one_rater", at.reliability, &IncompleteReliability::single, at.n);
+      rows.add("reml_mean", at.reliability, &IncompleteReliability::mean, at.n);
+      rows.add("reml_sem_of_one_rater", at.reliability, &IncompleteReliability::semSingle, at.n);
+      rows.add("reml_sem_of_mean", at.reliability, &IncompleteReliability::semMean, at.n);
     }
     for (const GroupAgreement& of : at.groups) {
       rows.place.group = of.group;
       rows.madeOf = partsOf({marksAt(t, of.group)});
-      addCoefficients(rows, of.icc, of.trainees);
+      addCoefficients(rows, of.icc, of.trainees, of.trainees);
     }
   }
 }
@@ -172,18 +176,36 @@ void addRaters(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledge
     rows.place.of = rater.rater;
     rows.addInterval("severity_offset", rater.offset, rater.interval, rater.n);
   }
+  rows.place.occasion = lastOf(in);
+  rows.madeOf = partsOf({marksAt(lastOf(in))});
   for (std::size_t r = 0; r < study.againstPanel.size(); ++r) {
     const Outcome<BlandAltmanResult>& against = study.againstPanel[r];
+    rows.place.of = study.raters[r];
     if (!against) {
+      rows.put("limit_of_agreement", Undefined{against.reason()}, 0);
       continue;
     }
-    rows.place.of = study.raters[r];
-    rows.place.occasion = lastOf(in);
-    rows.madeOf = partsOf({marksAt(lastOf(in))});
     const auto n = static_cast<std::int64_t>(against->n);
     rows.add("mean_difference_from_others", against->meanDifference, n);
-    rows.add("limit_of_agreement_lower", against->limits.lower, n);
-    rows.add("limit_of_agreement_upper", against->limits.upper, n);
+    rows.put("limit_of_agreement", against->limits, n);
+  }
+}
+
+/// Adds each mark of the last occasion against the mean of the other raters.
+void addAgainstOthers(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in));
+  for (std::size_t i = 0; i < study.trainees.size(); ++i) {
+    const std::vector<std::optional<double>>& marks = study.occasions.back().marks[i];
+    rows.place.of = study.trainees[i];
+    rows.madeOf =
+        partsOf({ResultPattern{.statistic = "rater_mark", .of = study.trainees[i], .occasion = lastOf(in)}});
+    for (std::size_t r = 0; r < marks.size(); ++r) {
+      if (const std::optional<double> others = marks[r] ? meanOfOthers(marks, r) : std::nullopt) {
+        rows.place.index = study.raters[r];
+        rows.add(kMarkAndOthers, 0.5 * (*marks[r] + *others), 1);
+        rows.add(kMarkMinusOthers, *marks[r] - *others, 1);
+      }
+    }
   }
 }
 
@@ -206,6 +228,8 @@ void placeAtAll(ResultWriter& rows) {
 
 void addEffect(ResultWriter& rows, const std::string& name, const AnovaEffect& effect, std::int64_t n) {
   rows.add(name + "_f", effect.f, n);
+  rows.add(name + "_df", effect.df, n);
+  rows.add(name + "_df_error", effect.dfError, n);
   rows.add(name + "_p", effect.p, n);
   if (effect.pGreenhouseGeisser) {
     rows.add(name + "_p_greenhouse_geisser", *effect.pGreenhouseGeisser, n);
@@ -248,7 +272,7 @@ void addGainResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
     rows.madeOf = partsOf(std::move(own));
     rows.add("median_gain", gain.median, &Bootstrap::estimate, gain.n);
     if (gain.median) {
-      rows.addBounds("median_gain", gain.median->bca, gain.n);
+      rows.put("median_gain_95", gain.median->bca, gain.n);
     }
     rows.add("gain_signed_rank_v", gain.ranks, &SignedRank::v, gain.n);
     rows.add("gain_signed_rank_p", gain.ranks, &SignedRank::pTwoSided, gain.n);
@@ -283,6 +307,18 @@ void addGainResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
   }
 }
 
+Text regionText(const SignificantRegion& region) {
+  if (region.inside) {
+    return Text::tr("for a score before between %1 and %2", formatFixed(region.inside->lower, 2),
+                    formatFixed(region.inside->upper, 2));
+  }
+  if (region.outside) {
+    return Text::tr("for a score before below %1 or above %2", formatFixed(region.outside->lower, 2),
+                    formatFixed(region.outside->upper, 2));
+  }
+  return region.everywhere ? Text::tr("for every score before") : Text::tr("for no score before");
+}
+
 void addSlopes(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
   if (!study.slopes) {
     return;
@@ -294,14 +330,17 @@ void addSlopes(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
   for (const SlopesPair& pair : study.slopes->pairs) {
     placeAtPair(rows, pair.first, pair.second);
     for (std::size_t b = 0; b < pair.at.size(); ++b) {
-      rows.place.index = "score before " + formatExact(study.slopes->baselines[b]);
-      rows.place.record = std::to_string(b);
+      const ResultKey key = slopesKey(study, b);
+      rows.place.index = key.index;
+      rows.place.record = key.record;
+      rows.add("separate_slopes_score_before", study.slopes->baselines[b], n);
       rows.addInterval("separate_slopes_difference", pair.at[b].difference, pair.at[b].interval, n);
       rows.add("separate_slopes_p", pair.at[b].p, n);
       rows.add("separate_slopes_p_holm", pair.at[b].pHolm, n);
     }
     rows.place.index.clear();
     rows.place.record.clear();
+    rows.put("separate_slopes_differ", regionText(pair.region), n);
   }
   placeAtAll(rows);
 }
@@ -310,6 +349,7 @@ void addEquivalence(const CohortInputs& in, const StudyAnalysis& study, std::int
   if (!in.equivalenceMargin) {
     return;
   }
+  rows.origin = Origin::kPlanned;
   const ResultParts compared = rows.madeOf;
   rows.madeOf = partsOf({RecordRef{RecordKind::kCohortPlan}});
   rows.add("equivalence_margin", *in.equivalenceMargin, n);
@@ -321,8 +361,7 @@ void addEquivalence(const CohortInputs& in, const StudyAnalysis& study, std::int
     const Equivalence test = equivalence(pair.value, pair.error, pair.df, *in.equivalenceMargin);
     placeAtPair(rows, pair.first, pair.second);
     rows.add("equivalence_p", test.p, n);
-    rows.add("equivalence_lower_90", test.interval.lower, n);
-    rows.add("equivalence_upper_90", test.interval.upper, n);
+    rows.put("equivalence_90", test.interval, n);
   }
   placeAtAll(rows);
 }
@@ -361,6 +400,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   }
   ResultWriter rows =
       comparison(in, flagIf(!study.asPlanned(), "complete cases"), partsOf(endScores(in, study)), ledger);
+  rows.origin = in.hasAnalysisPlan() ? Origin::kPlanned : Origin::kUnplanned;
   rows.add("ancova_f", study.ancova->group.f, n);
   rows.add("ancova_p", study.ancova->group.p, n);
   rows.add("ancova_slope", study.ancova->slope, n);
@@ -375,17 +415,32 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   for (const AdjustedDifference& pair : study.ancova->pairs) {
     placeAtPair(rows, pair.first, pair.second);
     rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
-    rows.addBounds("adjusted_difference_simultaneous", pair.simultaneous, n);
+    rows.put("adjusted_difference_simultaneous_95", pair.simultaneous, n);
     rows.add("t", pair.t, n);
     rows.add("p", pair.p, n);
     rows.add("p_holm", pair.pHolm, n);
     if (const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second])) {
       rows.addInterval("hedges_g", g->g, g->interval, n);
+    } else {
+      rows.put("hedges_g", Undefined{g.reason()}, n);
     }
   }
   placeAtAll(rows);
+  rows.origin = Origin::kUnplanned;
   addSlopes(study, n, rows);
   addResiduals(in, study, rows);
+}
+
+/// Adds whose marks are missing.
+void addMissingTrainees(const StudyAnalysis& study, ResultWriter& rows) {
+  placeAtAll(rows);
+  for (const MissingTrainee& trainee : study.missing) {
+    rows.place.of = trainee.trainee;
+    rows.place.group = trainee.group;
+    rows.addCount("marks_missing_before", static_cast<std::int64_t>(trainee.marks.before), 1);
+    rows.addCount("marks_missing_at_the_end", static_cast<std::int64_t>(trainee.marks.after), 1);
+    rows.put("compared", !trainee.leftOut, 1);
+  }
 }
 
 /// Adds the comparison with missing marks: the mixed model, and how far missing marks could change it.
@@ -396,7 +451,8 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
     for (const MixedComparison::Pair& pair : study.mixed->pairs) {
       placeAtPair(rows, pair.first, pair.second);
       rows.addInterval("mixed_model_difference", pair.difference.value, pair.difference.interval, n);
-      rows.addBounds("mixed_model_difference_simultaneous", pair.simultaneous, n);
+      rows.put("mixed_model_difference_simultaneous_95", pair.simultaneous, n);
+      rows.add("mixed_model_t", pair.difference.t, n);
       rows.add("mixed_model_df", pair.difference.df, n);
       rows.add("mixed_model_p", pair.difference.p, n);
       rows.add("mixed_model_p_holm", pair.pHolm, n);
@@ -404,14 +460,24 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   }
   for (const MissingBounds& pair : study.bounds) {
     placeAtPair(rows, pair.first, pair.second);
-    if (pair.worst && pair.best) {
-      rows.addInterval("bound_worst", pair.worst->difference, pair.worst->interval, n);
-      rows.addInterval("bound_best", pair.best->difference, pair.best->interval, n);
+    for (const auto& [name, bound] : {std::pair("bound_worst", &pair.worst), {"bound_best", &pair.best}}) {
+      if (*bound) {
+        rows.addInterval(name, (*bound)->difference, (*bound)->interval, n);
+      } else {
+        rows.put(name, Undefined{bound->reason()}, n);
+      }
     }
   }
+  addMissingTrainees(study, rows);
 }
 
 }  // namespace
+
+ResultKey slopesKey(const StudyAnalysis& study, std::size_t baseline) {
+  return {.section = kComparison,
+          .index = "score before " + formatExact(study.slopes->baselines[baseline]),
+          .record = std::to_string(baseline)};
+}
 
 std::string ratersIndex(std::size_t raters) {
   return "raters " + std::to_string(raters);
@@ -420,6 +486,7 @@ std::string ratersIndex(std::size_t raters) {
 void addStudyResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   addAgreement(in, study, ledger);
   addRaters(in, study, ledger);
+  addAgainstOthers(in, study, ledger);
   if (study.raters.size() >= 2) {
     addRatersNeeded(in, study, ledger);
     addRasch(in, study, ledger);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "assessment/results/number_format.h"
 #include "assessment/results/record_sentences.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/results/study_analysis.h"
-#include "assessment/statistics/distributions.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -37,7 +37,7 @@ void fixScale(const CohortInputs& in, ReportFigure& figure) {
   figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
 }
 
-ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
+ReportFigure scoresFigure(const CohortInputs& in, const Ledger& ledger, std::size_t occasion) {
   ReportFigure out;
   // The paper has three occasions; its Fig. 23 is different.
   const bool ofPaper = in.occasions.size() == kOccasionsOfPaper;
@@ -58,16 +58,19 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
     out.categories.push_back(std::to_string(i));
   }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    FigureSeries series;
-    series.name = in.groups[g].name;
+    FigureSeries series{.name = in.groups[g].name};
     series.y.assign(largest, std::nullopt);
+    series.keys.assign(largest, nullptr);
     for (const TraineeScore& score : in.scores) {
       if (score.group == g && score.occasion == occasion) {
-        series.y[score.number - 1] = score.score;
+        FigureSeries point;
+        addPoint(point, ResultsAt(ledger, {.of = score.trainee, .group = g, .occasion = occasion}), "score");
+        series.y[score.number - 1] = point.y.front();
+        series.keys[score.number - 1] = point.keys.front();
         ++n;
       }
     }
-    out.series.push_back(series);
+    out.series.push_back(std::move(series));
   }
   out.notes = {ofPaper ? Text::tr("Corresponds to Fig. %1 of the paper. A score is the mean over the raters.",
                                   kFirstScoresFigure + occasion)
@@ -77,7 +80,21 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
   return out;
 }
 
-ReportFigure varianceFigure(const CohortInputs& in) {
+/// Returns a series for each group with a statistic at every occasion.
+std::vector<FigureSeries> groupSeries(const CohortInputs& in, const Ledger& ledger,
+                                      const std::string& statistic) {
+  std::vector<FigureSeries> all;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    FigureSeries series{.name = in.groups[g].name};
+    for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+      addPoint(series, ResultsAt(ledger, {.group = g, .occasion = t}), statistic);
+    }
+    all.push_back(std::move(series));
+  }
+  return all;
+}
+
+ReportFigure varianceFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure out;
   out.id = "figure-23";
   out.title = Text::tr("Variance of the trainee scores, divisor n");
@@ -85,17 +102,7 @@ ReportFigure varianceFigure(const CohortInputs& in) {
   out.yLabel = Text::tr("variance (points squared)");
   out.yMin = 0.0;
   out.categories = in.occasions;
-  for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    FigureSeries series;
-    series.name = in.groups[g].name;
-    series.y.assign(in.occasions.size(), std::nullopt);
-    for (const GroupSummary& summary : in.summaries) {
-      if (summary.group == g) {
-        series.y[summary.occasion] = summary.varianceOfScores;
-      }
-    }
-    out.series.push_back(series);
-  }
+  out.series = groupSeries(in, ledger, "variance_of_scores_divisor_n");
   out.notes = {Text::tr(
       "Corresponds to Fig. 23 of the paper, which does not define its variance. Drawn is the variance of the "
       "trainee scores of a group about their mean, divisor n; the table gives two other readings.")};
@@ -103,7 +110,7 @@ ReportFigure varianceFigure(const CohortInputs& in) {
   return out;
 }
 
-ReportFigure meansFigure(const CohortInputs& in) {
+ReportFigure meansFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure out;
   out.id = "figure-training-means";
   out.title = Text::tr("Mean score of each group over the study");
@@ -112,69 +119,47 @@ ReportFigure meansFigure(const CohortInputs& in) {
   out.yLabel = Text::tr("score (points)");
   fixScale(in, out);
   out.categories = in.occasions;
-  for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    FigureSeries series;
-    series.name = in.groups[g].name;
-    for (const GroupSummary& summary : in.summaries) {
-      if (summary.group == g) {
-        series.x.push_back(static_cast<double>(summary.occasion));
-        series.y.emplace_back(summary.mean);
-      }
-    }
-    out.series.push_back(series);
-  }
+  out.series = groupSeries(in, ledger, "mean");
   out.provenance = provenance(in, Text::tr("mean over trainees"), std::ssize(in.scores));
   return out;
 }
 
 /// Shows the courses of all trainees of one group, with the group's mean and its 95 % interval.
-ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
+ReportFigure coursesFigure(const CohortInputs& in, const Ledger& ledger, std::size_t group) {
   ReportFigure out;
   out.id = "figure-courses-" + std::to_string(group + 1);
-  out.title = Text::tr("Course of every trainee, %1 (%2)", in.groups[group].name, in.groups[group].protocol);
+  const CohortGroup& shown = in.groups[group];
+  out.title = shown.protocol.empty()
+                  ? Text::tr("Course of every trainee, %1", shown.name)
+                  : Text::tr("Course of every trainee, %1 (%2)", shown.name, shown.protocol);
   out.kind = FigureKind::kLines;
   out.individual = true;
   out.xLabel = Text::tr("occasion");
   out.yLabel = Text::tr("score (points)");
   fixScale(in, out);
   out.categories = in.occasions;
-  std::map<std::string, FigureSeries> byTrainee;
+  std::set<std::string> trainees;
   for (const TraineeScore& score : in.scores) {
-    if (score.group != group) {
-      continue;
+    if (score.group == group) {
+      trainees.insert(score.trainee);
+      ++out.provenance.n;
     }
-    FigureSeries& series = byTrainee[score.trainee];
-    series.name = score.trainee;
-    series.look = group;
-    series.faint = true;
-    series.y.resize(in.occasions.size());
-    series.y[score.occasion] = score.score;
-    ++out.provenance.n;
   }
-  FigureSeries mean;
-  mean.name = Text::tr("mean [95 %]");
-  mean.look = group;
-  mean.y.resize(in.occasions.size());
-  mean.low.resize(in.occasions.size(), 0.0);
-  mean.high.resize(in.occasions.size(), 0.0);
-  bool alone = false;
-  for (const GroupSummary& summary : in.summaries) {
-    if (summary.group != group) {
-      continue;
+  for (const std::string& trainee : trainees) {
+    FigureSeries series{.name = trainee, .look = group, .faint = true};
+    for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+      addPoint(series, ResultsAt(ledger, {.of = trainee, .group = group, .occasion = t}), "score");
     }
-    const auto n = static_cast<double>(summary.trainees);
-    const double half = summary.sampleVarianceOfScores && n > 1.0
-                            ? tQuantile(0.975, n - 1.0) * std::sqrt(*summary.sampleVarianceOfScores / n)
-                            : 0.0;
-    alone = alone || summary.trainees == 1;
-    mean.y[summary.occasion] = summary.mean;
-    mean.low[summary.occasion] = summary.mean - half;
-    mean.high[summary.occasion] = summary.mean + half;
-  }
-  for (auto& [code, series] : byTrainee) {
     out.series.push_back(std::move(series));
   }
-  out.series.push_back(mean);
+  FigureSeries mean{.name = Text::tr("mean [95 %]"), .look = group};
+  bool alone = false;
+  for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+    const ResultsAt at(ledger, {.group = group, .occasion = t});
+    addPoint(mean, at, "mean", true);
+    alone = alone || (at.find("mean") != nullptr && at.find("mean")->n == 1);
+  }
+  out.series.push_back(std::move(mean));
   if (alone) {
     out.notes = {Text::tr("Where a single trainee has a score the mean has no interval.")};
   }
@@ -188,41 +173,30 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   return out;
 }
 
-ReportTable summaryTable(const CohortInputs& in) {
+ReportTable summaryTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-training-summary";
   table.title = Text::tr("Training study: groups at each occasion");
-  table.columns = {Text::tr("Occasion"),
-                   Text::tr("Group"),
-                   Text::tr("Trainees"),
-                   Text::tr("Marks"),
-                   Text::tr("Mean"),
-                   Text::tr("Median"),
-                   Text::tr("Lowest"),
-                   Text::tr("Highest"),
-                   Text::tr("Variance of scores, divisor n"),
-                   Text::tr("Variance of scores, divisor n - 1"),
-                   Text::tr("Variance of all marks, divisor n"),
-                   Text::tr("Mean variance between raters, divisor n - 1")};
+  ResultTable rows(
+      ledger, table,
+      {{Text::tr("Occasion")},
+       {Text::tr("Group")},
+       {Text::tr("Trainees"), "mean", kValues},
+       {Text::tr("Marks"), kVarianceOfMarks, kValues},
+       {Text::tr("Mean"), "mean", fixed(kMarkDecimals)},
+       {Text::tr("Median"), "median", fixed(kMarkDecimals)},
+       {Text::tr("Lowest"), "min", fixed(kMarkDecimals)},
+       {Text::tr("Highest"), "max", fixed(kMarkDecimals)},
+       {Text::tr("Variance of scores, divisor n"), "variance_of_scores_divisor_n", fixed(kVarianceDecimals)},
+       {Text::tr("Variance of scores, divisor n - 1"), "variance_of_scores_divisor_n_minus_1",
+        fixed(kVarianceDecimals)},
+       {Text::tr("Variance of all marks, divisor n"), kVarianceOfMarks, fixed(kVarianceDecimals)},
+       {Text::tr("Mean variance between raters, divisor n - 1"),
+        "mean_between_rater_variance_divisor_n_minus_1", fixed(kVarianceDecimals)}});
   std::int64_t n = 0;
   for (const GroupSummary& s : in.summaries) {
     n += s.marks;
-    const auto cell = [&](const char* statistic, const std::optional<double>& value, int decimals) {
-      return ReportCell(formatFixed(value, decimals),
-                        {.statistic = statistic, .group = s.group, .occasion = s.occasion});
-    };
-    const ResultKey mean{.statistic = "mean", .group = s.group, .occasion = s.occasion};
-    const ResultKey spread{.statistic = kVarianceOfMarks, .group = s.group, .occasion = s.occasion};
-    table.rows.push_back(
-        {in.occasions[s.occasion], in.groups[s.group].name, ReportCell(std::to_string(s.trainees), mean),
-         ReportCell(std::to_string(s.marks), spread), cell("mean", s.mean, kMarkDecimals),
-         cell("median", s.median, kMarkDecimals), cell("min", s.min, kMarkDecimals),
-         cell("max", s.max, kMarkDecimals),
-         cell("variance_of_scores_divisor_n", s.varianceOfScores, kVarianceDecimals),
-         cell("variance_of_scores_divisor_n_minus_1", s.sampleVarianceOfScores, kVarianceDecimals),
-         cell(kVarianceOfMarks, s.varianceOfMarks, kVarianceDecimals),
-         cell("mean_between_rater_variance_divisor_n_minus_1", s.meanBetweenRaterVariance,
-              kVarianceDecimals)});
+    rows.row({in.occasions[s.occasion], in.groups[s.group].name}, {.group = s.group, .occasion = s.occasion});
   }
   table.notes = {Text::tr(
       "The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.")};
@@ -247,7 +221,7 @@ ReportTable summaryTable(const CohortInputs& in) {
   return table;
 }
 
-ReportTable scoresTable(const CohortInputs& in) {
+ReportTable scoresTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-training-scores";
   table.title = Text::tr("Training study: score of every trainee");
@@ -261,9 +235,9 @@ ReportTable scoresTable(const CohortInputs& in) {
       row = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
       row.resize(table.columns.size(), Text::tr("missing"));
     }
-    row[3 + score.occasion] = {
-        Text(formatFixed(score.score, kMarkDecimals)),
-        {.statistic = "score", .of = score.trainee, .group = score.group, .occasion = score.occasion}};
+    row[3 + score.occasion] =
+        ResultsAt(ledger, {.of = score.trainee, .group = score.group, .occasion = score.occasion})(
+            "score", fixed(kMarkDecimals));
   }
   for (auto& [place, row] : rows) {
     table.rows.push_back(std::move(row));
@@ -293,7 +267,7 @@ Text shorteningSentence(const CohortInputs& in) {
 
 }  // namespace
 
-ReportSection trainingSection(const CohortInputs& in) {
+ReportSection trainingSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"training", Text::tr("Training study")};
   section.paragraphs.push_back(marksSentence(in));
   if (in.trainingTimeDivisor > 1) {
@@ -301,14 +275,14 @@ ReportSection trainingSection(const CohortInputs& in) {
   }
   section.paragraphs.push_back(Text::tr("Rests taken during training: %1.", in.rests));
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-    section.figures.push_back(scoresFigure(in, t));
+    section.figures.push_back(scoresFigure(in, ledger, t));
   }
-  section.figures.push_back(varianceFigure(in));
-  section.figures.push_back(meansFigure(in));
+  section.figures.push_back(varianceFigure(in, ledger));
+  section.figures.push_back(meansFigure(in, ledger));
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    section.figures.push_back(coursesFigure(in, g));
+    section.figures.push_back(coursesFigure(in, ledger, g));
   }
-  section.tables = {summaryTable(in), scoresTable(in)};
+  section.tables = {summaryTable(in, ledger), scoresTable(in, ledger)};
   return section;
 }
 

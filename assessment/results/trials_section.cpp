@@ -1,84 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "assessment/catalogue/quantity.h"
 #include "assessment/results/analysed_cohort.h"
-#include "assessment/results/foreign_tables.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
-#include "assessment/statistics/descriptive.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 
 namespace {
 
-Text shownMean(Quantity quantity, const std::vector<double>& values) {
-  return values.empty() ? Text::tr("not recorded") : Text(shownNumber(quantity, meanOf(values)));
-}
-
-ReportTable trialsByPhase(const CohortInputs& in) {
-  struct Sums {
-    Text phase;
-    std::int64_t trials = 0;
-    double minutes = 0.0;
-    std::int64_t twists = 0;
-    std::int64_t onTarget = 0;
-    std::vector<double> errors;
-    std::vector<double> torques;
-    std::vector<double> forces;
-  };
-  std::int64_t n = 0;
-  std::map<std::pair<std::size_t, std::string>, Sums> cells;
-  for (const TrialSummaryRow& trial : in.trials) {
-    if (!trial.detorsion.empty()) {
-      continue;  // in a separate table, without twists
-    }
-    Sums& sums = cells[{trial.group, trial.phase.str()}];
-    sums.phase = trial.phase;
-    ++n;
-    ++sums.trials;
-    sums.minutes += trial.minutes;
-    sums.twists += trial.twists;
-    sums.onTarget += trial.twistsOnTarget;
-    if (trial.meanAbsoluteError_deg) {
-      sums.errors.push_back(*trial.meanAbsoluteError_deg);
-    }
-    if (trial.peakTorque_Nm) {
-      sums.torques.push_back(*trial.peakTorque_Nm);
-    }
-    if (trial.peakForce_N) {
-      sums.forces.push_back(*trial.peakForce_N);
-    }
-  }
+ReportTable trialsByPhase(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-trials";
   table.title = Text::tr("Recorded runs by group and phase");
-  table.columns = {Text::tr("Group"),
-                   Text::tr("Phase"),
-                   Text::tr("Runs"),
-                   Text::tr("Minutes recorded"),
-                   rowOf(Quantity::kCompletedTwists).name,
-                   rowOf(Quantity::kTargetsReached).name,
-                   Text::tr("Mean absolute angle error (deg)"),
-                   meanTitle(Quantity::kPeakTorque),
-                   meanTitle(Quantity::kPeakForce)};
-  for (const auto& [key, sums] : cells) {
-    table.rows.push_back(
-        {in.groups[key.first].name, sums.phase, std::to_string(sums.trials), formatFixed(sums.minutes, 2),
-         std::to_string(sums.twists), std::to_string(sums.onTarget),
-         sums.errors.empty() ? Text::tr("not recorded") : Text(formatFixed(meanOf(sums.errors), 2)),
-         shownMean(Quantity::kPeakTorque, sums.torques), shownMean(Quantity::kPeakForce, sums.forces)});
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Group")},
+                    {Text::tr("Phase")},
+                    {Text::tr("Runs"), "runs"},
+                    {Text::tr("Minutes recorded"), "minutes", fixed(2)},
+                    {rowOf(Quantity::kCompletedTwists).name, "twists"},
+                    {rowOf(Quantity::kTargetsReached).name, "twists_on_target"},
+                    {Text::tr("Mean absolute angle error (deg)"), "mean_absolute_error_deg", fixed(2),
+                     Text::tr("not recorded")},
+                    {meanTitle(Quantity::kPeakTorque), "mean_peak_torque_Nm", shownAs(Quantity::kPeakTorque),
+                     Text::tr("not recorded")},
+                    {meanTitle(Quantity::kPeakForce), "mean_peak_force_N", shownAs(Quantity::kPeakForce),
+                     Text::tr("not recorded")}});
+  std::map<ResultKey, Text> phases;
+  for (const TrialSummaryRow& trial : in.trials) {
+    if (trial.detorsion.empty()) {  // untwistings are in a separate table
+      phases[phaseKey(trial)] = trial.phase;
+      ++table.provenance.n;
+    }
+  }
+  for (const auto& [place, phase] : phases) {
+    rows.row({in.groups[*place.group].name, phase}, place);
   }
   table.notes = {Text::tr(
       "Means are taken over runs. Measured by the simulator; the marks of the physicians are separate.")};
   table.provenance.formula = Text::tr("means over runs");
-  table.provenance.n = n;
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -94,7 +66,7 @@ ResultKey trialKey(const TrialSummaryRow& trial) {
           .record = trial.trialId.text()};
 }
 
-ReportSection trialsSection(const CohortInputs& in) {
+ReportSection trialsSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"runs", Text::tr("Recorded runs")};
   double minutes = 0.0;
   std::int64_t refused = 0;
@@ -124,16 +96,161 @@ ReportSection trialsSection(const CohortInputs& in) {
     section.paragraphs.push_back(
         Text::tr("Runs with samples that were not recorded are incomplete and marked in the data."));
   }
-  if (ReportTable twists = trialsByPhase(in); !twists.rows.empty()) {
+  if (ReportTable twists = trialsByPhase(in, ledger); !twists.rows.empty()) {
     section.tables.push_back(std::move(twists));
   }
-  if (std::optional<ReportTable> untwistings = detorsionTable(in)) {
+  if (std::optional<ReportTable> untwistings = detorsionTable(in, ledger)) {
     section.tables.push_back(std::move(*untwistings));
   }
-  for (ReportTable& table : foreignTables(in)) {
+  for (ReportTable& table : foreignTables(in, ledger)) {
     section.tables.push_back(std::move(table));
   }
   return section;
+}
+
+namespace {
+
+/// Formats in how many runs a quantity is above zero, of `n` or of those that have it.
+ReportCell yes(const ResultsAt& at, Quantity quantity, const std::optional<ReportCell>& n = std::nullopt) {
+  const std::string statistic = "above_zero_" + idOf(quantity);
+  ReportCell cell = at(statistic, {}, Text::tr("not recorded"));
+  if (cell.key != nullptr) {
+    static_cast<Text&>(cell) = Text::tr("%1 of %2", cell, n ? *n : at(statistic, kValues));
+  }
+  return cell;
+}
+
+ReportCell median(const ResultsAt& at, Quantity quantity) {
+  return at("median_" + idOf(quantity), shownAs(quantity), Text::tr("not recorded"));
+}
+
+}  // namespace
+
+std::optional<ReportTable> detorsionTable(const CohortInputs& in, const Ledger& ledger) {
+  std::map<ResultKey, Text> phases;
+  std::int64_t trials = 0;
+  for (const TrialSummaryRow& trial : in.trials) {
+    if (!trial.detorsion.empty() && trial.model != kForeignModel) {
+      phases[phaseKey(trial)] = trial.phase;
+      ++trials;
+    }
+  }
+  if (phases.empty()) {
+    return std::nullopt;
+  }
+  ReportTable table;
+  table.id = "table-untwistings";
+  table.title = Text::tr("Untwistings by group and phase");
+  table.columns = {Text::tr("Group"),
+                   Text::tr("Phase"),
+                   Text::tr("Runs"),
+                   rowOf(Quantity::kUntwisted).name,
+                   rowOf(Quantity::kRelapse).name,
+                   rowOf(Quantity::kFirstDirection).name,
+                   Text::tr("Tissue hurt"),
+                   Text::tr("Blood came back"),
+                   medianTitle(Quantity::kTimeToFlow),
+                   medianTitle(Quantity::kDose),
+                   Text::tr("Median re-grips beyond the least number"),
+                   medianTitle(Quantity::kSlipBack)};
+  for (const auto& [place, phase] : phases) {
+    const ResultsAt at(ledger, place);
+    const ReportCell runs = at("measured_runs");
+    ReportCell blood = yes(at, Quantity::kTimeToFlow, runs);
+    if (blood.key == nullptr) {
+      blood = {Text::tr("%1 of %2", 0, runs), runs.key};
+    }
+    table.rows.push_back({in.groups[*place.group].name, phase, runs, yes(at, Quantity::kUntwisted),
+                          yes(at, Quantity::kRelapse), yes(at, Quantity::kFirstDirection),
+                          yes(at, Quantity::kOverloadTime), blood, median(at, Quantity::kTimeToFlow),
+                          median(at, Quantity::kDose),
+                          at(std::string("median_") + kRegripsBeyondLeast, shownAs(Quantity::kRegrips, 1),
+                             Text::tr("not recorded")),
+                          median(at, Quantity::kSlipBack)});
+  }
+  table.notes = {
+      Text::tr(
+          "An organ that came twisted is untwisted; there are no targets and no angle errors. Time is that "
+          "of "
+          "the hand; where blood did not come back, it is censored and not in the median. From an ischaemic "
+          "dose of 1 on the organ is lost."),
+      Text::tr("Tissue was hurt where jaw or pull went beyond what it then bore.")};
+  table.provenance.formula = Text::tr("medians over runs");
+  table.provenance.n = trials;
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+namespace {
+
+ReportTable mediansTable(const CohortInputs& in, const Ledger& ledger,
+                         const std::map<ResultKey, Text>& phases) {
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-foreign", Text::tr("Recordings of other equipment by group and phase"),
+                          Text::tr("medians over runs"));
+  std::vector<ResultColumn> columns{
+      {Text::tr("Group")}, {Text::tr("Phase")}, {Text::tr("Runs"), "measured_runs"}};
+  for (const Quantity quantity : kForeignQuantities) {
+    columns.push_back({medianTitle(quantity), "median_" + idOf(quantity), shownAs(quantity)});
+  }
+  ResultTable rows(ledger, table, std::move(columns));
+  for (const auto& [place, phase] : phases) {
+    rows.row({in.groups[*place.group].name, phase}, place);
+  }
+  table.notes = {Text::tr(
+      "Force, torque and twist do not apply: no organ answered, and nothing can be computed again.")};
+  return table;
+}
+
+ReportTable foreignCourses(const CohortInputs& in, const Ledger& ledger,
+                           const std::set<std::pair<std::size_t, std::string>>& trainees) {
+  ReportTable table = itemOf<ReportTable>(in, "table-foreign-learning",
+                                          Text::tr("Learning of every trainee on other equipment"),
+                                          Text::tr("exponential learning curve"));
+  table.individual = true;
+  table.columns = {Text::tr("Group"), Text::tr("Trainee"), Text::tr("Measure"),        Text::tr("Runs"),
+                   Text::tr("First"), Text::tr("Last"),    Text::tr("Left in the end")};
+  for (const auto& [group, trainee] : trainees) {
+    for (const Quantity quantity : kForeignQuantities) {
+      const ResultsAt at(ledger, foreignKey(trainee, group, idOf(quantity)));
+      const Result* runs = at.find("runs");
+      if (runs == nullptr) {
+        continue;
+      }
+      const Format format = shownAs(quantity);
+      ReportCell left = at("left_in_the_end", format);
+      if (const auto* none = std::get_if<Undefined>(&at.find("left_in_the_end")->value)) {
+        static_cast<Text&>(left) = Text::tr("not fitted: %1", none->reason);
+      }
+      table.rows.push_back({in.groups[group].name, trainee, titleWithUnit(quantity), at("runs"),
+                            at("first", format), at("last", format), std::move(left)});
+      table.provenance.n += runs->n;
+    }
+  }
+  table.notes = {
+      Text::tr("Each trainee is fitted alone; eight runs are the fewest for a curve with three parameters.")};
+  return table;
+}
+
+}  // namespace
+
+std::vector<ReportTable> foreignTables(const CohortInputs& in, const Ledger& ledger) {
+  std::map<ResultKey, Text> phases;
+  std::set<std::pair<std::size_t, std::string>> trainees;
+  std::int64_t runs = 0;
+  for (const TrialSummaryRow& trial : in.trials) {
+    if (trial.model == kForeignModel) {
+      phases[phaseKey(trial)] = trial.phase;
+      trainees.insert({trial.group, trial.trainee});
+      ++runs;
+    }
+  }
+  if (phases.empty()) {
+    return {};
+  }
+  ReportTable medians = mediansTable(in, ledger, phases);
+  medians.provenance.n = runs;
+  return {std::move(medians), foreignCourses(in, ledger, trainees)};
 }
 
 }  // namespace torsio

@@ -4,7 +4,6 @@
 #include <set>
 #include <string>
 
-#include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "sim/core/text.h"
@@ -38,24 +37,24 @@ ReportTable unscoredTable(const CohortInputs& in) {
 }
 
 /// Returns Eq. 27 of each class alone: results of the others while a class has not scored.
-ReportTable classesTable(const CohortInputs& in) {
+ReportTable classesTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-evaluation-classes";
   table.title = Text::tr("Score of each class of raters by itself");
-  table.columns = {Text::tr("Model"),  Text::tr("Class"), Text::tr("Weight"),
-                   Text::tr("Raters"), Text::tr("Marks"), Text::tr("Score of the class")};
-  for (const ClassScore& of : classScores(in)) {
-    const RaterClass& raterClass = in.instrument.classes[of.raterClass];
-    table.provenance.n += of.marks;
-    table.rows.push_back({of.model, raterClass.name,
-                          formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kWeightDecimals),
-                          std::to_string(of.raters), std::to_string(of.marks),
-                          of.score ? ReportCell(formatFixed(*of.score, kClassScoreDecimals),
-                                                {.section = ResultSection::kEvaluation,
-                                                 .statistic = kClassScoreStatistic,
-                                                 .raterClass = raterClass.id,
-                                                 .model = of.model})
-                                   : ReportCell(notDefined(Text::tr("an index has no mark")))});
+  ResultTable rows(ledger, table,
+                   {{Text::tr("Model")},
+                    {Text::tr("Class")},
+                    {Text::tr("Weight")},
+                    {Text::tr("Raters"), "class_raters"},
+                    {Text::tr("Marks"), "class_marks"},
+                    {Text::tr("Score of the class"), kClassScoreStatistic, fixed(kClassScoreDecimals)}});
+  for (const ModelRatings& model : in.ratings) {
+    table.provenance.n += givenMarks(model);
+    for (const RaterClass& raterClass : in.instrument.classes) {
+      const ResultsAt weight(ledger, {.section = ResultSection::kEvaluation, .raterClass = raterClass.id});
+      rows.row({model.model, raterClass.name, weight("class_weight", fixed(kWeightDecimals))},
+               {.section = ResultSection::kEvaluation, .raterClass = raterClass.id, .model = model.model});
+    }
   }
   table.notes = {Text::tr(
       "The index weights of Eq. 27 on the plain means of one class. No N is formed while a class that has a "
@@ -126,7 +125,7 @@ std::vector<ClassScore> classScores(const CohortInputs& in) {
   return out;
 }
 
-ReportSection unfinishedSection(const CohortInputs& in) {
+ReportSection unfinishedSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"evaluation", Text::tr("Evaluation of the models")};
   const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
   section.paragraphs = {
@@ -138,7 +137,7 @@ ReportSection unfinishedSection(const CohortInputs& in) {
     section.tables.push_back(unscoredTable(in));
   }
   if (!in.ratings.empty()) {
-    section.tables.push_back(classesTable(in));
+    section.tables.push_back(classesTable(in, ledger));
   }
   return section;
 }

@@ -6049,6 +6049,10 @@
         <translation>数量</translation>
     </message>
     <message>
+        <source>Course of every trainee, %1</source>
+        <translation>各学员的得分变化，%1</translation>
+    </message>
+    <message>
         <source>Course of every trainee, %1 (%2)</source>
         <translation>各学员的得分变化，%1（%2）</translation>
     </message>
@@ -18637,6 +18641,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>level of education</source>
         <translation>学历</translation>
+    </message>
+    <message>
+        <source>trainees with noted times</source>
+        <translation>有时间记录的学员</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "assessment/results/analysed_cohort.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/figure_table.h"
 #include "sim/core/contracts.h"
 #include "tests/support/demonstration_cohort.h"
 #include "tests/support/said_cohort.h"
@@ -63,33 +65,83 @@ TEST(Ledger, KeyReadsAsItsLineOfTheTableOfNumbers) {
             "trial,T-01,,,3,virtual,twist_error_deg");
 }
 
-/// Fails where a result does not lead down to the record by every way, or leads back to itself.
-void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
-  const Ledger ledger = analysedCohort(in).ledger;
-  std::set<ResultKey> sound;
-  std::set<ResultKey> open;
-  const std::function<bool(const Result&)> follow = [&](const Result& result) {
-    if (sound.contains(result.key)) {
+/// Follows the results of a ledger down to the rows of the record.
+class Follower {
+ public:
+  explicit Follower(const Ledger& ledger) : ledger_(ledger) {}
+  /// Whether a result leads down to the record by every way, and never back to itself.
+  bool reachesTheRecord(const Result& result) {
+    if (sound_.contains(result.key)) {
       return true;
     }
-    bool ends = open.insert(result.key).second;
+    bool ends = open_.insert(result.key).second;
     bool leads = false;
     for (const ResultPart& part : *result.madeOf) {
       const auto* pattern = std::get_if<ResultPattern>(&part);
-      const auto others = pattern != nullptr ? ledger.select(*pattern) : std::vector<const Result*>{};
+      const auto others = pattern != nullptr ? ledger_.select(*pattern) : std::vector<const Result*>{};
       leads = leads || pattern == nullptr || !others.empty();
       for (const Result* other : others) {
-        ends = ends && follow(*other);
+        ends = ends && reachesTheRecord(*other);
       }
     }
-    open.erase(result.key);
+    open_.erase(result.key);
     if (ends && leads) {
-      sound.insert(result.key);
+      sound_.insert(result.key);
     }
     return ends && leads;
-  };
-  for (const Result& result : ledger.every()) {
-    EXPECT_TRUE(follow(result)) << keyAddress(result.key, ledger.names());
+  }
+
+ private:
+  const Ledger& ledger_;
+  std::set<ResultKey> sound_;
+  std::set<ResultKey> open_;
+};
+
+/// Columns of numbers that name a row: dates, versions, hashes of the record, how many raters are assumed.
+bool namesARow(const ReportTable& table, const Text& column) {
+  static const std::set<std::pair<std::string, std::string>> kNames = {
+      {"table-raters-needed", "Raters"}, {"table-training-scores", "Number"},
+      {"table-provenance", "Value"},     {"table-participants", "Protocol"},
+      {"table-allocation", "Value"},     {"table-mark-signatures", "Version"},
+      {"table-mark-signatures", "When"}, {"table-chain", "Recordings (first eight digits of the run)"}};
+  return kNames.contains({table.id, column.str()}) || &column == &table.columns.front();
+}
+
+/// Fails where a number of a table has no result, or one that does not lead down to the record.
+void expectEveryNumberLeadsToTheRecord(const ReportTable& table, const Ledger& ledger, Follower& follower) {
+  for (const std::vector<ReportCell>& row : table.rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string shown = row[c].str();
+      const std::size_t digit = shown.find_first_not_of("<[-\u2212 ");
+      if (digit == std::string::npos || shown[digit] < '0' || shown[digit] > '9' ||
+          namesARow(table, table.columns[c])) {
+        continue;
+      }
+      const Result* result = row[c].key == nullptr ? nullptr : ledger.find(*row[c].key);
+      ASSERT_NE(result, nullptr) << table.id << ", " << table.columns[c] << ": " << shown;
+      EXPECT_TRUE(follower.reachesTheRecord(*result)) << table.id << ", " << table.columns[c];
+    }
+  }
+}
+
+/// Fails where a result, or a number of a table or figure of the report, does not lead down to the record.
+void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
+  const AnalysedCohort cohort = analysedCohort(in);
+  Follower follower(cohort.ledger);
+  for (const Result& result : cohort.ledger.every()) {
+    EXPECT_TRUE(follower.reachesTheRecord(result)) << keyAddress(result.key, cohort.ledger.names());
+  }
+  for (const ReportSection& section : cohortReport(in, cohort).sections) {
+    for (const ReportTable& table : section.tables) {
+      expectEveryNumberLeadsToTheRecord(table, cohort.ledger, follower);
+    }
+    for (const ReportFigure& figure : section.figures) {
+      ReportFigure drawn = figure;
+      std::erase_if(drawn.series, [&](const FigureSeries& series) {
+        return series.faint && figure.kind == FigureKind::kScatter;  // a line for comparison
+      });
+      expectEveryNumberLeadsToTheRecord(figureTable(drawn), cohort.ledger, follower);
+    }
   }
 }
 
@@ -105,6 +157,10 @@ TEST(Ledger, EveryResultOfACohortLeadsToRowsOfTheRecord) {
   verdict.exercise = Text::verbatim("twist");
   verdict.level = Text::verbatim("not shown");
   verdict.runs = {"t1"};
+  verdict.sums = {0.5, 1.0};
+  in.doses = {{"x101", 38.5, 0.0, 2.0}, {"y101", 19.0, 20.0, 0.0}};
+  in.sheetsAsked = 1;
+  in.sheetsPresent = 1;
   in.competence = {verdict, verdict};  // two exercises of one title
   expectEveryResultLeadsToTheRecord(in);
   const TrainingMark lost = in.trainingMarks.back();
@@ -113,6 +169,30 @@ TEST(Ledger, EveryResultOfACohortLeadsToRowsOfTheRecord) {
   }));
   expectEveryResultLeadsToTheRecord(testing::withUntwistings());
   expectEveryResultLeadsToTheRecord(testing::aClassOfRatersIsMissing());
+}
+
+TEST(Ledger, AnIntervalIsOneResultAndTwoLinesOfTheTableOfNumbers) {
+  Ledger ledger;
+  const ResultParts parts = partsOf({RecordRef{RecordKind::kMark, "m1"}});
+  ledger.add({{.statistic = "mean_95"}, Interval{1.0, 2.0}, 5, "", parts});
+  ledger.add({{.statistic = "limit_of_agreement"}, Interval{-1.0, 1.0}, 5, "", parts});
+  std::vector<std::string> lines;
+  ledger.eachLine(
+      [&](const Result& line) { lines.push_back(line.key.statistic + " " + resultText(line.value)); });
+  EXPECT_EQ(lines, (std::vector<std::string>{"mean_lower_95 1", "mean_upper_95 2",
+                                             "limit_of_agreement_lower -1", "limit_of_agreement_upper 1"}));
+}
+
+TEST(Ledger, AComparisonIsPlannedOnlyWhereTheRecordHoldsAPlan) {
+  CohortInputs in = demonstrationCohort();
+  const ResultKey p{.section = ResultSection::kComparison, .statistic = "ancova_p", .occasion = 2};
+  EXPECT_EQ(analysedCohort(in).ledger.find(p)->origin, Origin::kUnplanned);
+  in.equivalenceMargin = 1.0;
+  const Ledger planned = analysedCohort(in).ledger;
+  EXPECT_EQ(planned.find(p)->origin, Origin::kPlanned);
+  ResultKey gain = p;
+  gain.statistic = "gain_kruskal_wallis_p";
+  EXPECT_EQ(planned.find(gain)->origin, Origin::kUnplanned);
 }
 
 TEST(Ledger, AGroupMeanIsMadeOfTheScoresOfItsTrainees) {

@@ -33,6 +33,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/core/csv_cell.h"
 #include "sim/core/error.h"
 #include "sim/core/text.h"
 #include "sim/scene/scene.h"
@@ -89,24 +90,29 @@ class CellTracer::Walk {
     for (const Rubric& rubric : rubrics_.rubrics()) {
       rubricNames_[rubric.id] = rubric.name;
     }
+    const auto addLine = [this](const Result& result) {
+      lines_.try_emplace(keyAddress(result.key, cohort_.ledger.names()), result);
+    };
+    cohort_.ledger.eachLine(addLine);
+    std::for_each(cohort_.ledger.every().begin(), cohort_.ledger.every().end(), addLine);  // whole intervals
   }
 
   /// Traces the result with these cells.
   TraceStep trace(const std::string& cell) {
     const std::vector<CsvRecord> typed = csvRecords(cell, "the cell");
-    const Ledger& ledger = cohort_.ledger;
     std::array<std::string, 7> wanted;
     if (typed.size() == 1 && typed.front().values.size() >= wanted.size()) {
       std::copy_n(typed.front().values.begin(), wanted.size(), wanted.begin());
-      for (const Result& result : ledger.every()) {
-        const std::array<std::string, 7> cells = keyCells(result.key, ledger.names());
-        if (cells == wanted || keyAddress(result.key, ledger.names()) == cell) {
-          TraceStep found = step(result);
-          if (const std::string& program = cohort_.shown.programHash; !program.empty()) {
-            found.madeOf.push_back({Text::tr("program file that computes it (BLAKE2b)"), program});
-          }
-          return found;
+      std::string address;
+      for (const std::string& part : wanted) {
+        address += (address.empty() ? "" : ",") + csvCell(part);
+      }
+      if (const auto line = lines_.find(address); line != lines_.end()) {
+        TraceStep found = step(line->second);
+        if (const std::string& program = cohort_.shown.programHash; !program.empty()) {
+          found.madeOf.push_back({Text::tr("program file that computes it (BLAKE2b)"), program});
         }
+        return found;
       }
     }
     refuseParameter(Text::verbatim("the table of numbers of this cohort has no such line"), Text(cell),
@@ -116,6 +122,9 @@ class CellTracer::Walk {
  private:
   TraceStep step(const Result& result) {
     TraceStep step{nameOf(result.key, cohort_.ledger.names()), resultText(result.value)};
+    if (result.origin == Origin::kPlanned) {
+      addRow({RecordKind::kCohortPlan}, step.madeOf);
+    }
     for (const ResultPart& part : *result.madeOf) {
       if (const auto* row = std::get_if<RecordRef>(&part)) {
         addRow(*row, step.madeOf);
@@ -160,6 +169,9 @@ class CellTracer::Walk {
         return;
       case RecordKind::kEnrolments:
         steps.push_back({Text::tr("trainees of the cohort"), std::to_string(cohort_.shown.trainees.size())});
+        return;
+      case RecordKind::kTrainingTimes:
+        steps.push_back({Text::tr("trainees with noted times"), std::to_string(cohort_.shown.doses.size())});
         return;
       case RecordKind::kSheetRequests:
         steps.push_back({Text::tr("scoring sheets that raters were asked for"),
@@ -268,6 +280,7 @@ class CellTracer::Walk {
   SheetRepository sheets_;
   TrialRepository trials_;
   AnalysedCohort cohort_;
+  std::map<std::string, Result> lines_;  // by keyAddress()
   std::map<TrialId, TraceStep> recordings_;
   std::map<MarkId, SubmittedMark> marks_;
   std::map<MarkId, std::vector<TraceStep>> markSteps_;

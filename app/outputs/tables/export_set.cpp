@@ -9,6 +9,7 @@
 
 #include "assessment/catalogue/quantity.h"
 #include "assessment/results/cohort_csv.h"
+#include "assessment/results/report_labels.h"
 
 namespace torsio {
 
@@ -20,9 +21,15 @@ ExportCell textOf(const std::string& text) {
   return text.empty() ? ExportCell() : ExportCell(text);
 }
 
+/// Returns a cell that belongs to a result.
+ExportCell cellOf(ExportCell cell, const Result& result) {
+  cell.key = std::make_shared<const ResultKey>(result.key);
+  return cell;
+}
+
 ExportCell numberOf(const Result* result) {
   const std::optional<double> value = result == nullptr ? std::nullopt : numberIn(result->value);
-  return value ? ExportCell(*value) : ExportCell();
+  return value ? cellOf(*value, *result) : ExportCell();
 }
 
 /// Returns the text of a cell that is not a number.
@@ -33,6 +40,11 @@ ExportCell wordOf(const Result& result) {
 
 ExportCell countOf(std::int64_t count) {
   return static_cast<double>(count);
+}
+
+/// Returns the number of values behind a result.
+ExportCell valuesOf(const Result& result) {
+  return cellOf(countOf(result.n), result);
 }
 
 ExportColumn participant() {
@@ -163,16 +175,12 @@ class Tables {
                        number("planned_real_min", Text::tr("Planned at the real arm"), "min"),
                        number("trainees", Text::tr("Trainees"))},
                       {}};
-    const auto minutes = [](const std::optional<double>& planned) {
-      return planned ? ExportCell(*planned) : ExportCell();
-    };
     for (std::size_t g = 0; g < in_.groups.size(); ++g) {
       const CohortGroup& group = in_.groups[g];
+      const ResultsAt at(ledger_, {.section = ResultSection::kParticipants, .group = g});
       table.rows.push_back({numberOfGroup(g), groupOf(g), textOf(group.code), textOf(group.protocol.str()),
-                            textOf(group.arm), minutes(group.plannedVirtual_min),
-                            minutes(group.plannedReal_min),
-                            countOf(std::count_if(in_.trainees.begin(), in_.trainees.end(),
-                                                  [g](const auto& one) { return one.group == g; }))});
+                            textOf(group.arm), numberOf(at.find("planned_virtual_min")),
+                            numberOf(at.find("planned_real_min")), numberOf(at.find("allocated"))});
     }
     return table;
   }
@@ -192,19 +200,12 @@ class Tables {
                        number("real_min", Text::tr("Trained at the real arm"), "min"),
                        number("rest_min", Text::tr("Rested"), "min")},
                       {}};
-    std::map<std::string, const CohortDose*> doses;
-    for (const CohortDose& dose : in_.doses) {
-      doses[dose.trainee] = &dose;
-    }
     for (const CohortTrainee& one : in_.trainees) {
-      const auto dose = doses.find(one.code);
-      const auto noted = [&](double CohortDose::*minutes) {
-        return dose == doses.end() ? ExportCell() : ExportCell((*dose->second).*minutes);
-      };
+      const ResultsAt at(ledger_, traineeKey(one));
       table.rows.push_back({one.code, numberOfGroup(one.group), groupOf(one.group), textOf(one.sex),
-                            textOf(one.level), timeOf(one.enrolledUtc_us), countOf(one.withdrew ? 1 : 0),
-                            noted(&CohortDose::virtual_min), noted(&CohortDose::real_min),
-                            noted(&CohortDose::rest_min)});
+                            textOf(one.level), timeOf(one.enrolledUtc_us), numberOf(at.find("withdrew")),
+                            numberOf(at.find("noted_virtual_min")), numberOf(at.find("noted_real_min")),
+                            numberOf(at.find("noted_rest_min"))});
     }
     return table;
   }
@@ -234,7 +235,7 @@ class Tables {
       table.rows.push_back({key.of, groupOf(*key.group), textOf(known ? person->second->sex : ""),
                             textOf(known ? person->second->level : ""),
                             countOf(static_cast<std::int64_t>(*key.occasion) + 1),
-                            textOf(in_.occasions[*key.occasion].str()), numberOf(score), countOf(score->n),
+                            textOf(in_.occasions[*key.occasion].str()), numberOf(score), valuesOf(*score),
                             numberOfGroup(*key.group)});
     }
     return table;
@@ -280,7 +281,7 @@ class Tables {
         marked[{mark.occasion, mark.rater}].insert(mark.trainee);
         add(mark.trainee, mark.group, mark.rater, mark.occasion,
             {numberOf(result), numberOfGroup(mark.group), textOf(mark.raterClass), wayOf(mark.way),
-             countOf(mark.version), timeOf(mark.submittedUtc_us)});
+             cellOf(countOf(mark.version), *result), timeOf(mark.submittedUtc_us)});
       }
     }
     for (const auto& [at, trainees] : marked) {
@@ -401,7 +402,7 @@ class Tables {
     for (const Result* level :
          ledger_.select({.section = ResultSection::kCompetence, .statistic = "level", .of = kEach})) {
       ResultKey key = level->key;
-      Cells row{key.of, groupOf(*key.group), textOf(key.index), wordOf(*level), countOf(level->n)};
+      Cells row{key.of, groupOf(*key.group), textOf(key.index), wordOf(*level), valuesOf(*level)};
       for (const ExportColumn& column : kNumbers) {
         key.statistic = column.name;
         row.push_back(numberOf(ledger_.find(key)));
@@ -430,7 +431,7 @@ class Tables {
     std::transform(std::next(cells.begin()), cells.end(), std::back_inserter(row), textOf);
     row.push_back(numberOf(&result));
     row.push_back(std::move(text));
-    row.push_back(countOf(result.n));
+    row.push_back(valuesOf(result));
     row.push_back(textOf(result.flags));
     return row;
   }
@@ -438,11 +439,11 @@ class Tables {
   /// Returns one row per result of a section.
   [[nodiscard]] ExportTable statistics(ResultSection section, const Text& title, const Text& source) const {
     ExportTable table{std::string(sectionName(section)), title, source, lineColumns(), {}};
-    for (const Result& result : ledger_.every()) {
+    ledger_.eachLine([&](const Result& result) {
       if (result.key.section == section) {
         table.rows.push_back(lineOf(result, wordOf(result)));
       }
-    }
+    });
     return table;
   }
 
@@ -454,11 +455,11 @@ class Tables {
         lineColumns(),
         {}};
     table.columns.insert(table.columns.begin(), {"section", Text::tr("Section")});
-    for (const Result& result : ledger_.every()) {
+    ledger_.eachLine([&](const Result& result) {
       Cells row = lineOf(result, textOf(resultText(result.value)));
       row.insert(row.begin(), std::string(sectionName(result.key.section)));
       table.rows.push_back(std::move(row));
-    }
+    });
     return table;
   }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "assessment/results/ledger.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -28,7 +30,11 @@ struct ExportColumn {
 };
 
 /// monostate: no value.
-using ExportCell = std::variant<std::monostate, std::string, double, std::int64_t>;
+using ExportValue = std::variant<std::monostate, std::string, double, std::int64_t>;
+struct ExportCell : ExportValue {
+  using ExportValue::ExportValue;
+  std::shared_ptr<const ResultKey> key{};  ///< of its result; null: none
+};
 
 /// Plain values with their meaning; the source of every file format.
 struct ExportTable {

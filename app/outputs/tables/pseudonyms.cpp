@@ -207,7 +207,7 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
   if (in.freeze) {
     in.freeze->frozenBy = names.of("A", in.freeze->frozenBy);
   }
-  if (!withFreeText) {  // names of cohorts, data sets and scoring sheets, and descriptions
+  if (!withFreeText) {  // names of cohorts, groups, data sets and scoring sheets, and descriptions
     in.title = CohortInputs().title;
     in.facts.clear();
     if (in.freeze) {
@@ -215,6 +215,11 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
     }
     for (ReportedSheet& sheet : in.sheets) {
       sheet.name = names.of("S", sheet.name);
+    }
+    for (CohortGroup& group : in.groups) {  // a label or code may name a ward or a teacher
+      group.protocol = Text();
+      group.code.clear();
+      group.arm.clear();
     }
   }
   in.allocation.seed = 0;

@@ -17,6 +17,7 @@
 #include "app/outputs/report/report_names.h"
 #include "app/services/access/session_context.h"
 #include "app/services/scoring/scoring_service.h"
+#include "assessment/results/figure_table.h"
 #include "assessment/results/number_format.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
@@ -241,9 +242,25 @@ void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
   EXPECT_EQ(given.size(), 360U);
   Connection record = openRecord((folder / "out" / "torsio.sqlite").string(), OpenMode::kReadOnly);
   const CohortId cohort = cohortNamed(record, "");
-  CellTracer tracer(record, cohort, wholeInputs(record, cohort, campaignNamed(record, "")));
+  const CohortInputs inputs = wholeInputs(record, cohort, campaignNamed(record, ""));
+  CellTracer tracer(record, cohort, inputs);
   for (std::size_t i = 1; i < table.size(); ++i) {
     EXPECT_TRUE(endsInTheRecord(tracer.trace(addressIn(table[i])))) << table[i];
+  }
+  const ReportModel report = cohortReport(inputs);
+  const auto areFollowed = [&](const ReportTable& shown) {
+    for (const std::vector<ReportCell>& row : shown.rows) {
+      for (const ReportCell& cell : row) {
+        EXPECT_TRUE(cell.key == nullptr || endsInTheRecord(tracer.trace(keyAddress(*cell.key, report.names))))
+            << shown.id << ": " << cell;
+      }
+    }
+  };
+  for (const ReportSection& section : report.sections) {
+    std::for_each(section.tables.begin(), section.tables.end(), areFollowed);
+    for (const ReportFigure& figure : section.figures) {
+      areFollowed(figureTable(figure));
+    }
   }
   EXPECT_EQ(runTorsio(command + "'training,nobody,,,,,score'", folder).code,
             static_cast<int>(ErrorCode::kBadParameter));

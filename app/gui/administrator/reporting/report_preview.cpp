@@ -338,7 +338,7 @@ void TraceDialog::fill() {
                         {tr("Value"), true}});
   std::vector<Row> rows;
   const Ledger ledger = analysedCohort(*inputs_).ledger;
-  for (const Result& result : ledger.every()) {
+  ledger.eachLine([&](const Result& result) {
     const auto [section, item, group, model, index, occasion, statistic] =
         keyCells(result.key, ledger.names());
     const QString value = toQString(resultText(result.value));
@@ -351,7 +351,7 @@ void TraceDialog::fill() {
                      {toQString(index)},
                      {toQString(occasion)},
                      {printedMinus(value), number ? QVariant(*number) : QVariant(), value}}});
-  }
+  });
   numbers_->setRows(std::move(rows));
 }
 

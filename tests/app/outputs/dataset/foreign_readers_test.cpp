@@ -83,7 +83,7 @@ TEST(ExportSet, HasEveryRowOfTheTableOfNumbersSortedByWhatARowIs) {
   }
   const auto with = [&](const char* section, const char* statistic) {
     return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const CohortCsvRow& row) {
-      return row.section == section && row.statistic == statistic;
+      return row.section == section && row.statistic == statistic && row.item != "all";
     }));
   };
   EXPECT_EQ(set.scores.rows.size(), with("training", "score"));
@@ -97,6 +97,29 @@ TEST(ExportSet, HasEveryRowOfTheTableOfNumbersSortedByWhatARowIs) {
   for (const ExportTable* table : tablesOf(set)) {
     for (const auto& row : table->rows) {
       ASSERT_EQ(row.size(), table->columns.size()) << table->name;
+    }
+  }
+}
+
+TEST(ExportSet, EachNumberOfATableBelongsToAResult) {
+  CohortInputs in = awkwardCohort();
+  in.doses = {{in.trainees.front().code, 38.5, 0.0, 2.0}};
+  in.groups.front().plannedVirtual_min = 40.0;
+  const AnalysedCohort cohort = analysedCohort(in);
+  std::set<std::string> known;
+  cohort.ledger.eachLine(
+      [&](const Result& line) { known.insert(keyAddress(line.key, cohort.ledger.names())); });
+  const std::set<std::string> namesARow = {"group_number", "occasion_number", "trial_number", "twist_number"};
+  const ExportSet set = exportSet(cohort, {});
+  for (const ExportTable* table : tablesOf(set)) {
+    for (const auto& row : table->rows) {
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        if (std::holds_alternative<double>(row[c]) && !namesARow.contains(table->columns[c].name)) {
+          ASSERT_NE(row[c].key, nullptr) << table->name << " " << table->columns[c].name;
+          EXPECT_TRUE(known.contains(keyAddress(*row[c].key, cohort.ledger.names())))
+              << table->name << " " << table->columns[c].name;
+        }
+      }
     }
   }
 }

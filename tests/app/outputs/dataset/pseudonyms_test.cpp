@@ -168,6 +168,9 @@ TEST(Pseudonyms, LeaveNoTraceOfTheCentreInAnyFile) {
   for (const CohortDeviation& deviation : hidden.before.deviations) {
     secrets.insert(deviation.description);
   }
+  for (const CohortGroup& group : hidden.before.groups) {
+    secrets.insert(group.protocol.str());
+  }
   secrets.insert("2026-01-05");
   secrets.insert("2026-01-06");
   ASSERT_GT(secrets.size(), 60U);
