@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kKeyWord = "torsio-anchor-key";
 
 using PublicKey = std::array<std::uint8_t, crypto_sign_PUBLICKEYBYTES>;
-using Signature = std::array<std::uint8_t, crypto_sign_BYTES>;
+using SignatureBytes = std::array<std::uint8_t, crypto_sign_BYTES>;
 static_assert(sizeof(SecretKey) == crypto_sign_SECRETKEYBYTES);
 
 template <typename Bytes>
@@ -102,19 +102,19 @@ bool isPublicKey(const std::string& hex) {
 }
 
 std::string signedWith(const SecretKey& key, const std::string& text) {
-  Signature signature{};
+  SignatureBytes signature{};
   crypto_sign_detached(signature.data(), nullptr, bytesOfText(text), text.size(), key.data());
   return toHex(signature);
 }
 
 bool isSignature(const std::string& hex) {
-  return bytesOf<Signature>(hex).has_value();
+  return bytesOf<SignatureBytes>(hex).has_value();
 }
 
 bool genuine(const std::string& text, const std::string& signature, const std::string& publicKey) {
   TORSIO_EXPECTS(sodium_init() >= 0);
   const auto key = bytesOf<PublicKey>(publicKey);
-  const auto bytes = bytesOf<Signature>(signature);
+  const auto bytes = bytesOf<SignatureBytes>(signature);
   return key && bytes &&
          crypto_sign_verify_detached(bytes->data(), bytesOfText(text), text.size(), key->data()) == 0;
 }
