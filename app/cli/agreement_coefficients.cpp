@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coefficients of scores on a scale (overview, ICC, Krippendorff, Bland-Altman) and in categories (Cohen's and
-// Fleiss' kappa).
+// Coefficients of scores on a scale (overview, ICC, Krippendorff, Bland-Altman) and in categories (Cohen's
+// and Fleiss' kappa).
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/access/kiosk_codes.h"
 
-
 #include <QRandomGenerator>
 #include <nlohmann/json.hpp>
 

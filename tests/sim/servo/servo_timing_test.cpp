@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The histogram of a thread's times, and the logic of its watchdog on a manual clock; its thread is tested
 // with real threads (servo_thread_test.cpp).
-#include "sim/servo/timing_histogram.h"
-
 #include <gtest/gtest.h>
 
 #include "sim/servo/servo_thread.h"
+#include "sim/servo/timing_histogram.h"
 
 namespace torsio {
 namespace {
