@@ -162,7 +162,7 @@ void addCourse(const PracticeCourse& course, ResultWriter& rows) {
   std::vector<double> number;
   std::vector<double> error;
   std::int64_t onTarget = 0;
-  for (const TwistAttempt& attempt : course.attempts) {
+  for (const JudgedTwist& attempt : course.attempts) {
     number.push_back(static_cast<double>(number.size() + 1));
     error.push_back(attempt.error_deg);
     onTarget += attempt.onTarget ? 1 : 0;

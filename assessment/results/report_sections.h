@@ -46,7 +46,7 @@ inline constexpr const char* kClassScoreStatistic = "class_score_eq27";
 struct PracticeCourse {
   std::string trainee;
   std::size_t group = 0;
-  std::vector<TwistAttempt> attempts;
+  std::vector<JudgedTwist> attempts;
 };
 /// Returns the trainees with twists by group and code.
 [[nodiscard]] std::vector<PracticeCourse> practiceCourses(const CohortInputs& inputs);
