@@ -221,12 +221,13 @@ TEST_F(BackupTest, LeavesNothingIfItsFolderIsMissing) {
 TEST_F(BackupTest, IsRestoredOverAnUnusedDatabase) {
   const fs::path copy = locator() + ".copy";
   {
-    connection().execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
-                         {"a", "before", 1});
-    backupSqlite(connection(), copy);
-    connection().execute("UPDATE rater_class SET label = ?", {"after"});
+    Connection connection = openWithSchema();
+    connection.execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
+                       {"a", "before", 1});
+    backupSqlite(connection, copy);
+    connection.execute("UPDATE rater_class SET label = ?", {"after"});
     EXPECT_EQ(refusalFrom([&] { restoreSqlite(copy, locator()); }).code, ErrorCode::kDatabase);
-    EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM rater_class WHERE label = 'after'"), 1);
+    EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM rater_class WHERE label = 'after'"), 1);
   }
 
   restoreSqlite(copy, locator());
@@ -239,7 +240,10 @@ TEST_F(BackupTest, IsRestoredOverAnUnusedDatabase) {
 
 TEST_F(BackupTest, IsCheckedBeforeItReplacesAnything) {
   const fs::path copy = locator() + ".copy";
-  { backupSqlite(connection(), copy); }
+  {
+    Connection connection = openWithSchema();
+    backupSqlite(connection, copy);
+  }
   EXPECT_EQ(checkBackup(copy).schemaVersion, embeddedMigrations().back().version);
   EXPECT_EQ(checkBackup(copy).trials, 0);
   {
@@ -257,7 +261,10 @@ TEST_F(BackupTest, IsCheckedBeforeItReplacesAnything) {
 
 TEST_F(BackupTest, ReplacesADamagedDatabase) {
   const fs::path copy = locator() + ".copy";
-  { backupSqlite(connection(), copy); }
+  {
+    Connection connection = openWithSchema();
+    backupSqlite(connection, copy);
+  }
   std::ofstream(locator(), std::ios::binary | std::ios::trunc) << "no database any more";
 
   restoreSqlite(copy, locator());

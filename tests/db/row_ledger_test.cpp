@@ -119,14 +119,13 @@ TEST_F(RowLedgerTest, OneTransactionIsSealedByOneEntryOfItsAuthor) {
 }
 
 TEST_F(RowLedgerTest, ChangesOutsideATransactionAreSealedAndRolledBackOnesAreNot) {
+  const EnrolmentId enrolment = sample().enrolments[0].id;
   const std::size_t before = sealsIn(connection()).size();
 
-  connection().execute("UPDATE enrolment SET state = ? WHERE id = ?",
-                       {"completed", sample().enrolments[0].id});
+  connection().execute("UPDATE enrolment SET state = ? WHERE id = ?", {"completed", enrolment});
   {
     const Transaction givenUp(connection());
-    connection().execute("UPDATE enrolment SET state = ? WHERE id = ?",
-                         {"withdrawn", sample().enrolments[0].id});
+    connection().execute("UPDATE enrolment SET state = ? WHERE id = ?", {"withdrawn", enrolment});
   }
   connection().execute("UPDATE enrolment SET state = ? WHERE id = ?", {"withdrawn", "nobody"});
 

@@ -365,8 +365,7 @@ TEST_F(TrialRepositoryTest, StoresPurposeAndMachineOfATrial) {
 
 TEST_F(TrialRepositoryTest, RejectsAnUnknownMode) {
   const auto modeOf = [&](const char* sql) {
-    return selectFirst(connection(), sql, {},
-                       [](RowReader& row) { return readMaybeTerm<AttemptMode>(row); });
+    return selectFirst(connection(), sql, {}, [](RowReader& row) { return readMaybeTerm<AttemptMode>(row); });
   };
 
   EXPECT_EQ(modeOf("SELECT CAST('graded' AS TEXT)").value(), AttemptMode::kGraded);
@@ -431,9 +430,10 @@ TEST_F(TrialRepositoryTest, RecordsFromItsOwnThread) {
 }
 
 TEST_F(TrialRepositoryTest, ASinkDestroyedInAnotherThreadLeavesAnInterruptedTrial) {
+  const TrialHeader header = sampleHeader(sample().ids.newUuid(), "T-01");
   {
     OwnConnectionTrialSink sink(locator(), {"station-1", ""});
-    std::thread recorder([&] { record(sink, sampleHeader(sample().ids.newUuid(), "T-01"), 2, true); });
+    std::thread recorder([&] { record(sink, header, 2, true); });
     recorder.join();
   }
   EXPECT_EQ(TrialRepository(connection()).unfinished("station-1").size(), 1U);
