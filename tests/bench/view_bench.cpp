@@ -92,8 +92,8 @@ std::shared_ptr<const Scene> sceneOf(const Options& options) {
   if (options.triangles > 0) {
     const int rows = std::max(8, static_cast<int>(std::sqrt(options.triangles / 2.5)));
     const int sides = std::max(12, options.triangles / (2 * rows));
-    return std::make_shared<const Scene>(
-        barScene(testing::prism(testing::circleOutline(kBarRadius_m, sides), kBarLength_m, rows)));
+    return std::make_shared<const Scene>(barScene(
+        torsio::testing::prism(torsio::testing::circleOutline(kBarRadius_m, sides), kBarLength_m, rows)));
   }
   return std::make_shared<const Scene>(torsio::testing::shippedScene(options.organ));
 }

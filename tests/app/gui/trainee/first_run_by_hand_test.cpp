@@ -112,7 +112,7 @@ class NewcomerInARun : public ::testing::Test {
  protected:
   void SetUp() override {
     station.openRun(false, nullptr);
-    ASSERT_TRUE(soon([this] { return station.run().busy(); }));
+    ASSERT_TRUE(testing::eventually([this] { return station.run().busy(); }));
   }
   TrainingCentre centre;
   Newcomer newcomer{centre};

@@ -82,7 +82,7 @@ class DeviceAtTheStation : public ::testing::Test {
     station.openRun(graded, [wire](const Scene& scene, double target_rad) {
       return std::make_unique<Wired>(wire, practised(scene, target_rad));
     });
-    EXPECT_TRUE(soon([this] { return station.run().busy(); }));
+    EXPECT_TRUE(testing::eventually([this] { return station.run().busy(); }));
     station.train(5 * kSecond_us);
     return wire;
   }

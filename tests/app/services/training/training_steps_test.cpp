@@ -135,7 +135,7 @@ TEST(NextSteps, ValuesAreMeasuredOnceAndStoredWithTheTrial) {
   EXPECT_EQ(again.values, first.values);
   EXPECT_EQ(again.twists, first.twists);
   EXPECT_EQ(again.onTarget, first.onTarget);
-  EXPECT_GT(kept.front().measures.size(), 10U);
+  EXPECT_GT(kept.front().measures.values.size(), 10U);
 }
 
 TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {
