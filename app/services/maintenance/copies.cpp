@@ -10,7 +10,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/people/retention_repository.h"
+#include "db/repository/base/copy_register.h"
 #include "sim/core/clock.h"
 #include "sim/core/file_io.h"
 #include "sim/core/time_units.h"
