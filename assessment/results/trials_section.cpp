@@ -174,7 +174,7 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in, const Ledger& 
           "of "
           "the hand; where blood did not come back, it is censored and not in the median. From an ischaemic "
           "dose of 1 on the organ is lost."),
-      Text::tr("Tissue was hurt where jaw or pull went beyond what it then bore.")};
+      Text::tr("Tissue was injured because the jaw or the pull exceeded what it could bear at that moment.")};
   table.provenance.formula = Text::tr("medians over runs");
   table.provenance.n = trials;
   table.provenance.flags = commonFlags(in);

@@ -12608,7 +12608,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>Kappa is agreement beyond chance; distances count by their square. If one pair is far below the others, these raters should compare how they mark: see their severity.</source>
-        <translation>Kappa 是超出偶然的一致程度；差距按平方计。若某一对远低于其他各对，这两名评分者应对照各自的评分方式：参见其严厉程度。</translation>
+        <translation>κ 是超出偶然的一致程度；差距按平方计。若某一对远低于其他各对，这两名评分者应对照各自的评分方式：参见其严格度。</translation>
     </message>
     <message>
         <source>trajectories cannot be written at this rate</source>

@@ -604,9 +604,10 @@ TEST_F(Faces, TablesAndWorkbookTakeNameAndUnitOfEveryRowOfTheCatalogue) {
   });
 }
 
-/// Without blanks: a printed head is broken over lines.
-QString unbroken(QString text) {
-  return text.remove(QRegularExpression(QStringLiteral("\\s")));
+/// Without blanks, since a printed head is broken over lines, and with plain characters for the radicals that
+/// pdftotext writes.
+QString unbroken(const QString& text) {
+  return text.normalized(QString::NormalizationForm_KC).remove(QRegularExpression(QStringLiteral("\\s")));
 }
 
 TEST_F(Faces, ReportAndPdfTakeNameUnitAndDecimalsFromTheCatalogue) {

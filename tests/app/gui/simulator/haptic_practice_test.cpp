@@ -128,7 +128,7 @@ TEST_F(HapticPractice, ContinuesWithTheMouseWithoutADeviceAndSaysSo) {
   ASSERT_TRUE(eventually([this] { return !said_.isEmpty(); }));
 
   EXPECT_TRUE(said_.contains(QStringLiteral("mouse and keyboard")));
-  EXPECT_TRUE(said_.contains(QStringLiteral("no device answers")));
+  EXPECT_TRUE(said_.contains(QStringLiteral("No device answers. Plug it in")));
   EXPECT_TRUE(controller_.hapticModel().isEmpty());
   tick(2);
   EXPECT_TRUE(controller_.toolRidesOnTissue());
