@@ -23,10 +23,6 @@ std::string formatFixed(double value, int decimals) {
   return text;
 }
 
-std::string formatFixed(const std::optional<double>& value, int decimals) {
-  return value ? formatFixed(*value, decimals) : std::string("not defined");
-}
-
 std::string formatExact(double value) {
   TORSIO_EXPECTS(std::isfinite(value));
   if (value == 0.0) {

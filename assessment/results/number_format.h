@@ -2,15 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace torsio {
 
 /// Formats a number with fixed decimals and a decimal point, independent of the locale; never "-0.00".
 [[nodiscard]] std::string formatFixed(double value, int decimals);
-/// Formats a number with fixed decimals; "not defined" if empty.
-[[nodiscard]] std::string formatFixed(const std::optional<double>& value, int decimals);
 /// Formats a number as the shortest text that reads back as the same double, for machine-readable tables.
 [[nodiscard]] std::string formatExact(double value);
 /// Formats a p value as in journals: "< 0.001", otherwise three decimals.

@@ -212,8 +212,8 @@ void requireUsableFile(const fs::path& file, OpenMode mode) {
   }
   const bool exists = fs::exists(file, ignored);
   if (exists && !fs::is_regular_file(file, ignored)) {  // opening a pipe would block until somebody writes
-    throw Error(ErrorCode::kFileUnreadable, Text::tr("is not a file, so it cannot be a database"), file.string(),
-                Text::tr("Name a file"));
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("is not a file, so it cannot be a database"),
+                file.string(), Text::tr("Name a file"));
   }
   if (exists && fs::file_size(file, ignored) == 0) {
     throw Error(ErrorCode::kFileUnreadable,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QMargins>
 #include <initializer_list>
 #include <optional>
+
+#include <QMargins>
 #include <QString>
 
 #include "app/gui/widgets/theme.h"
