@@ -107,9 +107,9 @@ ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const
     const ResultsAt cell(ledger, place);
     ReportCell kappa = cell("kappa_quadratic_median", fixed(kAgreementDecimals));
     if (cell.number("kappa_quadratic_median")) {
-      static_cast<Text&>(kappa) =
-          Text::tr("%1 (%2 to %3)", kappa, cell("kappa_quadratic_lowest", fixed(kAgreementDecimals)),
-                   cell("kappa_quadratic_highest", fixed(kAgreementDecimals)));
+      static_cast<Text&>(kappa) = Text::tr(
+          "%1 (%2 to %3)", kappa.words(), cell("kappa_quadratic_lowest", fixed(kAgreementDecimals)).words(),
+          cell("kappa_quadratic_highest", fixed(kAgreementDecimals)).words());
     }
     rows.row({in.occasions[t], kappa}, place);
   }

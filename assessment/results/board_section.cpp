@@ -212,7 +212,7 @@ ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t grou
   if (cell.key == nullptr) {
     return cell;
   }
-  const Text count = Text::tr("%1 of %2", cell, at("able_at_every_exercise", kValues));
+  const Text count = Text::tr("%1 of %2", cell.words(), at("able_at_every_exercise", kValues).words());
   static_cast<Text&>(cell) = able.empty() || in.identity == ReportIdentity::kAggregated ? count
                              : able.size() > kNamedAtMost ? Text::tr("%1, see the section Competence", count)
                                                           : Text::tr("%1: %2", count, listed(able));
@@ -252,8 +252,9 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
     const ResultsAt end(ledger, {.group = g, .occasion = in.occasions.size() - 1});
     ReportCell score = end("mean", fixed(kPointDecimals), Text::tr("none"));
     if (score.key != nullptr) {
-      static_cast<Text&>(score) = Text::verbatim("%1 [%2; %3]", score, end("min", fixed(kPointDecimals)),
-                                                 end("max", fixed(kPointDecimals)));
+      static_cast<Text&>(score) =
+          Text::verbatim("%1 [%2; %3]", score.words(), end("min", fixed(kPointDecimals)).words(),
+                         end("max", fixed(kPointDecimals)).words());
     }
     const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
     table.rows.push_back({in.groups[g].name, group("allocated"), score, ableOf(in, ledger, g, able)});

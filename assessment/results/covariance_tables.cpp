@@ -192,7 +192,8 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
     const ReportCell p = cell("equivalence_p", kAsP);
     ReportCell difference = cell("equivalence_90");
     if (difference.key != nullptr) {
-      static_cast<Text&>(difference) = Text::verbatim("%1 %2", formatFixed(pair.value, 3), difference);
+      static_cast<Text&>(difference) =
+          Text::verbatim("%1 %2", formatFixed(pair.value, 3), difference.words());
     }
     table.rows.push_back(
         {pairName(in, pair.first, pair.second),

@@ -140,7 +140,7 @@ ReportTable sheetTable(const CohortInputs& in, const Ledger& ledger, std::size_t
     const ResultsAt at(ledger, key);
     const ReportCell lowest = at("lowest", kExactly);
     table.rows.push_back({criterion.label,
-                          {Text::tr("%1 to %2", lowest, at("highest", kExactly)), lowest.key},
+                          {Text::tr("%1 to %2", lowest.words(), at("highest", kExactly).words()), lowest.key},
                           at("weight", kExactly),
                           criterion.anchors.empty()
                               ? ReportCell(Text::tr("none"))

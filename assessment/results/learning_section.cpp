@@ -80,7 +80,7 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<PracticeCour
       } else {
         ++fitted;
         if (numberIn(found->value) == 0.0) {
-          static_cast<Text&>(left) = Text::tr("%1, held at zero", left);
+          static_cast<Text&>(left) = Text::tr("%1, held at zero", left.words());
         }
       }
     }

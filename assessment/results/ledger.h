@@ -55,7 +55,7 @@ struct ResultKey {
   std::string when{};    ///< phase of a run, time of a deviation
   std::string record{};  ///< distinguishes equal names: recording, deviation, exercise, sheet
 
-  friend auto operator<=>(const ResultKey&, const ResultKey&) = default;
+  friend auto operator<=>(const ResultKey&, const ResultKey&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Hashes all fields.

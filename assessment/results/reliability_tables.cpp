@@ -120,8 +120,8 @@ std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const Study
         .section = ResultSection::kComparison, .group = g, .occasion = in.occasions.size() - 1};
     ReportCell p = ResultsAt(ledger, place)("gain_signed_rank_p", kAsP);
     if (gain.ranks && !gain.ranks->exact) {  // random sign changes
-      static_cast<Text&>(p) =
-          Text::tr("%1, random changes of sign, standard error %2", p, formatFixed(gain.ranks->error, 4));
+      static_cast<Text&>(p) = Text::tr("%1, random changes of sign, standard error %2", p.words(),
+                                       formatFixed(gain.ranks->error, 4));
     }
     rows.row({in.groups[g].name, gain.ranks ? p : ReportCell()}, place);
     table.provenance.n += gain.n;

@@ -34,6 +34,9 @@ struct ReportCell : Text {
   ReportCell(const Text& words, ResultKey of)
       : Text(words), key(std::make_shared<const ResultKey>(std::move(of))) {}
 
+  /// The words alone, as an argument of another text.
+  [[nodiscard]] const Text& words() const noexcept { return *this; }
+
   std::shared_ptr<const ResultKey> key;  ///< null: no result
 };
 

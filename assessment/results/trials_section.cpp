@@ -115,7 +115,7 @@ ReportCell yes(const ResultsAt& at, Quantity quantity, const std::optional<Repor
   const std::string statistic = "above_zero_" + idOf(quantity);
   ReportCell cell = at(statistic, {}, Text::tr("not recorded"));
   if (cell.key != nullptr) {
-    static_cast<Text&>(cell) = Text::tr("%1 of %2", cell, n ? *n : at(statistic, kValues));
+    static_cast<Text&>(cell) = Text::tr("%1 of %2", cell.words(), (n ? *n : at(statistic, kValues)).words());
   }
   return cell;
 }
@@ -158,7 +158,7 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in, const Ledger& 
     const ReportCell runs = at("measured_runs");
     ReportCell blood = yes(at, Quantity::kTimeToFlow, runs);
     if (blood.key == nullptr) {
-      blood = {Text::tr("%1 of %2", 0, runs), runs.key};
+      blood = {Text::tr("%1 of %2", 0, runs.words()), runs.key};
     }
     table.rows.push_back({in.groups[*place.group].name, phase, runs, yes(at, Quantity::kUntwisted),
                           yes(at, Quantity::kRelapse), yes(at, Quantity::kFirstDirection),

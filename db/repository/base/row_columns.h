@@ -22,6 +22,8 @@ template <typename Member>
 struct OrNull {
   Member member;
 };
+template <typename Member>
+OrNull(Member) -> OrNull<Member>;
 
 /// The columns of a table and the members of a record that they hold: one list by which rows are written,
 /// read and compared. A ScoreScale takes three columns. Null is read as 0, false, empty text or an empty
