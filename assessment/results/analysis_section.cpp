@@ -39,12 +39,13 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study, cons
       continue;
     }
     const ReportCell df = cell(id + "_df", fixed(0));
-    table.rows.push_back({name,
-                          cell(id + "_f", fixed(2)),
-                          {Text::verbatim("%1, %2", df, cell(id + "_df_error", fixed(0))), df.key},
-                          cell(id + "_p", kAsP),
-                          cell(id + "_p_greenhouse_geisser", kAsP, Text::tr("does not apply")),
-                          cell(id + "_generalised_eta_squared", fixed(kDecimals))});
+    table.rows.push_back(
+        {name,
+         cell(id + "_f", fixed(2)),
+         {Text::verbatim("%1, %2", df.words(), cell(id + "_df_error", fixed(0)).words()), df.key},
+         cell(id + "_p", kAsP),
+         cell(id + "_p_greenhouse_geisser", kAsP, Text::tr("does not apply")),
+         cell(id + "_generalised_eta_squared", fixed(kDecimals))});
   }
   table.notes = {
       Text::tr("The interaction is the question: whether the groups take different courses. "
