@@ -22,7 +22,7 @@ namespace torsio {
 /// Password of everybody at a served desk.
 inline constexpr const char* kWebPassword = "correct horse battery";
 /// What somebody chooses who was invited.
-inline constexpr const char* kChosen = "seven kites above the bay";
+inline constexpr const char* kChosenPassword = "seven kites above the bay";
 
 inline void setWebPasswords(ReviewCentre& centre) {
   AccessRepository access(centre.connection(), PasswordCost::kTest);

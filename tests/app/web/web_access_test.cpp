@@ -44,7 +44,7 @@ class WebAccess : public ::testing::Test {
     const std::vector<UserId> ids{userOf(login)};
     return invite(session, ids).at(0).secret;
   }
-  WebAnswer join(WebClient& client, const std::string& token, const std::string& password = kChosen) {
+  WebAnswer join(WebClient& client, const std::string& token, const std::string& password = kChosenPassword) {
     return client.send("POST", "/api/join", {{"token", token}, {"newPassword", password}});
   }
   WebClient office() { return served.signedIn("office"); }
@@ -77,7 +77,7 @@ TEST_F(WebAccess, AnInvitationOpensTheQueueOnce) {
   EXPECT_EQ(replayed.status, 401);
   EXPECT_EQ(replayed.body, guessed.body) << "used and never made are answered alike";
   EXPECT_EQ(other.cookie, "");
-  EXPECT_TRUE(other.signIn("physician0", kChosen));
+  EXPECT_TRUE(other.signIn("physician0", kChosenPassword));
   for (const WebAnswer& answer : {welcome, replayed, guessed}) {
     EXPECT_EQ(answer.body.find(secret), std::string::npos);
   }
@@ -119,9 +119,10 @@ int slowedDown(const WebClient& from) {
     WebClient client = from;
     client.headers = {{"X-Forwarded-For", "198.51.100.7, 203.0.113." + std::to_string(i)},
                       {"Sec-Fetch-Site", "same-origin"}};
-    waited += client.send("POST", "/api/join", {{"token", "guess"}, {"newPassword", kChosen}}).status == 429
-                  ? 1
-                  : 0;
+    waited +=
+        client.send("POST", "/api/join", {{"token", "guess"}, {"newPassword", kChosenPassword}}).status == 429
+            ? 1
+            : 0;
   }
   return waited;
 }
@@ -195,7 +196,7 @@ TEST_F(WebAccess, AnAdministratorEndsAnySessionWithAnAuditEntry) {
 TEST_F(WebAccess, APasswordChangeOrADisabledAccountEndsASession) {
   AccessRepository access(served.centre.connection(), PasswordCost::kTest);
   WebClient one = served.physician(0);
-  access.setPassword(userOf("physician0"), access.sealPassword("physician0", kChosen), true);
+  access.setPassword(userOf("physician0"), access.sealPassword("physician0", kChosenPassword), true);
   EXPECT_EQ(one.get("/api/me").status, 401) << "reset at the desk";
 
   WebClient two = served.physician(1);

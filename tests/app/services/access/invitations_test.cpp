@@ -19,7 +19,7 @@
 namespace torsio {
 namespace {
 
-constexpr const char* kChosen = "seven kites above the bay";
+constexpr const char* kChosenPassword = "seven kites above the bay";
 
 class Invitations : public ::testing::Test {
  protected:
@@ -38,7 +38,7 @@ class Invitations : public ::testing::Test {
   SignIn tried(const std::string& secret, const std::string& code = {}) {
     SessionContext& session = centre.as("");
     session.setPasswordCost(PasswordCost::kTest);
-    return acceptInvitation(session, secret, code, kChosen).outcome;
+    return acceptInvitation(session, secret, code, kChosenPassword).outcome;
   }
   SignIn signedIn(const std::string& login, const std::string& password) {
     return signIn(centre.as(""), login, password).outcome;
@@ -63,7 +63,7 @@ TEST_F(Invitations, SetAPasswordOnceAndSignIn) {
 
   EXPECT_EQ(tried(secret), SignIn::kOk);
   EXPECT_EQ(centre.session().actor().login, "rater");
-  EXPECT_EQ(signedIn("rater", kChosen), SignIn::kOk);
+  EXPECT_EQ(signedIn("rater", kChosenPassword), SignIn::kOk);
   EXPECT_EQ(signedIn("rater", kStudyPassword), SignIn::kWrong);
   EXPECT_EQ(tried(secret), SignIn::kWrong) << "it is used up";
   EXPECT_EQ(centre.audited("invitation.make"), 1);
@@ -143,7 +143,7 @@ TEST_F(Invitations, OnlyOneOfTwoSimultaneousUsesSucceeds) {
   EXPECT_EQ(tried(secret), SignIn::kOk);
 
   EXPECT_FALSE(access.useInvitation(hash, centre.session().now_us()));
-  EXPECT_EQ(signedIn("rater", kChosen), SignIn::kOk);
+  EXPECT_EQ(signedIn("rater", kChosenPassword), SignIn::kOk);
 }
 
 TEST_F(Invitations, NobodyInvitesAPhysicianAloneIfTwoPeopleAreRequired) {
