@@ -44,7 +44,8 @@ class WebInvitation : public ::testing::Test {
   }
   int join(const std::string& secret, const std::string& code = "") {
     WebClient client = served.client();
-    return client.send("POST", "/api/join", {{"token", secret}, {"code", code}, {"newPassword", kChosen}})
+    return client
+        .send("POST", "/api/join", {{"token", secret}, {"code", code}, {"newPassword", kChosenPassword}})
         .status;
   }
   static std::string secretOf(const std::string& link) { return link.substr(link.find('#') + 1); }
