@@ -23,7 +23,7 @@ struct CasePicture {
   std::string recording{};  ///< traces and instrument, 60 frames per second
   std::string organ{};      ///< movement of the organ; empty: the organ is not on this machine
   std::shared_ptr<const std::string>
-      body{};                ///< the body that `organ` refers to (organ_body.h); keeps it on the shelf
+      body{};                ///< the body that `organ` refers to (organ_shelf.h); keeps it on the shelf
   float farthest_mm = 0.0F;  ///< largest deviation of a vertex in the shapes kept
 };
 

@@ -18,7 +18,7 @@ namespace torsio::web {
 /// the colour and, at half size, the height of the relief. Half a second of one core.
 [[nodiscard]] std::string skinPicture(const Scene& scene);
 
-/// Cache of what all recordings of an organ share: its skin, and its body (organ_body.h). Names are content
+/// Cache of what all recordings of an organ share: its skin, and its body. Names are content
 /// hashes, so that browsers load each once for any number of cases. Evicts old entries. Thread-safe.
 class OrganShelf {
  public:

@@ -28,7 +28,7 @@ Statements appendOnlySupport(Engine engine) {
   if (engine == Engine::kSqlite) {
     return {};
   }
-  // SQLSTATE TR001 is ours; fault.cpp maps it.
+  // SQLSTATE TR001 is ours; db/connection/db_error.cpp maps it.
   return {
       "CREATE FUNCTION refuse_change() RETURNS trigger LANGUAGE plpgsql AS $$\n"
       "BEGIN\n"

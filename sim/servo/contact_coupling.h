@@ -86,7 +86,7 @@ inline constexpr double kPatchShare = 6.0;
 /// How the surface gives way under a part of the instrument of radius a: like a membrane patch that is held
 /// on a circle of radius R and pressed by a round part, w(r) = w0 for r <= a, w0 ln(R / r) / ln(R / a) up to
 /// R and 0 beyond, against the normal; r: distance from the contact point. A membrane of tension S pushes
-/// back by F = 2 pi S w0 / ln(R / a) = k w0, with the k of the contact force (contact_coupling.h): the force
+/// back by F = 2 pi S w0 / ln(R / a) = k w0, with the k of the contact force (above): the force
 /// that is felt and the dent that is seen are one membrane's.
 
 /// Computes the displacement of a point of the deformed surface, m; the zero vector outside the patch. Any

@@ -16,7 +16,7 @@ struct StationState {
   UserId userId{};    ///< signed in there; empty: nobody
   std::string softwareVersion{};
   std::int64_t heartbeatUtc_us = 0;  ///< last heartbeat
-  std::string deviceJson{};          ///< app/devices/station_device.h; empty: no training station
+  std::string deviceJson{};          ///< app/services/devices/device_readiness.h; empty: no training station
   bool deviceHaptic = false;
   std::string deviceLight{};        ///< result of the last check: "green", "amber", "red"; empty: not checked
   std::string deviceProblemJson{};  ///< empty: none

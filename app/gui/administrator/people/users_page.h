@@ -48,7 +48,7 @@ class UsersPage : public Page {
   void showRequests();
   void switchActive();
 
-  // users_page_admission.cpp
+  // Cards, invitations and sessions.
   void makeKioskCards();
   void revokeKioskCards();
   void inviteChosen();
