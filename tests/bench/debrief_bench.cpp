@@ -42,7 +42,7 @@ double processor_s() {
 }  // namespace
 
 int main() {
-  SceneRequest request = testing::shippedRequest("forearm");
+  SceneRequest request = torsio::testing::shippedRequest("forearm");
   const Scene scene = loadScene(request);
   bool kept = true;
   for (const std::int64_t minutes : {20, 40}) {

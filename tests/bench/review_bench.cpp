@@ -77,12 +77,12 @@ double renderer_MB() {
   return sum_kB * 1024.0 / 1e6;
 }
 
-Trial recorded(const std::filesystem::path& assets, double duration_s) {
+Trial recorded(double duration_s) {
   ScriptedTrial script;
   script.recording = {.trialId = "bench", .phaseLabel = "bench"};
   script.duration_s = duration_s;
   MemoryTrialSink sink;
-  recordScriptedTrial(testing::shippedScene("forearm"), script, sink);
+  recordScriptedTrial(torsio::testing::shippedScene("forearm"), script, sink);
   return sink.trial();
 }
 
@@ -171,8 +171,8 @@ int main(int argc, char** argv) {
   const QApplication application(argc, argv);
   const std::filesystem::path assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   const auto start = SteadyClock::now();
-  Trial shortTrial = recorded(assets, kShort_s);
-  Trial longTrial = recorded(assets, 60.0 * minutes);
+  Trial shortTrial = recorded(kShort_s);
+  Trial longTrial = recorded(60.0 * minutes);
   const double long_MB = packed_MB(longTrial);
   std::printf("recorded %d min in %.1f s, packed %.1f MB\n", minutes, since_ms(start) * 1e-3, long_MB);
 

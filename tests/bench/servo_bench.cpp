@@ -176,7 +176,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   using namespace torsio;
-  const TriangleMesh bar = testing::prism(testing::circleOutline(kBarRadius_m, 100), kBarLength_m, 104);
+  const TriangleMesh bar =
+      torsio::testing::prism(torsio::testing::circleOutline(kBarRadius_m, 100), kBarLength_m, 104);
   const Scene scenes[] = {barScene(bar), shipped("forearm"), shipped("stomach"), shipped("intestine")};
   for (const Scene& scene : scenes) {
     measure(scene, seconds);
