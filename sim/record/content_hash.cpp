@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -134,6 +135,10 @@ class Reader {
   std::span<const std::byte> rest_;
 };
 
+/// The part itself to be read, or a constant one to be written.
+template <typename Part, typename Of>
+concept EitherConst = std::same_as<std::remove_const_t<Part>, Of>;
+
 template <typename Visitor, typename Limits>
 void visitLimits(Visitor& visit, Limits& limits) {
   visit(limits.maxForce_N);
@@ -146,8 +151,8 @@ void visitLimits(Visitor& visit, Limits& limits) {
   }
 }
 
-template <typename Visitor, typename Header>
-void visitHeader(Visitor& visit, Header& header) {
+template <typename Visitor, EitherConst<TrialHeader> Header>
+void fieldsOf(Visitor& visit, Header& header) {
   visit(header.trialId);
   visit(header.traineeCode);
   visit(header.sceneId);
@@ -172,8 +177,8 @@ void visitHeader(Visitor& visit, Header& header) {
   }
 }
 
-template <typename Visitor, typename Chunk>
-void visitChunk(Visitor& visit, Chunk& chunk) {
+template <typename Visitor, EitherConst<TrialChunk> Chunk>
+void fieldsOf(Visitor& visit, Chunk& chunk) {
   visit(chunk.index);
   visit(chunk.firstTick);
   visit(chunk.samples);
@@ -182,8 +187,8 @@ void visitChunk(Visitor& visit, Chunk& chunk) {
   visit(chunk.outputDigest);
 }
 
-template <typename Visitor, typename Summary>
-void visitSummary(Visitor& visit, Summary& summary) {
+template <typename Visitor, EitherConst<TrialSummary> Summary>
+void fieldsOf(Visitor& visit, Summary& summary) {
   visit(summary.samples);
   visit(summary.refusedSamples);
   visit(summary.lateTicks);
@@ -206,47 +211,28 @@ void visitSummary(Visitor& visit, Summary& summary) {
 
 }  // namespace
 
-std::vector<std::byte> toBytes(const TrialHeader& header) {
+template <typename Part>
+std::vector<std::byte> toBytes(const Part& part) {
   Writer writer;
-  visitHeader(writer, header);
+  fieldsOf(writer, part);
   return std::move(writer.bytes);
 }
 
-std::vector<std::byte> toBytes(const TrialChunk& chunk) {
-  Writer writer;
-  visitChunk(writer, chunk);
-  return std::move(writer.bytes);
-}
-
-std::vector<std::byte> toBytes(const TrialSummary& summary) {
-  Writer writer;
-  visitSummary(writer, summary);
-  return std::move(writer.bytes);
-}
-
-TrialHeader headerFromBytes(std::span<const std::byte> bytes) {
+template <typename Part>
+Part fromBytes(std::span<const std::byte> bytes) {
   Reader reader(bytes);
-  TrialHeader header;
-  visitHeader(reader, header);
+  Part part;
+  fieldsOf(reader, part);
   reader.end();
-  return header;
+  return part;
 }
 
-TrialChunk chunkFromBytes(std::span<const std::byte> bytes) {
-  Reader reader(bytes);
-  TrialChunk chunk;
-  visitChunk(reader, chunk);
-  reader.end();
-  return chunk;
-}
-
-TrialSummary summaryFromBytes(std::span<const std::byte> bytes) {
-  Reader reader(bytes);
-  TrialSummary summary;
-  visitSummary(reader, summary);
-  reader.end();
-  return summary;
-}
+template std::vector<std::byte> toBytes(const TrialHeader&);
+template std::vector<std::byte> toBytes(const TrialChunk&);
+template std::vector<std::byte> toBytes(const TrialSummary&);
+template TrialHeader fromBytes(std::span<const std::byte>);
+template TrialChunk fromBytes(std::span<const std::byte>);
+template TrialSummary fromBytes(std::span<const std::byte>);
 
 ContentHash::ContentHash(const TrialHeader& header) {
   Digest digest;

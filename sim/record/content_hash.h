@@ -10,18 +10,16 @@
 
 namespace torsio {
 
-/// Writes header, chunk and summary as bytes: little-endian numbers, doubles by their bit pattern, texts
-/// with their length before them. The same value gives the same bytes on every machine, so that they can be
-/// hashed.
-[[nodiscard]] std::vector<std::byte> toBytes(const TrialHeader& header);
-[[nodiscard]] std::vector<std::byte> toBytes(const TrialChunk& chunk);
-[[nodiscard]] std::vector<std::byte> toBytes(const TrialSummary& summary);
+/// Writes a TrialHeader, TrialChunk or TrialSummary as bytes: little-endian numbers, doubles by their bit
+/// pattern, texts with their length before them. The same value gives the same bytes on every machine, so
+/// that they can be hashed.
+template <typename Part>
+[[nodiscard]] std::vector<std::byte> toBytes(const Part& part);
 
-/// Read header, chunk and summary from the bytes of toBytes. Throw Error{kBadData} for bytes that toBytes
-/// cannot have made.
-[[nodiscard]] TrialHeader headerFromBytes(std::span<const std::byte> bytes);
-[[nodiscard]] TrialChunk chunkFromBytes(std::span<const std::byte> bytes);
-[[nodiscard]] TrialSummary summaryFromBytes(std::span<const std::byte> bytes);
+/// Reads one of them from the bytes of toBytes. Throws Error{kBadData} for bytes that toBytes cannot have
+/// made.
+template <typename Part>
+[[nodiscard]] Part fromBytes(std::span<const std::byte> bytes);
 
 /// The chain that ties a trial together: first a hash over the whole header, then, chunk by chunk, a hash
 /// over the link before and both digests of the chunk. Changing, dropping or swapping anything changes its

@@ -148,17 +148,17 @@ TrialFile openTrialFile(const std::filesystem::path& file) {
     }
     switch (next->kind) {
       case RecordKind::kHeader:
-        trial.header = headerFromBytes(next->payload);
+        trial.header = fromBytes<TrialHeader>(next->payload);
         begun = true;
         break;
       case RecordKind::kContext:
         read.context.assign(reinterpret_cast<const char*>(next->payload.data()), next->payload.size());
         break;
       case RecordKind::kChunk:
-        trial.chunks.push_back(chunkFromBytes(next->payload));
+        trial.chunks.push_back(fromBytes<TrialChunk>(next->payload));
         break;
       case RecordKind::kSummary:
-        trial.summary = summaryFromBytes(next->payload);
+        trial.summary = fromBytes<TrialSummary>(next->payload);
         read.finished = true;
         break;
       default:

@@ -255,7 +255,7 @@ TEST_P(RunOf, IsRecordedWithItsModelAndReplaysBitForBit) {
   const Trial trial = recorded(scene);
 
   EXPECT_EQ(trial.header.model, GetParam());
-  EXPECT_EQ(headerFromBytes(toBytes(trial.header)), trial.header);
+  EXPECT_EQ(fromBytes<TrialHeader>(toBytes(trial.header)), trial.header);
   double largest_Nm = 0.0;
   std::int64_t arrived = 0;
   for (const Sample& sample : decodeTrial(trial)) {
