@@ -18646,6 +18646,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>trainees with noted times</source>
         <translation>有时间记录的学员</translation>
     </message>
+    <message>
+        <source>Withdrew (UTC)</source>
+        <translation>退出时间（UTC）</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -20145,6 +20149,97 @@ MSM = 质点弹簧</translation>
     <message>
         <source>&amp;Amend…</source>
         <translation>更正(&amp;A)…</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CentreSettingsCard</name>
+    <message>
+        <source>Saved. It applies at every station from the next sign-in</source>
+        <translation>已保存。从下次登录起在所有工作站生效</translation>
+    </message>
+    <message>
+        <source>At every station</source>
+        <translation>所有工作站</translation>
+    </message>
+    <message>
+        <source>When idle, &amp;warn after</source>
+        <translation>无人操作时，提醒时间(&amp;W)</translation>
+    </message>
+    <message>
+        <source>and &amp;lock after</source>
+        <translation>锁定时间(&amp;L)</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>&amp;Grade runs with mouse and keyboard</source>
+        <translation>鼠标和键盘的操作也计分(&amp;G)</translation>
+    </message>
+    <message>
+        <source>This never interrupts a run. A kiosk signs out instead of locking.</source>
+        <translation>操作绝不会因此中断。自助终端会退出登录而不是锁定。</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the centre</source>
+        <translation>中心名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Two people for new passwords and roles of those who score or run the study, for erasing, restoring and opening the allocation</source>
+        <translation>评分者和研究管理者的新密码与角色，以及删除、恢复和启封分组，须两人共同完成(&amp;T)</translation>
+    </message>
+    <message>
+        <source>one signature</source>
+        <translation>一次签名</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>One password &amp;entry signs for</source>
+        <translation>输入一次密码后可签名(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Play a sound when a l&amp;imit is reached (not in a shared room)</source>
+        <translation>达到限值时发出提示音（不宜用于共用的房间）(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Kiosks admit trainees by the code on their card, without a password (from their next start)</source>
+        <translation>自助终端允许学员凭卡片代码登录，无需密码（下次启动起生效）(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Learning &amp;records…</source>
+        <translation>学习记录(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Enter the name of your centre.</source>
+        <translation>请输入贵中心的名称。</translation>
+    </message>
+    <message>
+        <source>Write speeds from 0.1 to 4, with commas between: 0.5, 1, 1.5. 1 is as recorded.</source>
+        <translation>请写 0.1 到 4 的速度，以逗号分隔：0.5, 1, 1.5。1 为原速。</translation>
+    </message>
+    <message>
+        <source>Raters &amp;must watch</source>
+        <translation>评分者必须观看(&amp;M)</translation>
+    </message>
+    <message>
+        <source>of a recording, at spee&amp;ds</source>
+        <translation>的录制，播放速度(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Discrepanc&amp;y review from</source>
+        <translation>评分分歧复核起点(&amp;Y)</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <translation> 分</translation>
     </message>
 </context>
 <context>
@@ -29567,97 +29662,6 @@ T-02,master,17</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::StationSettingsCard</name>
-    <message>
-        <source>Saved. It applies at every station from the next sign-in</source>
-        <translation>已保存。从下次登录起在所有工作站生效</translation>
-    </message>
-    <message>
-        <source>At every station</source>
-        <translation>所有工作站</translation>
-    </message>
-    <message>
-        <source>When idle, &amp;warn after</source>
-        <translation>无人操作时，提醒时间(&amp;W)</translation>
-    </message>
-    <message>
-        <source>and &amp;lock after</source>
-        <translation>锁定时间(&amp;L)</translation>
-    </message>
-    <message>
-        <source> min</source>
-        <translation> 分钟</translation>
-    </message>
-    <message>
-        <source>&amp;Grade runs with mouse and keyboard</source>
-        <translation>鼠标和键盘的操作也计分(&amp;G)</translation>
-    </message>
-    <message>
-        <source>This never interrupts a run. A kiosk signs out instead of locking.</source>
-        <translation>操作绝不会因此中断。自助终端会退出登录而不是锁定。</translation>
-    </message>
-    <message>
-        <source>&amp;Name of the centre</source>
-        <translation>中心名称(&amp;N)</translation>
-    </message>
-    <message>
-        <source>&amp;Two people for new passwords and roles of those who score or run the study, for erasing, restoring and opening the allocation</source>
-        <translation>评分者和研究管理者的新密码与角色，以及删除、恢复和启封分组，须两人共同完成(&amp;T)</translation>
-    </message>
-    <message>
-        <source>one signature</source>
-        <translation>一次签名</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
-        <source>One password &amp;entry signs for</source>
-        <translation>输入一次密码后可签名(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Play a sound when a l&amp;imit is reached (not in a shared room)</source>
-        <translation>达到限值时发出提示音（不宜用于共用的房间）(&amp;I)</translation>
-    </message>
-    <message>
-        <source>&amp;Kiosks admit trainees by the code on their card, without a password (from their next start)</source>
-        <translation>自助终端允许学员凭卡片代码登录，无需密码（下次启动起生效）(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Learning &amp;records…</source>
-        <translation>学习记录(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Enter the name of your centre.</source>
-        <translation>请输入贵中心的名称。</translation>
-    </message>
-    <message>
-        <source>Write speeds from 0.1 to 4, with commas between: 0.5, 1, 1.5. 1 is as recorded.</source>
-        <translation>请写 0.1 到 4 的速度，以逗号分隔：0.5, 1, 1.5。1 为原速。</translation>
-    </message>
-    <message>
-        <source>Raters &amp;must watch</source>
-        <translation>评分者必须观看(&amp;M)</translation>
-    </message>
-    <message>
-        <source>of a recording, at spee&amp;ds</source>
-        <translation>的录制，播放速度(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Discrepanc&amp;y review from</source>
-        <translation>评分分歧复核起点(&amp;Y)</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source> points</source>
-        <translation> 分</translation>
     </message>
 </context>
 <context>

@@ -21,7 +21,7 @@
 #include "app/gui/administrator/people/user_dialogs.h"
 #include "app/gui/administrator/scoring/campaigns_page.h"
 #include "app/gui/administrator/scoring/rubric_dialog.h"
-#include "app/gui/administrator/station/devices_page.h"
+#include "app/gui/administrator/station/centre_settings_card.h"
 #include "app/gui/administrator/study/allocation_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
@@ -216,7 +216,7 @@ TEST(ConsentHints, AppearAtTheFieldAndNameALanguageThatIsNotShown) {
 TEST(StationSettings, AreNotSavedWithoutANameAndSayItBelowTheField) {
   AdministratorDesk office;
   office.centre.as("administrator");
-  StationSettingsCard card(office.shell());
+  CentreSettingsCard card(office.shell());
   card.read();
   card.resize(1200, 400);
   card.show();
@@ -232,7 +232,7 @@ TEST(StationSettings, AreNotSavedWithoutANameAndSayItBelowTheField) {
 TEST(StationSettings, SetWhatRatersMustWatchAndRefuseInvalidSpeeds) {
   AdministratorDesk office;
   office.centre.as("administrator");
-  StationSettingsCard card(office.shell());
+  CentreSettingsCard card(office.shell());
   card.read();
   card.resize(1200, 400);
   card.show();
