@@ -36,6 +36,7 @@ struct CohortTrainee {
   std::string level;
   bool withdrew = false;            ///< no longer takes part; recorded data stay
   std::int64_t enrolledUtc_us = 0;  ///< 0: unknown
+  std::int64_t withdrewUtc_us = 0;  ///< when it was noted that they withdrew; 0: they did not, or unknown
 };
 
 /// A group and its protocol.

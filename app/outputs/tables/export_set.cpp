@@ -196,6 +196,7 @@ class Tables {
                        {"training_level", Text::tr("Level of training")},
                        {"enrolled_utc", Text::tr("Enrolled (UTC)"), ColumnKind::kTime},
                        yesNo("withdrew", Text::tr("Withdrew")),
+                       {"withdrew_utc", Text::tr("Withdrew (UTC)"), ColumnKind::kTime},
                        number("virtual_min", Text::tr("Trained on the simulator"), "min"),
                        number("real_min", Text::tr("Trained at the real arm"), "min"),
                        number("rest_min", Text::tr("Rested"), "min")},
@@ -204,8 +205,8 @@ class Tables {
       const ResultsAt at(ledger_, traineeKey(one));
       table.rows.push_back({one.code, numberOfGroup(one.group), groupOf(one.group), textOf(one.sex),
                             textOf(one.level), timeOf(one.enrolledUtc_us), numberOf(at.find("withdrew")),
-                            numberOf(at.find("noted_virtual_min")), numberOf(at.find("noted_real_min")),
-                            numberOf(at.find("noted_rest_min"))});
+                            timeOf(one.withdrewUtc_us), numberOf(at.find("noted_virtual_min")),
+                            numberOf(at.find("noted_real_min")), numberOf(at.find("noted_rest_min"))});
     }
     return table;
   }

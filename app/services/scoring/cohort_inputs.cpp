@@ -21,6 +21,7 @@
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
@@ -220,6 +221,17 @@ std::size_t chiefClassOf(const EvaluationInstrument& instrument) {
   return most;
 }
 
+/// Returns when the state of an enrolment was last changed, by the audit trail; 0: never.
+std::int64_t lastStateChange_us(Connection& connection, const EnrolmentId& id) {
+  for (const AuditEntry& entry :
+       AuditRepository(connection).entries({.objectKind = AuditObject::kEnrolment, .objectId = id})) {
+    if (entry.action == storedText(AuditAction::kEnrolmentSetState)) {
+      return entry.atUtc_us;
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, const CampaignResult& campaign,
@@ -246,9 +258,10 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
       inputs.notAllocated += enrolment.state == EnrolmentState::kWithdrawn ? 0 : 1;
       continue;
     }
+    const bool withdrew = enrolment.state == EnrolmentState::kWithdrawn;
     inputs.trainees.push_back({person.code, static_cast<std::size_t>(group - groups.begin()), person.sex,
-                               person.level, enrolment.state == EnrolmentState::kWithdrawn,
-                               enrolment.enrolledUtc_us});
+                               person.level, withdrew, enrolment.enrolledUtc_us,
+                               withdrew ? lastStateChange_us(connection, enrolment.id) : 0});
   }
   inputs.allocation = checkedAllocation(study, cohortId);
 

@@ -133,6 +133,7 @@ TEST(ExportSet, DescribesEachGroupAndListsMissingMarks) {
   in.groups[1].arm = "Both";
   in.groups[1].plannedVirtual_min = 20.0;
   in.trainees[0].withdrew = true;
+  in.trainees[0].withdrewUtc_us = 1;
   in.trainingMarks[0].way = MarkWay::kBlinded;
   in.trainingMarks[0].raterClass = "chief";
   in.trainingMarks[0].version = 2;
@@ -148,6 +149,7 @@ TEST(ExportSet, DescribesEachGroupAndListsMissingMarks) {
   EXPECT_EQ(set.scores.columns.back().labels.at(1).second, "Group 2: 20 min virtual, 20 min real arm");
   ASSERT_EQ(set.participants.rows.size(), 30U);
   EXPECT_EQ(cellText(set.participants.rows[0][6]), "1") << "withdrew";
+  EXPECT_EQ(set.participants.rows[0][7], ExportCell(std::int64_t{1})) << "when that was noted";
   ASSERT_EQ(set.marks.rows.size(), 900U);
   EXPECT_EQ(cellText(set.marks.rows[0][7]), "chief");
   EXPECT_EQ(cellText(set.marks.rows[0][8]), "blinded");

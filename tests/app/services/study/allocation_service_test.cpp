@@ -13,6 +13,7 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/cohort.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/core/error.h"
 #include "tests/app/support/study_centre.h"
 
@@ -154,6 +155,24 @@ TEST(AllocationService, AReportReplaysTheAllocationOfEveryMethod) {
                                              readTraining(study.centre.connection(), study.cohortId));
 
     EXPECT_TRUE(inputs.allocation.replayed) << method.stored;
+  }
+}
+
+TEST(AllocationService, TheReportKnowsWhenSomebodyWithdrew) {
+  AllocationStudy study;
+  SessionContext& allocator = study.centre.as("allocator");
+  static_cast<void>(lockAllocation(allocator, study.plan(AllocationMethod::kStratifiedBlocks)));
+  allocateAll(allocator, study.cohortId);
+  const Enrolment gone = StudyRepository(study.centre.connection()).enrolments(study.cohortId).front();
+
+  setEnrolmentState(study.centre.as("administrator"), study.cohortId, gone.id, EnrolmentState::kWithdrawn,
+                    "moved away");
+
+  const CohortInputs inputs = cohortInputs(study.centre.connection(), study.cohortId, {},
+                                           readTraining(study.centre.connection(), study.cohortId));
+  for (const CohortTrainee& trainee : inputs.trainees) {
+    EXPECT_EQ(trainee.withdrew, trainee.code == gone.traineeCode) << trainee.code;
+    EXPECT_EQ(trainee.withdrewUtc_us, trainee.withdrew ? study.centre.now_us() : 0) << trainee.code;
   }
 }
 
