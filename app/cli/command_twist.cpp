@@ -246,7 +246,9 @@ void checkRodArguments(const TwistArguments& arguments) {
                 std::string(arguments.jaw ? "--jaw" : "--grasp"),
                 "Leave it out, or give --ends clamped-free");
   }
-  if (modelChoice(arguments.model).ofBar()) {
+  ModelChoice others = modelChoice(arguments.model);
+  others.restrainedEnds = others.taper = false;  // what the held ends of a rod always have
+  if (others.ofBar()) {
     refuseUsage("these options change the model of a pattern, not the rod", "--ends " + arguments.ends,
                 "Leave out --ends, or the options of the model");
   }

@@ -200,8 +200,9 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments) {
                    "With --formulation paper: dZ of Eq. 23 at the clamp too, as printed");
   command.add_flag("--poynting", arguments.choice.poynting, "A twisted bar with a free end grows longer");
   command.add_flag("--restrained-ends", arguments.choice.restrainedEnds,
-                   "Clamped ends keep their sections flat");
-  command.add_flag("--taper", arguments.choice.taper, "Correct the compliance of a tapering organ");
+                   "Clamped ends keep their sections flat; always with --ends");
+  command.add_flag("--taper", arguments.choice.taper,
+                   "Correct the compliance of a tapering organ; always with --ends");
   command.add_flag("--shear-centre", arguments.choice.shearCentre, "Sections turn about their shear centres");
   command.add_option("--foundation", arguments.choice.foundationLengths,
                      "Elastic foundation: sqrt(G J / k) in organ lengths, such as 0.5");

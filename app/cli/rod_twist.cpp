@@ -114,10 +114,14 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   const SolvedSections sections = solvedSections(lattice, scene.model.options());
   const bool free = request.ends == RodEnds::kClampedFree;
   const double grasp_m = free ? request.grasp * lattice.length_m() : lattice.length_m();
-  const OrganRod organ =
-      rodOfOrgan(lattice, sections, {request.shearModulus_Pa, request.poisson, request.wall},
-                 {.elements = request.reference ? rodElementsOn(lattice) : kRodElements,
-                  .node_m = free ? grasp_m : -1.0});
+  const OrganRod organ = rodOfOrgan(lattice, sections,
+                                    {.shearModulus_Pa = request.shearModulus_Pa,
+                                     .poisson = request.poisson,
+                                     .wall = request.wall,
+                                     .corrections = {.taper = true, .restrainedEnds = true},
+                                     .ends = free ? EndCondition::kClampedFree : EndCondition::kBothHeld},
+                                    {.elements = request.reference ? rodElementsOn(lattice) : kRodElements,
+                                     .node_m = free ? grasp_m : -1.0});
   const Rod rod(organ.elements, organ.rest, organ.radii_m);
   const std::size_t turned = nearestNode(organ.arcs_m, grasp_m);
   const double halfWidth_m = request.jaw ? 0.5 * organ.radii_m[turned] : 0.0;

@@ -239,7 +239,10 @@ class RodRun final : public TwistSimulation {
   RodRun(const ComparedOrgan& organ, const SolvedSections& sections)
       : organ_(organ),
         parts_(rodOfOrgan(*organ.lattice, sections,
-                          {organ.constants.shearModulus_Pa, organ.constants.poissonRatio},
+                          {.shearModulus_Pa = organ.constants.shearModulus_Pa,
+                           .poisson = organ.constants.poissonRatio,
+                           .corrections = {.taper = true, .restrainedEnds = true},
+                           .ends = organ.hold.grasp ? EndCondition::kClampedFree : EndCondition::kBothHeld},
                           {.elements = rodElementsOn(*organ.lattice),
                            .node_m = organ.hold.grasp ? organ.graspArc_m() : -1.0})),
         rod_(parts_.elements, parts_.rest, parts_.radii_m,

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "sim/core/error.h"
 #include "sim/core/index.h"
+#include "sim/tissue/rod/rod_warping.h"
 
 namespace torsio {
 
@@ -148,12 +150,18 @@ class RodMaker {
         poisson_(material.poisson),
         young_Pa_(2.0 * material.shearModulus_Pa * (1.0 + material.poisson)),
         wall_(material.wall),
+        corrections_(material.corrections),
+        ends_(material.ends),
         division_(division),
         count_(division.elements) {}
 
   OrganRod make() {
     divide(endOfTip(1.0), lattice_.length_m() - endOfTip(-1.0));
     placeNodes();
+    if (corrections_.restrainedEnds && wall_.empty()) {
+      warping_.emplace(lattice_, sections_, rod_.arcs_m.front(), rod_.arcs_m.back(), young_Pa_ / shear_Pa_,
+                       ends_);
+    }
     std::vector<double> arcs;
     for (int i = 0; i < count_; ++i) {
       for (const double share : kArcPoints) {
@@ -261,13 +269,23 @@ class RodMaker {
     const WallSection wall = wall_.empty() ? WallSection{} : wallSection(outline, {&wall_m, 1});
     const double straight_m4 =
         wall_.empty() ? sections_.profile().at(arc_m).torsionConstant_m4 : wall.torsionConstant;
-    const double torsion_m4 = straight_m4 * polar(m) / polar(plain);
     RodElement e;
     const double shear_N = shearFactor(inner, plain.area_m2) * shear_Pa_ * m.area_m2;
     e.stretch_N = {shear_N, 0, 0, 0, shear_N, 0, 0, 0, young_Pa_ * m.area_m2};
-    // What bending at rest alone shifts; of a straight bar the shear centre says it all.
+    // What bending at rest alone shifts, as of sections that turn without warping; of a straight bar the
+    // shear centre says it all.
     double shiftX = m.x_m3 - m.area_m2 * cx;
     double shiftY = m.y_m3 - m.area_m2 * cy;
+    double torsion_m4 = straight_m4 * polar(m) / polar(plain);
+    RodWarping::Place warping;
+    if (warping_) {
+      warping = warping_->at(arc_m);
+      const BentTorsion bent = bentTorsion(outline, bend[0], bend[1]);
+      shiftX = shear_N / shear_Pa_ * bent.shear_m[1];
+      shiftY = -shear_N / shear_Pa_ * bent.shear_m[0];
+      torsion_m4 = straight_m4 * bent.stiffening / (warping.compliance * taperFactor(arc_m)) +
+                   (shiftX * bent.shear_m[1] - shiftY * bent.shear_m[0]);
+    }
     const double most2 = kMaxCoupling * kShearFactor * m.area_m2 * torsion_m4;
     const double size2 = shiftX * shiftX + shiftY * shiftY;
     if (size2 > most2) {
@@ -281,12 +299,43 @@ class RodMaker {
     e.bend_Nm2 = {
         bending_Pa * m.yy_m4,  -bending_Pa * m.xy_m4, 0, -bending_Pa * m.xy_m4, bending_Pa * m.xx_m4, 0, 0, 0,
         shear_Pa_ * torsion_m4};
+    if (warping_) {
+      bendStiffly(e, outline, arc_m);
+    }
+    // Where the warping changes along the organ, twist strains its fibres: on the mean that is a stretch.
+    e.coupling_Nm[8] = young_Pa_ * warping.stretchShift_m3;
+    e.bend_Nm2[8] += young_Pa_ * warping.stretchShift_m3 * warping.stretchShift_m3 / m.area_m2;
     const std::array<double, 2> centre = sections_.shearCentre_m(arc_m);
     addShearCentre(e, centre[0], centre[1]);
     return {e,
             {(plain.xx_m4 - cx * plain.x_m3) / plain.area_m2, (plain.xy_m4 - cx * plain.y_m3) / plain.area_m2,
              (plain.yy_m4 - cy * plain.y_m3) / plain.area_m2},
             young_Pa_ * plain.area_m2};
+  }
+
+  void bendStiffly(RodElement& e, std::span<const Point2> outline, double arc_m) const {
+    std::vector<double> away_m{arc_m - rod_.arcs_m.front()};
+    if (ends_ == EndCondition::kBothHeld) {
+      away_m.push_back(rod_.arcs_m.back() - arc_m);
+    }
+    const FlatBending s = flatBending(outline, poisson_, away_m);
+    const double a = e.bend_Nm2[0];
+    const double b = e.bend_Nm2[1];
+    const double c = e.bend_Nm2[4];
+    const double ab = s.xx * b + s.xy * c;
+    const double aa = s.xx * a + s.xy * b;
+    const double ba = s.xy * a + s.yy * b;
+    const double bb = s.xy * b + s.yy * c;
+    e.bend_Nm2[0] = aa * s.xx + ab * s.xy;
+    e.bend_Nm2[1] = aa * s.xy + ab * s.yy;
+    e.bend_Nm2[3] = ba * s.xx + bb * s.xy;
+    e.bend_Nm2[4] = ba * s.xy + bb * s.yy;
+  }
+
+  [[nodiscard]] double taperFactor(double arc_m) const {
+    return corrections_.taper ? taperCompliance(sections_.profile(), arc_m, lattice_.length_m(),
+                                                lattice_.length_m() / kTipSteps)
+                              : 1.0;
   }
 
   static SectionMoments less(const SectionMoments& a, const SectionMoments& b) {
@@ -371,15 +420,19 @@ class RodMaker {
   double poisson_;
   double young_Pa_;
   WallMap wall_;
+  TorsionCorrections corrections_;
+  EndCondition ends_;
   RodDivision division_;
   int count_;
+  std::optional<RodWarping> warping_;
   OrganRod rod_;
 };
 
 }  // namespace
 
-SectionMoments momentsOf(std::span<const Point2> outline_m, double kappa1_per_m, double kappa2_per_m) {
-  SectionMoments sum;
+std::vector<SectionPoint> pointsOf(std::span<const Point2> outline_m) {
+  std::vector<SectionPoint> points;
+  points.reserve(outline_m.size() * kEdgePoints.size() * kRayPoints.size());
   for (std::size_t i = 0; i < outline_m.size(); ++i) {
     const Point2& a = outline_m[i];
     const Point2& b = outline_m[i + 1 < outline_m.size() ? i + 1 : 0];
@@ -388,18 +441,29 @@ SectionMoments momentsOf(std::span<const Point2> outline_m, double kappa1_per_m,
       const double px = a[0] + kEdgePoints[e] * (b[0] - a[0]);
       const double py = a[1] + kEdgePoints[e] * (b[1] - a[1]);
       for (std::size_t r = 0; r < kRayPoints.size(); ++r) {
-        const double x = kRayPoints[r] * px;
-        const double y = kRayPoints[r] * py;
-        const double fibre = std::max(kLeastRestFibre, 1.0 + kappa1_per_m * y - kappa2_per_m * x);
-        const double weight = twice * kEdgeWeights[e] * kRayWeights[r] * kRayPoints[r] / fibre;
-        sum.area_m2 += weight;
-        sum.x_m3 += weight * x;
-        sum.y_m3 += weight * y;
-        sum.xx_m4 += weight * x * x;
-        sum.xy_m4 += weight * x * y;
-        sum.yy_m4 += weight * y * y;
+        points.push_back({{kRayPoints[r] * px, kRayPoints[r] * py},
+                          twice * kEdgeWeights[e] * kRayWeights[r] * kRayPoints[r]});
       }
     }
+  }
+  return points;
+}
+
+double restFibre(const Point2& point_m, double kappa1_per_m, double kappa2_per_m) {
+  return std::max(kLeastRestFibre, 1.0 + kappa1_per_m * point_m[1] - kappa2_per_m * point_m[0]);
+}
+
+SectionMoments momentsOf(std::span<const Point2> outline_m, double kappa1_per_m, double kappa2_per_m) {
+  SectionMoments sum;
+  for (const SectionPoint& point : pointsOf(outline_m)) {
+    const auto [x, y] = point.place_m;
+    const double weight = point.weight_m2 / restFibre(point.place_m, kappa1_per_m, kappa2_per_m);
+    sum.area_m2 += weight;
+    sum.x_m3 += weight * x;
+    sum.y_m3 += weight * y;
+    sum.xx_m4 += weight * x * x;
+    sum.xy_m4 += weight * x * y;
+    sum.yy_m4 += weight * y * y;
   }
   return sum;
 }

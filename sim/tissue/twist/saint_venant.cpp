@@ -184,6 +184,14 @@ double SectionProfile::radius_m(double arc_m) const {
   return std::max(kriging_.estimate(arc_m, areaLength_), smallest_) / std::sqrt(kPi);
 }
 
+double taperCompliance(const SectionProfile& profile, double arc_m, double length_m, double step_m) {
+  const double half = 0.5 * step_m;
+  const double low = std::max(0.0, arc_m - half);
+  const double high = std::min(length_m, arc_m + half);
+  const double slope = (profile.radius_m(high) - profile.radius_m(low)) / (high - low);
+  return 1.0 + (2.0 / 3.0) * slope * slope;
+}
+
 std::vector<double> sectionCompliances(const SectionProfile& profile, int places, double length_m,
                                        double shearModulus_Pa, EndCondition ends,
                                        const TorsionCorrections& corrections) {
@@ -210,11 +218,7 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int places
   const auto density = [&](double s) {
     double c = 1.0 / (shearModulus_Pa * profile.at(s).torsionConstant_m4);
     if (corrections.taper) {
-      const double half = 0.5 * step;
-      const double low = std::max(0.0, s - half);
-      const double high = std::min(length_m, s + half);
-      const double slope = (profile.radius_m(high) - profile.radius_m(low)) / (high - low);
-      c *= 1.0 + (2.0 / 3.0) * slope * slope;
+      c *= taperCompliance(profile, s, length_m, step);
     }
     // Restraint dies away from the clamp; the exponential takes just the shortening off the whole length.
     if (fixedDecay > 0.0) {

@@ -85,6 +85,11 @@ class SectionProfile {
   double smallest_ = 0.0;
 };
 
+/// Returns the factor of TorsionCorrections::taper at an arc length, from the profile within half a step to
+/// either side.
+[[nodiscard]] double taperCompliance(const SectionProfile& profile, double arc_m, double length_m,
+                                     double step_m);
+
 /// Computes the compliance coordinate C(s_j) = integral from 0 to s_j of ds / (G J), rad/(N m), at places
 /// s_j = j length / (places - 1), by Gauss's rule on the profile: exact to 1e-9 for tapers, whatever the
 /// number of places. Throws Error{kBadParameter}: G or length not positive and finite.

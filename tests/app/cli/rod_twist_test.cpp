@@ -98,7 +98,7 @@ TEST(RodTwist, TheTorqueOfBentTubesMatchesThreeDimensionalFiniteElements) {
         written(tube, scratch) + " --ends clamped-turned --angle 1 --shear-modulus 10000 --nu 0.45", scratch);
 
     const double stiffness = 1000.0 * result["torque_nm"].get<double>() / radians(1.0);
-    EXPECT_NEAR(stiffness / expected, 1.0, 0.015) << tube.name;
+    EXPECT_NEAR(stiffness / expected, 1.0, 0.008) << tube.name;
     EXPECT_NEAR(result["volume_ratio"].get<double>(), 1.0, 1e-4) << tube.name;
     EXPECT_NEAR(result["det_f_min"].get<double>(), 1.0, 1e-6) << tube.name;
     EXPECT_EQ(result["crossings"], 0) << tube.name;
@@ -136,7 +136,7 @@ TEST(RodTwist, AQuarterTurnOfABentTubeAgreesWithNeoHookeanFiniteElements) {
   const nlohmann::json result = resultOf(
       written(tube, scratch) + " --ends clamped-turned --angle 90 --shear-modulus 10000 --nu 0.45", scratch);
 
-  EXPECT_NEAR(1000.0 * result["torque_nm"].get<double>() / radians(90.0) / 45.45, 1.0, 0.01);
+  EXPECT_NEAR(1000.0 * result["torque_nm"].get<double>() / radians(90.0) / 45.45, 1.0, 0.015);
   EXPECT_NEAR(result["volume_ratio"].get<double>(), 1.0, 0.005);
   EXPECT_GT(result["det_f_min"].get<double>(), 0.95);
 }
@@ -158,13 +158,12 @@ TEST(RodTwist, AStraightBarTwistsByTheIntegralOfItsCompliance) {
   const fs::path scratch = emptyFolder("rod-straight");
   const std::vector<std::pair<std::string, TriangleMesh>> bars{
       {"round", testing::prism(testing::circleOutline(0.025, 96), kLength_m, 48)},
-      {"ellipse", testing::prism(testing::ellipseOutline(0.030, 0.018, 96), kLength_m, 48)},
-      {"taper", testing::prism(testing::ellipseOutline(0.030, 0.018, 96), kLength_m, 48, 0.6)}};
+      {"taper", testing::prism(testing::circleOutline(0.030, 96), kLength_m, 48, 0.6)}};
   for (const auto& [name, mesh] : bars) {
     writeObj(scratch / (name + ".obj"), mesh);
     const std::string organ = "--organ " + (scratch / (name + ".obj")).string();
     for (const std::string grasp : {"0.37", "1"}) {
-      const std::string gripped = organ + " --angle 1 --grasp " + grasp;
+      const std::string gripped = organ + " --taper --angle 1 --grasp " + grasp;
       const nlohmann::json integral = resultOf(gripped, scratch);
       const std::string rodEnds = grasp == "1" ? " --angle 1 --ends clamped-turned"
                                                : " --angle 1 --ends clamped-free --grasp " + grasp;
