@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Assessment commands: known numbers in, the documented JSON out; invalid tables are rejected with file,
 // line, value and rule.
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include "tests/app/support/review_centre.h"
 
 #include <cmath>
-#include <utility>
 
 #include "app/services/recording/recorded_run.h"
 #include "assessment/attempt/trial_listing.h"

@@ -12,7 +12,6 @@
 
 #include "app/connectors/xapi/learning_statement.h"
 #include "app/services/recording/competence.h"
-#include "assessment/domain/rating/remark.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_data.h"

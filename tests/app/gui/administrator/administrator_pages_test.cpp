@@ -35,7 +35,6 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/outputs/wording/wording.h"
 #include "assessment/domain/people/audit_entry.h"
-#include "assessment/domain/study/cohort.h"
 #include "assessment/results/cohort_report.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/file_io.h"

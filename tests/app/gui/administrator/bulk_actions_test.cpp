@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Administrators' actions on several items at once, and undoing them as long as nothing is sealed.
-#include <array>
-#include <functional>
 
 #include <QApplication>
 #include <QComboBox>

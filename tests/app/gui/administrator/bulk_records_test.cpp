@@ -7,7 +7,6 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDialog>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
@@ -26,7 +25,6 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/two_people.h"
 #include "app/services/people/people_service.h"
-#include "app/services/people/roster_undo.h"
 #include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_service.h"

@@ -12,7 +12,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -30,7 +29,6 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/recording/competence_service.h"
-#include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_service.h"
 #include "assessment/domain/study/curriculum.h"
 #include "tests/app/gui/support/administrator_desk.h"

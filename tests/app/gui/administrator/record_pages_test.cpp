@@ -9,7 +9,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QHostAddress>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>

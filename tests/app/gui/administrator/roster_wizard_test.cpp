@@ -2,7 +2,6 @@
 // The roster wizard with its real buttons, from the file to the people in the record.
 #include "app/gui/administrator/people/roster_wizard.h"
 
-#include <chrono>
 #include <filesystem>
 
 #include <QAbstractButton>

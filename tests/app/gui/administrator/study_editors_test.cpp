@@ -2,11 +2,9 @@
 // What administrators edit for the study: consent texts, the scoring sheet, the states of a cohort.
 #include <filesystem>
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>

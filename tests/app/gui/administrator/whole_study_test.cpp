@@ -36,7 +36,6 @@
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
-#include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/station_state.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/file_io.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An instrument from its scan in the window: found, its tip and hinge placed on the picture, saved.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include <QComboBox>

@@ -2,10 +2,8 @@
 // Importing an organ from a scan in the window: slices, segmentation, brush, surface.
 #include <cmath>
 #include <filesystem>
-#include <string>
 
 #include <QComboBox>
-#include <QLabel>
 #include <QTest>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +13,6 @@
 #include "app/gui/organ/slice_view.h"
 #include "app/gui/widgets/child.h"
 #include "sim/core/file_io.h"
-#include "sim/geometry/mesh/mesh_check.h"
 #include "tests/app/gui/organ/organ_desk.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/scan_files.h"

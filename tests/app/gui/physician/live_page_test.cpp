@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include <QAbstractButton>
 #include <QLabel>
 #include <QPointer>
 #include <QSignalSpy>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A physician's desk for an untwisting: traces of the organ in step with the cursor, blinded.
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,7 +12,6 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial.h"
-#include "sim/scene/scene_file.h"
 #include "tests/app/gui/physician/desk_of.h"
 #include "tests/app/gui/support/visible_texts.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ten cases in ten minutes, by keyboard alone: every key press is simulated and counted. Its time is
 // estimated by the keystroke-level model (Card, Moran and Newell 1980): 1.35 s to decide, 0.28 s to press.
-#include <cstdint>
 #include <vector>
 
 #include <QRegularExpression>

@@ -35,7 +35,6 @@
 #include "sim/core/angle.h"
 #include "sim/core/staged_turn.h"
 #include "sim/scene/hollow_organ.h"
-#include "sim/scene/scene_file.h"
 #include "sim/servo/exercise.h"
 #include "sim/tissue/hollow/perfusion.h"
 

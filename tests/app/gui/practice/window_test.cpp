@@ -6,12 +6,9 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
-#include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QSlider>
 #include <QTemporaryDir>
 #include <QToolBar>
 #include <QToolButton>

@@ -9,9 +9,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QLineEdit>

@@ -7,7 +7,6 @@
 
 #include <QApplication>
 #include <QObject>
-#include <QStringList>
 #include <gtest/gtest.h>
 
 #include "tests/app/gui/support/watched_shell.h"

@@ -2,8 +2,6 @@
 // An exercise with the pointer: run, recorded, stored as a file, replayed. The servo is stepped by hand.
 #include "sim/record/trial.h"
 
-#include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include <QTemporaryDir>

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "app/services/training/detorsion_story.h"
-#include "sim/scene/hollow_organ.h"
 #include "tests/app/gui/support/visible_texts.h"
 
 namespace torsio::gui {

@@ -4,21 +4,17 @@
 #include <filesystem>
 
 #include <QComboBox>
-#include <QLabel>
 #include <QWidget>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/trainee/debrief_page.h"
-#include "app/gui/trainee/debrief_plot.h"
-#include "app/gui/trainee/detorsion_card.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/services/recording/recorded_run.h"
 #include "assessment/catalogue/quantity.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/scene/scene_file.h"
 #include "tests/app/gui/support/trainee_station.h"
 #include "tests/app/support/training_centre.h"
 

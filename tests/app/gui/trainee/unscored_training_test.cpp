@@ -15,10 +15,8 @@
 
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
-#include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"
-#include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/study/curriculum.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/people/people_repository.h"

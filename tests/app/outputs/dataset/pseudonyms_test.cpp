@@ -13,7 +13,6 @@
 #include "app/outputs/tables/export_set.h"
 #include "app/outputs/tables/table_files.h"
 #include "assessment/results/analysed_cohort.h"
-#include "assessment/results/cohort_csv.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/time_units.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contents of printed report pages, read back from the file.
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <map>

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QBarSeries>
-#include <QBarSet>
 #include <QBuffer>
 #include <QCategoryAxis>
 #include <QChart>

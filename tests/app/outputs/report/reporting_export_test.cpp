@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Inputs of a report, who may export it, and its audit entries.
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <span>
 
@@ -14,12 +13,10 @@
 #include "app/services/base/csv_style.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/people/people_service.h"
-#include "app/services/study/allocation_service.h"
 #include "app/services/study/campaign_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/frozen_data.h"
 #include "app/services/study/scoring_plan.h"
-#include "assessment/attempt/trial_digest.h"
 #include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/audit_entry.h"
@@ -39,11 +36,9 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/digest_repository.h"
-#include "db/repository/trial/trial_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
-#include "sim/record/sample_codec.h"
 #include "tests/app/outputs/report/small_study.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/support/cohort_rows.h"

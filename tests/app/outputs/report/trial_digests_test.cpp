@@ -2,9 +2,7 @@
 // Digests of recordings: measured once, on every core, and stored.
 #include "app/services/recording/trial_digests.h"
 
-#include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>

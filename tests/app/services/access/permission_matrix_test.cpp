@@ -14,8 +14,6 @@
 #include "app/services/access/access_service.h"
 #include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
-#include "app/services/study/curriculum_service.h"
-#include "app/services/study/day_board.h"
 #include "app/services/study/frozen_data.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"

@@ -2,7 +2,6 @@
 // QR codes of links: their finder patterns and content.
 #include "app/services/access/qr_code.h"
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>

@@ -9,8 +9,6 @@
 
 #include "app/services/access/centre_settings.h"
 #include "app/services/maintenance/person_package.h"
-#include "app/services/study/allocation_service.h"
-#include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"

@@ -6,7 +6,6 @@
 #include "app/services/people/people_service.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "db/repository/base/audit_repository.h"
-#include "db/repository/system/audit_verification.h"
 #include "sim/core/error.h"
 #include "tests/app/services/people/commit_roster.h"
 #include "tests/app/support/study_centre.h"

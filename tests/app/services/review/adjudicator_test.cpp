@@ -8,7 +8,6 @@
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/rater_calibration.h"
-#include "app/services/review/review_queue.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"

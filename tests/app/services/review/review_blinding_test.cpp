@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What raters may see: the de-identification layer, and nothing of the others before all have submitted.
-#include <algorithm>
-#include <filesystem>
 #include <functional>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sheets while they are filled in and afterwards: editor, drafts, checks, sealing, amending; first as values
 // without a database.
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
@@ -19,8 +18,6 @@
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/sheet.h"
 #include "db/connection/connection.h"
-#include "db/repository/base/audit_repository.h"
-#include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/core/error.h"

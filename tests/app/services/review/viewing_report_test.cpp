@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Viewing reports of a remote player and how much of them is accepted; length limits of texts.
-#include <cmath>
 #include <cstddef>
 #include <string>
 

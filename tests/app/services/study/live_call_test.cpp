@@ -9,10 +9,8 @@
 
 #include "app/services/access/audit_service.h"
 #include "app/services/people/consent_service.h"
-#include "app/services/people/people_service.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/review_queue.h"
-#include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_board.h"
 #include "app/services/study/open_sheets.h"

@@ -12,7 +12,6 @@
 #include "app/services/training/trend.h"
 #include "assessment/catalogue/quantity.h"
 #include "assessment/domain/study/cohort.h"
-#include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
