@@ -15,6 +15,7 @@
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/sim/servo/bar_scene.h"

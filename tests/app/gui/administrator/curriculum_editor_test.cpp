@@ -289,7 +289,7 @@ TEST_F(DraftInTheEditor, PublishedVersionsPassThroughTheEditorUnchanged) {
 }
 
 TEST_F(DraftInTheEditor, SetsSeveralRulesPrerequisitesAndLimits) {
-  page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(1);
+  child<QListWidget>(*page, "exercises").setCurrentRow(1);
   auto* rules = page->findChild<QTableWidget*>(QStringLiteral("mastery"));
 
   press(*page, QStringLiteral("Add rule"));
@@ -333,7 +333,7 @@ TEST_F(DraftInTheEditor, SetsSeveralRulesPrerequisitesAndLimits) {
 }
 
 TEST_F(DraftInTheEditor, MovesAndRenamesWithoutBreakingReferences) {
-  page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(2);
+  child<QListWidget>(*page, "exercises").setCurrentRow(2);
 
   QWidget& exercises = *child<CurriculumEditor>(*page, "editor").widget(0);
   press(exercises, QStringLiteral("Up"));
@@ -353,7 +353,7 @@ TEST_F(DraftInTheEditor, MovesAndRenamesWithoutBreakingReferences) {
 }
 
 TEST_F(DraftInTheEditor, SetsGroupsPhasesRestAndOccasions) {
-  page->findChild<QListWidget*>(QStringLiteral("groups"))->setCurrentRow(1);
+  child<QListWidget>(*page, "groups").setCurrentRow(1);
   auto* phases = page->findChild<QTableWidget*>(QStringLiteral("phases"));
 
   named<QDoubleSpinBox>(*page, "Rest")->setValue(10.0);

@@ -139,10 +139,7 @@ struct ScoredCase {
     SheetRepository sheets(centre.connection());
     const RubricRevision revision = RubricRepository(centre.connection()).revision(rubric).value();
     for (const Assignment& one : sheets.assignmentsOf(raterId)) {
-      Sheet sheet{.overall_steps = 70};
-      for (const RubricLine& row : revision.rows) {
-        sheet.rows.push_back({row.code, 70, ""});
-      }
+      const Sheet sheet = evenSheet(revision, 70, 70);
       sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());
     }
   }
