@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // torsio db and torsio audit through the real program, on a database with rows in every table.
 #include <cstdlib>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -38,24 +38,7 @@ using nlohmann::json;
 
 void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
   const CohortNumbers report(folder / "out" / "cohort.csv");
-
-  writeFileAtomically(folder / "ratings.csv", report.ratings());
-  const ProgramRun evaluated = runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
-                                             " --class-weights intern=0.2,deputy_chief=0.3,chief=0.5",
-                                         folder);
-  ASSERT_EQ(evaluated.code, 0) << evaluated.err;
-  const json evaluation = json::parse(evaluated.out);
-  ASSERT_EQ(evaluation["models"].size(), 3U);
-  for (const json& model : evaluation["models"]) {
-    const std::string name = model["model"];
-    EXPECT_EQ(report.at("evaluation", "", name, "", "", "N_eq27"), model["N"].get<double>());
-    for (const json& index : model["indices"]) {
-      const std::string id = index["index"];
-      EXPECT_EQ(report.at("evaluation", "", name, id, "", "M"), index["M"].get<double>());
-      EXPECT_EQ(report.at("evaluation", "", name, id, "", "s2_eq26_divisor_n"), index["s2"].get<double>());
-      EXPECT_EQ(report.at("evaluation", "", name, id, "", "se_of_M"), index["se"].get<double>());
-    }
-  }
+  expectEvaluationOfTheCommand(report, folder);
 
   // Agreement and comparison, from the marks in the record.
   Connection connection = openRecord((folder / "out" / "torsio.sqlite").string(), OpenMode::kReadWrite);
@@ -73,14 +56,7 @@ void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
   for (const auto& [key, line] : lines) {
     marks += line;
   }
-  writeFileAtomically(folder / "marks.csv", marks);
-  const ProgramRun agreed = runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
-  ASSERT_EQ(agreed.code, 0) << agreed.err;
-  const json agreement = json::parse(agreed.out);
-  EXPECT_EQ(report.at("agreement", "", "", "", occasions[2], "icc_2_1"),
-            agreement["icc"]["ICC(2,1)"]["estimate"].get<double>());
-  EXPECT_EQ(report.at("agreement", "", "", "", occasions[2], "icc_2_k"),
-            agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
+  expectAgreementOfTheCommand(report, marks, folder);
 
   std::string scores = "subject,group,occasion,score\n";
   for (const TraineeScore& score : training.trainees) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // torsio xapi against a test server, from the first setting to a statement that nobody accepts.
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 

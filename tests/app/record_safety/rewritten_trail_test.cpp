@@ -21,8 +21,6 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
-#include "sim/record/content_hash.h"
-#include "sim/record/sample_codec.h"
 #include "tests/app/record_safety/killed_maintenance.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/tampering.h"

@@ -9,7 +9,6 @@
 
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/review_queue.h"
-#include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_board.h"
 #include "app/services/study/live_call.h"

@@ -6,8 +6,11 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/services/base/csv_table.h"
+#include "sim/core/file_io.h"
+#include "tests/app/cli/program.h"
 
 namespace torsio {
 
@@ -50,5 +53,39 @@ class CohortNumbers {
  private:
   CsvTable table_;
 };
+
+/// Computes the evaluation from the report's ratings with the command line, in `folder`, and compares.
+inline void expectEvaluationOfTheCommand(const CohortNumbers& report, const std::filesystem::path& folder) {
+  writeFileAtomically(folder / "ratings.csv", report.ratings());
+  const ProgramRun evaluated = runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
+                                             " --class-weights intern=0.2,deputy_chief=0.3,chief=0.5",
+                                         folder);
+  ASSERT_EQ(evaluated.code, 0) << evaluated.err;
+  const nlohmann::json evaluation = nlohmann::json::parse(evaluated.out);
+  ASSERT_EQ(evaluation["models"].size(), 3U);
+  for (const nlohmann::json& model : evaluation["models"]) {
+    const std::string name = model["model"];
+    EXPECT_EQ(report.at("evaluation", "", name, "", "", "N_eq27"), model["N"].get<double>());
+    for (const nlohmann::json& index : model["indices"]) {
+      const std::string id = index["index"];
+      EXPECT_EQ(report.at("evaluation", "", name, id, "", "M"), index["M"].get<double>());
+      EXPECT_EQ(report.at("evaluation", "", name, id, "", "s2_eq26_divisor_n"), index["s2"].get<double>());
+      EXPECT_EQ(report.at("evaluation", "", name, id, "", "se_of_M"), index["se"].get<double>());
+    }
+  }
+}
+
+/// Computes the agreement of `marks`, those of the last occasion, with the command line, and compares.
+inline void expectAgreementOfTheCommand(const CohortNumbers& report, const std::string& marks,
+                                        const std::filesystem::path& folder) {
+  writeFileAtomically(folder / "marks.csv", marks);
+  const ProgramRun agreed = runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
+  ASSERT_EQ(agreed.code, 0) << agreed.err;
+  const nlohmann::json agreement = nlohmann::json::parse(agreed.out);
+  EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_1"),
+            agreement["icc"]["ICC(2,1)"]["estimate"].get<double>());
+  EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_k"),
+            agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
+}
 
 }  // namespace torsio

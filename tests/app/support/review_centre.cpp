@@ -2,7 +2,6 @@
 #include "tests/app/support/review_centre.h"
 
 #include <cmath>
-#include <utility>
 
 #include "app/services/recording/recorded_run.h"
 #include "assessment/attempt/trial_listing.h"
@@ -16,6 +15,7 @@
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/sim/servo/bar_scene.h"

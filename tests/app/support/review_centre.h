@@ -10,7 +10,6 @@
 #include "app/services/access/session_context.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/sheet.h"
-#include "db/repository/rating/sheet_repository.h"
 #include "sim/scene/scene.h"
 #include "tests/app/support/test_record.h"
 

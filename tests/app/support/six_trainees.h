@@ -2,9 +2,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
@@ -53,10 +51,7 @@ struct SixTrainees : PaperStudy {
       if (status.assignment.occasionCode != occasionCode || status.state != SheetState::kOpen) {
         continue;
       }
-      Sheet sheet{.overall_steps = 70};
-      for (const RubricLine& row : revision.rows) {
-        sheet.rows.push_back({row.code, 70, ""});
-      }
+      const Sheet sheet = evenSheet(revision, 70, 70);
       sheets.submit(status.assignment.id, centre.session().ids().newUuid(), sheet, "",
                     centre.session().now_us());
     }

@@ -19,6 +19,14 @@ ScoringPlan PaperStudy::plan(std::uint64_t seed) const {
           .seed = seed};
 }
 
+Sheet evenSheet(const RubricRevision& rubric, std::int64_t overall_steps, std::int64_t row_steps) {
+  Sheet sheet{.overall_steps = overall_steps};
+  for (const RubricLine& row : rubric.rows) {
+    sheet.rows.push_back({row.code, row_steps, ""});
+  }
+  return sheet;
+}
+
 StudyCentre::StudyCentre(const std::string& locator) : TestRecord(7, locator) {
   session_->setPasswordCost(PasswordCost::kTest);
   for (const std::string& role : storedRoles(connection())) {

@@ -11,6 +11,8 @@
 #include "app/services/access/session_context.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
+#include "assessment/domain/rating/rubric.h"
+#include "assessment/domain/rating/sheet.h"
 #include "tests/app/support/test_record.h"
 
 namespace torsio {
@@ -30,6 +32,10 @@ struct PaperStudy {
   /// Asks every chief for a sheet of everybody before, during and after the training.
   [[nodiscard]] ScoringPlan plan(std::uint64_t seed = 3) const;
 };
+
+/// Returns a sheet with this overall mark and one mark in every row.
+[[nodiscard]] Sheet evenSheet(const RubricRevision& rubric, std::int64_t overall_steps,
+                              std::int64_t row_steps);
 
 /// An empty centre in a temporary SQLite file, or at `locator`, with one user of each role ("administrator",
 /// "allocator", "statistician", "rater", "trainee"), signed in as nobody.

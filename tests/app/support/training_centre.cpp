@@ -2,7 +2,6 @@
 #include "tests/app/support/training_centre.h"
 
 #include <stdexcept>
-#include <utility>
 
 #include "app/services/recording/recorded_run.h"
 #include "assessment/domain/ids.h"

@@ -14,7 +14,6 @@
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
-#include "app/services/access/two_people.h"
 #include "app/web/web_sessions.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"

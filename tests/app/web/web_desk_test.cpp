@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,10 +12,8 @@
 
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/signing.h"
-#include "app/services/base/assets.h"
 #include "app/services/review/case_sheet.h"
 #include "app/web/http_server.h"
-#include "assessment/domain/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "sim/core/random.h"
 #include "tests/app/support/review_centre.h"

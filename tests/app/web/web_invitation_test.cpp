@@ -8,8 +8,6 @@
 #include "app/connectors/mail/mailing.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
-#include "app/services/access/two_people.h"
-#include "db/connection/row_reader.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "tests/app/web/served_desk.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // HTTP: limits, contradictory requests, noise, and shutdown with pending requests.
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>

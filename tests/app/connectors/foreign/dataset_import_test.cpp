@@ -9,7 +9,6 @@
 
 #include "app/connectors/foreign/foreign_import.h"
 #include "app/outputs/dataset/cohort_exchange.h"
-#include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/rating/mark.h"

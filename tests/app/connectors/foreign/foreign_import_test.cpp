@@ -38,7 +38,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::OwnFolder;
 
 std::vector<ForeignPose> posesOf(const fs::path& map, ForeignLayout layout) {

@@ -1,26 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Simulated trackers based on the library's own classes, valid and misbehaving ones.
+
 #include "app/connectors/tracker/tracker_link.h"
 
+#include <arpa/inet.h>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <functional>
+#include <igtlImageMessage.h>
+#include <igtlStatusMessage.h>
+#include <igtlTrackingDataMessage.h>
+#include <igtlTransformMessage.h>
+#include <igtl_header.h>
+#include <igtl_util.h>
+#include <limits>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <thread>
+#include <unistd.h>
 
 #include <QTcpServer>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/connectors/tracker/igtl_messages.h"
+#include "app/connectors/tracker/instrument_outlet.h"
 #include "app/connectors/tracker/tracked_recording.h"
 #include "app/connectors/tracker/tracker_clock.h"
 #include "assessment/attempt/foreign_measures.h"
+#include "sim/core/angle.h"
 #include "sim/core/clock.h"
+#include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial.h"
 #include "tests/support/fake_tracker.h"
 
 namespace torsio {
+
 namespace {
 
 using testing::FakeTracker;
@@ -262,5 +280,273 @@ TEST(TrackerClock, UsesTheArrivalIfTheSenderGivesNoTime) {
                                                                            // still increase
 }
 
+std::uint16_t freePort() {
+  QTcpServer free;
+  free.listen(QHostAddress::LocalHost, 0);
+  return free.serverPort();
+}
+
+bool comes(const InstrumentOutlet& outlet, std::int64_t watchers) {
+  return becomes([&] { return outlet.view().watchers == watchers; });
+}
+
+/// Connects with a small receive buffer and never reads.
+int sleeper(std::uint16_t port) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  const int little = 4'096;
+  ::setsockopt(socket, SOL_SOCKET, SO_RCVBUF, &little, sizeof little);
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(port);
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  for (int tries = 0; tries < 400; ++tries) {
+    if (::connect(socket, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0) {
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return socket;
+}
+
+TEST(InstrumentOutlet, SendsTheInstrumentAndItsEventsToViewers) {
+  const std::uint16_t port = freePort();
+  InstrumentOutlet outlet("127.0.0.1", port);
+  FakeTracker slicer;
+  ASSERT_TRUE(slicer.call(port));
+  ASSERT_TRUE(comes(outlet, 1));
+
+  LiveState state;
+  state.tool.position_m = {0.010, -0.020, 0.030};  // left 10, front 20, head 30 mm
+  state.phase = ExercisePhase::kTwisting;
+  state.response.angle_rad = radians(91.84);
+  outlet.show(state);
+  const FakeTracker::Message pose = slicer.receive();
+  const FakeTracker::Message grips = slicer.receive();
+  state.phase = ExercisePhase::kReleased;
+  state.response.angle_rad = 0.0;
+  outlet.show(state);
+  static_cast<void>(slicer.receive());
+  const FakeTracker::Message letsGo = slicer.receive();
+
+  EXPECT_EQ(pose.kind, "TRANSFORM");
+  EXPECT_EQ(pose.device, "TorsioInstrument");
+  EXPECT_EQ(pose.content, "-10.0 20.0 30.0");  // right, front, head
+  EXPECT_EQ(grips.kind, "STRING");
+  EXPECT_EQ(grips.device, "TorsioEvent");
+  EXPECT_EQ(grips.content, "grips");
+  EXPECT_EQ(letsGo.content, "lets go at 91.8 deg");
+  slicer.hangUp();
+  EXPECT_TRUE(comes(outlet, 0));
+}
+
+TEST(InstrumentOutlet, SkipsPosesForViewersThatDoNotRead) {
+  const std::uint16_t port = freePort();
+  InstrumentOutlet outlet("127.0.0.1", port);
+  const int asleep = sleeper(port);
+  ASSERT_TRUE(comes(outlet, 1));
+
+  LiveState state;
+  for (int i = 0; i < 100'000 && outlet.view().left == 0; ++i) {
+    outlet.show(state);
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+
+  EXPECT_GT(outlet.view().left, 0);
+  FakeTracker awake;
+  ASSERT_TRUE(awake.call(port));
+  ASSERT_TRUE(comes(outlet, 2));
+  outlet.show(state);
+  EXPECT_EQ(awake.receive().kind, "TRANSFORM");
+  ::close(asleep);
+}
+
+TEST(InstrumentOutlet, ReportsWhyNobodyCanConnect) {
+  const std::uint16_t port = freePort();
+  const InstrumentOutlet first("127.0.0.1", port);
+  FakeTracker slicer;
+  ASSERT_TRUE(slicer.call(port));
+  const InstrumentOutlet second("127.0.0.1", port);
+  const InstrumentOutlet nowhere("not here", port);
+  for (int tries = 0; tries < 2'000 && (second.view().trouble.empty() || nowhere.view().trouble.empty());
+       ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_FALSE(second.view().trouble.empty());
+  EXPECT_FALSE(nowhere.view().trouble.empty());
+}
+
+// Decoding of messages encoded by the library; the outlet's tests go the other way.
+
+using Bytes = std::vector<std::byte>;
+
+Bytes bytesOf(igtl::MessageBase& message) {
+  message.Pack();
+  const auto* const first = static_cast<const std::byte*>(message.GetPackPointer());
+  return {first, first + message.GetPackSize()};
+}
+
+/// Rotated by 90 degrees about z, and shifted.
+Bytes transform(float x_mm = 10.0F, float first = 0.0F) {
+  const auto message = igtl::TransformMessage::New();
+  igtl::Matrix4x4 matrix{{first, -1, 0, x_mm}, {1, 0, 0, 20}, {0, 0, 1, -30}, {0, 0, 0, 1}};
+  message->SetDeviceName("StylusToReference");
+  message->SetMatrix(matrix);
+  message->SetTimeStamp(1'700'000'000, 0x80000000U);
+  return bytesOf(*message);
+}
+
+IgtlNews read(const Bytes& bytes) {
+  IgtlReader reader;
+  IgtlNews news;
+  reader.take(bytes, news);
+  return news;
+}
+
+TEST(IgtlMessages, DecodeWhatTheLibraryEncodes) {
+  const IgtlNews news = read(transform());
+
+  ASSERT_EQ(news.poses.size(), 1U);
+  const TrackedPose& pose = news.poses[0];
+  EXPECT_EQ(pose.instrument, "StylusToReference");
+  EXPECT_EQ(pose.sent_us, 1'700'000'000'500'000);
+  EXPECT_NEAR(pose.pose.position_m.x, 0.010, 1e-9);
+  EXPECT_NEAR(pose.pose.position_m.z, -0.030, 1e-9);
+  const Vec3 turned = rotate(pose.pose.orientation, {1.0, 0.0, 0.0});
+  EXPECT_NEAR(turned.y, 1.0, 1e-9);
+  EXPECT_EQ(news.refused + news.others, 0);
+}
+
+TEST(IgtlMessages, DecodeTrackingDataOfSeveralInstruments) {
+  const auto message = igtl::TrackingDataMessage::New();
+  message->SetDeviceName("Tracker");
+  message->SetTimeStamp(0, 0);
+  for (int i = 0; i < 3; ++i) {
+    igtl::TrackingDataElement::Pointer element = igtl::TrackingDataElement::New();
+    igtl::Matrix4x4 matrix;
+    igtl::IdentityMatrix(matrix);
+    matrix[1][3] = static_cast<float>(i);
+    element->SetName(("Channel " + std::to_string(i)).c_str());
+    element->SetMatrix(matrix);
+    message->AddTrackingDataElement(element);
+  }
+
+  const IgtlNews news = read(bytesOf(*message));
+
+  ASSERT_EQ(news.poses.size(), 3U);
+  EXPECT_EQ(news.poses[2].instrument, "Channel 2");
+  EXPECT_NEAR(news.poses[2].pose.position_m.y, 0.002, 1e-9);
+  EXPECT_FALSE(news.poses[2].sent_us);  // sent without a time
+}
+
+TEST(IgtlMessages, DecodeAStatusAndSkipOtherMessages) {
+  const auto status = igtl::StatusMessage::New();
+  status->SetCode(igtl::StatusMessage::STATUS_NOT_READY);
+  status->SetStatusString("the coil is\nwarm");
+  Bytes bytes = bytesOf(*status);
+  const auto image = igtl::ImageMessage::New();
+  image->SetDimensions(640, 480, 1);
+  image->SetScalarType(igtl::ImageMessage::TYPE_UINT8);
+  image->AllocateScalars();
+  for (const Bytes& next : {bytesOf(*image), transform()}) {
+    bytes.insert(bytes.end(), next.begin(), next.end());
+  }
+
+  const IgtlNews news = read(bytes);
+
+  EXPECT_EQ(news.status, "the coil is warm");
+  EXPECT_EQ(news.others, 1);
+  EXPECT_EQ(news.poses.size(), 1U);
+}
+
+TEST(IgtlMessages, DoNotDependOnHowTheBytesAreSplit) {
+  Bytes bytes = transform(1.0F);
+  const Bytes second = transform(2.0F);
+  bytes.insert(bytes.end(), second.begin(), second.end());
+  for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
+    IgtlReader reader;
+    IgtlNews news;
+    reader.take(std::span(bytes).first(cut), news);
+    reader.take(std::span(bytes).subspan(cut), news);
+    ASSERT_EQ(news.poses.size(), 2U) << cut;
+    EXPECT_NEAR(news.poses[1].pose.position_m.x, 0.002, 1e-9);
+  }
+}
+
+/// Header version 2: an extended header before the content, metadata after it.
+Bytes extended(const Bytes& plain) {
+  const std::string metadata = "\0\1TransformStatus OK";
+  Bytes body(12);
+  body[1] = std::byte{12};
+  body[3] = std::byte{2};
+  body[7] = static_cast<std::byte>(metadata.size());
+  body.insert(body.end(), plain.begin() + IGTL_HEADER_SIZE, plain.end());
+  body.resize(body.size() + 2);
+  for (const char c : metadata) {
+    body.push_back(static_cast<std::byte>(c));
+  }
+  igtl_header head;
+  std::memcpy(&head, plain.data(), sizeof head);
+  igtl_header_convert_byte_order(&head);
+  head.version = 2;
+  head.body_size = body.size();
+  head.crc = crc64(reinterpret_cast<unsigned char*>(body.data()), body.size(), 0);
+  igtl_header_convert_byte_order(&head);
+  Bytes message(sizeof head);
+  std::memcpy(message.data(), &head, sizeof head);
+  message.insert(message.end(), body.begin(), body.end());
+  return message;
+}
+
+TEST(IgtlMessages, DecodeTheHeaderOfVersionTwoThatSlicerAndPlusSend) {
+  const IgtlNews news = read(extended(transform()));
+
+  ASSERT_EQ(news.poses.size(), 1U);
+  EXPECT_NEAR(news.poses[0].pose.position_m.x, 0.010, 1e-9);
+}
+
+TEST(IgtlMessages, RejectDamagedMessagesAndContinueAfterThem) {
+  Bytes damaged = transform();
+  damaged.back() ^= std::byte{1};
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Bytes bytes;
+  for (const Bytes& next : {damaged, transform(nan), transform(1e9F), transform(10.0F, 0.5F), transform()}) {
+    bytes.insert(bytes.end(), next.begin(), next.end());
+  }
+
+  const IgtlNews news = read(bytes);
+
+  EXPECT_EQ(news.refused, 4);
+  EXPECT_EQ(news.poses.size(), 1U);
+}
+
+TEST(IgtlMessages, ImpossibleSizesAreRejectedOrEndTheConnection) {
+  Bytes extendedTooFar = extended(transform());
+  extendedTooFar[IGTL_HEADER_SIZE + 4] = std::byte{0xff};  // metadata of 4 GiB; the checksum fails first
+  EXPECT_EQ(read(extendedTooFar).refused, 1);
+  Bytes huge = transform();
+  huge[42] = std::byte{0x7f};  // first byte of the size
+  EXPECT_THROW(read(huge), Error);
+  const std::string page = "HTTP/1.1 400 Bad Request\r\nContent-Type: text/html\r\nConnection: close\r\n\r\n";
+  Bytes rubbish;
+  for (const char c : page) {
+    rubbish.push_back(static_cast<std::byte>(c));
+  }
+  EXPECT_THROW(read(rubbish), Error);
+  EXPECT_THROW(read(Bytes(58)), Error);
+}
+
+TEST(IgtlMessages, EncodedMessagesAreDecodedAgain) {
+  const Pose pose{{0.01, -0.02, 0.03}, axisAngle({0.0, 0.6, 0.8}, 1.1)};
+
+  const IgtlNews news = read(igtlTransform("TorsioInstrument", pose, 1'700'000'000'250'000));
+
+  ASSERT_EQ(news.poses.size(), 1U);
+  EXPECT_EQ(news.poses[0].sent_us, 1'700'000'000'250'000);
+  EXPECT_NEAR(norm(news.poses[0].pose.position_m - pose.position_m), 0.0, 1e-8);
+  EXPECT_NEAR(std::abs((conjugate(pose.orientation) * news.poses[0].pose.orientation).w), 1.0, 1e-9);
+  EXPECT_EQ(read(igtlString("TorsioEvent", "touches", 0)).others, 1);
+}
+
 }  // namespace
+
 }  // namespace torsio

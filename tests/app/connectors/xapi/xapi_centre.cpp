@@ -8,7 +8,6 @@
 #include "app/connectors/xapi/lrs_settings.h"
 #include "app/services/recording/competence.h"
 #include "assessment/domain/people/account.h"
-#include "assessment/domain/people/consent.h"
 #include "assessment/domain/people/person.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/people/access_repository.h"

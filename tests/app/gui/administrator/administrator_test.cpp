@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The administrator's pages with real widgets: a whole study from the roster file to the exported report.
-#include <filesystem>
-#include <map>
+// The roster wizard with its real buttons, from the file to the people in the record.
 
+#include <filesystem>
+
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QRadioButton>
 #include <QTableWidget>
 #include <QTimer>
 #include <QTreeWidget>
@@ -19,6 +23,7 @@
 
 #include "app/gui/administrator/curriculum/curricula_page.h"
 #include "app/gui/administrator/curriculum/curriculum_editor.h"
+#include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/people/roster_wizard.h"
 #include "app/gui/administrator/reporting/export_dialog.h"
 #include "app/gui/administrator/reporting/report_preview.h"
@@ -39,17 +44,13 @@
 #include "app/services/people/people_service.h"
 #include "app/services/study/curriculum_service.h"
 #include "assessment/domain/ids.h"
-#include "assessment/domain/rating/assignment.h"
-#include "assessment/domain/rating/rubric.h"
-#include "assessment/domain/rating/sheet.h"
 #include "assessment/domain/study/cohort.h"
-#include "assessment/scoring/demonstration_marks.h"
-#include "db/repository/rating/rubric_repository.h"
-#include "db/repository/rating/sheet_repository.h"
 #include "sim/core/file_io.h"
+#include "tests/app/gui/administrator/study_crowd.h"
 #include "tests/app/gui/support/administrator_desk.h"
 
 namespace torsio::gui {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,40 +96,21 @@ std::size_t importFile(AdministratorDesk& office, const fs::path& file, RosterKi
 
 /// Fills in every open sheet of the cohort by the demonstration's rule.
 void submitSimulatedMarks(StudyCentre& centre, const CohortId& cohortId) {
-  SheetRepository sheets(centre.connection());
-  DemonstrationPeople people;
-  people.groups.resize(3);
-  std::map<std::string, std::string> codeOf;
+  testing::Crowd crowd;
+  crowd.people.groups.resize(3);
   for (const Enrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
-    people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
+    crowd.people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
         .push_back(enrolment.traineeCode);
-    codeOf[enrolment.id] = enrolment.traineeCode;
+    crowd.codeOf[enrolment.id] = enrolment.traineeCode;
   }
-  std::map<std::string, std::string> raterCode;
   for (const PersonRow& person : torsio::people(centre.as("administrator"))) {
     if (person.rater) {
-      people.raters.push_back(person.person.code);
-      raterCode[person.person.id] = person.person.code;
+      crowd.people.raters.push_back(person.person.code);
+      crowd.idOf[person.person.code] = person.person.id;
     }
   }
-  people.raterClasses.resize(3);
-  std::map<std::tuple<std::string, std::string, std::size_t>, std::int64_t> marks;
-  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, people, 5)) {
-    marks[{mark.trainee, mark.rater, mark.occasion}] = mark.steps;
-  }
-  const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
-  for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
-    const Assignment& one = status.assignment;
-    Sheet sheet;
-    sheet.overall_steps =
-        marks.at({codeOf.at(one.enrolmentId), raterCode.at(one.raterId), occasions.at(one.occasionCode)});
-    const RubricRevision rubric =
-        RubricRepository(centre.connection()).revision(one.rubricRevisionId).value();
-    for (const RubricLine& row : rubric.rows) {
-      sheet.rows.push_back({row.code, row.scale.lo, ""});
-    }
-    sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());
-  }
+  crowd.people.raterClasses.resize(3);
+  testing::submitSheets(centre, cohortId, crowd);
 }
 
 void setUpCurriculum(AdministratorDesk& office) {
@@ -374,5 +356,211 @@ TEST(AdministratorPages, NamedReportsNeedTheRightAndAreAudited) {
   EXPECT_EQ(office.centre.audited("report.export_coded"), 0);
 }
 
+namespace fs = std::filesystem;
+
+/// The wizard on its first page, with a file of this text.
+class RosterWizardTest : public ::testing::Test {
+ protected:
+  void SetUp() override { office.centre.as("administrator"); }
+
+  RosterWizard& open(const std::string& text, bool raters = false) {
+    const fs::path file = office.centre.folder() / "roster.csv";
+    writeFileAtomically(file, text);
+    wizard = std::make_unique<RosterWizard>(office.shell());
+    wizard->restart();
+    wizard->show();
+    child<QLineEdit>(*wizard, "path").setText(toQString(file));
+    for (QRadioButton* kind : wizard->findChildren<QRadioButton*>()) {
+      if ((kind->text() == QStringLiteral("&Raters")) == raters) {
+        kind->setChecked(true);
+      }
+    }
+    return *wizard;
+  }
+  void next() {
+    ASSERT_TRUE(wizard->button(QWizard::NextButton)->isEnabled());
+    wizard->button(QWizard::NextButton)->click();
+    office.shell().waitForJobs();
+  }
+  void choose(RosterField field, const char* column) {
+    auto* box =
+        wizard->currentPage()->findChild<QComboBox*>(QString::fromLatin1(rosterFieldCode(field).data()));
+    ASSERT_NE(box, nullptr);
+    box->setCurrentIndex(box->findText(QString::fromLatin1(column)));
+  }
+  DataTable& lines() { return *wizard->currentPage()->findChild<DataTable*>(); }
+  QAbstractButton& import() { return *wizard->button(QWizard::FinishButton); }
+  std::size_t known() { return torsio::people(office.centre.session()).size(); }
+
+  AdministratorDesk office;
+  std::unique_ptr<RosterWizard> wizard;
+};
+
+TEST_F(RosterWizardTest, ImportsAFileWithColumnsChosenByHand) {
+  open("Kennung;Wer;Geschlecht\nS-1;Ann Smith;f\nS-2;Bo Chen;m\nS-3;Cy Diaz;m\n");
+
+  next();
+  EXPECT_FALSE(wizard->button(QWizard::NextButton)->isEnabled()) << "the headers tell nothing yet";
+  choose(RosterField::kExternalId, "Kennung");
+  choose(RosterField::kFullName, "Wer");
+  choose(RosterField::kSex, "Geschlecht");
+  next();
+  ASSERT_EQ(lines().visibleRows(), 3);
+  ASSERT_EQ(known(), 0U) << "the dry run leaves nothing behind";
+  ASSERT_TRUE(import().isEnabled());
+  import().click();
+  office.shell().waitForJobs();
+
+  EXPECT_EQ(wizard->result(), QDialog::Accepted);
+  ASSERT_TRUE(wizard->outcome().has_value());
+  EXPECT_EQ(wizard->outcome()->added, 3U);
+  const auto named = namedPeople(office.centre.session());
+  ASSERT_EQ(named.size(), 3U);
+  for (const NamedPersonRow& one : named) {
+    EXPECT_EQ(one.row.person.sex, one.identity.externalId == "S-1" ? "female" : "male");
+  }
+  EXPECT_EQ(office.centre.audited("roster.import"), 1);
+}
+
+TEST_F(RosterWizardTest, AFileOfRatersIsDetectedBeforeTheyBecomeTrainees) {
+  open("Staff number,Full name,Class\nC-1,Ann Smith,chief physician\n");
+  next();
+  auto& hint = child<QLabel>(*wizard, "rosterHint");
+  EXPECT_FALSE(hint.isHidden());
+  EXPECT_TRUE(hint.text().contains(QStringLiteral("The column Class"))) << hint.text().toStdString();
+  wizard->button(QWizard::CancelButton)->click();
+
+  open("Staff number,Full name,Sex\nS-1,Bo Chen,m\n");
+  next();
+  EXPECT_TRUE(child<QLabel>(*wizard, "rosterHint").isHidden());
+}
+
+TEST_F(RosterWizardTest, ImportsNothingIfAnyLineIsWrongAndSaysWhatToCorrect) {
+  open("Staff ID,Name,Age\nS-1,Ann Smith,24\nS-2,,25\nS-1,Twice,26\nS-4,Old,250\n");
+
+  next();
+  next();
+
+  EXPECT_FALSE(import().isEnabled());
+  const QString shown = lines().asText();
+  EXPECT_TRUE(shown.contains(QStringLiteral("Full name is missing")) &&
+              shown.contains(QStringLiteral("is already on line 2")) &&
+              shown.contains(QStringLiteral("not a plausible age")))
+      << shown.toStdString();
+  wizard->button(QWizard::CancelButton)->click();
+  EXPECT_EQ(known(), 0U);
+  EXPECT_EQ(office.centre.audited("roster.import"), 0);
+}
+
+TEST_F(RosterWizardTest, ACorrectedFileKeepsItsColumnsAndEmptyOrDuplicateLinesAreNoObstacle) {
+  open("Kennung;Wer;Jahre;Bemerkung\nS-1;Ann Smith;24;erste\nS-2;Bo Chen;250;zweite\n");
+  next();
+  EXPECT_TRUE(lines().asText().contains(QStringLiteral("Bemerkung"))) << "every column of the file is shown";
+  EXPECT_TRUE(lines().asText().contains(QStringLiteral("zweite")));
+  choose(RosterField::kExternalId, "Kennung");
+  choose(RosterField::kFullName, "Wer");
+  choose(RosterField::kAge, "Jahre");
+  next();
+  EXPECT_FALSE(import().isEnabled()) << "an age of 250";
+  wizard->button(QWizard::CancelButton)->click();
+
+  open(
+      "Kennung;Wer;Jahre;Bemerkung\nS-1;Ann Smith;24;erste\n;;;\nS-2;Bo Chen;25;zweite\nS-2;Bo "
+      "Chen;25;zweite\n");
+  next();
+  ASSERT_TRUE(wizard->button(QWizard::NextButton)->isEnabled()) << "the choices are remembered";
+  next();
+  ASSERT_TRUE(import().isEnabled()) << lines().asText().toStdString();
+  import().click();
+  office.shell().waitForJobs();
+
+  EXPECT_EQ(wizard->outcome()->added, 2U);
+  for (const NamedPersonRow& one : namedPeople(office.centre.session())) {
+    EXPECT_EQ(one.row.person.age_years, one.identity.externalId == "S-1" ? 24 : 25);
+  }
+}
+
+TEST_F(RosterWizardTest, IdentifiesPeopleByNumberAndChangesOnlyDifferences) {
+  open("Staff ID,Name,E-mail\nS-1,Ann Smith,ann@example.org\n");
+  next();
+  next();
+  import().click();
+  office.shell().waitForJobs();
+
+  // The same number with a new name; the same address with a new number.
+  open("Staff ID,Name,E-mail\nS-1,Ann Miller,ann@example.org\nS-9,Other Ann,ann@example.org\n");
+  next();
+  next();
+  EXPECT_TRUE(lines().asText().contains(QStringLiteral("Ann Smith")));
+  EXPECT_TRUE(lines().asText().contains(QStringLiteral("belongs to T-01 already")));
+  import().click();
+  office.shell().waitForJobs();
+
+  EXPECT_EQ(wizard->outcome()->added, 1U);
+  EXPECT_EQ(wizard->outcome()->changed, 1U);
+  EXPECT_EQ(known(), 2U);
+}
+
+TEST_F(RosterWizardTest, StopsDuringTenThousandAndStoresNothing) {
+  std::string text = "Staff ID,Name\n";
+  for (int i = 0; i < 10'000; ++i) {
+    text += "S-" + std::to_string(i) + ",Intern " + std::to_string(i) + "\n";
+  }
+  open(text);
+  next();
+  wizard->button(QWizard::NextButton)->click();
+  EXPECT_FALSE(import().isEnabled());
+  int signs = 0;
+  QObject::connect(&office.shell(), &ShellContext::jobMoved, [&](const QString& step) {
+    if (step == QStringLiteral("Trying it out") && ++signs == 3) {
+      wizard->button(QWizard::CancelButton)->click();
+    }
+  });
+
+  office.shell().waitForJobs();
+  QApplication::processEvents();
+
+  EXPECT_GE(signs, 3);
+  EXPECT_EQ(wizard->result(), QDialog::Rejected);
+  EXPECT_FALSE(wizard->isVisible());
+  EXPECT_EQ(known(), 0U);
+}
+
+TEST_F(RosterWizardTest, ImportsTenThousandWhileTheWindowStaysResponsive) {
+  constexpr int kPeople = 10'000;
+  // A frozen window would be frozen for the dry run or the import, both of which take longer on a busy
+  // machine.
+  constexpr qint64 kFrozen_ms = 1'000;
+  std::string text = "Staff ID,Name,Sex\n";
+  for (int i = 0; i < kPeople; ++i) {
+    text += "S-" + std::to_string(i) + ",Intern " + std::to_string(i) + (i % 2 == 0 ? ",f\n" : ",m\n");
+  }
+  open(text);
+  next();
+  QElapsedTimer since;
+  since.start();
+  qint64 longest_ms = 0;
+  QTimer beat;
+  QElapsedTimer last;
+  QObject::connect(&beat, &QTimer::timeout, [&] { longest_ms = std::max(longest_ms, last.restart()); });
+  last.start();
+  beat.start(10);
+
+  next();
+  const qint64 preview_ms = since.restart();
+  ASSERT_EQ(lines().visibleRows(), kPeople);
+  import().click();
+  office.shell().waitForJobs();
+  const qint64 commit_ms = since.elapsed();
+
+  RecordProperty("preview_ms", static_cast<int>(preview_ms));
+  RecordProperty("commit_ms", static_cast<int>(commit_ms));
+  RecordProperty("longest_pause_ms", static_cast<int>(longest_ms));
+  EXPECT_EQ(wizard->outcome()->added, static_cast<std::size_t>(kPeople));
+  EXPECT_EQ(known(), static_cast<std::size_t>(kPeople));
+  EXPECT_LT(longest_ms, std::max(kFrozen_ms, std::min(preview_ms, commit_ms) / 2));
+}
+
 }  // namespace
+
 }  // namespace torsio::gui

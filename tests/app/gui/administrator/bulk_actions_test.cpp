@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Administrators' actions on several items at once, and undoing them as long as nothing is sealed.
-#include <array>
-#include <functional>
 
 #include <QApplication>
 #include <QComboBox>
@@ -48,18 +46,8 @@ namespace {
 
 using testing::AdministratorDesk;
 using testing::answer;
+using testing::giveReason;
 using testing::press;
-
-QPushButton& pressable(QWidget& page, const char* name) {
-  auto* found = page.findChild<QPushButton*>(QLatin1String(name));
-  EXPECT_NE(found, nullptr) << name;
-  return *found;
-}
-
-void sayWhy(QDialog& dialog) {
-  dialog.findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("asked for it"));
-  dialog.accept();
-}
 
 void chooseRows(DataTable& table, int count) {
   for (int row = 0; row < count; ++row) {
@@ -72,18 +60,12 @@ void chooseRows(DataTable& table, int count) {
 class SeveralAtOnce : public ::testing::Test {
  protected:
   void SetUp() override {
-    StudyCentre& centre = office_.centre;
-    const std::vector<TraineeId> trainees = centre.addTrainees(3);
-    chiefs_ = centre.addChiefs(3);
-    const std::string rubric = centre.addPaperRubric();
-    cohort_ = addCohort(centre.as("administrator"),
-                        {.name = "Study", .curriculumVersionId = centre.runPaperCurriculum()});
-    enrolTrainees(centre.session(), cohort_, trainees);
-    createAssignments(centre.session(), {.cohortId = cohort_,
-                                         .occasionCodes = {"pre", "mid", "post"},
-                                         .raterIds = {chiefs_[0], chiefs_[1]},
-                                         .rubricRevisionId = rubric,
-                                         .seed = 3});
+    const torsio::PaperStudy study = office_.centre.addStudy(3, 3);
+    chiefs_ = study.chiefs;
+    cohort_ = study.cohortId;
+    ScoringPlan plan = study.plan();
+    plan.raterIds.pop_back();
+    createAssignments(office_.centre.session(), plan);
   }
   using StudyCentre = torsio::testing::StudyCentre;
   AdministratorDesk office_;
@@ -147,7 +129,7 @@ TEST_F(SeveralAtOnce, RemindersGoThroughTheCentresMailServerToAllWhoOweASheet) {
                     {.cohortId = cohort_, .enrolmentId = first, .room = "Skills lab"});
   auto page = office_.open<ScoringPage>("administrator");
   answer([&](QDialog& dialog) {
-    EXPECT_FALSE(pressable(dialog, "sendReminders").isEnabled()) << "no server is set";
+    EXPECT_FALSE(child<QPushButton>(dialog, "sendReminders").isEnabled()) << "no server is set";
     answer([&](QDialog& settings) {
       child<QLineEdit>(settings, "mailHost").setText(QStringLiteral("127.0.0.1"));
       child<QComboBox>(settings, "mailEncryption").setCurrentIndex(2);
@@ -155,9 +137,9 @@ TEST_F(SeveralAtOnce, RemindersGoThroughTheCentresMailServerToAllWhoOweASheet) {
       child<QLineEdit>(settings, "mailFrom").setText(QStringLiteral("office@example.org"));
       settings.accept();
     });
-    pressable(dialog, "setMailServer").click();
-    ASSERT_TRUE(pressable(dialog, "sendReminders").isEnabled());
-    pressable(dialog, "sendReminders").click();
+    child<QPushButton>(dialog, "setMailServer").click();
+    ASSERT_TRUE(child<QPushButton>(dialog, "sendReminders").isEnabled());
+    child<QPushButton>(dialog, "sendReminders").click();
     office_.shell().waitForJobs();
     dialog.reject();
   });
@@ -242,14 +224,14 @@ TEST_F(SeveralAtOnce, AWrongRosterIsUndoneCompletely) {
   answer([&said](QDialog& dialog) {
     auto& imports = child<DataTable>(dialog, "imports");
     EXPECT_EQ(imports.visibleRows(), 1);
-    answer(sayWhy);
-    pressable(dialog, "takeBack").click();
+    answer(giveReason);
+    child<QPushButton>(dialog, "takeBack").click();
     said = imports.asText();
-    EXPECT_FALSE(pressable(dialog, "takeBack").isEnabled());
+    EXPECT_FALSE(child<QPushButton>(dialog, "takeBack").isEnabled());
     dialog.reject();
   });
 
-  pressable(*page, "undoImport").click();
+  child<QPushButton>(*page, "undoImport").click();
 
   EXPECT_TRUE(said.contains(QStringLiteral("taken back"))) << said.toStdString();
   EXPECT_EQ(people(centre.as("administrator")).size(), before - 2);
@@ -346,16 +328,16 @@ TEST(RetentionQueue, DecidesForAllSelectedPeopleAndUndoesIt) {
     return count;
   };
 
-  answer(sayWhy);
-  pressable(*page, "retentionLock").click();
+  answer(giveReason);
+  child<QPushButton>(*page, "retentionLock").click();
   EXPECT_EQ(held(), 3U);
-  EXPECT_TRUE(pressable(*page, "retentionLock").text().contains(QStringLiteral("Release")));
-  EXPECT_FALSE(pressable(*page, "retentionErase").isEnabled()) << "who is held is not erased";
-  answer(sayWhy);
-  pressable(*page, "retentionLock").click();  // the same button undoes it
+  EXPECT_TRUE(child<QPushButton>(*page, "retentionLock").text().contains(QStringLiteral("Release")));
+  EXPECT_FALSE(child<QPushButton>(*page, "retentionErase").isEnabled()) << "who is held is not erased";
+  answer(giveReason);
+  child<QPushButton>(*page, "retentionLock").click();  // the same button undoes it
   EXPECT_EQ(held(), 0U);
-  answer(sayWhy);
-  pressable(*page, "retentionErase").click();
+  answer(giveReason);
+  child<QPushButton>(*page, "retentionErase").click();
 
   EXPECT_EQ(queue.visibleRows(), 1);
   EXPECT_EQ(office.centre.audited("person.erase"), 3);
@@ -375,10 +357,10 @@ TEST(RetentionQueue, AsksOnceForASecondPersonToEraseSeveral) {
       EXPECT_EQ(asked.objectName(), QStringLiteral("askSecondPerson"));
       asked.accept();
     });
-    sayWhy(dialog);
+    giveReason(dialog);
   });
 
-  pressable(*page, "retentionErase").click();
+  child<QPushButton>(*page, "retentionErase").click();
 
   EXPECT_EQ(child<DataTable>(*page, "queue").visibleRows(), 2);
   EXPECT_EQ(office.centre.audited("duty.request"), 2);

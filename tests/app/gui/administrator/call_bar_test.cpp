@@ -63,18 +63,10 @@ int pagesOf(const std::filesystem::path& pdf) {
 class CallsFromTheBoard : public ::testing::Test {
  protected:
   void SetUp() override {
-    StudyCentre& centre = office_.centre;
-    const std::vector<TraineeId> trainees = centre.addTrainees(3);
-    chiefs_ = centre.addChiefs(2);
-    const std::string rubric = centre.addPaperRubric();
-    cohort_ = addCohort(centre.as("administrator"),
-                        {.name = "Study", .curriculumVersionId = centre.runPaperCurriculum()});
-    enrolTrainees(centre.session(), cohort_, trainees);
-    createAssignments(centre.session(), {.cohortId = cohort_,
-                                         .occasionCodes = {"pre", "mid", "post"},
-                                         .raterIds = chiefs_,
-                                         .rubricRevisionId = rubric,
-                                         .seed = 3});
+    const torsio::PaperStudy study = office_.centre.addStudy(3, 2);
+    chiefs_ = study.chiefs;
+    cohort_ = study.cohortId;
+    createAssignments(office_.centre.session(), study.plan());
     page_ = office_.open<TodaysSessionsPage>("administrator", toQString(cohort_));
   }
   void typeCode(const QString& code, const QString& room = QStringLiteral("Skills lab")) {
@@ -375,7 +367,7 @@ TEST_F(CallsFromTheBoard, APaperSheetIsEnteredAndWaitsForASecondPerson) {
     said = table.asText();
     dialog->reject();
   });
-  page_->findChild<QAction*>(QStringLiteral("typeSheets"))->trigger();
+  child<QAction>(*page_, "typeSheets").trigger();
 
   EXPECT_TRUE(said.contains(QStringLiteral("typed by you, waits for another"))) << said.toStdString();
   EXPECT_EQ(calls()[0].submitted, 0U);
@@ -405,11 +397,8 @@ TEST_F(CallsFromTheBoard, IncomingSheetsAppearWithoutInteraction) {
     }
   }
   SessionContext& rater = office_.centre.asRater(chiefs_[0]);
-  Sheet sheet{.overall_steps = 70};
-  for (const RubricLine& row : openSheet(rater, called).rubric.rows) {
-    sheet.rows.push_back({row.code, 70, ""});
-  }
-  submitSheet(office_.centre.session(), called, sheet, WatchLog());
+  submitSheet(office_.centre.session(), called, evenSheet(openSheet(rater, called).rubric, 70, 70),
+              WatchLog());
   office_.centre.as("administrator");
 
   constexpr int kPatience_ms = 30'000;

@@ -12,7 +12,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -30,7 +29,6 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/recording/competence_service.h"
-#include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_service.h"
 #include "assessment/domain/study/curriculum.h"
 #include "tests/app/gui/support/administrator_desk.h"
@@ -291,7 +289,7 @@ TEST_F(DraftInTheEditor, PublishedVersionsPassThroughTheEditorUnchanged) {
 }
 
 TEST_F(DraftInTheEditor, SetsSeveralRulesPrerequisitesAndLimits) {
-  page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(1);
+  child<QListWidget>(*page, "exercises").setCurrentRow(1);
   auto* rules = page->findChild<QTableWidget*>(QStringLiteral("mastery"));
 
   press(*page, QStringLiteral("Add rule"));
@@ -335,7 +333,7 @@ TEST_F(DraftInTheEditor, SetsSeveralRulesPrerequisitesAndLimits) {
 }
 
 TEST_F(DraftInTheEditor, MovesAndRenamesWithoutBreakingReferences) {
-  page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(2);
+  child<QListWidget>(*page, "exercises").setCurrentRow(2);
 
   QWidget& exercises = *child<CurriculumEditor>(*page, "editor").widget(0);
   press(exercises, QStringLiteral("Up"));
@@ -355,7 +353,7 @@ TEST_F(DraftInTheEditor, MovesAndRenamesWithoutBreakingReferences) {
 }
 
 TEST_F(DraftInTheEditor, SetsGroupsPhasesRestAndOccasions) {
-  page->findChild<QListWidget*>(QStringLiteral("groups"))->setCurrentRow(1);
+  child<QListWidget>(*page, "groups").setCurrentRow(1);
   auto* phases = page->findChild<QTableWidget*>(QStringLiteral("phases"));
 
   named<QDoubleSpinBox>(*page, "Rest")->setValue(10.0);

@@ -8,7 +8,6 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/services/people/people_service.h"
 #include "assessment/domain/people/learning_event.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"

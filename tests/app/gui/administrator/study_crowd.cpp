@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "app/services/people/people_service.h"
 #include "app/services/study/campaign_service.h"
@@ -20,8 +19,6 @@
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rubric_repository.h"
 #include "db/repository/rating/sheet_repository.h"
-#include "sim/core/file_io.h"
-#include "tests/app/cli/program.h"
 #include "tests/app/support/cohort_numbers.h"
 
 namespace torsio::gui::testing {
@@ -29,7 +26,6 @@ namespace torsio::gui::testing {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr std::uint64_t kMarkSeed = 5;
 constexpr std::size_t kEvaluationMarks = 40U * 3 * 9;  // raters, models, indices
@@ -61,8 +57,8 @@ Crowd crowdOf(AdministratorDesk& office, const CohortId& cohortId, const std::ve
   return crowd;
 }
 
-void submitSheets(AdministratorDesk& office, const CohortId& cohortId, const Crowd& crowd) {
-  SheetRepository sheets(office.centre.connection());
+void submitSheets(StudyCentre& centre, const CohortId& cohortId, const Crowd& crowd) {
+  SheetRepository sheets(centre.connection());
   std::map<std::string, std::string> codeOfRater;
   for (const auto& [code, id] : crowd.idOf) {
     codeOfRater[id] = code;
@@ -78,12 +74,11 @@ void submitSheets(AdministratorDesk& office, const CohortId& cohortId, const Cro
     sheet.overall_steps = marks.at(
         {crowd.codeOf.at(one.enrolmentId), codeOfRater.at(one.raterId), occasions.at(one.occasionCode)});
     const RubricRevision rubric =
-        RubricRepository(office.centre.connection()).revision(one.rubricRevisionId).value();
+        RubricRepository(centre.connection()).revision(one.rubricRevisionId).value();
     for (const RubricLine& row : rubric.rows) {
       sheet.rows.push_back({row.code, row.scale.lo, ""});
     }
-    sheets.submit(one.id, office.centre.session().ids().newUuid(), sheet, "",
-                  office.centre.session().now_us());
+    sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());
   }
 }
 
@@ -112,22 +107,7 @@ void submitEvaluationMarks(AdministratorDesk& office, const Crowd& crowd) {
 
 void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, const fs::path& folder) {
   const CohortNumbers report(table);
-  writeFileAtomically(folder / "ratings.csv", report.ratings());
-  const ProgramRun evaluated = runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
-                                             " --class-weights intern=0.2,deputy_chief=0.3,chief=0.5",
-                                         folder);
-  ASSERT_EQ(evaluated.code, 0) << evaluated.err;
-  const json evaluation = json::parse(evaluated.out);
-  ASSERT_EQ(evaluation["models"].size(), 3U);
-  for (const json& model : evaluation["models"]) {
-    const std::string name = model["model"];
-    EXPECT_EQ(report.at("evaluation", "", name, "", "", "N_eq27"), model["N"].get<double>());
-    for (const json& index : model["indices"]) {
-      const std::string id = index["index"];
-      EXPECT_EQ(report.at("evaluation", "", name, id, "", "M"), index["M"].get<double>());
-      EXPECT_EQ(report.at("evaluation", "", name, id, "", "s2_eq26_divisor_n"), index["s2"].get<double>());
-    }
-  }
+  expectEvaluationOfTheCommand(report, folder);
 
   std::map<std::pair<std::string, std::string>, std::int64_t> last;  // by trainee and rater, as in the report
   for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed)) {
@@ -140,14 +120,7 @@ void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, co
     marks += who.first + "," + who.second + "," + std::to_string(steps / 10) + "." +
              std::to_string(steps % 10) + "\n";
   }
-  writeFileAtomically(folder / "marks.csv", marks);
-  const ProgramRun agreed = runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
-  ASSERT_EQ(agreed.code, 0) << agreed.err;
-  const json agreement = json::parse(agreed.out);
-  EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_1"),
-            agreement["icc"]["ICC(2,1)"]["estimate"].get<double>());
-  EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_k"),
-            agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
+  expectAgreementOfTheCommand(report, marks, folder);
 }
 
 }  // namespace torsio::gui::testing

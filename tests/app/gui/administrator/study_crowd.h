@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -22,7 +21,7 @@ struct Crowd {
 
 Crowd crowdOf(AdministratorDesk& office, const CohortId& cohortId, const std::vector<std::string>& chiefs);
 /// Fills in every open sheet of the cohort by the demonstration's rule.
-void submitSheets(AdministratorDesk& office, const CohortId& cohortId, const Crowd& crowd);
+void submitSheets(StudyCentre& centre, const CohortId& cohortId, const Crowd& crowd);
 /// 40 raters, three models, nine indices.
 void submitEvaluationMarks(AdministratorDesk& office, const Crowd& crowd);
 /// Computes the numbers of the exported table with the command line, and compares.

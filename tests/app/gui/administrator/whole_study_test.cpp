@@ -36,7 +36,6 @@
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
-#include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/station_state.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/file_io.h"
@@ -139,7 +138,7 @@ void importRoster(AdministratorDesk& office, const std::string& text, bool rater
   RosterWizard wizard(office.shell());
   wizard.restart();
   wizard.show();
-  wizard.findChild<QLineEdit*>(QStringLiteral("path"))->setText(toQString(file));
+  child<QLineEdit>(wizard, "path").setText(toQString(file));
   for (QRadioButton* kind : wizard.findChildren<QRadioButton*>()) {
     if ((kind->text() == QStringLiteral("&Raters")) == raters) {
       kind->setChecked(true);
@@ -356,7 +355,7 @@ TEST(WholeStudy, GoesFromTheRosterToTheReportWithTheNumbersOfTheCommandLine) {
   runTheDay(office, cohortId);
   makeEvaluation(office, raterCodes(office.centre, true));
   const testing::Crowd crowd = testing::crowdOf(office, cohortId, chiefs);
-  testing::submitSheets(office, cohortId, crowd);
+  testing::submitSheets(office.centre, cohortId, crowd);
   testing::submitEvaluationMarks(office, crowd);
 
   auto results = office.open<ResultsPage>("administrator");

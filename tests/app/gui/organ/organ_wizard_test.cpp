@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Importing an organ in the window: a mesh is judged, inspected, named, saved and opened.
+// Importing an organ in the window: a mesh is judged, inspected, named, saved and opened. Importing an
+// organ from a scan in the window: slices, segmentation, brush, surface. An instrument from its scan in the
+// window: found, its tip and hinge placed on the picture, saved.
+
 #include "app/gui/organ/organ_wizard.h"
 
 #include <algorithm>
@@ -11,32 +14,42 @@
 #include <utility>
 #include <vector>
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLabel>
-#include <QPushButton>
+#include <QImage>
 #include <QRadioButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTest>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "app/gui/organ/instrument_panel.h"
+#include "app/gui/organ/instrument_view.h"
 #include "app/gui/organ/organ_picture.h"
 #include "app/gui/organ/organ_sources.h"
+#include "app/gui/organ/scan_panel.h"
+#include "app/gui/organ/slice_view.h"
+#include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/child.h"
 #include "app/services/organs/person_arm.h"
 #include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_export.h"
+#include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"
 #include "sim/scene/scene.h"
 #include "tests/app/gui/organ/organ_desk.h"
 #include "tests/support/procedural_mesh.h"
+#include "tests/support/scan_files.h"
 
 namespace torsio::gui {
+
 namespace {
 
 using ::testing::HasSubstr;
@@ -234,5 +247,302 @@ TEST(OrganWizard, ReportsAFileThatIsNoSurfaceWithoutAPicture) {
   EXPECT_THAT(readable(desk.wizard), HasSubstr("No picture"));
 }
 
+/// A horizontal bar of tissue in air, like a CT: 40 mm thick, 200 mm long along the patient's left and right.
+std::filesystem::path barScan() {
+  const std::filesystem::path file = wizardFile("patient-name.nii.gz");
+  const TriangleMesh bar = torsio::testing::shifted(
+      torsio::testing::turned(torsio::testing::capsule(0.02, 0.16, 24, 24), {0, 1, 0}, 1.5707963267948966),
+      {-0.08, 0, 0});
+  ScanVolume scan = torsio::testing::blankScanAround(bar, {3, 3, 4}, 20.0);
+  torsio::testing::fillWith(scan, bar, 40);
+  writeFileAtomically(file, torsio::testing::gzipped(torsio::testing::niftiBytes(scan)));
+  return file;
+}
+
+/// A visible wizard at the bar's slices, so that they can be clicked.
+void openBar(OrganDesk& desk) {
+  desk.wizard.show();
+  desk.openScan(barScan());
+  QApplication::processEvents();
+}
+
+SliceView& sliceOf(const ScanPanel& panel, SlicePlane plane) {
+  return *panel.findChild<SliceView*>(sliceName(plane));
+}
+
+QPoint pixelAt(const ScanPanel& panel, SlicePlane plane, const Vec3& place_mm) {
+  const Vec3 at = panel.state().preview.volume.voxelAt(place_mm);
+  const PreviewVoxel voxel{static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)),
+                           static_cast<int>(std::lround(at.z))};
+  return sliceOf(panel, plane).pixelOf(voxel).toPoint();
+}
+
+void chooseTool(OrganDesk& desk, const QString& name) {
+  for (QAbstractButton* tool : desk.wizard.scanPanel().findChildren<QAbstractButton*>()) {
+    if (tool->text().startsWith(name)) {
+      tool->click();
+      return;
+    }
+  }
+  ADD_FAILURE() << "no tool " << name.toStdString();
+}
+
+TEST(OrganScan, ShowsSlicesAlongThePatientsAxes) {
+  OrganDesk desk;
+  openBar(desk);
+  const ScanPanel& panel = desk.wizard.scanPanel();
+  ASSERT_FALSE(panel.state().empty());
+  // The bar extends from left to right: wide on the axial slice, round on the sagittal one.
+  const ScanVolume& volume = panel.state().preview.volume;
+  EXPECT_GT(volume.step_mm[0].x, 0.0);
+  EXPECT_GT(volume.step_mm[1].y, 0.0);
+  EXPECT_GT(volume.step_mm[2].z, 0.0);
+  const QPoint here = pixelAt(panel, SlicePlane::kAxial, {60, 0, 0});
+  const QPoint middle = pixelAt(panel, SlicePlane::kAxial, {0, 0, 0});
+  EXPECT_GT(here.x(), middle.x());  // the patient's left is on the right
+  EXPECT_GT(pixelAt(panel, SlicePlane::kAxial, {0, 15, 0}).y(), middle.y());  // the back is below
+  EXPECT_LT(pixelAt(panel, SlicePlane::kCoronal, {0, 0, 15}).y(),
+            pixelAt(panel, SlicePlane::kCoronal, {0, 0, 0}).y());  // the head is above
+  const QImage shown = sliceOf(panel, SlicePlane::kAxial).grab().toImage();
+  EXPECT_GT(qGray(shown.pixel(here)), 100);                                            // tissue
+  EXPECT_LT(qGray(shown.pixel(pixelAt(panel, SlicePlane::kAxial, {60, 35, 0}))), 30);  // air
+}
+
+TEST(OrganScan, FindsTheOrganFromASeedAndABoxAndMakesASurface) {
+  OrganDesk desk;
+  openBar(desk);
+  ScanPanel& panel = desk.wizard.scanPanel();
+  chooseTool(desk, QStringLiteral("Seed"));
+  QTest::mouseClick(&sliceOf(panel, SlicePlane::kAxial), Qt::LeftButton, {},
+                    pixelAt(panel, SlicePlane::kAxial, {30, 0, 0}));
+  ASSERT_TRUE(panel.request(false).seed_mm.has_value());
+  EXPECT_NEAR(norm(*panel.request(false).seed_mm - Vec3{30, 0, 0}), 0.0, 5.0);
+
+  desk.find();
+  ASSERT_TRUE(panel.state().volume_ml().has_value()) << desk.failures.join(QLatin1Char('\n')).toStdString();
+  const double whole_ml = *panel.state().volume_ml();
+  EXPECT_NEAR(whole_ml, 235.0, 10.0);  // 0.02^2 pi 0.16 + 4/3 0.02^3 pi
+
+  // A box around the half on the patient's left.
+  chooseTool(desk, QStringLiteral("Box"));
+  SliceView& axial = sliceOf(panel, SlicePlane::kAxial);
+  QTest::mousePress(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, {0, -35, 0}));
+  QTest::mouseMove(&axial, pixelAt(panel, SlicePlane::kAxial, {112, 35, 0}));
+  QTest::mouseRelease(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, {112, 35, 0}));
+  ASSERT_TRUE(panel.request(false).box_mm.has_value());
+  desk.find();
+  EXPECT_NEAR(*panel.state().volume_ml(), 0.5 * whole_ml, 0.06 * whole_ml);
+
+  chooseTool(desk, QStringLiteral("Clear"));
+  desk.find();
+  desk.makeSurface();
+  ASSERT_TRUE(desk.wizard.trial().has_value());
+  const OrganImport& made = desk.wizard.trial()->import;
+  EXPECT_TRUE(made.accepted);
+  EXPECT_NEAR(made.volume_ml.value(), 235.0, 5.0);
+  EXPECT_EQ(made.organ.source, "NIfTI, skin");  // without the file name
+}
+
+TEST(OrganScan, CorrectsTheMaskWithABrushThatCanBeUndone) {
+  OrganDesk desk;
+  openBar(desk);
+  ScanPanel& panel = desk.wizard.scanPanel();
+  desk.find();
+  ASSERT_TRUE(panel.state().volume_ml().has_value()) << desk.failures.join(QLatin1Char('\n')).toStdString();
+  const double whole_ml = panel.state().volume_ml().value();
+  const auto strokeAlong = [&](const Vec3& from_mm, const Vec3& to_mm) {
+    SliceView& axial = sliceOf(panel, SlicePlane::kAxial);
+    panel.lookAt(from_mm);
+    QTest::mousePress(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, from_mm));
+    QTest::mouseMove(&axial, pixelAt(panel, SlicePlane::kAxial, to_mm));
+    QTest::mouseRelease(&axial, Qt::LeftButton, {}, pixelAt(panel, SlicePlane::kAxial, to_mm));
+  };
+  chooseTool(desk, QStringLiteral("Brush: erase"));
+  // Three strokes across the bar: the part beyond the cut is lost.
+  for (const double z : {-14.0, 0.0, 14.0}) {
+    strokeAlong({50, -26, z}, {50, 26, z});
+  }
+  const double cut_ml = panel.state().volume_ml().value();
+  EXPECT_LT(cut_ml, whole_ml - 10.0);
+  chooseTool(desk, QStringLiteral("Brush: add"));
+  strokeAlong({0, 22, 0}, {20, 22, 0});
+  const double added_ml = panel.state().volume_ml().value();
+  EXPECT_GT(added_ml, cut_ml + 1.0);
+  chooseTool(desk, QStringLiteral("Undo stroke"));
+  EXPECT_DOUBLE_EQ(panel.state().volume_ml().value(), cut_ml);
+
+  desk.makeSurface();
+  ASSERT_TRUE(desk.wizard.trial().has_value());
+  const OrganImport& made = desk.wizard.trial()->import;
+  // The larger piece: from -100 to 42 mm.
+  EXPECT_NEAR(made.volume_ml.value(), 168.0, 12.0);
+  EXPECT_THAT(testing::readable(desk.wizard), HasSubstr("D19"));
+}
+
+TEST(OrganScan, KeepsItsDisplayIfTheOrganIsNotThere) {
+  OrganDesk desk;
+  openBar(desk);
+  auto& tissue = child<QComboBox>(desk.wizard, "tissue");
+  tissue.setCurrentIndex(static_cast<int>(ScanTissue::kGasLumen));
+  desk.find();
+  EXPECT_THAT(desk.failures.join(QLatin1Char('\n')).toStdString(), HasSubstr("no gas is enclosed"));
+  EXPECT_FALSE(desk.wizard.scanPanel().state().empty());
+}
+
+/// The shipped grasper, its shaft cut at 90 mm, along the patient's length; denser than metal in a CT.
+std::filesystem::path grasperScan() {
+  const std::filesystem::path folder = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/instruments";
+  TriangleMesh all;
+  ScanVolume scan;
+  std::vector<TriangleMesh> parts;
+  for (const char* name : {"shaft", "jaw_upper", "jaw_lower"}) {
+    parts.push_back(importMesh(folder / (std::string("grasper_") + name + ".ply"), {.organ = false}));
+    for (Vec3& v : parts.back().vertices_m) {
+      v.z = std::min(v.z, 0.09);
+      all.vertices_m.push_back(v);
+    }
+  }
+  scan = torsio::testing::blankScanAround(all, {0.7, 0.7, 0.7}, 6.0);
+  for (const TriangleMesh& part : parts) {
+    torsio::testing::fillWith(scan, part, 3000);
+  }
+  const std::filesystem::path file = wizardFile("tool.nii");
+  writeFileAtomically(file, torsio::testing::niftiBytes(scan));
+  return file;
+}
+
+TEST(OrganInstrument, IsFoundPlacedByClicksAndSaved) {
+  OrganDesk desk;
+  desk.openInstrument(grasperScan());
+  ASSERT_TRUE(desk.failures.isEmpty()) << desk.failures.join(' ').toStdString();
+  InstrumentPanel& panel = desk.wizard.instrument();
+  ASSERT_NEAR(panel.tool().length_mm, 90.0, 1.5);
+  EXPECT_NEAR(panel.tool().tip_mm.z, 0.0, 1.5);
+
+  // The hinge is 20 mm behind the tip until it is placed by a click.
+  EXPECT_NEAR(panel.tool().pivot_mm, 20.0, 1e-6);
+  panel.view().resize(600, 480);
+  panel.view().pickAt(panel.view().placeOf(1, 25.0));
+  EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save instrument\u2026")).isEnabled());
+  desk.findInstrument();
+  EXPECT_NEAR(panel.tool().pivot_mm, 25.0, 0.1);
+
+  // A click on the other half makes its end the tip, another click reverts it.
+  panel.view().pickAt(panel.view().placeOf(0, 80.0));
+  desk.settle();
+  EXPECT_NEAR(panel.tool().tip_mm.z, 90.0, 1.5);
+  panel.view().pickAt(panel.view().placeOf(0, 80.0));
+  desk.settle();
+  EXPECT_NEAR(panel.tool().tip_mm.z, 0.0, 1.5);
+
+  child<QDoubleSpinBox>(desk.wizard, "toolOpening").setValue(30.0);
+  const std::filesystem::path file = wizardFile("tool.json");
+  desk.wizard.saveInstrument(file);
+  const auto saved = nlohmann::json::parse(readFile(file));
+  EXPECT_NEAR(saved.at("jaws").at("pivot_mm").at(2).get<double>(), 25.0, 0.1);
+  EXPECT_NEAR(saved.at("jaws").at("opening_deg").get<double>(), 30.0, 1e-6);
+  for (const auto& mesh : saved.at("meshes")) {
+    EXPECT_TRUE(std::filesystem::exists(file.parent_path() / mesh.get<std::string>())) << mesh;
+  }
+}
+
+/// Returns whether a line of pixels is empty.
+bool isBare(const QImage& picture, int y) {
+  const QColor backdrop = theme(ThemeKind::kLight).backdrop;
+  for (int x = 0; x < picture.width(); ++x) {
+    if (picture.pixelColor(x, y) != backdrop) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// In a wide and low window, rows are much wider than high.
+TEST(OrganInstrument, IsNotClippedHoweverWideItsView) {
+  ToolSurface tool;
+  tool.length_mm = 250.0;
+  tool.pivot_mm = 20.0;
+  tool.shaftRadius_mm = 2.5;
+  tool.upperJaw = torsio::testing::capsule(0.002, 0.016, 16, 8);
+  tool.lowerJaw = tool.upperJaw;
+  tool.shaft = torsio::testing::capsule(0.0025, 0.2, 16, 8);
+  InstrumentView view;
+  for (const double opening_deg : {0.0, 25.0, 80.0}) {
+    view.setTool(tool, 0.0);
+    view.setOpening(opening_deg);
+    for (const QSize& size : {QSize(320, 300), QSize(1500, 360), QSize(600, 900)}) {
+      view.resize(size);
+      const QImage seen = view.grab().toImage();
+      for (int row = 0; row < 3; ++row) {
+        const int middle = qRound(view.placeOf(row, 0.0).y());
+        const int edge = (row + 1) * size.height() / 3;
+        EXPECT_FALSE(isBare(seen, middle));
+        EXPECT_TRUE(isBare(seen, edge - 1)) << row << ' ' << opening_deg << ' ' << size.width();
+        EXPECT_TRUE(isBare(seen, 2 * middle - edge + 1)) << row << ' ' << opening_deg << ' ' << size.width();
+        EXPECT_GE(view.placeOf(row, 0.0).x(), 0.0);
+        EXPECT_LE(view.placeOf(row, row == 0 ? tool.length_mm : tool.pivot_mm).x(), size.width());
+      }
+    }
+  }
+}
+
+TEST(OrganInstrument, FromAMeshIsFoundPlacedAndSaved) {
+  const std::filesystem::path file = wizardFile("tool.ply");
+  writePly(file, torsio::testing::capsule(0.004, 0.16, 32, 40));
+  OrganDesk desk;
+  desk.wizard.openToolMesh(file);
+  desk.settle();
+  ASSERT_TRUE(desk.failures.isEmpty()) << desk.failures.join(' ').toStdString();
+  InstrumentPanel& panel = desk.wizard.instrument();
+  EXPECT_NEAR(panel.tool().length_mm, 168.0, 0.5);
+  EXPECT_FALSE(child<QDoubleSpinBox>(desk.wizard, "toolThreshold").isVisibleTo(&panel));  // for scans only
+  EXPECT_TRUE(child<QComboBox>(desk.wizard, "toolUnit").isVisibleTo(&panel));
+
+  child<QDoubleSpinBox>(desk.wizard, "toolHinge").setValue(30.0);
+  EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save instrument\u2026")).isEnabled());
+  desk.findInstrument();
+  EXPECT_NEAR(panel.tool().pivot_mm, 30.0, 1e-6);
+  const std::filesystem::path saved = wizardFile("mesh-tool.json");
+  desk.wizard.saveInstrument(saved);
+  EXPECT_EQ(nlohmann::json::parse(readFile(saved)).at("provenance"), kInstrumentOfMesh);
+
+  // A wrong unit is refused with a reason, and nothing can be saved.
+  child<QComboBox>(desk.wizard, "toolUnit").setCurrentIndex(2);
+  desk.findInstrument();
+  EXPECT_EQ(desk.failures.size(), 1);
+  EXPECT_FALSE(wizardButton(desk.wizard, QStringLiteral("Save instrument\u2026")).isEnabled());
+
+  // A scan afterwards has its own settings again.
+  desk.failures.clear();
+  desk.openInstrument(grasperScan());
+  EXPECT_TRUE(child<QDoubleSpinBox>(desk.wizard, "toolThreshold").isVisibleTo(&panel));
+  EXPECT_NEAR(panel.tool().length_mm, 90.0, 1.5);
+}
+
+TEST(OrganInstrument, OfACentreIsReadBesideItsFileAndNowhereElse) {
+  const std::filesystem::path shipped = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets/instruments";
+  const std::filesystem::path folder = wizardFile("own");
+  std::filesystem::create_directories(folder);
+  std::string json = readFile(shipped / "grasper.json");
+  for (const char* name :
+       {"grasper_shaft.ply", "grasper_jaw_upper.ply", "grasper_jaw_lower.ply", "gloved_hand.ply"}) {
+    std::filesystem::copy_file(shipped / name, folder / name,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  writeFileAtomically(folder / "mine.json", json);
+
+  const InstrumentParts mine = loadInstrument(folder / "mine.json");
+
+  EXPECT_EQ(mine.upperJaw.triangles.size(), 1092U);
+  EXPECT_EQ(mine.jawPivot_mm, QVector3D(0, 0, 20));
+  EXPECT_FALSE(mine.hand.triangles.empty());
+
+  const std::string inside = "\"grasper_shaft.ply\"";
+  json.replace(json.find(inside), inside.size(), "\"../grasper_shaft.ply\"");
+  writeFileAtomically(folder / "mine.json", json);
+  EXPECT_THROW(static_cast<void>(loadInstrument(folder / "mine.json")), Error);
+}
+
 }  // namespace
+
 }  // namespace torsio::gui

@@ -10,10 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/translated_text.h"
-#include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/child.h"
 #include "app/outputs/charts/typeface.h"
-#include "app/services/review/case_sheet.h"
 #include "tests/app/gui/physician/desk_of.h"
 
 namespace torsio::gui {

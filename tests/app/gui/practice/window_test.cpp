@@ -6,12 +6,8 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
-#include <QMenuBar>
-#include <QPushButton>
 #include <QRegularExpression>
-#include <QSlider>
 #include <QTemporaryDir>
 #include <QToolBar>
 #include <QToolButton>
@@ -28,21 +24,10 @@
 #include "app/gui/widgets/picture.h"
 #include "sim/core/error.h"
 #include "tests/app/gui/support/bar_view.h"
+#include "tests/app/gui/support/hands.h"
 
 namespace torsio::gui {
 namespace {
-
-/// Presses the button with this text, ignoring mnemonics.
-void press(const QWidget& in, const QString& text) {
-  for (QPushButton* button : in.findChildren<QPushButton*>()) {
-    if (QString(button->text()).remove(QLatin1Char('&')) == text) {
-      ASSERT_TRUE(button->isEnabled()) << text.toStdString();
-      button->click();
-      return;
-    }
-  }
-  ADD_FAILURE() << text.toStdString();
-}
 
 WindowSetup setup(ThemeKind kind = ThemeKind::kLight) {
   WindowSetup setup;
@@ -201,7 +186,7 @@ TEST_F(Window, AnEngineersModelIsRequestedFromTheLoaderAndNeverRecorded) {
   (*std::find_if(boxes.begin(), boxes.end(), [](const QCheckBox* box) {
     return box->text() == QStringLiteral("Taper correction");
   }))->setChecked(true);
-  press(*panel, QStringLiteral("Apply"));
+  testing::press(*panel, QStringLiteral("Apply"));
   ASSERT_TRUE(testing::eventually([this] { return !window_.controller().loading(); }));
 
   ASSERT_EQ(loaded_.size(), 1U);
@@ -209,7 +194,7 @@ TEST_F(Window, AnEngineersModelIsRequestedFromTheLoaderAndNeverRecorded) {
   EXPECT_FALSE(loaded_.front().model.poynting);
   EXPECT_FALSE(command(QStringLiteral("Record"))->isEnabled());
 
-  press(*panel, QStringLiteral("As in the scene"));
+  testing::press(*panel, QStringLiteral("As in the scene"));
   ASSERT_TRUE(testing::eventually([this] { return !window_.controller().loading(); }));
   EXPECT_FALSE(loaded_.back().model.any());
   EXPECT_TRUE(command(QStringLiteral("Record"))->isEnabled());

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every screen with the demonstration record: switched to Chinese while open, and in a pseudo language with
 // 40 % longer words, at the smallest supported size.
-#include <algorithm>
 #include <map>
 #include <set>
 
 #include <QAbstractButton>
-#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>

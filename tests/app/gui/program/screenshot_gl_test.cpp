@@ -2,7 +2,6 @@
 // The real program draws the real scene, on a virtual display with a software renderer.
 #include <set>
 
-#include <QDir>
 #include <QImage>
 #include <QProcess>
 #include <QStandardPaths>

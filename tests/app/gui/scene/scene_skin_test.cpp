@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <QColor>
-#include <QFile>
 #include <QImage>
 #include <QQmlComponent>
 #include <QQmlEngine>
@@ -28,7 +27,6 @@
 #include "sim/scene/skin/skin_charts.h"
 #include "sim/scene/skin/tissue_skin.h"
 #include "sim/scene/skin/vessels.h"
-#include "sim/tissue/twist/twist_model_tables.h"
 #include "tests/app/gui/support/bar_view.h"
 #include "tests/sim/servo/hollow_bar.h"
 

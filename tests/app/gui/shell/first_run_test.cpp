@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The first run writes nothing before its last step, as it promises: no file, no row, no setting.
+
 #include "app/services/access/first_run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <thread>
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QLineEdit>
+#include <QObject>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/main_window.h"
@@ -27,8 +31,11 @@
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
 #include "tests/app/gui/support/program_window.h"
+#include "tests/app/gui/support/watched_shell.h"
+#include "tests/app/support/study_centre.h"
 
 namespace torsio::gui {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,5 +191,144 @@ TEST_F(UnwrittenFirstRun, StoresAtItsEndWhatWasChosenOnTheWay) {
   })) << "where this test looks for settings there are none";
 }
 
+const QString kTitle = QStringLiteral("Work");
+
+/// A job's result that is movable and counts its copies.
+struct Counted {
+  Counted() = default;
+  Counted(const Counted& other) : copies(other.copies + 1) {}
+  Counted(Counted&&) = default;
+  Counted& operator=(const Counted&) = delete;
+  Counted& operator=(Counted&&) = default;
+  ~Counted() = default;
+  int copies = 0;
+};
+
+Error refusal() {
+  return {ErrorCode::kBadData, Text::verbatim("the file is empty"), Text::verbatim("a.csv"), Text()};
+}
+
+class ShellContextJobs : public ::testing::Test {
+ protected:
+  torsio::testing::StudyCentre centre_;
+  testing::WatchedShell watched_{centre_.session()};
+  ShellContext& shell_ = watched_.shell();
+  QObject owner_;
+};
+
+TEST_F(ShellContextJobs, AResultIsMovedToItsContinuation) {
+  int copies = -1;
+  std::thread::id worker;
+  shell_.run(
+      &owner_, kTitle,
+      [&worker](SessionContext&, const ProgressCallback&) {
+        worker = std::this_thread::get_id();
+        return Counted();
+      },
+      [&copies](Counted result) { copies = result.copies; });
+  shell_.waitForJobs();
+
+  EXPECT_EQ(copies, 0);
+  EXPECT_NE(worker, std::this_thread::get_id());
+}
+
+TEST_F(ShellContextJobs, NoContinuationRunsForADeletedOwner) {
+  auto owner = std::make_unique<QObject>();
+  std::atomic<bool> go{false};
+  bool followed = false;
+  bool worked = false;
+  shell_.run(
+      owner.get(), kTitle,
+      [&](SessionContext&, const ProgressCallback&) {
+        while (!go.load()) {
+          std::this_thread::yield();
+        }
+        worked = true;
+      },
+      [&followed] { followed = true; });
+  owner.reset();
+  go.store(true);
+  shell_.waitForJobs();
+
+  EXPECT_TRUE(worked);
+  EXPECT_FALSE(followed);
+  EXPECT_FALSE(shell_.working());
+}
+
+TEST_F(ShellContextJobs, TheOwnerAloneReportsARefusal) {
+  QString told;
+  shell_.run(
+      &owner_, kTitle, [](SessionContext&, const ProgressCallback&) -> int { throw refusal(); },
+      [](int) { FAIL() << "the work was refused"; },
+      [&told](const Error& error) { told = QString::fromStdString(error.where()); });
+  shell_.waitForJobs();
+
+  EXPECT_EQ(told, QStringLiteral("a.csv"));
+  EXPECT_TRUE(watched_.failures.isEmpty());
+}
+
+TEST_F(ShellContextJobs, ARefusalThatTheOwnerLeavesIsReported) {
+  shell_.run(
+      &owner_, kTitle, [](SessionContext&, const ProgressCallback&) { throw refusal(); },
+      [] { FAIL() << "the work was refused"; }, [](const Error&) { return false; });
+  shell_.waitForJobs();
+
+  EXPECT_EQ(watched_.failures.size(), 1);
+}
+
+TEST_F(ShellContextJobs, ARefusalIsReportedIfItsOwnerIsGone) {
+  auto owner = std::make_unique<QObject>();
+  std::atomic<bool> go{false};
+  bool asked = false;
+  shell_.run(
+      owner.get(), kTitle,
+      [&go](SessionContext&, const ProgressCallback&) {
+        while (!go.load()) {
+          std::this_thread::yield();
+        }
+        throw refusal();
+      },
+      [] { FAIL() << "the work was refused"; }, [&asked](const Error&) { asked = true; });
+  owner.reset();
+  go.store(true);
+  shell_.waitForJobs();
+
+  EXPECT_FALSE(asked);
+  EXPECT_EQ(watched_.failures.size(), 1);
+}
+
+TEST_F(ShellContextJobs, CancelEndsWaitingJobsButNoLaterOnes) {
+  std::atomic<bool> entered{false};
+  int followed = 0;
+  bool secondWorked = false;
+  shell_.run(
+      &owner_, kTitle,
+      [&entered](SessionContext&, const ProgressCallback& progress) {
+        while (true) {
+          entered.store(true);
+          progress({Text::verbatim("Writing"), 0.5, -1.0});
+        }
+      },
+      [&followed] { ++followed; });
+  shell_.run(
+      &owner_, kTitle, [&secondWorked](SessionContext&, const ProgressCallback&) { secondWorked = true; },
+      [&followed] { ++followed; });
+  while (!entered.load()) {
+    QApplication::processEvents();
+  }
+  shell_.cancelJobs();
+  int after = 0;
+  shell_.run(
+      &owner_, kTitle, [](SessionContext&, const ProgressCallback&) { return 7; },
+      [&after](int result) { after = result; });
+  shell_.waitForJobs();
+
+  EXPECT_EQ(followed, 0);
+  EXPECT_FALSE(secondWorked);
+  EXPECT_EQ(after, 7);
+  EXPECT_TRUE(watched_.failures.isEmpty()) << "who cancels knows";
+}
+
 }  // namespace
+
 }  // namespace torsio::gui

@@ -9,7 +9,6 @@
 #include <QRadioButton>
 #include <QTest>
 #include <QUrl>
-#include <QUrlQuery>
 #include <gtest/gtest.h>
 
 #include "app/gui/administrator/station/move_page.h"

@@ -25,7 +25,6 @@
 #include "app/gui/shell/rail.h"
 #include "app/services/access/signing.h"
 #include "app/services/base/build_info.h"
-#include "app/services/maintenance/retention.h"
 #include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"

@@ -10,7 +10,6 @@
 
 #include "app/gui/base/page.h"
 #include "app/gui/shell/main_window.h"
-#include "assessment/domain/people/account.h"
 #include "tests/app/gui/support/founded_centre.h"
 #include "tests/app/gui/support/program_window.h"
 

@@ -17,7 +17,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QProcess>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>

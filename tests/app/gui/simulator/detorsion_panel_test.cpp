@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/simulator/exercise_panel.h"
+#include "app/gui/widgets/child.h"
 #include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
 #include "tests/sim/servo/hollow_bar.h"
@@ -170,7 +171,7 @@ TEST_F(UntwistingPanel, ShowsTheProgressOfACheck) {
   ASSERT_NE(bar, nullptr);
   EXPECT_FALSE(bar->isHidden());
   EXPECT_EQ(bar->value(), 800);
-  EXPECT_FALSE(panel_.findChild<QPushButton*>(QStringLiteral("check"))->isEnabled());
+  EXPECT_FALSE(child<QPushButton>(panel_, "check").isEnabled());
 }
 
 TEST_F(UntwistingPanel, CountsHandsOffTimeOnlyWhileNothingHolds) {
@@ -184,7 +185,7 @@ TEST_F(UntwistingPanel, CountsHandsOffTimeOnlyWhileNothingHolds) {
   panel_.show(state);
 
   EXPECT_TRUE(counted.startsWith(QStringLiteral("Hands off: 2 of"))) << counted.toStdString();
-  EXPECT_TRUE(panel_.findChild<QProgressBar*>(QStringLiteral("handsOff"))->isHidden());
+  EXPECT_TRUE(child<QProgressBar>(panel_, "handsOff").isHidden());
 }
 
 TEST_F(UntwistingPanel, WarnsOfAJawThatPressesTooHardAndOfATear) {
@@ -259,7 +260,7 @@ TEST_F(UntwistingPanel, ItsKeyVentsNoGasFromAnOrganWithoutAVent) {
   QTest::keyClick(&panel_, Qt::Key_V);
 
   EXPECT_TRUE(asked_.empty());
-  EXPECT_TRUE(panel_.findChild<QPushButton*>(QStringLiteral("vent"))->isHidden());
+  EXPECT_TRUE(child<QPushButton>(panel_, "vent").isHidden());
 }
 
 TEST_F(UntwistingPanel, IsHiddenForASceneWithoutUntwisting) {

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "app/services/access/access_service.h"
-#include "app/services/access/first_run.h"
 #include "app/services/access/session_context.h"
 
 namespace torsio::gui {

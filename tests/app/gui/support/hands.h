@@ -15,6 +15,8 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/widgets/child.h"
+
 namespace torsio::gui::testing {
 
 /// Returns a button's text without mnemonic and ellipsis.
@@ -63,6 +65,12 @@ inline void answer(const std::function<void(QDialog&)>& fill) {
     ASSERT_NE(dialog, nullptr);
     fill(*dialog);
   });
+}
+
+/// Gives the reason that a dialog asks for, and accepts it.
+inline void giveReason(QDialog& dialog) {
+  child<QLineEdit>(dialog, "reason").setText(QStringLiteral("asked for it"));
+  dialog.accept();
 }
 
 inline void type(QDialog& dialog, const QString& text) {

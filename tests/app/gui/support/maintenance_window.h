@@ -18,7 +18,6 @@
 #include "app/gui/shell/main_window.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/people/people_service.h"
-#include "assessment/domain/people/account.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/study/station_state.h"
 #include "db/connection/connection.h"

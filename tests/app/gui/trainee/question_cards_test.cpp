@@ -1,33 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trainee's question about a moment of a practice run, and the physician's answer, with real widgets.
+// Training before being scored: stopped, or noted with a reason, and explained.
+
+#include <functional>
 #include <optional>
+#include <string>
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QString>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/physician/questions_card.h"
 #include "app/gui/trainee/remarks_page.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
 #include "app/services/base/assets.h"
 #include "app/services/review/case_remarks.h"
 #include "app/services/training/questions.h"
 #include "app/services/training/remarks.h"
+#include "assessment/domain/people/person.h"
+#include "assessment/domain/rating/assignment.h"
+#include "assessment/domain/study/curriculum.h"
+#include "db/connection/row_reader.h"
 #include "db/repository/people/people_repository.h"
+#include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/core/servo_health.h"
+#include "sim/core/spsc_ring.h"
+#include "sim/record/recorder.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/gui/support/trainee_station.h"
 #include "tests/app/support/training_centre.h"
 
 namespace torsio::gui {
+
 namespace {
 
 using torsio::testing::kMinute_us;
@@ -47,6 +71,16 @@ class QuestionCards : public ::testing::Test {
   std::optional<ShellContext> shell_;
   QStringList said_;
 
+  void addRemarkOfTheChief(ShellContext& shell) {
+    const Actor& chief = shell.session().actor();
+    RemarkRepository(centre_.connection())
+        .add({.id = "11111111-1111-4111-8111-111111111111",
+              .trialId = trial_,
+              .author = chief.userId,
+              .authorPersonId = chief.personId,
+              .purpose = "remark",
+              .text = "let go more gently"});
+  }
   /// Signs somebody in.
   ShellContext& shellOf(const std::string& who) {
     shell_.reset();
@@ -78,15 +112,15 @@ TEST_F(QuestionCards, ATraineeAsksAboutTheMomentShown) {
   std::optional<double> asked_s;
   QObject::connect(&card, &AskCard::asked, [&](double at_s) { asked_s = at_s; });
   ASSERT_FALSE(card.isHidden());
-  EXPECT_EQ(card.findChild<QComboBox*>(QStringLiteral("whom"))->currentText(), QStringLiteral("Dr. Li Na"));
+  EXPECT_EQ(child<QComboBox>(card, "whom").currentText(), QStringLiteral("Dr. Li Na"));
   auto* text = card.findChild<QLineEdit*>(QStringLiteral("question"));
   // Nothing can be sent without text.
-  EXPECT_FALSE(card.findChild<QPushButton*>(QStringLiteral("ask"))->isEnabled());
+  EXPECT_FALSE(child<QPushButton>(card, "ask").isEnabled());
   Q_EMIT text->returnPressed();
   EXPECT_FALSE(asked_s.has_value());
   text->setText(QStringLiteral("too fast?"));
 
-  card.findChild<QPushButton*>(QStringLiteral("ask"))->click();
+  child<QPushButton>(card, "ask").click();
   settle();
 
   ASSERT_TRUE(asked_s.has_value());
@@ -147,17 +181,16 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
     });
     waiting.start(5);
 
-    card.findChild<QPushButton*>(QStringLiteral("answerQuestion"))->click();
+    child<QPushButton>(card, "answerQuestion").click();
     shell.waitForJobs();
     settle();
 
     EXPECT_TRUE(seen);
     EXPECT_TRUE(card.questions().empty());  // no open questions left
     EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You answered Chen Wei: No, but let go later.")));
-    card.findChild<QPushButton*>(QStringLiteral("editWords"))->click();
-    card.findChild<QPlainTextEdit*>(QStringLiteral("newWords"))
-        ->setPlainText(QStringLiteral("Let go later."));
-    card.findChild<QPushButton*>(QStringLiteral("saveWords"))->click();
+    child<QPushButton>(card, "editWords").click();
+    child<QPlainTextEdit>(card, "newWords").setPlainText(QStringLiteral("Let go later."));
+    child<QPushButton>(card, "saveWords").click();
     settle();
     EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You answered Chen Wei: Let go later.")));
     EXPECT_EQ(said_, QStringList{QStringLiteral("Your answer was sent to Chen Wei")});
@@ -187,20 +220,14 @@ TEST_F(QuestionCards, ALongQueueShowsTheThreeOldest) {
 
 TEST_F(QuestionCards, AReplyToARemarkIsShownUntilRead) {
   ShellContext& shell = shellOf("chief");
-  const Actor& actor = shell.session().actor();
-  RemarkRepository remarks(centre_.connection());
-  remarks.add({.id = "11111111-1111-4111-8111-111111111111",
-               .trialId = trial_,
-               .author = actor.userId,
-               .authorPersonId = actor.personId,
-               .purpose = "remark",
-               .text = "let go more gently"});
-  remarks.add({.id = "22222222-2222-4222-8222-222222222222",
-               .trialId = trial_,
-               .author = "T-01",
-               .purpose = "reply",
-               .replyTo = "11111111-1111-4111-8111-111111111111",
-               .text = "I will"});
+  addRemarkOfTheChief(shell);
+  RemarkRepository(centre_.connection())
+      .add({.id = "22222222-2222-4222-8222-222222222222",
+            .trialId = trial_,
+            .author = "T-01",
+            .purpose = "reply",
+            .replyTo = "11111111-1111-4111-8111-111111111111",
+            .text = "I will"});
   RepliesCard card(shell);
 
   card.read();
@@ -209,7 +236,7 @@ TEST_F(QuestionCards, AReplyToARemarkIsShownUntilRead) {
   EXPECT_TRUE(textsOf(card).contains(QStringLiteral("I will (you wrote: let go more gently)")))
       << textsOf(card).toStdString();
   EXPECT_FALSE(textsOf(card).contains(QStringLiteral("Chen")));
-  card.findChild<QPushButton*>(QStringLiteral("readReply"))->click();
+  child<QPushButton>(card, "readReply").click();
   settle();
   EXPECT_TRUE(card.isHidden());
   EXPECT_TRUE(repliesToMe(shell.session()).empty());
@@ -217,20 +244,13 @@ TEST_F(QuestionCards, AReplyToARemarkIsShownUntilRead) {
 }
 
 TEST_F(QuestionCards, AReplyIsEditedInPlaceAndEarlierVersionsUnfold) {
-  ShellContext& chief = shellOf("chief");
-  RemarkRepository remarks(centre_.connection());
-  remarks.add({.id = "11111111-1111-4111-8111-111111111111",
-               .trialId = trial_,
-               .author = chief.session().actor().userId,
-               .authorPersonId = chief.session().actor().personId,
-               .purpose = "remark",
-               .text = "let go more gently"});
+  addRemarkOfTheChief(shellOf("chief"));
   RemarksPage page(shellOf("T-01"));
   page.retranslate();
   page.enter({});
   page.show();
-  page.findChild<QLineEdit*>(QStringLiteral("reply"))->setText(QStringLiteral("I will"));
-  page.findChild<QPushButton*>(QStringLiteral("send"))->click();
+  child<QLineEdit>(page, "reply").setText(QStringLiteral("I will"));
+  child<QPushButton>(page, "send").click();
   settle();
   const auto visible = [&page](const char* name) {
     QList<QPushButton*> found = page.findChildren<QPushButton*>(QString::fromLatin1(name));
@@ -263,14 +283,7 @@ TEST_F(QuestionCards, AReplyIsEditedInPlaceAndEarlierVersionsUnfold) {
 }
 
 TEST_F(QuestionCards, OnesOwnSheetIsEmptyUntilFilledIn) {
-  ShellContext& chief = shellOf("chief");
-  RemarkRepository(centre_.connection())
-      .add({.id = "11111111-1111-4111-8111-111111111111",
-            .trialId = trial_,
-            .author = chief.session().actor().userId,
-            .authorPersonId = chief.session().actor().personId,
-            .purpose = "remark",
-            .text = "let go more gently"});
+  addRemarkOfTheChief(shellOf("chief"));
   RemarksPage page(shellOf("T-01"));
   page.retranslate();
   page.enter({});
@@ -292,5 +305,134 @@ TEST_F(QuestionCards, OnesOwnSheetIsEmptyUntilFilledIn) {
   EXPECT_TRUE(said_.isEmpty()) << said_.join('\n').toStdString();
 }
 
+/// Asks ten chiefs for the live sheet of T-01 before training.
+void askTenChiefsForFirstSheet(torsio::testing::TrainingCentre& centre) {
+  std::vector<Rater> chiefs(10);
+  std::vector<Assignment> sheets;
+  centre.connection().execute(insertInto("curriculum_occasion", "version_id, occasion, after_exposure_us"),
+                              {centre.cohort().curriculumVersionId, "pre", 0});
+  SheetRepository repository(centre.connection());
+  RubricRepository rubrics(centre.connection());
+  rubrics.addRubric("rubric", "Twist", 1, false);
+  rubrics.addRevision({.id = "revision", .rubricId = "rubric", .number = 1, .overall = {0, 100, 10}});
+  for (std::size_t i = 0; i < chiefs.size(); ++i) {
+    const std::string number = std::to_string(i + 11);
+    chiefs[i].person = {.id = "chief-" + number, .code = "R-" + number, .createdUtc_us = 1};
+    chiefs[i].classCode = "chief";
+    sheets.push_back({.id = "sheet-" + number,
+                      .raterId = chiefs[i].person.id,
+                      .enrolmentId = centre.enrolment(),
+                      .occasionCode = "pre",
+                      .rubricRevisionId = "revision",
+                      .caseLabel = "7L",
+                      .position = 1,
+                      .assignedBy = "office",
+                      .assignedUtc_us = 1});
+  }
+  PeopleRepository(centre.connection()).addRaters(chiefs);
+  repository.assign(sheets);
+}
+
+TEST(StationPages, TrainingBeforeAnySheetIsExplainedAndStartsOnlyWithANotedReason) {
+  torsio::testing::TrainingCentre centre;
+  askTenChiefsForFirstSheet(centre);
+  Station station(centre);
+  QStringList read;
+  const auto begin = [&](const std::function<void(QInputDialog&)>& answer) {
+    station.open(PageId::kNextStep);
+    station.press("begin");
+    if (station.pageId == PageId::kDeviceCheck) {  // once a day
+      station.press("goOn");
+    }
+    QTimer::singleShot(0, [&read, answer] {
+      auto* asked = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(asked, nullptr);
+      read << asked->labelText();
+      answer(*asked);
+    });
+    station.press("start");
+  };
+  const auto noted = [&] { return StudyRepository(centre.connection()).deviations(centre.cohort().id); };
+
+  begin([](QInputDialog& asked) {
+    QPushButton* anyway = asked.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    EXPECT_FALSE(anyway->isEnabled()) << "without a reason nothing begins";
+    asked.setTextValue(QStringLiteral("   "));
+    EXPECT_FALSE(anyway->isEnabled());
+    asked.reject();
+  });
+
+  ASSERT_EQ(read.size(), 1);
+  EXPECT_TRUE(read[0].contains(QStringLiteral("Only 0 of 10 sheet(s) for this occasion are in")))
+      << read[0].toStdString();
+  EXPECT_TRUE(testing::eventually([&] { return station.pageId == PageId::kNextStep; }));
+  EXPECT_TRUE(noted().empty());
+  EXPECT_TRUE(StudyRepository(centre.connection()).trialIds(centre.cohort().id).empty());
+
+  begin([](QInputDialog& asked) {
+    asked.setTextValue(QStringLiteral("the arm is out of order"));
+    asked.accept();
+  });
+
+  ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
+  ASSERT_EQ(noted().size(), 1U);
+  EXPECT_EQ(noted()[0].kind, "trained before scoring");
+  EXPECT_TRUE(noted()[0].description.ends_with("0 of 10 sheets were in: the arm is out of order"))
+      << noted()[0].description;
+  EXPECT_EQ(noted()[0].enrolmentId, centre.enrolment());
+}
+
+/// Copies a trial as recorded by a busy computer: 50 ms of each twist are missing.
+TrialId tornCopy(TrainingCentre& centre, const TrialId& trialId) {
+  TrialRepository trials(centre.connection());
+  const Trial trial = trials.load(trialId);
+  TrialHeader header = trial.header;
+  header.trialId = "00000000-0000-4000-8000-00000000707a";
+  SpscRing<Sample> ring(kRecordingRing);
+  TrialRepository sink(centre.connection(), {.station = "station 1",
+                                             .enrolmentId = centre.enrolment(),
+                                             .moduleId = centre.module("first"),
+                                             .attemptMode = AttemptMode::kPractice});
+  Recorder recorder(ring, sink, header);
+  int gripped = 0;
+  for (const Sample& sample : decodeTrial(trial)) {
+    gripped = sample.phase == ExercisePhase::kTwisting ? gripped + 1 : 0;
+    if (gripped > 100 && gripped <= 150) {
+      continue;
+    }
+    EXPECT_TRUE(ring.push(sample));
+    recorder.pump();
+  }
+  static_cast<void>(recorder.finish(TrialOutcome::kCompleted, 0, ServoHealth{true, true, 50, 1}));
+  return header.trialId;
+}
+
+TEST(StationPages, TheDebriefSaysThatTheComputerWasTooBusyAndNotTheTraineesFault) {
+  TrainingCentre centre({.mastery = {{.metric = "force.violations", .comparison = "at_most"}}});
+  const TrialId whole = centre.attempt("first", "practice", 1.0);
+  const TrialId torn = tornCopy(centre, whole);
+  Station station(centre);
+  station.desk().lastScene = borrowed(torsio::testing::trainingBar());
+
+  station.open(PageId::kDebrief, toQString(whole));
+  EXPECT_FALSE(station.allText().contains(QStringLiteral("too busy"))) << station.allText().toStdString();
+  station.open(PageId::kDebrief, toQString(torn));
+
+  const QString told = station.allText();
+  EXPECT_TRUE(told.contains(QStringLiteral("Not judged: the computer was too busy"))) << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("This is not your fault"))) << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("Close other programs"))) << told.toStdString();
+  EXPECT_FALSE(told.contains(QStringLiteral("Not passed yet"))) << told.toStdString();
+  EXPECT_FALSE(told.contains(QStringLiteral("Too little of this run"))) << told.toStdString();
+
+  station.open(PageId::kTrend, QString::fromStdString(centre.module("first")));
+  const QString trend = station.page->findChild<DataTable*>()->asText();
+  EXPECT_TRUE(trend.contains(QStringLiteral("Not judged"))) << trend.toStdString();
+  EXPECT_FALSE(trend.contains(QStringLiteral("Not passed"))) << trend.toStdString();
+  station.open(PageId::kTranscript);
+  EXPECT_TRUE(station.page->findChild<QTextBrowser*>()->toPlainText().contains(QStringLiteral("not judged")));
+}
+
 }  // namespace
+
 }  // namespace torsio::gui

@@ -3,7 +3,6 @@
 // surroundings; and replacing a scene. On a virtual display; inspects the scene graph.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <memory>

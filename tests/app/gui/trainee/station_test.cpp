@@ -8,10 +8,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
-#include <QDir>
 #include <QLabel>
-#include <QLineEdit>
-#include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -19,7 +16,6 @@
 #include <QSlider>
 #include <QTest>
 #include <QTextBrowser>
-#include <QTimer>
 #include <gtest/gtest.h>
 
 #include "app/gui/base/language.h"
@@ -287,9 +283,7 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsAutomatically) {
                   {.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kMinute_us}},
        .restAllowance_us = 30 * kSecond_us});
   Station station(centre);
-  station.desk().moduleId = centre.module("first");
-  station.desk().readiness = deviceWith(Light::kGreen);
-  station.open(PageId::kRun);
+  station.openRun(false, station.desk().openDevice);
   ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.train(20 * kSecond_us);
   EXPECT_TRUE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // practice has help
@@ -319,9 +313,7 @@ TEST(StationPages, ADoubleClickOnRestStartsASingleRest) {
       {.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}},
        .restAllowance_us = 30 * kSecond_us});
   Station station(centre);
-  station.desk().moduleId = centre.module("first");
-  station.desk().readiness = deviceWith(Light::kGreen);
-  station.open(PageId::kRun);
+  station.openRun(false, station.desk().openDevice);
   station.page->resize(1176, 652);
   station.page->show();
   ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
@@ -354,10 +346,8 @@ TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
        .restAllowance_us = 20 * kSecond_us});
   Station station(centre);
   applyTheme(*qApp, theme(ThemeKind::kLight));
-  station.desk().moduleId = centre.module("first");
-  station.desk().readiness = deviceWith(Light::kGreen);
 
-  station.open(PageId::kRun);
+  station.openRun(false, station.desk().openDevice);
   ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
   station.page->resize(1146, 650);  // 1366 x 768 without navigation and bars
   station.page->show();
@@ -423,9 +413,7 @@ TEST(StationPages, AnAbortedRunIsShownAsInterrupted) {
   TrainingCentre centre;
   {
     Station station(centre);
-    station.desk().moduleId = centre.module("first");
-    station.desk().readiness = deviceWith(Light::kGreen);
-    station.open(PageId::kRun);
+    station.openRun(false, station.desk().openDevice);
     ASSERT_TRUE(testing::eventually([&] { return station.run().busy(); }));
     station.train(5 * kSecond_us);
     // Destroys everything without notice, like a power failure; tests/app/services/training kills a real

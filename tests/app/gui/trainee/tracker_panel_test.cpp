@@ -6,7 +6,6 @@
 #include <chrono>
 #include <thread>
 
-#include <QCheckBox>
 #include <QLineEdit>
 #include <QSettings>
 #include <QSpinBox>
@@ -17,11 +16,9 @@
 #include "app/services/recording/kept_digests.h"
 #include "app/services/training/attempts.h"
 #include "assessment/catalogue/quantity.h"
-#include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/clock.h"
 #include "sim/core/foreign_recording.h"
-#include "sim/record/sample_codec.h"
 #include "tests/app/gui/support/trainee_station.h"
 #include "tests/support/fake_tracker.h"
 

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/frozen_data.h"
 #include "assessment/domain/people/audit_entry.h"
@@ -22,7 +21,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::StudyCentre;
 
 /// A study with free text.
 struct SmallStudy : SmallStudyFor<ExchangeRequest> {

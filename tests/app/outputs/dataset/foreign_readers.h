@@ -6,8 +6,6 @@
 
 #include <QTemporaryDir>
 
-#include "app/outputs/tables/export_set.h"
-
 namespace torsio::testing {
 
 /// A folder removed with its owner.

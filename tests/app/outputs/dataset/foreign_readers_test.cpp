@@ -6,7 +6,6 @@
 #include <charconv>
 #include <csignal>
 #include <functional>
-#include <map>
 #include <sys/resource.h>
 
 #include <gmock/gmock.h>

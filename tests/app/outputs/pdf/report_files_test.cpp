@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include <QApplication>
 #include <QBarSeries>
 #include <QBarSet>
 #include <QBoxPlotSeries>

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QBarSeries>
-#include <QBarSet>
 #include <QBuffer>
 #include <QCategoryAxis>
 #include <QChart>
@@ -133,14 +132,24 @@ TEST(ChartAxes, CountsHaveTicksAtWholeNumbersOnly) {
   EXPECT_TRUE(marksOf(*valuesOf(*means)).contains(QStringLiteral("1.0")));
 }
 
-TEST(ChartAxes, TicksUseTheNumberFormatOfTheStyle) {
+/// Two differences with their intervals.
+ReportFigure differences(FigureKind kind) {
   ReportFigure figure;
-  figure.kind = FigureKind::kGroupedBars;
+  figure.kind = kind;
   figure.categories = {std::string("first"), std::string("second")};
-  FigureSeries differences;
-  differences.name = std::string("differences");
-  differences.y = {-1.4, 2.0};
-  figure.series = {differences};
+  FigureSeries series;
+  series.name = std::string("differences");
+  series.y = {-1.4, 2.0};
+  series.low = {-1.7, 1.7};
+  series.high = {-1.2, 2.2};
+  figure.series = {series};
+  return figure;
+}
+
+TEST(ChartAxes, TicksUseTheNumberFormatOfTheStyle) {
+  ReportFigure figure = differences(FigureKind::kGroupedBars);
+  figure.series.front().low.clear();
+  figure.series.front().high.clear();
   ChartStyle screen;
   screen.number = [](double value, int decimals) {
     return QString::number(value, 'f', decimals).replace(u'-', QChar(0x2212));
@@ -191,15 +200,7 @@ TEST(Chart, LegendKeepsFinePatternsWhileMarkersAndLinesScale) {
 }
 
 TEST(ChartAxes, TheLastNumberBelowFitsIntoTheChart) {
-  ReportFigure figure;
-  figure.kind = FigureKind::kForest;
-  figure.categories = {std::string("first"), std::string("second")};
-  FigureSeries differences;
-  differences.name = std::string("differences");
-  differences.y = {-1.4, 2.0};
-  differences.low = {-1.7, 1.7};
-  differences.high = {-1.2, 2.2};
-  figure.series = {differences};
+  const ReportFigure figure = differences(FigureKind::kForest);
   QGraphicsScene scene;
   QChart* chart = buildChart(figure).release();
   scene.addItem(chart);
@@ -229,16 +230,8 @@ std::pair<QImage, QRectF> drawn(const ReportFigure& figure) {
 }
 
 TEST(ChartAxes, NoTickTouchesItsLabel) {
-  ReportFigure figure;
-  FigureSeries differences;
-  differences.name = std::string("differences");
-  differences.y = {-1.4, 2.0};
-  differences.low = {-1.7, 1.7};
-  differences.high = {-1.2, 2.2};
-  figure.series = {differences};
-  figure.categories = {std::string("first"), std::string("second")};
   for (const FigureKind kind : {FigureKind::kForest, FigureKind::kGroupedBars}) {
-    figure.kind = kind;
+    const ReportFigure figure = differences(kind);
 
     const auto [picture, plot] = drawn(figure);
 

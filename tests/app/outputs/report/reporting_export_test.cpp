@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs of a report, who may export it, and its audit entries.
+// Inputs of a report, who may export it, and its audit entries. Digests of recordings: measured once, on
+// every core, and stored.
+
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +17,8 @@
 #include "app/services/base/csv_style.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/people/people_service.h"
-#include "app/services/study/allocation_service.h"
+#include "app/services/recording/kept_digests.h"
+#include "app/services/recording/trial_digests.h"
 #include "app/services/study/campaign_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/frozen_data.h"
@@ -30,6 +34,7 @@
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/number_format.h"
+#include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/signature_repository.h"
@@ -49,6 +54,7 @@
 #include "tests/support/cohort_rows.h"
 
 namespace torsio {
+
 namespace {
 
 using testing::record;
@@ -121,23 +127,33 @@ std::vector<CsvRecord> recordsOf(const std::filesystem::path& file, char separat
   return csvRecords(readFile(file), file.filename().string(), separator);
 }
 
-TEST(CodedTables, ContainTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
-  SmallStudy study;
-  const std::vector<RaterId> chiefs = study.centre.addChiefs(2);
+/// Asks new chiefs for the sheets before training. Returns their rubric.
+RubricRevision askForFirstSheets(SmallStudy& study, std::size_t chiefs) {
+  const std::vector<RaterId> raters = study.centre.addChiefs(chiefs);
   const std::string rubric = study.centre.addPaperRubric();
   createAssignments(study.centre.session(), {.cohortId = study.request.cohortId,
                                              .occasionCodes = {"pre"},
-                                             .raterIds = chiefs,
+                                             .raterIds = raters,
                                              .rubricRevisionId = rubric,
                                              .seed = 3});
-  SheetRepository sheets(study.centre.connection());
-  const RubricRevision used = RubricRepository(study.centre.connection()).revision(rubric).value();
-  const AssignmentStatus asked = sheets.assignments(study.request.cohortId).at(0);
-  Sheet sheet{.overall_steps = 75};
-  for (const RubricLine& row : used.rows) {
+  return RubricRepository(study.centre.connection()).revision(rubric).value();
+}
+
+/// A sheet of this rubric: every row half a point above its lowest mark.
+Sheet sheetOf(const RubricRevision& rubric, std::int64_t overall_steps) {
+  Sheet sheet{.overall_steps = overall_steps};
+  for (const RubricLine& row : rubric.rows) {
     sheet.rows.push_back({row.code, row.scale.lo + 5, ""});
   }
-  sheets.submit(asked.assignment.id, study.centre.session().ids().newUuid(), sheet, "", 1);
+  return sheet;
+}
+
+TEST(CodedTables, ContainTheCriteriaTheAnchorsTheRevisionAndTheBuild) {
+  SmallStudy study;
+  const RubricRevision used = askForFirstSheets(study, 2);
+  SheetRepository sheets(study.centre.connection());
+  const AssignmentStatus asked = sheets.assignments(study.request.cohortId).at(0);
+  sheets.submit(asked.assignment.id, study.centre.session().ids().newUuid(), sheetOf(used, 75), "", 1);
   const std::filesystem::path folder = study.centre.folder();
   SessionContext& session = study.centre.as("statistician");
 
@@ -180,20 +196,10 @@ std::size_t stepsOf(const TraceStep& step, const std::string& kind) {
 
 TEST(ReportInputs, ContainTheSheetsBehindTheMarksAndANumberCanBeTracedToThem) {
   SmallStudy study;
-  const std::vector<RaterId> chiefs = study.centre.addChiefs(3);
-  const std::string rubric = study.centre.addPaperRubric();
-  createAssignments(study.centre.session(), {.cohortId = study.request.cohortId,
-                                             .occasionCodes = {"pre"},
-                                             .raterIds = chiefs,
-                                             .rubricRevisionId = rubric,
-                                             .seed = 3});
+  const RubricRevision used = askForFirstSheets(study, 3);
   SheetRepository sheets(study.centre.connection());
-  const RubricRevision used = RubricRepository(study.centre.connection()).revision(rubric).value();
   for (const AssignmentStatus& asked : sheets.assignments(study.request.cohortId)) {
-    Sheet sheet{.overall_steps = 70};
-    for (const RubricLine& row : used.rows) {
-      sheet.rows.push_back({row.code, row.scale.lo + 5, ""});
-    }
+    Sheet sheet = sheetOf(used, 70);
     sheet.rows.back() = {used.rows.back().code, std::nullopt, "hidden by a hand"};
     sheets.submit(asked.assignment.id, study.centre.session().ids().newUuid(), sheet, "", 1);
   }
@@ -421,5 +427,135 @@ TEST(ReportExport, AuditsWhoExportedWhatWithTheHashOfTheFileAndNoName) {
   EXPECT_EQ(entry.newJson.find("Trainee"), std::string::npos);
 }
 
+TEST(TrialDigests, AreMeasuredOnceAndReadBackBitForBit) {
+  SmallStudy study;
+  record(study, "first", 100);
+  record(study, "second", 70);
+  SessionContext& session = study.centre.as("statistician");
+
+  const std::vector<TrialSummaryRow> measured = study.digests.ofCohort(session, study.request.cohortId);
+  TrialDigests later(study.centre.assets());
+  const std::vector<TrialSummaryRow> kept = later.ofCohort(session, study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 2U);
+  EXPECT_EQ(later.measured(), 0U);
+  ASSERT_EQ(kept.size(), 2U);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_EQ(kept[i].trialId, measured[i].trialId);
+    EXPECT_EQ(kept[i].trainee, measured[i].trainee);
+    EXPECT_EQ(kept[i].phase, measured[i].phase);
+    EXPECT_EQ(kept[i].model, measured[i].model);
+    EXPECT_EQ(kept[i].minutes, measured[i].minutes);
+    EXPECT_EQ(kept[i].samples, measured[i].samples);
+    EXPECT_EQ(kept[i].twists, 1);
+    EXPECT_EQ(kept[i].twistsOnTarget, measured[i].twistsOnTarget);
+    EXPECT_EQ(kept[i].meanAbsoluteError_deg, measured[i].meanAbsoluteError_deg);
+    EXPECT_EQ(kept[i].peakTorque_Nm, measured[i].peakTorque_Nm);
+    EXPECT_EQ(kept[i].peakForce_N, measured[i].peakForce_N);
+    EXPECT_EQ(kept[i].lateTicks, 3);
+    EXPECT_EQ(kept[i].contentHash, measured[i].contentHash);
+    EXPECT_EQ(kept[i].attempts, measured[i].attempts);
+  }
+}
+
+TEST(TrialDigests, OfOtherFormulaVersionsAreKeptAndMeasuredAgain) {
+  SmallStudy study;
+  record(study, "first", 100);
+  TrialDigest older{
+      .trialId = "first", .formulaVersion = kMetricsVersion - 1, .contentHash = "hash of first"};
+  DigestRepository(study.centre.connection()).add({&older, 1});
+
+  const auto digests = study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 1U);
+  EXPECT_EQ(digests.at(0).twists, 1);
+  EXPECT_EQ(DigestRepository(study.centre.connection())
+                .ofCohort(study.request.cohortId, kMetricsVersion - 1)
+                .size(),
+            1U);
+}
+
+TEST(TrialDigests, AreRestoredBitForBitWithTheirRules) {
+  SmallStudy study;
+  record(study, "first", 100);
+  DigestRepository repository(study.centre.connection());
+  TrialDigest free;
+  free.trialId = "first";
+  free.formulaVersion = kMetricsVersion;
+  free.tolerance_rad = 0.1;
+  free.contentHash = "hash of first";
+  free.measures.twists = {{1.0 / 3.0, true}, {20.0, false}};
+  free.measures.values = {{Quantity::kPeakForce, 0.1 + 0.2}, {Quantity::kSparc, -1.4}};
+  TrialDigest limited = free;
+  limited.forceLimit_N = 0.0;  // a limit of zero differs from no limit
+  limited.torqueLimit_Nm = 0.5;
+  const std::vector<TrialDigest> both{free, limited};
+
+  repository.add(both);
+  repository.add(both);
+
+  EXPECT_THAT(repository.ofTrial("first", kMetricsVersion), ::testing::UnorderedElementsAreArray(both));
+}
+
+TEST(TrialDigests, OfARecordingWithOtherContentAreIgnored) {
+  SmallStudy study;
+  record(study, "first", 100);
+  TrialDigest other{.trialId = "first", .formulaVersion = kMetricsVersion, .contentHash = "of another"};
+  other.tolerance_rad = 1.0;
+  DigestRepository(study.centre.connection()).add({&other, 1});
+
+  (void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 1U);
+}
+
+TEST(TrialDigests, OfManyRecordingsMatchThoseOfOneCoreInOrder) {
+  constexpr std::size_t kRecordings = 300;  // more than are stored, read and measured at a time
+  SmallStudy study;
+  Transaction together(study.centre.connection());
+  for (std::size_t i = 0; i < kRecordings; ++i) {
+    record(study, "r" + std::to_string(1000 + i), 20 + i % 170);
+  }
+  together.commit();
+  SessionContext& session = study.centre.as("statistician");
+  std::vector<std::string> told;
+
+  const std::vector<TrialSummaryRow> rows = study.digests.ofCohort(
+      session, study.request.cohortId, [&told](const Progress& now) { told.push_back(now.step.str()); });
+
+  EXPECT_EQ(study.digests.measured(), kRecordings);
+  ASSERT_EQ(rows.size(), kRecordings);
+  EXPECT_EQ(told.front(), "Reading recording 1 of 300");
+  EXPECT_GT(told.size(), 3U);
+  const DigestRepository kept(study.centre.connection());
+  const TrialRepository trials(study.centre.connection());
+  for (std::size_t i = 0; i < kRecordings; ++i) {
+    const std::string id = "r" + std::to_string(1000 + i);
+    EXPECT_EQ(rows[i].trialId, id);
+    const Trial trial = trials.load(id);
+    const AttemptRules rules = ExerciseRules(study.centre.assets()).ofPattern("forearm", "pronation");
+    const AttemptMeasures alone = measureAttempt(trial.header, decodeTrial(trial), rules);
+    EXPECT_THAT(kept.ofTrial(id, kMetricsVersion),
+                ::testing::ElementsAre(keptDigest(trial, alone, rules, testing::kStudyTime_us)));
+  }
+}
+
+TEST(TrialDigests, AnUnreadableRecordingStopsTheReportButKeepsWhatWasMeasured) {
+  SmallStudy study;
+  Transaction together(study.centre.connection());
+  for (std::size_t i = 0; i < 300; ++i) {
+    record(study, "r" + std::to_string(1000 + i), 50);
+  }
+  record(study, "r2000", 50, "{}", false);
+  together.commit();
+
+  EXPECT_THROW((void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId), Error);
+
+  EXPECT_EQ(
+      DigestRepository(study.centre.connection()).ofCohort(study.request.cohortId, kMetricsVersion).size(),
+      256U);
+}
+
 }  // namespace
+
 }  // namespace torsio

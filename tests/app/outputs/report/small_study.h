@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/outputs/report/report_data.h"
-#include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"

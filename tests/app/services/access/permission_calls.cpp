@@ -13,7 +13,6 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
-#include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"

@@ -14,8 +14,6 @@
 #include "app/services/access/access_service.h"
 #include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
-#include "app/services/study/curriculum_service.h"
-#include "app/services/study/day_board.h"
 #include "app/services/study/frozen_data.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/ids.h"
@@ -141,10 +139,7 @@ struct ScoredCase {
     SheetRepository sheets(centre.connection());
     const RubricRevision revision = RubricRepository(centre.connection()).revision(rubric).value();
     for (const Assignment& one : sheets.assignmentsOf(raterId)) {
-      Sheet sheet{.overall_steps = 70};
-      for (const RubricLine& row : revision.rows) {
-        sheet.rows.push_back({row.code, 70, ""});
-      }
+      const Sheet sheet = evenSheet(revision, 70, 70);
       sheets.submit(one.id, centre.session().ids().newUuid(), sheet, "", centre.session().now_us());
     }
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "app/services/comparison/comparison_run.h"
 
 #include <algorithm>
@@ -6,17 +7,24 @@
 #include <chrono>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "app/services/comparison/comparison_report.h"
+#include "app/services/comparison/measured_markers.h"
+#include "app/services/comparison/organ_markers.h"
 #include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "sim/scene/organ_file.h"
 
 namespace torsio {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,5 +203,242 @@ TEST(ComparisonRun, RejectsOptionsOutOfRange) {
   refused(poisson);
 }
 
+const Scene& forearm() {
+  static const Scene kScene = coarseForearm();
+  return kScene;
+}
+
+fs::path markerFile() {
+  return fs::temp_directory_path() / "torsio_organ_markers_test.json";
+}
+
+/// Returns where a file of these bytes is rejected, without its folder; "" if it is not.
+std::string markersRefusedAt(const std::string& bytes) {
+  std::ofstream(markerFile()) << bytes;
+  try {
+    static_cast<void>(readMarkers(markerFile(), forearm()));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadData) << bytes;
+    EXPECT_FALSE(error.remedy().empty()) << bytes;
+    return fs::path(error.where()).filename().string();
+  }
+  return "";
+}
+
+std::string oneMarker(const std::string& fields) {
+  return R"({"markers": [{)" + fields + "}]}";
+}
+
+TEST(OrganMarkers, OfTheForearmAreTenPointsOfItsSurface) {
+  const std::vector<OrganMarker> markers = readOrganMarkers(kAssets, forearm());
+
+  ASSERT_EQ(markers.size(), 10U);
+  EXPECT_EQ(markers[7].number, 8);
+  EXPECT_EQ(markers[7].name, "second knuckle (index metacarpal head)");
+  // assets/organs/forearm_markers.json has hundredths of a millimetre.
+  EXPECT_NEAR(norm(markers[7].position_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-4);
+}
+
+TEST(OrganMarkers, AreSharedOnlyByTheScenesOfOneOrgan) {
+  SceneRequest request;
+  request.assets = kAssets;
+  request.id = "small-bowel-loop";
+  const Scene loop = loadScene(request);
+  EXPECT_EQ(readOrganMarkers(kAssets, loop).size(), 10U);
+  request.former = true;
+  EXPECT_TRUE(readOrganMarkers(kAssets, loadScene(request)).empty());
+
+  // A user's organ with the forearm's patterns is not the forearm.
+  OrganFile organ;
+  organ.source = "arm.ply";
+  organ.mesh = forearm().mesh;
+  organ.anatomy = "forearm";
+  organ.ends = {.fixedEnd_m = Vec3{}, .freeEnd_m = Vec3{0, 0, 0.262}, .fixedCut = {}, .freeCut = {0, 0, 1}};
+  const fs::path file = fs::temp_directory_path() / "torsio_organ_markers_test.organ";
+  writeOrganFile(file, organ);
+  SceneRequest own;
+  own.assets = kAssets;
+  own.organFile = file;
+  EXPECT_TRUE(readOrganMarkers(kAssets, loadScene(own)).empty());
+}
+
+TEST(OrganMarkers, AreReadAsTheyWereWritten) {
+  const std::vector<OrganMarker> before = spreadMarkers(forearm());
+
+  writeMarkers(markerFile(), before, forearm());
+  const std::vector<OrganMarker> after = readMarkers(markerFile(), forearm());
+
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(after[i].name, before[i].name);
+    EXPECT_EQ(after[i].face, before[i].face);
+    EXPECT_EQ(after[i].barycentric, before[i].barycentric);
+    EXPECT_EQ(norm(after[i].position_m - before[i].position_m), 0.0);
+  }
+}
+
+TEST(OrganMarkers, OfAnOrganWithoutAnyAreTenDifferentPoints) {
+  const std::vector<OrganMarker> markers = spreadMarkers(forearm());
+
+  ASSERT_EQ(markers.size(), 10U);
+  std::set<std::string> names;
+  for (const OrganMarker& marker : markers) {
+    names.insert(marker.name);
+  }
+  EXPECT_EQ(names.size(), 10U);
+  // At 0.1, 0.3 ... of about 262 mm between elbow and wrist; the two ridges are on opposite sides.
+  EXPECT_NEAR(markers[0].position_m.z, 0.1 * 0.262, 1e-3);
+  EXPECT_GT(markers[0].position_m.x, 0.02);
+  EXPECT_LT(markers[1].position_m.x, -0.02);
+}
+
+TEST(OrganMarkers, ReportInvalidFilesWithTheirPlace) {
+  const std::string file = "torsio_organ_markers_test.json";
+  const std::string place = R"("face": 0, "barycentric": [0.2, 0.3, 0.5])";
+
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", )" + place)), "");
+  EXPECT_EQ(markersRefusedAt("{"), file);
+  EXPECT_EQ(markersRefusedAt("[1]"), file);
+  EXPECT_EQ(markersRefusedAt(R"({"markers": []})"), file);
+  EXPECT_EQ(markersRefusedAt(R"({"organ_hash": "another", "markers": []})"), file);
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 2, "name": "a", )" + place)),
+            file + ", marker 1, field \"number\"");
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": " ", )" + place)),
+            file + ", marker 1, field \"name\"");
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "face": -1, "barycentric": [1, 0, 0])")),
+            file + ", marker 1, field \"face\"");
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0)")),
+            file + ", marker 1, field \"barycentric\"");
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0, "barycentric": [1, 0.1, 0])")),
+            file + ", marker 1, field \"barycentric\"");
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "face": 0, "barycentric": [1, "b", 0])")),
+            file + ", marker 1, field \"barycentric\"");
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a", "position_mm": [0, 0, 100])")),
+            file + ", marker 1, field \"position_mm\"")
+      << "on the axis";
+  EXPECT_EQ(markersRefusedAt(oneMarker(R"("number": 1, "name": "a")")),
+            file + ", marker 1, field \"position_mm\"");
+  EXPECT_EQ(markersRefusedAt(R"({"markers": [{"number": 1, "name": "a", )" + place +
+                             R"(}, {"number": 2, "name": "a", )" + place + "}]}"),
+            file + ", marker 2, field \"name\"");
+}
+
+const fs::path kSynthetic = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.csv";
+
+/// Ten markers: only numbers and names matter here.
+std::vector<OrganMarker> tenMarkers() {
+  std::vector<OrganMarker> markers(10);
+  for (int k = 0; k < 10; ++k) {
+    markers[static_cast<std::size_t>(k)].number = k + 1;
+    markers[static_cast<std::size_t>(k)].name = k == 2 ? "radial styloid" : "point " + std::to_string(k + 1);
+  }
+  return markers;
+}
+
+/// Returns where a file of this name and text is rejected; "" if it is not.
+std::string refusedIn(const std::string& name, const std::string& text) {
+  const fs::path file = fs::temp_directory_path() / name;
+  std::ofstream(file) << text;
+  try {
+    static_cast<void>(readMeasuredMarkers(file, tenMarkers()));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadData);
+    EXPECT_FALSE(error.remedy().empty());
+    return fs::path(error.where()).filename().string();
+  }
+  return "";
+}
+
+/// Returns where a table of these rows is rejected; "" if it is not.
+std::string refusedAt(const std::string& rows) {
+  return refusedIn("torsio_measured_markers_test.csv", "marker,time,x,y,z,unit,subject\n" + rows);
+}
+
+TEST(MeasuredMarkers, AreReadInMetresWithTheirSubjects) {
+  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kSynthetic, tenMarkers());
+
+  ASSERT_EQ(subjects.size(), 2U);
+  EXPECT_EQ(subjects[0].name, "SYNTHETIC-A");
+  ASSERT_EQ(subjects[0].markers.size(), 10U);
+  ASSERT_EQ(subjects[0].markers.at(8).size(), 6U);
+  EXPECT_NEAR(norm(subjects[0].markers.at(8)[0].place_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-9);
+}
+
+TEST(MeasuredMarkers, DisplacementIsTheMeanOverTheSubjects) {
+  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kSynthetic, tenMarkers());
+
+  const MeasuredDisplacement found = finalDisplacement(subjects, 8);
+
+  // Marker 8 is beyond the wrist, 39.21 mm off the axis, rotated by 60 and 54 degrees: chords 2 r sin(a / 2)
+  // of 39.21 and 35.60 mm.
+  EXPECT_EQ(found.subjects, 2);
+  EXPECT_NEAR(found.mean_m, 0.5 * (39.21e-3 + 35.60e-3), 2e-5);
+  EXPECT_EQ(finalDisplacement({}, 8).subjects, 0);
+}
+
+TEST(MeasuredMarkers, AcceptMetresAndCentimetres) {
+  EXPECT_EQ(refusedAt("1,0,1,2,3,m,A\n1,1,1,2,3,cm,A\n"), "");
+}
+
+TEST(MeasuredMarkers, ReportInvalidTablesWithTheirPlace) {
+  EXPECT_EQ(refusedAt("11,0,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_EQ(refusedAt("1,0,1,2,3,mm,A\n1,0,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 3");
+  EXPECT_EQ(refusedAt("1,-1,1,2,3,mm,A\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_EQ(refusedAt("1,0,1,2,3,inch,A\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_EQ(refusedAt("1,0,1,nan,3,mm,A\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_EQ(refusedAt("1,0,1,2,3,mm,\n"), "torsio_measured_markers_test.csv, line 2");
+  EXPECT_NE(refusedAt("1,0,1,2,3,mm,A\n"), "");
+  EXPECT_NE(refusedAt(""), "");
+  EXPECT_THROW(static_cast<void>(readMeasuredMarkers(kSynthetic, {})), Error);
+}
+
+const fs::path kTracks = fs::path(TORSIO_TEST_DATA) / "comparison" / "markers_synthetic.trc";
+
+/// Returns where the synthetic file is rejected after replacing `from` by `to`; "" if it is not.
+std::string refusedWith(const std::string& from, const std::string& to) {
+  std::string text = readFile(kTracks);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  return refusedIn("torsio_camera_markers_test.trc", text);
+}
+
+TEST(CameraMarkers, AreReadInMetresByNumberAndByName) {
+  const std::vector<MeasuredSubject> subjects = readMeasuredMarkers(kTracks, tenMarkers());
+
+  ASSERT_EQ(subjects.size(), 1U);
+  EXPECT_EQ(subjects[0].name, "markers_synthetic");
+  ASSERT_EQ(subjects[0].markers.size(), 3U);
+  EXPECT_EQ(subjects[0].markers.at(1).size(), 5U);
+  EXPECT_EQ(subjects[0].markers.at(3).size(), 4U) << "lost in one frame";
+  EXPECT_NEAR(norm(subjects[0].markers.at(8)[0].place_m - Vec3{0.03626, 0.01493, 0.35160}), 0.0, 1e-9);
+  EXPECT_DOUBLE_EQ(subjects[0].markers.at(8)[4].time_s, 0.04);
+  // 39.21 mm off the axis, rotated by 60 degrees: the chord equals the radius.
+  EXPECT_NEAR(finalDisplacement(subjects, 8).mean_m, 39.21e-3, 2e-5);
+  EXPECT_EQ(finalDisplacement(subjects, 1).mean_m, 0.0);
+}
+
+TEST(CameraMarkers, ReportInvalidFilesWithLineAndField) {
+  const std::string file = "torsio_camera_markers_test.trc, line ";
+  const auto at = [&](int line, const std::string& field) {
+    return file + std::to_string(line) + ", field \"" + field + "\"";
+  };
+
+  EXPECT_EQ(refusedWith("(X/Y/Z)", "(X/Y)"), at(1, "PathFileType"));
+  EXPECT_EQ(refusedWith("NumMarkers", "Markers"), at(2, "NumMarkers"));
+  EXPECT_EQ(refusedWith("\tmm\t", "\tinch\t"), at(3, "Units"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5", "0\t100.00\t5"), at(3, "DataRate"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5", "100.00\t100.00\t6"), at(3, "NumFrames"));
+  EXPECT_EQ(refusedWith("100.00\t100.00\t5\t3", "100.00\t100.00\t5\t2"), at(4, "NumMarkers"));
+  EXPECT_EQ(refusedWith("M1", "LASI"), at(4, "LASI"));
+  EXPECT_EQ(refusedWith("Marker8", "marker1"), at(4, "marker1"));
+  EXPECT_EQ(refusedWith("Y2", "Y3"), at(5, "Y2"));
+  EXPECT_EQ(refusedWith("24.590", "nan"), at(7, "Y1"));
+  EXPECT_EQ(refusedWith("\n2\t0.010\t", "\n2\t0.000\t"), at(8, "Time"));
+  EXPECT_EQ(refusedWith("\n2\t0.010\t", "\n2\tnow\t"), at(8, "Time"));
+  EXPECT_EQ(refusedWith("PathFileType\t4\t(X/Y/Z)\t", "PathFileType\t4\t(X/Y/Z)\tother "), "");
+}
+
 }  // namespace
+
 }  // namespace torsio

@@ -6,7 +6,6 @@
 #include <array>
 #include <fstream>
 #include <memory>
-#include <optional>
 #include <set>
 
 #include <gtest/gtest.h>

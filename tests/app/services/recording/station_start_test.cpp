@@ -3,7 +3,6 @@
 // record before it closes anything as interrupted.
 #include "app/services/recording/station_start.h"
 
-#include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>

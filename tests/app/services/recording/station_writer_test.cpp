@@ -15,7 +15,6 @@
 #include "app/services/recording/recorded_run.h"
 #include "app/services/recording/unstored_trials.h"
 #include "app/services/training/run_session.h"
-#include "assessment/domain/ids.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/station_state.h"
 #include "db/connection/connection.h"

@@ -6,17 +6,14 @@
 #include <optional>
 #include <string>
 
-#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QHostAddress>
 #include <QProcess>
-#include <QSslCertificate>
 #include <QSslSocket>
 #include <QTcpServer>
 #include <gtest/gtest.h>
 
 #include "app/services/access/invitations.h"
-#include "db/connection/locator.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "tests/app/support/study_centre.h"

@@ -9,10 +9,8 @@
 
 #include "app/services/access/audit_service.h"
 #include "app/services/people/consent_service.h"
-#include "app/services/people/people_service.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/review_queue.h"
-#include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_board.h"
 #include "app/services/study/open_sheets.h"
@@ -73,11 +71,7 @@ class LiveDay : public ::testing::Test {
   void score(std::size_t chief, std::size_t trainee, const std::string& occasion) {
     const AssignmentId id = sheetOf(chief, trainee, occasion);
     const OpenedSheet opened = openSheet(centre.asRater(chiefs[chief]), id);
-    Sheet sheet{.overall_steps = 70};
-    for (const RubricLine& row : opened.rubric.rows) {
-      sheet.rows.push_back({row.code, 70, ""});
-    }
-    submitSheet(centre.session(), id, sheet, WatchLog());
+    submitSheet(centre.session(), id, evenSheet(opened.rubric, 70, 70), WatchLog());
   }
   /// Signs in a second administrator.
   SessionContext& colleague() {
@@ -92,11 +86,7 @@ class LiveDay : public ::testing::Test {
   }
   /// Returns a rater's paper sheet: equal marks except the overall one.
   Sheet paper(const AssignmentId& id, std::int64_t overall) {
-    Sheet sheet{.overall_steps = overall};
-    for (const RubricLine& row : paperForm(office(), id).rubric.rows) {
-      sheet.rows.push_back({row.code, 60, ""});
-    }
-    return sheet;
+    return evenSheet(paperForm(office(), id).rubric, overall, 60);
   }
   static std::string refusal(const auto& call) {
     try {

@@ -4,7 +4,6 @@
 // large number can be split).
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>

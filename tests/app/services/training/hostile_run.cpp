@@ -18,7 +18,6 @@
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial.h"
-#include "sim/scene/hollow_organ.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/support/training_centre.h"
 

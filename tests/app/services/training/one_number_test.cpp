@@ -12,7 +12,6 @@
 #include "app/services/training/transcript.h"
 #include "app/services/training/trend.h"
 #include "assessment/attempt/trial_digest.h"
-#include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/study/protocol_terms.h"
 #include "assessment/results/cohort_csv.h"
