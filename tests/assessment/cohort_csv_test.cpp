@@ -10,9 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/results/cohort_report.h"
-#include "tests/support/cohort_rows.h"
 #include "tests/support/demonstration_cohort.h"
-#include "tests/support/said_cohort.h"
 
 namespace torsio {
 namespace {

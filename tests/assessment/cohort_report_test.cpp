@@ -15,9 +15,7 @@
 #include "assessment/results/figure_table.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/error.h"
-#include "tests/support/cohort_rows.h"
 #include "tests/support/demonstration_cohort.h"
-#include "tests/support/said_cohort.h"
 
 namespace torsio {
 namespace {

@@ -15,7 +15,6 @@
 #include "assessment/results/study_analysis.h"
 #include "assessment/statistics/distributions.h"
 #include "tests/support/demonstration_cohort.h"
-#include "tests/support/said_cohort.h"
 
 namespace torsio {
 namespace {

@@ -8,7 +8,6 @@
 #include "assessment/statistics/ancova.h"
 #include "assessment/statistics/mean_tests.h"
 #include "assessment/statistics/mixed_anova.h"
-#include "tests/assessment/group_cases.h"
 #include "tests/assessment/reference_case.h"
 
 namespace torsio {

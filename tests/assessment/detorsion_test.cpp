@@ -2,7 +2,6 @@
 // An untwisting built tick by tick, with metrics calculated by hand.
 #include "assessment/metrics/detorsion.h"
 
-#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,6 @@
 // The ledger of results: each number once, with what it is made of.
 #include "assessment/results/ledger.h"
 
-#include <functional>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -10,9 +9,7 @@
 #include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/figure_table.h"
-#include "sim/core/contracts.h"
 #include "tests/support/demonstration_cohort.h"
-#include "tests/support/said_cohort.h"
 
 namespace torsio {
 namespace {

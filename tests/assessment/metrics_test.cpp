@@ -4,7 +4,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -18,7 +18,6 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 using test::matches;
-using test::numbers;
 using test::ReferenceCase;
 using test::referenceCase;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/catalogue/quantity.h"
 
-#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>

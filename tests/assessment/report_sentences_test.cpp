@@ -7,7 +7,6 @@
 
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
-#include "tests/support/cohort_rows.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio {

@@ -9,7 +9,6 @@
 #include <benchmark/benchmark.h>
 
 #include "assessment/metrics/trial_metrics.h"
-#include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/evaluation_kernel.h"
 
 namespace torsio {

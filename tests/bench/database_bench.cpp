@@ -37,7 +37,7 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
-#include "tests/db/large_record.h"
+#include "tests/db/sample_record.h"
 
 namespace torsio {
 namespace {

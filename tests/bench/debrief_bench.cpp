@@ -2,12 +2,10 @@
 // The debrief of a long run, from the stored chunks to strengths and weaknesses, including the expert's run.
 // The run is made with a manual clock. Prints one line per length and fails if a debrief takes longer than
 // the five seconds promised to trainees.
-#include <chrono>
 #include <cstdio>
 #include <ctime>
 
 #include "app/services/recording/recorded_run.h"
-#include "app/services/training/attempts.h"
 #include "app/services/training/debrief.h"
 #include "sim/core/time_units.h"
 #include "sim/device/virtual/scripted_hand.h"

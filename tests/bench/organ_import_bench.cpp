@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Import of a user's mesh: a bent tube of 200 000 and of a million triangles, read in a separate process,
 // checked and judged. Processor time of both processes (docs/organs.md; targets 5 s and 30 s).
-#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

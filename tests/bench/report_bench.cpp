@@ -2,7 +2,6 @@
 // Administrators' pages with a large record, 10,000 trials and 100,000 marks: the report is built within 3 s,
 // even the first time in a program, and every list opens within 100 ms. Exit code 0: all met, 1: missed, 2:
 // undecided.
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -13,18 +12,14 @@
 
 #include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/base/shell_context.h"
-#include "app/gui/widgets/data_table.h"
 #include "app/outputs/report/report_data.h"
 #include "app/services/maintenance/retention.h"
 #include "app/services/people/roster_import.h"
-#include "app/services/study/allocation_service.h"
-#include "app/services/study/cohort_service.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/people/retention.h"
 #include "assessment/results/cohort_report.h"
 #include "db/connection/connection.h"
-#include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/app/support/study_centre.h"

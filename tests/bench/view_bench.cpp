@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,6 @@
 #include <QCommandLineParser>
 #include <QDir>
 #include <QElapsedTimer>
-#include <QImage>
 #include <QTimer>
 
 #include "app/gui/scene/instrument_geometry.h"

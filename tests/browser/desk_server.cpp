@@ -15,7 +15,6 @@
 
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
-#include "app/services/access/two_people.h"
 #include "app/services/base/assets.h"
 #include "app/services/review/case_remarks.h"
 #include "app/services/review/case_sheet.h"

@@ -2,7 +2,6 @@
 
 #include "db/connection/connection.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <optional>
@@ -12,7 +11,6 @@
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
 #include "db/connection/row_reader.h"
-#include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "tests/db/test_database.h"
 

@@ -13,7 +13,6 @@
 #include "db/repository/system/schema_tables.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/error.h"
-#include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 #include "tests/support/stored_rows.h"

@@ -4,7 +4,6 @@
 #include <set>
 #include <string>
 
-#include "assessment/domain/rating/remark.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/repository/base/learning_events.h"
 #include "db/repository/system/setting_repository.h"

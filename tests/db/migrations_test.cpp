@@ -20,7 +20,7 @@
 #include "sim/core/error.h"
 #include "sim/servo/replay_trial.h"
 #include "tests/db/test_database.h"
-#include "tests/sim/servo/recorded_bar.h"
+#include "tests/sim/servo/recorded_trial.h"
 
 namespace torsio {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "assessment/domain/people/account.h"
-#include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/people/retention.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"

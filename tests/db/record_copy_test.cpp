@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/system/record_copy.h"
 
-#include <algorithm>
-#include <optional>
 #include <set>
 
 #include "db/connection/connection.h"
@@ -10,11 +8,10 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
-#include "db/repository/system/demonstration_data.h"
 #include "db/repository/system/schema_tables.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
-#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {

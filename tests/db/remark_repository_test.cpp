@@ -2,7 +2,6 @@
 
 #include "db/repository/trial/remark_repository.h"
 
-#include "assessment/domain/ids.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/remark.h"
 #include "assessment/domain/rating/rubric.h"

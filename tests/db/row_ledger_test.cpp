@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every change of a row used by reports is sealed in its own transaction.
-#include "db/repository/base/row_ledger.h"
 
 #include <algorithm>
 #include <map>
@@ -22,9 +21,8 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/schema_tables.h"
-#include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/tampering.h"
+#include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/system/schema_tables.h"
 #include "sim/record/trial.h"
 #include "tests/db/test_database.h"
 
@@ -48,5 +50,27 @@ class SampleTest : public DatabaseTest {
 [[nodiscard]] TrialChunk sampleChunk(std::int64_t index, std::size_t size = 15000);
 /// A complete trial of one small chunk, with its digests.
 [[nodiscard]] Trial sampleTrial();
+
+/// Fills every table of the schema with at least one row: people, trials and marks as the program makes them,
+/// so that the audit trail verifies; the rest with generated values that satisfy the column rules. Real rows
+/// once, simulated rows once; names and codes begin with `prefix`. New tables are filled automatically; a
+/// column with a rule of its own needs an entry below.
+struct FullRecord {
+  FullRecord(Connection& connection, const std::string& prefix, bool demonstration);
+
+  TraineeId traineeId;
+  RaterId raterId;
+  TrialId trialId;
+};
+
+/// Prints a digest in failure messages.
+void PrintTo(const TableDigest& digest, std::ostream* out);
+
+inline constexpr int kManyTrainees = 10'000;
+inline constexpr int kManyMarks = 100'000;
+
+/// Fills a record as large as any centre's: 200 cohorts of 50 trainees, each marked by both chiefs of
+/// `sample` in five versions. Returns the id of the last cohort.
+std::string fillLargeRecord(Connection& connection, SampleRecord& sample);
 
 }  // namespace torsio

@@ -12,7 +12,6 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/clock.h"
-#include "tests/db/large_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

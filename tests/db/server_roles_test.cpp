@@ -3,7 +3,6 @@
 // it.
 #include "db/repository/people/server_roles.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <future>
@@ -24,7 +23,7 @@
 #include "db/repository/system/demonstration_data.h"
 #include "db/repository/system/schema_tables.h"
 #include "sim/core/file_io.h"
-#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "assessment/domain/people/audit_terms.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 
@@ -78,5 +80,18 @@ Refusal refusalFrom(Action&& action) {
   ADD_FAILURE() << "nothing was refused";
   return {};
 }
+
+/// Disables every guard of a record: triggers, references, checks.
+void disarm(Connection& connection);
+
+/// Verifies rows, trail and schema; returns one sentence per finding.
+[[nodiscard]] std::vector<std::string> allFindings(Connection& connection);
+
+/// Appends an entry with a well-formed seal of every row whose seal no longer matches, as an expert attacker
+/// would.
+void forgeSeals(Connection& connection, AuditAction action, AuditObject object, const std::string& objectId);
+
+/// Rewrites all seals to match the present rows, and the chain to be consistent.
+void rewriteTrail(Connection& connection);
 
 }  // namespace torsio

@@ -14,8 +14,8 @@
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 #include "sim/record/trial_file.h"
-#include "tests/db/full_record.h"
-#include "tests/sim/servo/recorded_bar.h"
+#include "tests/db/sample_record.h"
+#include "tests/sim/servo/recorded_trial.h"
 
 namespace fs = std::filesystem;
 

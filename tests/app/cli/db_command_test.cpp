@@ -9,7 +9,7 @@
 #include "db/migrations/migrations.h"
 #include "sim/core/error.h"
 #include "tests/app/cli/program.h"
-#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {

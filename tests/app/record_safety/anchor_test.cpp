@@ -9,7 +9,6 @@
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/error.h"
 #include "tests/app/cli/program.h"
-#include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

@@ -15,7 +15,7 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/core/file_io.h"
-#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
 
 namespace torsio {
 

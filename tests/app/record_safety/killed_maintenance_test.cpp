@@ -18,7 +18,7 @@
 #include "db/migrations/migrations.h"
 #include "db/repository/system/demonstration_data.h"
 #include "sim/core/file_io.h"
-#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
 
 namespace torsio {
 namespace {

@@ -17,7 +17,7 @@
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
 #include "tests/app/record_safety/killed_maintenance.h"
-#include "tests/db/full_record.h"
+#include "tests/db/sample_record.h"
 
 namespace torsio {
 namespace {

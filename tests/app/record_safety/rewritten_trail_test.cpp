@@ -23,7 +23,6 @@
 #include "sim/core/error.h"
 #include "tests/app/record_safety/killed_maintenance.h"
 #include "tests/db/sample_record.h"
-#include "tests/db/tampering.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {

@@ -34,7 +34,6 @@
 #include "sim/core/file_io.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/record_safety/killed_program.h"
-#include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

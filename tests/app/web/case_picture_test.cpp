@@ -29,7 +29,7 @@
 #include "sim/scene/skin/tissue_skin.h"
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/web_client.h"
-#include "tests/sim/servo/hollow_bar.h"
+#include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::web {
 

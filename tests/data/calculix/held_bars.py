@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bars held at both faces, for held_ends_test: writes CalculiX's input, runs `ccx`, writes NAME.json.
+"""Bars held at both faces, for HeldEnds: writes CalculiX's input, runs `ccx`, writes NAME.json.
 
 held_bars.py [NAME...]   (needs ccx, numpy; in an empty folder; a bar takes 5 to 40 s)
 The bars are those of BARS: length in mm, half axes at a share of the length, bend and turn of the axes in degrees.

@@ -20,7 +20,7 @@
 #include "sim/core/error.h"
 #include "sim/tissue/rod/rod_solve.h"
 #include "tests/sim/baseline/bars.h"
-#include "tests/sim/tissue/rod/rod_shapes.h"
+#include "tests/sim/tissue/rod/rod_scenes.h"
 #include "tests/support/refusal.h"
 
 namespace torsio {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two carriers between threads. Run under ThreadSanitizer by the tsan preset.
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <thread>
 

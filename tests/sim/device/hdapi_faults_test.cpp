@@ -4,7 +4,6 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <thread>
 
 #include "sim/core/error.h"

@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/core/angle.h"
 #include "sim/core/deadline.h"
 #include "sim/core/error.h"
 #include "sim/device/inverse3/inverse3_device.h"

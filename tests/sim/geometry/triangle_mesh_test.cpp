@@ -9,7 +9,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/geometry/mesh/flat_faces.h"

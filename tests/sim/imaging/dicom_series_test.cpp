@@ -3,11 +3,9 @@
 #include "sim/imaging/scan/dicom_series.h"
 
 #include <algorithm>
-#include <cmath>
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <random>
 #include <string>

@@ -2,13 +2,11 @@
 #include "sim/record/sample_codec.h"
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/random.h"
 #include "sim/record/column_codec.h"

@@ -3,7 +3,6 @@
 #include "sim/scene/hollow_organ.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,11 +13,10 @@
 #include "sim/core/error.h"
 #include "sim/scene/hollow_map.h"
 #include "sim/scene/organ_wall.h"
-#include "sim/scene/scene_file.h"
 #include "sim/tissue/hollow/tube_onset.h"
 #include "sim/tissue/hollow/wrung_tube.h"
 #include "sim/tissue/rod/fold_check.h"
-#include "tests/sim/servo/hollow_bar.h"
+#include "tests/sim/servo/bar_scene.h"
 #include "tests/support/shipped_scene.h"
 
 namespace torsio {

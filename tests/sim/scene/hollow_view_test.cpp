@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,9 +18,8 @@
 #include "sim/scene/hollow_map.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/scene_file.h"
 #include "sim/tissue/view/twist_kernels.h"
-#include "tests/sim/servo/hollow_bar.h"
+#include "tests/sim/servo/bar_scene.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/shipped_scene.h"
 

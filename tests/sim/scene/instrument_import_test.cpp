@@ -10,7 +10,6 @@
 #include <set>
 #include <string>
 #include <unistd.h>
-#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

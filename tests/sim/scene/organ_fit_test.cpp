@@ -11,7 +11,6 @@
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/scene_file.h"
 #include "tests/support/organ_like_shapes.h"
-#include "tests/support/procedural_mesh.h"
 
 namespace torsio {
 namespace {

@@ -4,7 +4,6 @@
 #include "sim/servo/contact_coupling.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/servo/exercise.h"
-#include "tests/sim/servo/hollow_bar.h"
+#include "tests/sim/servo/bar_scene.h"
 #include "tests/support/allocation_count.h"
 
 namespace torsio {

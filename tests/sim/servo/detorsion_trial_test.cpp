@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A whole untwisting through the servo loop: recorded, decoded, replayed.
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -14,7 +13,7 @@
 #include "sim/servo/pose_track.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
-#include "tests/sim/servo/hollow_bar.h"
+#include "tests/sim/servo/bar_scene.h"
 
 namespace torsio {
 namespace {

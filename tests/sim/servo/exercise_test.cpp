@@ -2,7 +2,6 @@
 #include "sim/servo/exercise.h"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>

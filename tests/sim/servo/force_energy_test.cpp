@@ -3,13 +3,11 @@
 // than it has got. The hand is a mass on a spring and a damper that are led to and fro; its physics is
 // integrated in steps of 20 us while the force of a tick is held.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "sim/core/angle.h"
 #include "sim/core/random.h"
 #include "sim/device/haptic_device.h"
 #include "sim/servo/servo_loop.h"

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 

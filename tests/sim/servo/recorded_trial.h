@@ -7,6 +7,7 @@
 
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
+#include "sim/record/trial.h"
 #include "sim/servo/servo_loop.h"
 
 namespace torsio {
@@ -45,5 +46,12 @@ Trial recordedTrial(ServoLoop& loop, TrialHeader header, std::int64_t seconds, c
 inline Trial recordedTrial(ServoLoop& loop, TrialHeader header, std::int64_t seconds) {
   return recordedTrial(loop, std::move(header), seconds, [] {});
 }
+
+/// The straight bar of the recordings in tests/data: its outline has the same bits on every machine.
+[[nodiscard]] const Scene& recordedBar();
+
+/// Runs a scripted hand for eight seconds on recordedBar(), and returns what the servo loop answered as a
+/// finished trial. `tests/data/trials` was made by it.
+[[nodiscard]] Trial recordOnBar(const TrialId& trialId, const std::string& traineeCode, TwistDrive drive);
 
 }  // namespace torsio

@@ -19,7 +19,6 @@
 #include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "sim/servo/servo_loop.h"
-#include "tests/sim/servo/recorded_bar.h"
 #include "tests/sim/servo/recorded_trial.h"
 #include "tests/support/refusal.h"
 #include "tests/support/shipped_scene.h"

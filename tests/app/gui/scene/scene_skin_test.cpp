@@ -28,7 +28,7 @@
 #include "sim/scene/skin/tissue_skin.h"
 #include "sim/scene/skin/vessels.h"
 #include "tests/app/gui/support/bar_view.h"
-#include "tests/sim/servo/hollow_bar.h"
+#include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::gui {
 

@@ -18,7 +18,7 @@
 #include "app/gui/widgets/child.h"
 #include "sim/core/angle.h"
 #include "sim/scene/hollow_organ.h"
-#include "tests/sim/servo/hollow_bar.h"
+#include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::gui {
 namespace {

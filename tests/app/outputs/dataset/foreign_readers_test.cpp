@@ -21,7 +21,6 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/file_lock.h"
-#include "tests/support/cohort_rows.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio {

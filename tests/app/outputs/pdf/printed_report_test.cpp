@@ -34,9 +34,7 @@
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/figure_table.h"
-#include "tests/support/cohort_rows.h"
 #include "tests/support/demonstration_cohort.h"
-#include "tests/support/said_cohort.h"
 
 namespace torsio {
 

@@ -51,7 +51,7 @@
 #include "sim/record/sample_codec.h"
 #include "tests/app/outputs/report/small_study.h"
 #include "tests/app/support/study_centre.h"
-#include "tests/support/cohort_rows.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio {
 

@@ -34,7 +34,6 @@
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_file.h"
 #include "tests/app/support/audit_entries.h"
-#include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

@@ -55,7 +55,7 @@
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
-#include "tests/support/cohort_rows.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio {
 

@@ -17,7 +17,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/db/test_database.h"
-#include "tests/support/cohort_rows.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio {
 namespace {

@@ -17,7 +17,7 @@
 #include "sim/core/angle.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/training_centre.h"
-#include "tests/sim/servo/hollow_bar.h"
+#include "tests/sim/servo/bar_scene.h"
 
 namespace torsio {
 namespace {

@@ -23,7 +23,7 @@
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/support/training_centre.h"
-#include "tests/support/cohort_rows.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "sim/tissue/rod/rod_solve.h"
 #include "sim/tissue/rod/rod_system.h"
-#include "tests/sim/tissue/rod/rod_shapes.h"
+#include "tests/sim/tissue/rod/rod_scenes.h"
 
 namespace torsio {
 namespace {

@@ -15,7 +15,6 @@
 #include "sim/tissue/rod/rod_step.h"
 #include "sim/tissue/rod/rod_system.h"
 #include "tests/sim/tissue/rod/rod_scenes.h"
-#include "tests/sim/tissue/rod/rod_shapes.h"
 
 namespace torsio {
 namespace {

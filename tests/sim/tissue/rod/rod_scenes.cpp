@@ -9,7 +9,6 @@
 
 #include "sim/core/angle.h"
 #include "sim/core/random.h"
-#include "tests/sim/tissue/rod/rod_shapes.h"
 
 namespace torsio {
 

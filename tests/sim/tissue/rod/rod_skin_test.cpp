@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/angle.h"
-#include "sim/core/portable_math.h"
 #include "sim/tissue/rod/fold_check.h"
 #include "sim/tissue/rod/rod_solve.h"
 #include "tests/support/allocation_count.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/sim/servo/recorded_bar.h"
 
-#include "assessment/domain/ids.h"
+#include "tests/sim/servo/recorded_trial.h"
+
 #include "sim/core/portable_math.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
-#include "tests/sim/servo/recorded_trial.h"
+#include "tests/sim/servo/bar_scene.h"
 
 namespace torsio {
 
