@@ -22,6 +22,7 @@
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"
+#include "sim/scene/pattern_judgement.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/hollow/wrung_organ.h"
@@ -106,6 +107,26 @@ void addWallFolds(nlohmann::ordered_json& result, const FoldReport& fold, const 
                      std::abs(state.twist.graspAngle_rad) > organ.onset_rad(state.hollow.reading.pressure_Pa);
 }
 
+/// `beyond`: the limit that the answer passes; empty: none.
+void addValidity(nlohmann::ordered_json& result, const Text& beyond) {
+  result["valid"] = beyond.empty();
+  if (!beyond.empty()) {
+    result["beyond"] = beyond.str();
+  }
+}
+
+/// The limit that the organ of a pattern passes: of tissue, or of the law of its wall.
+Text beyondOf(const Scene& scene, const FoldReport& fold, const OrganState& state) {
+  if (scene.hollow && scene.hollow->tube(0) != nullptr) {
+    const Text packed = packedBeyond(std::abs(state.twist.graspAngle_rad),
+                                     scene.hollow->closing_rad(state.hollow.reading.pressure_Pa));
+    if (!packed.empty()) {
+      return packed;
+    }
+  }
+  return brokenLimit(scene, fold).reason;
+}
+
 void addOrgan(nlohmann::ordered_json& result, const Scene& scene, const TwistArguments& arguments) {
   result["organ"] = arguments.organ.organ;
   if (scene.repairs.any()) {
@@ -149,13 +170,14 @@ OrganState hollowState(const TwistArguments& arguments, const Scene& scene) {
 /// Turns the organ as in the pattern's task until the measured angle is reached.
 TaskPoint taskPoint(const TwistArguments& arguments, const Scene& scene) {
   const double angle_rad = angleOf_rad(arguments, scene);
+  if (!arguments.grasp && reaches(scene.rod->path(), angle_rad)) {
+    return atAngle(scene.rod->path(), angle_rad);
+  }
+  TurnEnd end = TurnEnd::kThere;
   const std::vector<TaskPoint> path =
-      scene.rod->follow(graspOf(arguments, scene), angle_rad, arguments.allowFold);
+      scene.rod->follow(graspOf(arguments, scene), angle_rad, arguments.allowFold, &end);
   if (!reaches(path, angle_rad)) {
-    throw Error(ErrorCode::kFolded,
-                Text::verbatim("the turn ends at %1 degrees: beyond it the organ folds or slips back by a "
-                               "whole turn, or the hand turns without it",
-                               std::to_string(degrees(path.back().angle_rad))),
+    throw Error(ErrorCode::kFolded, turnEndsAt(path.back().angle_rad, end),
                 Text::tr("organ %1", arguments.organ.organ), Text::verbatim("Twist less far."));
   }
   return atAngle(path, angle_rad);
@@ -180,9 +202,7 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   std::vector<Vec3> twisted = scene.mesh.vertices_m;
   scene.deform(state, twisted);
   const double deform_ms = millisecondsSince(deforming);
-  const FoldReport fold = FoldCheck(scene.mesh, scene.lattice()).judge(twisted, [&](const Vec3& rest_m) {
-    return scene.toDeformed_m(rest_m, state);
-  });
+  const FoldReport fold = foldOf(scene, FoldCheck(scene.mesh, scene.lattice()), state);
   if (!scene.hollow) {
     requireUnfolded(fold, arguments);  // a wall folds by design
   }
@@ -204,6 +224,7 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   } else {
     addFold(result, fold);
   }
+  addValidity(result, beyondOf(scene, fold, state));
   result["peak_shear_pa"] = scene.peakShear_Pa(state);
   result["set_up_ms"] = setUp_ms;
   result["deform_ms"] = deform_ms;
@@ -288,7 +309,8 @@ double pressureOf_Pa(const char* option, double pressure_mmHg) {
   return pressure_mmHg * kPascalsPerMmHg;
 }
 
-void addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, const Scene& scene,
+/// Adds what a wall does; returns the limit of its law that it passes.
+Text addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, const Scene& scene,
              const RodTwistRequest& rod) {
   WallTwistRequest request;
   request.pressure_Pa = pressureOf_Pa("--pressure-mmhg", arguments.pressure_mmHg.value_or(0.0));
@@ -308,6 +330,7 @@ void addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, co
   result["shortening_mm"] = 1000.0 * wall.shortening_m;
   result["fold_waves"] = wall.waves;
   result["wall_ms"] = wall.setUp_ms;
+  return wall.beyond;
 }
 
 void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
@@ -336,11 +359,13 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
   result["torque_nm"] = twist.torque_Nm;
   result["energy_j"] = twist.energy_J;
   result["inverse_m"] = twist.inverse_m;
+  Text beyond = twist.fold.reason();
   if (!arguments.wall.empty()) {
-    addWall(result, arguments, scene, request);
+    beyond = addWall(result, arguments, scene, request);
   }
   addReference(result, twist, request.angle_rad);
   addFold(result, twist.fold);
+  addValidity(result, beyond);
   result["set_up_ms"] = setUp_ms;
   result["twist_ms"] = twist_ms;
   if (!arguments.out.empty()) {

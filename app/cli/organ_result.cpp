@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/organ_result.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/options.h"
+#include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
 #include "sim/scene/organ_file.h"
@@ -46,10 +48,14 @@ void printForPeople(const OrganImport& import, const std::string& file) {
   if (import.measures.length_m > 0.0) {
     std::cout << ", " << import.organ.mesh.triangles.size() << " triangles, "
               << shortNumber(import.volume_ml.value_or(0.0)) << " ml, axis "
-              << shortNumber(1000.0 * import.measures.length_m) << " mm, least det F at 60 degrees "
-              << shortNumber(import.measures.leastDeterminant60);
+              << shortNumber(1000.0 * import.measures.length_m) << " mm";
   }
   std::cout << '\n';
+  for (const PatternJudgement& pattern : import.patterns) {
+    std::cout << "  pattern " << pattern.id << (pattern.accepted ? " accepted" : " refused")
+              << ", least det F " << shortNumber(pattern.leastDeterminant) << ", " << pattern.crossings
+              << " crossings, volume " << shortNumber(pattern.volumeRatio) << '\n';
+  }
   for (const OrganFinding& finding : import.findings) {
     std::cout << "  " << wordOf(finding.weight, kWeights) << ' ' << finding.code << ' '
               << sentenceOf(finding);
@@ -58,6 +64,21 @@ void printForPeople(const OrganImport& import, const std::string& file) {
   if (const std::string repairs = import.repairs.text(); !repairs.empty()) {
     std::cout << "  repaired: " << repairs << '\n';
   }
+}
+
+nlohmann::ordered_json patternJson(const PatternJudgement& pattern) {
+  nlohmann::ordered_json json;
+  json["id"] = pattern.id;
+  json["accepted"] = pattern.accepted;
+  json["det_f_min"] = pattern.leastDeterminant;
+  json["crossings"] = pattern.crossings;
+  json["volume_ratio"] = pattern.volumeRatio;
+  if (!pattern.reason.empty()) {
+    json["reason"] = pattern.reason.str();
+    json["angle_deg"] = pattern.brokenAt_rad ? nlohmann::ordered_json(degrees(*pattern.brokenAt_rad))
+                                             : nlohmann::ordered_json(nullptr);
+  }
+  return json;
 }
 
 Vec3 vectorFrom(const std::vector<double>& xyz) {
@@ -82,7 +103,14 @@ nlohmann::ordered_json organJson(const OrganImport& import, const std::string& o
     json["repairs"].push_back(repair);
   }
   json["volume_ml"] = numberOrNull(import.volume_ml);
-  json["det_f_min_60"] = numberOrNull(import.leastDeterminant60);
+  json["det_f_min_60"] = nullptr;
+  json["patterns"] = nlohmann::ordered_json::array();
+  for (const PatternJudgement& pattern : import.patterns) {
+    json["patterns"].push_back(patternJson(pattern));
+    const nlohmann::ordered_json& least = json["det_f_min_60"];
+    json["det_f_min_60"] = least.is_null() ? pattern.leastDeterminant60
+                                           : std::min(least.get<double>(), pattern.leastDeterminant60);
+  }
   json["triangles"] = import.organ.mesh.triangles.size();
   const OrganMeasures& m = import.measures;
   json["length_mm"] = 1000.0 * m.length_m;
@@ -93,7 +121,6 @@ nlohmann::ordered_json organJson(const OrganImport& import, const std::string& o
   json["branch"] = m.branch;
   json["beyond_ends"] = m.beyond;
   json["width_ratio"] = m.widthRatio;
-  json["crossings_60"] = m.crossings60;
   json["crossings_at_rest"] = m.crossingsAtRest;
   json["anatomy"] = import.organ.anatomy;
   if (m.stalkWidth > 0.0) {

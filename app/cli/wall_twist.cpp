@@ -13,6 +13,7 @@
 
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
+#include "sim/core/short_number.h"
 #include "sim/scene/organ_wall.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/rod/rod_sections.h"
@@ -22,6 +23,7 @@ namespace torsio::cli {
 namespace {
 
 constexpr double kSmallTurn_rad = radians(0.1);
+constexpr double kCheckedPressure = 0.5;  // p R / (G t) of the tables of docs/validation.md
 
 [[noreturn]] void refuseWall(const std::string& words) {
   throw Error(
@@ -48,7 +50,25 @@ double mostSealed_Pa(const std::vector<WallPlace>& places, double shear_Pa) {
   return most_Pa;
 }
 
+// p R / (G t) where it is largest.
+double largestPressure(const std::vector<WallPlace>& places, double shear_Pa, double pressure_Pa) {
+  double largest = 0.0;
+  for (const WallPlace& place : places) {
+    largest = std::max(largest, pressure_Pa * place.radius_m / (shear_Pa * place.thickness_m));
+  }
+  return largest;
+}
+
 }  // namespace
+
+Text packedBeyond(double angle_rad, double closing_rad) {
+  return angle_rad > closing_rad
+             ? Text::verbatim(
+                   "beyond %1 degrees the waist is packed with wall: the torque is that of a rope, "
+                   "its order of size only",
+                   shortNumber(degrees(closing_rad)))
+             : Text();
+}
 
 WallMap wallMap(const std::string& words) {
   constexpr double kMillimetre = 1e-3;
@@ -122,6 +142,15 @@ WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const 
   result.closing_rad = organ.closing_rad(result.pressure_Pa);
   result.shortening_m = organ.at(0.0, result.pressure_Pa).length - state.length;
   result.waves = organ.waves(result.pressure_Pa);
+  result.beyond = packedBeyond(std::abs(rod.angle_rad), result.closing_rad);
+  const double pressure =
+      largestPressure(places, rod.shearModulus_Pa, std::max(result.pressure_Pa, request.restPressure_Pa));
+  if (result.beyond.empty() && pressure > kCheckedPressure) {
+    result.beyond = Text::verbatim(
+        "pressure times radius over stiffness times wall is %1; the law of the "
+        "wall is checked up to %2",
+        shortNumber(pressure), shortNumber(kCheckedPressure));
+  }
   return result;
 }
 

@@ -26,7 +26,11 @@ struct WallTwistResult {
   double shortening_m = 0.0;   ///< approach of free ends
   int waves = 0;               ///< number of folds around the organ
   double setUp_ms = 0.0;       ///< time to compute the table
+  Text beyond;                 ///< limit of the law of the wall that is passed; empty: none
 };
+
+/// Names the closing of a lumen as a limit if an angle is beyond it; empty otherwise.
+[[nodiscard]] Text packedBeyond(double angle_rad, double closing_rad);
 
 /// Parses `--wall`: a thickness in millimetres, or thicknesses along the organ, `0:2,0.6:3`, each a fraction
 /// of the length and a thickness. Throws Error{kUsage} otherwise.

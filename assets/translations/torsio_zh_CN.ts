@@ -15039,14 +15039,6 @@ audit trail %3</source>
         <translation>请在网格编辑软件中修复表面</translation>
     </message>
     <message>
-        <source>twisted by 60 degrees, det F, the local volume ratio, falls to %1</source>
-        <translation>扭转 60 度时，det F（局部体积比）降至 %1</translation>
-    </message>
-    <message>
-        <source>twisted by 60 degrees, the surface crosses itself in %1 {pair|pairs} of triangles</source>
-        <translation>扭转 60 度时，表面有 %1 对三角形相互穿插</translation>
-    </message>
-    <message>
         <source>the pattern &apos;%1&apos; needs an anatomy that this organ is not known to have</source>
         <translation>扭转方式“%1”所需的解剖结构，此器官未说明具备</translation>
     </message>
@@ -18649,6 +18641,62 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Withdrew (UTC)</source>
         <translation>退出时间（UTC）</translation>
+    </message>
+    <message>
+        <source>cut across both ends: as they are no pattern leaves the organ whole; what lies beyond a cut moves as a whole</source>
+        <translation>已在两端横切：按原样没有任何模式能使器官保持完整；切面以外的部分作为整体移动</translation>
+    </message>
+    <message>
+        <source>The same by hand, to change it: %1</source>
+        <translation>手动给出同样的切面（可修改）：%1</translation>
+    </message>
+    <message>
+        <source>%1 breaks at %2 degrees: %3</source>
+        <translation>%1 在 %2 度时破坏：%3</translation>
+    </message>
+    <message>
+        <source>it bends so sharply at rest that any turn folds it</source>
+        <translation>它在静止时弯曲过急，任何扭转都会使其折叠</translation>
+    </message>
+    <message>
+        <source>the turn ends at %1 degrees: beyond it the organ folds</source>
+        <translation>扭转止于 %1 度：超过后器官会折叠</translation>
+    </message>
+    <message>
+        <source>the turn ends at %1 degrees: beyond it a part of the organ slips back by a whole turn</source>
+        <translation>扭转止于 %1 度：超过后器官的一部分会滑回一整圈</translation>
+    </message>
+    <message>
+        <source>the turn ends at %1 degrees: beyond it the hand turns without the organ</source>
+        <translation>扭转止于 %1 度：超过后手空转而器官不随动</translation>
+    </message>
+    <message>
+        <source>the turn ends at %1 degrees: beyond it the organ finds no balance</source>
+        <translation>扭转止于 %1 度：超过后器官找不到平衡</translation>
+    </message>
+    <message>
+        <source>no instrument reaches the section that the pattern grips</source>
+        <translation>器械无法到达该模式夹持的截面</translation>
+    </message>
+    <message>
+        <source>no pattern leaves the organ whole; %1</source>
+        <translation>没有任何模式能使器官保持完整；%1</translation>
+    </message>
+    <message>
+        <source>a pattern is left out; %1</source>
+        <translation>略去一个模式；%1</translation>
+    </message>
+    <message>
+        <source>the pattern &apos;%1&apos; does not leave this organ whole</source>
+        <translation>模式“%1”不能使该器官保持完整</translation>
+    </message>
+    <message>
+        <source>the organ&apos;s axis turns back on itself at %1 of its length</source>
+        <translation>器官的轴线在其长度的 %1 处折返</translation>
+    </message>
+    <message>
+        <source>Name its ends, with a cut across each</source>
+        <translation>指定其两端，并各给一个横切面</translation>
     </message>
 </context>
 <context>
@@ -25022,10 +25070,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>长为宽的 %1 倍</translation>
     </message>
     <message>
-        <source>at 60° det F falls to %1</source>
-        <translation>扭转 60° 时 det F 降至 %1</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
@@ -25040,6 +25084,10 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>No repairs were needed; nothing to report.</source>
         <translation>无需修补，也无须提示。</translation>
+    </message>
+    <message>
+        <source>stays whole in %1 of %2 patterns</source>
+        <translation>在 %2 个模式中的 %1 个保持完整</translation>
     </message>
 </context>
 <context>

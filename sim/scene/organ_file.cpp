@@ -108,6 +108,9 @@ Json headOf(const OrganFile& organ) {
   if (organ.wallMap) {
     head["wall_map"] = mapJson(*organ.wallMap);
   }
+  if (!organ.patterns.empty()) {
+    head["patterns"] = organ.patterns;
+  }
   head["warnings"] = warningsJson(organ.warnings);
   return head;
 }
@@ -134,6 +137,7 @@ OrganFile organOfHead(const Json& head) {
   if (head.contains("wall_map")) {
     organ.wallMap = mapFrom(head.at("wall_map"));
   }
+  organ.patterns = head.value("patterns", std::vector<std::string>{});
   organ.warnings = warningsOf(head.at("warnings"));
   return organ;
 }

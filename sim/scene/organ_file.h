@@ -32,6 +32,7 @@ struct OrganFile {
   std::string anatomy;                  ///< id of the scene whose patterns suit it; empty: not known
   std::optional<double> wall_m;         ///< thickness of its wall
   std::optional<OrganWallMap> wallMap;  ///< where it is so thick, on the lattice of `ends`
+  std::vector<std::string> patterns;    ///< that leave it whole; none: it was not judged by its patterns
   std::string source;                   ///< name of the mesh file, without its folder
   std::vector<OrganWarning> warnings;   ///< with which it was accepted
 };

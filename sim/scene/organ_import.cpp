@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <ctime>
 #include <string>
 #include <string_view>
@@ -151,6 +152,45 @@ void sortFindings(std::vector<OrganFinding>& findings) {
   });
 }
 
+std::string plainNumber(double x) {
+  constexpr int kDigits = 7;
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x == 0.0 ? 0.0 : x,
+                                 std::chars_format::general, kDigits);
+  return {text.data(), end.ptr};
+}
+
+/// " --fixed-end 1 2 3", in a unit.
+std::string option(const std::string& name, const Vec3& v, double unit) {
+  return " --" + name + ' ' + plainNumber(v.x / unit) + ' ' + plainNumber(v.y / unit) + ' ' +
+         plainNumber(v.z / unit);
+}
+
+/// The command that asks for these ends; of a scan only its options.
+std::string commandFor(const OrganImportRequest& request, const OrganEnds& ends) {
+  constexpr double kMillimetre = 1e-3;
+  std::string words;
+  if (!request.ofScan) {
+    words = "torsio organ import '" + request.file.string() + "'";
+    words += request.scale_m == kMillimetre ? "" : " --scale " + plainNumber(request.scale_m / kMillimetre);
+    words += request.anatomy.empty() ? "" : " --anatomy " + request.anatomy;
+    words += request.closeHoles ? " --close-holes" : "";
+  }
+  return words + option("fixed-end", *ends.fixedEnd_m, request.scale_m) +
+         option("free-end", *ends.freeEnd_m, request.scale_m) + option("fixed-cut", ends.fixedCut, 1.0) +
+         option("free-cut", ends.freeCut, 1.0);
+}
+
+/// Says that the organ was cut across its ends, and how to ask for that.
+OrganFinding cutNote(const OrganImportRequest& request, const OrganEnds& ends) {
+  OrganFinding finding =
+      note("M28", Text::tr("cut across both ends: as they are no pattern leaves the organ whole; what lies "
+                           "beyond a cut moves as a whole"));
+  finding.where = Text::tr("the whole organ");
+  finding.remedy = Text::tr("The same by hand, to change it: %1", commandFor(request, ends));
+  return finding;
+}
+
 void judgeMesh(const OrganImportRequest& request, RawMesh raw, OrganImport& import) {
   MeshImportOptions options;
   options.scale_m = request.scale_m;
@@ -161,15 +201,15 @@ void judgeMesh(const OrganImportRequest& request, RawMesh raw, OrganImport& impo
   addRepairs(import.repairs, import.findings);
   addIgnored(raw.ignored, import.findings);
   addVolume(request, *import.volume_ml, import.findings);
-  FittedOrgan fitted = fitOrgan(import.organ.mesh, request.ends, request.assets, request.anatomy);
-  const OrganJudgement& judgement = fitted.judgement;
+  FittedOrgan fitted = fitOrgan(import.organ, request.assets);
   import.organ.ends = fitted.ends;
-  import.measures = judgement.measures;
-  if (judgement.measures.length_m > 0.0) {
-    import.leastDeterminant60 = judgement.measures.leastDeterminant60;
-  }
+  import.measures = fitted.judgement.measures;
+  import.patterns = std::move(fitted.patterns);
   for (OrganFinding& finding : fitted.judgement.findings) {
     import.findings.push_back(std::move(finding));
+  }
+  if (fitted.otherEnds) {
+    import.findings.push_back(cutNote(request, fitted.ends));
   }
 }
 
@@ -185,6 +225,7 @@ OrganImportRequest requestFor(OrganImportRequest request, const ScanRequest& sca
   request.file = scan.source;
   request.scale_m = kScanUnit_m;
   request.closeHoles = false;
+  request.ofScan = true;
   return request;
 }
 
@@ -212,9 +253,13 @@ void addWallMap(const ScanSurface& surface, OrganImport& import, std::vector<Org
 }
 
 /// What only the scan knows of the organ.
-void addScan(const ScanSurface& surface, OrganImport& import) {
+void addScan(const ScanSurface& surface, const std::filesystem::path& assets, OrganImport& import) {
   std::vector<OrganFinding> found;
   addWallMap(surface, import, found);
+  if (import.organ.wallMap) {  // it is the wall that is wrung
+    import.patterns = judgePatterns(assets, import.organ);
+    replaceBroken(import.patterns, import.findings);
+  }
   for (const ScanRemark& remark : surface.remarks) {
     found.push_back(findingOfScan(remark));
   }
@@ -244,6 +289,10 @@ void addFindings(OrganImport& import, std::vector<OrganFinding> found) {
   sortFindings(import.findings);
   import.accepted = import.findings.empty() || import.findings.front().weight != FindingWeight::kRefusal;
   import.organ.warnings = warningsAmong(import.findings);
+  for (PatternJudgement& one : import.patterns) {
+    one.accepted = one.accepted && import.accepted;
+  }
+  import.organ.patterns = acceptedAmong(import.patterns);
 }
 
 OrganImport importOrgan(const OrganImportRequest& request) {
@@ -255,6 +304,9 @@ OrganImport importOrgan(const OrganImportRequest& request, const std::function<R
   checkImportRequest(request);
   OrganImport import;
   import.organ.ends = request.ends;
+  import.organ.anatomy = request.anatomy;
+  import.organ.wall_m = request.wall_m;
+  import.organ.source = request.file.filename().string();
   try {
     judgeMesh(request, read(), import);
   } catch (const Error& refusal) {
@@ -270,9 +322,6 @@ OrganImport importOrgan(const OrganImportRequest& request, const std::function<R
     }
     import.findings.push_back(std::move(finding));
   }
-  import.organ.anatomy = request.anatomy;
-  import.organ.wall_m = request.wall_m;
-  import.organ.source = request.file.filename().string();
   addFindings(import, {});
   return import;
 }
@@ -280,6 +329,7 @@ OrganImport importOrgan(const OrganImportRequest& request, const std::function<R
 OrganReconstruction reconstructOrgan(OrganImportRequest request, const ScanRequest& scan,
                                      const ScanProgress& progress) {
   OrganReconstruction result;
+  const std::filesystem::path assets = request.assets;
   const std::clock_t begun = std::clock();
   result.import = importOrgan(requestFor(std::move(request), scan), [&result, &scan, &progress] {
     ScanApart apart = scanApart(scan, progress);
@@ -290,15 +340,16 @@ OrganReconstruction reconstructOrgan(OrganImportRequest request, const ScanReque
     return RawMesh{result.scan.mesh, {}};
   });
   result.processor_s += static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
-  addScan(result.scan, result.import);
+  addScan(result.scan, assets, result.import);
   return result;
 }
 
 OrganImport judgedSurface(OrganImportRequest request, const ScanRequest& scan, const ScanSurface& surface) {
+  const std::filesystem::path assets = request.assets;
   OrganImport import = importOrgan(requestFor(std::move(request), scan), [&surface] {
     return RawMesh{surface.mesh, {}};
   });
-  addScan(surface, import);
+  addScan(surface, assets, import);
   return import;
 }
 

@@ -27,6 +27,7 @@ struct OrganImportRequest {
   std::optional<double> wall_m;  ///< 0.1 to 50 mm
   bool closeHoles = false;       ///< close gaps and the ends of an open tube; told, and warned of when large
   MeshReadLimits reading;
+  bool ofScan = false;  ///< the surface was drawn from a scan
 };
 
 /// What became of it.
@@ -36,8 +37,8 @@ struct OrganImport {
   std::vector<OrganFinding> findings;  ///< refusals first, then warnings, then notes
   MeshRepairs repairs;
   OrganMeasures measures;
-  std::optional<double> volume_ml;           ///< none: the surface encloses nothing
-  std::optional<double> leastDeterminant60;  ///< none: it was not twisted
+  std::vector<PatternJudgement> patterns;  ///< of its anatomy; none: it was not twisted
+  std::optional<double> volume_ml;         ///< none: the surface encloses nothing
 };
 
 /// Reads a mesh file in a process of its own, welds, checks, repairs and judges it. A mesh that is refused is

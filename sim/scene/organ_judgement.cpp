@@ -4,23 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "sim/core/angle.h"
 #include "sim/core/contracts.h"
 #include "sim/core/portable_math.h"
-#include "sim/core/pose.h"
 #include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_crossings.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
-#include "sim/tissue/rod/fold_check.h"
-#include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr double kTrialTurn_rad = kPi / 3.0;
+constexpr double kNeverRefused = std::numeric_limits<double>::infinity();
 
 /// Area and the two second moments of an outline about its centroid.
 struct OutlineMoments {
@@ -175,6 +172,7 @@ void measureBranches(const TriangleMesh& mesh, const SectionLattice& lattice, do
   double whole_m2 = 0.0;
   double branch_m2 = 0.0;
   double beyond_m2 = 0.0;
+  double caps_m2 = 0.0;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     const std::uint32_t v = t[0];
     const Vec3& p = mesh.vertices_m[v];
@@ -186,6 +184,7 @@ void measureBranches(const TriangleMesh& mesh, const SectionLattice& lattice, do
       continue;
     }
     if (part != LatticePart::kSide) {
+      caps_m2 += area_m2;
       beyond_m2 += isBeyond(lattice, part, p, measures.widest_m) ? area_m2 : 0.0;
       continue;
     }
@@ -197,46 +196,7 @@ void measureBranches(const TriangleMesh& mesh, const SectionLattice& lattice, do
   }
   measures.branch = branch_m2 / whole_m2;
   measures.beyond = beyond_m2 / whole_m2;
-}
-
-/// Where a point goes when a stalk is wrung and what it carries turns on it as a whole (docs/model.md H.8).
-class StalkTurn {
- public:
-  StalkTurn(const TwistModel& model, const TwistState& state)
-      : model_(model), state_(state), top_(model.lattice().frameAt(state.graspArc_m)) {}
-  [[nodiscard]] Vec3 operator()(const Vec3& p) const {
-    const double arc_m = model_.lattice().nearestArc_m(p);
-    const AxisFrame axis = arc_m < state_.graspArc_m ? model_.lattice().frameAt(arc_m) : top_;
-    return axis.centre_m + rotateAbout(p - axis.centre_m, axis.tangent,
-                                       model_.angleAt(std::min(arc_m, state_.graspArc_m), state_));
-  }
-
- private:
-  const TwistModel& model_;
-  TwistState state_;
-  AxisFrame top_;
-};
-
-void twistBothWays(const TriangleMesh& mesh, const SectionLattice& lattice, double wrung,
-                   OrganMeasures& measures) {
-  const TwistModel model(mesh, lattice, Material{}, TwistModelOptions{});
-  const FoldCheck check(mesh, lattice);
-  std::vector<Vec3> turned(mesh.vertices_m.size());
-  for (const double angle_rad : {kTrialTurn_rad, -kTrialTurn_rad}) {
-    const TwistState state{wrung * lattice.length_m(), angle_rad};
-    const StalkTurn onStalk(model, state);
-    const auto map = [&](const Vec3& rest_m) {
-      return wrung < 1.0 ? onStalk(rest_m) : model.toDeformed_m(rest_m, state);
-    };
-    if (wrung < 1.0) {
-      std::transform(mesh.vertices_m.begin(), mesh.vertices_m.end(), turned.begin(), map);
-    } else {
-      model.deform(state, turned);
-    }
-    const FoldReport report = check.judge(turned, map);
-    measures.leastDeterminant60 = std::min(measures.leastDeterminant60, report.minDeterminant);
-    measures.crossings60 = std::max(measures.crossings60, report.crossings);
-  }
+  measures.caps = caps_m2 / whole_m2;
 }
 
 /// Where all of the organ is meant.
@@ -317,14 +277,14 @@ void judgeShape(const OrganMeasures& m, const OrganLimits& limits, double wrung,
                                    shortNumber(m.flatness)),
                           Text::tr("Choose an organ with rounder sections")));
   findings.atMost(
-      m.overlap, limits.mostOverlap, 0.0,
+      m.overlap, kNeverRefused, limits.usualOverlap,
       finding("M22",
               Text::tr("sections run into each other in %1 of the organ: it bends more sharply than it "
                        "is wide",
                        percent(m.overlap)),
               Text::tr("Name the ends of the organ, or take a part of it that bends less")));
   findings.atMost(
-      m.widthRatio, limits.mostWidthRatio, limits.usualWidthRatio,
+      m.widthRatio, kNeverRefused, limits.usualWidthRatio,
       finding("M25",
               Text::tr("the organ is %1 times as wide in one place as in another: all of the twist goes "
                        "into the narrow part",
@@ -332,28 +292,14 @@ void judgeShape(const OrganMeasures& m, const OrganLimits& limits, double wrung,
               Text::tr("Take one part of it, or name the ends of that part")));
 }
 
-/// `triangles`: of the organ; `turned`: of the surface that was twisted.
-void judgeTwist(const OrganMeasures& m, std::size_t triangles, std::size_t turned, const OrganLimits& limits,
-                Findings& findings) {
-  const auto shareOf = [](std::size_t pairs, std::size_t all) {
-    return static_cast<double>(pairs) / static_cast<double>(all);
-  };
-  findings.atMost(shareOf(m.crossingsAtRest, triangles), limits.mostCrossingShare, 0.0,
+void judgeSurface(const OrganMeasures& m, std::size_t triangles, const OrganLimits& limits,
+                  Findings& findings) {
+  findings.atMost(static_cast<double>(m.crossingsAtRest) / static_cast<double>(triangles),
+                  limits.mostCrossingShare, 0.0,
                   finding("M17",
                           Text::tr("the surface crosses itself in %1 {pair|pairs} of triangles",
                                    std::to_string(m.crossingsAtRest)),
                           Text::tr("Repair the surface in a mesh editor")));
-  findings.atLeast(m.leastDeterminant60, limits.foldedDeterminant, limits.leastDeterminant,
-                   finding("M23",
-                           Text::tr("twisted by 60 degrees, det F, the local volume ratio, falls to %1",
-                                    shortNumber(m.leastDeterminant60)),
-                           Text::tr("Name the ends of the organ, or take a part of it that bends less")));
-  findings.atMost(shareOf(m.crossings60, turned), limits.mostCrossingShare, 0.0,
-                  finding("M24",
-                          Text::tr("twisted by 60 degrees, the surface crosses itself in %1 {pair|pairs} of "
-                                   "triangles",
-                                   std::to_string(m.crossings60)),
-                          Text::tr("Name the ends of the organ, or take a part of it that bends less")));
 }
 
 }  // namespace
@@ -363,18 +309,15 @@ OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& optio
   TORSIO_EXPECTS(wrung > 0.0 && wrung <= 1.0);
   OrganJudgement judgement;
   OrganMeasures& measures = judgement.measures;
-  std::size_t triangles = whole.triangles.size();
   try {
-    const bool large = triangles > kJudgedTriangles;
+    const bool large = whole.triangles.size() > kJudgedTriangles;
     const TriangleMesh fewer = large ? thinned(whole, kJudgedTriangles) : TriangleMesh{};
     const TriangleMesh& mesh = large ? fewer : whole;
-    triangles = mesh.triangles.size();
     const SectionLattice lattice(mesh, options);
     measures.length_m = lattice.length_m();
     measureSections(lattice, wrung, measures);
     measureOverlap(lattice, wrung, measures);
     measureBranches(mesh, lattice, wrung, measures);
-    twistBothWays(mesh, lattice, wrung, measures);
     measures.crossingsAtRest = crossingTriangles(whole).size();
   } catch (const Error& refusal) {
     OrganFinding none = findingOf(refusal);
@@ -385,7 +328,7 @@ OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& optio
   }
   Findings findings(judgement.findings);
   judgeShape(measures, limits, wrung, findings);
-  judgeTwist(measures, whole.triangles.size(), triangles, limits, findings);
+  judgeSurface(measures, whole.triangles.size(), limits, findings);
   std::stable_sort(judgement.findings.begin(), judgement.findings.end(),
                    [](const OrganFinding& a, const OrganFinding& b) { return a.code < b.code; });
   return judgement;

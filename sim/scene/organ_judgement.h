@@ -10,26 +10,23 @@
 
 namespace torsio {
 
-/// Most triangles of the surface that is measured and twisted: the time of a lattice grows faster than its
+/// Most triangles of the surface that is measured: the time of a lattice grows faster than its
 /// mesh.
 inline constexpr std::size_t kJudgedTriangles = 100'000;
 
 /// Limits of what the lattice of ridges and sections can describe; docs/organs.md says what organs measure.
 struct OrganLimits {
-  double leastElongation = 2.0;     ///< length over largest mean width; below: refused
-  double usualElongation = 2.2;     ///< below: a warning
-  double mostFlatness = 4.0;        ///< long over short side of the sections; above: refused
-  double usualFlatness = 2.5;       ///< above: a warning
-  double mostOverlap = 0.02;        ///< share of the organ where sections run into each other; above: refused
-  double mostBranch = 0.12;         ///< share of the surface that stands off its section; above: refused
-  double usualBranch = 0.03;        ///< above: a warning
-  double mostBeyond = 0.45;         ///< share of the surface beyond ends that are not cut; above: refused
-  double usualBeyond = 0.2;         ///< above: a warning
-  double mostWidthRatio = 4.0;      ///< widest over narrowest section of the middle four fifths; refused
-  double usualWidthRatio = 3.0;     ///< above: a warning
-  double leastDeterminant = 0.2;    ///< of det F at 60 degrees either way; below: a warning
-  double foldedDeterminant = 0.0;   ///< below: tissue would turn inside out; refused
-  double mostCrossingShare = 1e-3;  ///< of the triangles that cross others, at rest or turned; refused
+  double leastElongation = 1.75;  ///< length over largest mean width; below: refused
+  double usualElongation = 2.2;   ///< below: a warning
+  double mostFlatness = 4.0;      ///< long over short side of the sections; above: refused
+  double usualFlatness = 2.5;     ///< above: a warning
+  double usualOverlap = 0.0;      ///< share of the organ where sections run into each other; above: a warning
+  double mostBranch = 0.12;       ///< share of the surface that stands off its section; above: refused
+  double usualBranch = 0.03;      ///< above: a warning
+  double mostBeyond = 0.45;       ///< share of the surface beyond ends that are not cut; above: refused
+  double usualBeyond = 0.2;       ///< above: a warning
+  double usualWidthRatio = 3.0;   ///< widest over narrowest, middle four fifths; above: a warning
+  double mostCrossingShare = 1e-3;  ///< of the triangles that cross others at rest; refused
   double mostStalkWidth = 0.6;      ///< of a stalk over what it carries; above: refused
 };
 
@@ -44,9 +41,8 @@ struct OrganMeasures {
   double beyond = 0.0;      ///< share of the surface beyond ends that are not cut
   double widthRatio = 1.0;  ///< widest over narrowest, middle four fifths
   double widestAt = 0.0;    ///< place of the widest of those sections, share of the length from the fixed end
-  double narrowestAt = 0.0;         ///< place of the narrowest of them
-  double leastDeterminant60 = 1.0;  ///< of det F at 60 degrees either way
-  std::size_t crossings60 = 0;      ///< new pairs of triangles that cross then, the worse way
+  double narrowestAt = 0.0;  ///< place of the narrowest of them
+  double caps = 0.0;         ///< share of the surface that belongs to an end, not to a section
   std::size_t crossingsAtRest = 0;
   double stalkWidth = 0.0;  ///< median width of the stalk over the widest of what it carries; 0: no stalk
 };
@@ -59,11 +55,11 @@ struct OrganJudgement {
   [[nodiscard]] bool shapeless() const noexcept { return measures.length_m == 0.0; }
 };
 
-/// Judges an organ before it is accepted: builds its lattice, measures it and twists it by 60 degrees either
-/// way about its own axis, its free end gripped. A surface of more than kJudgedTriangles is thinned to so
-/// many for that. `whole`: of requireOrgan. A mesh without a lattice is refused with what the lattice says.
-/// `wrung`: share of the length, from the fixed end, that is wrung: below 1 a stalk, which alone is judged,
-/// while the rest turns on it as a whole. Some seconds for a million triangles.
+/// Judges the shape of an organ: builds its lattice and measures it; what its patterns do to it,
+/// judgePatterns() says. A surface of more than kJudgedTriangles is thinned to so many for that. `whole`: of
+/// requireOrgan. A mesh without a lattice is refused with what the lattice says. `wrung`: share of the
+/// length, from the fixed end, that is wrung: below 1 a stalk, which alone is measured, while the rest turns
+/// on it as a whole.
 [[nodiscard]] OrganJudgement judgeOrgan(const TriangleMesh& whole, const LatticeOptions& options,
                                         double wrung = 1.0, const OrganLimits& limits = {});
 

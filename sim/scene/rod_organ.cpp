@@ -186,7 +186,7 @@ RodOrgan::RodOrgan(const Parts& parts, const SolvedSections& sections)
               skin_.placeOf(task_.measured->to)};
     task_.measured = marksOf(skin_.curveOf(rod_.rest()));
   }
-  path_ = follow(parts.graspArc, kBeyondTarget * parts.targetAngle_rad);
+  path_ = follow(parts.graspArc, kBeyondTarget * parts.targetAngle_rad, false, &pathEnd_);
   for (std::size_t i = 1; i < path_.size(); ++i) {
     const double way_rad = path_[i].hand_rad - path_[i - 1].hand_rad;
     turnStiffness_Nm_per_rad_ =
@@ -314,15 +314,18 @@ TaskPoint RodOrgan::pointAt(double angle_rad) const {
                                    : atAngle(follow(graspArc_, angle_rad), angle_rad);
 }
 
-std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool pastFolds) const {
+std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool pastFolds,
+                                        TurnEnd* end) const {
   const RodPose& rest = rod_.rest();
   const Pose closed = rest.nodes[nearestNode(organ_.arcs_m, graspArc * length_m_)];
   const OrganGrip grip = this->grip(rest, graspArc * length_m_, closed);
   std::vector<TaskPoint> path(1);
   path.front().pose = rest;
   const double direction = angle_rad < 0.0 ? -1.0 : 1.0;
-  const double farthest_rad = kMaxHandTurn * std::abs(angle_rad);
+  // At least some steps: of a small turn too the organ may stay behind the hand.
+  const double farthest_rad = kMaxHandTurn * std::max(std::abs(angle_rad), kPathStep_rad);
   std::vector<double> turns_rad(static_cast<std::size_t>(rest.count), 0.0);
+  TurnEnd why = TurnEnd::kHandAlone;
   for (int step = 1; step * kPathStep_rad <= farthest_rad; ++step) {
     TaskPoint next = path.back();
     next.hand_rad = direction * step * kPathStep_rad;
@@ -336,13 +339,19 @@ std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool 
     next.torque_Nm = torque_Nm(grip, balance.load, now);
     next.force_N = norm(balance.load.force_N);
     const bool slips = losesTurns(grip, next.pose, turns_rad);
-    if (!balance.converged || slips || (!pastFolds && skin_.sharpestBend(curve) > kFoldingBend)) {
+    const bool folds = !pastFolds && skin_.sharpestBend(curve) > kFoldingBend;
+    if (!balance.converged || slips || folds) {
+      why = !balance.converged ? TurnEnd::kNoBalance : slips ? TurnEnd::kSlipsBack : TurnEnd::kFolds;
       break;
     }
     path.push_back(next);
     if (direction * next.angle_rad >= std::abs(angle_rad)) {
+      why = TurnEnd::kThere;
       break;
     }
+  }
+  if (end != nullptr) {
+    *end = why;
   }
   return path;
 }

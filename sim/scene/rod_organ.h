@@ -41,6 +41,15 @@ struct TaskPoint {
   RodPose pose;
 };
 
+/// Why a turn goes no further.
+enum class TurnEnd {
+  kThere,      ///< it was turned as far as was asked
+  kFolds,      ///< the skin bends beyond kFoldingBend
+  kNoBalance,  ///< no pose at rest was found
+  kSlipsBack,  ///< a part of the organ, or what holds its end, would slip back by a whole turn
+  kHandAlone,  ///< the hand turns on without the organ
+};
+
 /// Returns the point of a path, from rest on, where the measured turn is `angle_rad`; the nearest end
 /// outside.
 [[nodiscard]] TaskPoint atAngle(std::span<const TaskPoint> path, double angle_rad);
@@ -100,9 +109,11 @@ class RodOrgan {
   [[nodiscard]] TaskPoint pointAt(double angle_rad) const;
   /// Follows the task with a jaw at another place until the measured turn is `angle_rad`, or the hand has
   /// turned three times as far, or the tissue folds (unless `pastFolds`), or a part of the organ slips back
-  /// by a whole turn.
-  [[nodiscard]] std::vector<TaskPoint> follow(double graspArc, double angle_rad,
-                                              bool pastFolds = false) const;
+  /// by a whole turn. `end`, if given: why it ends there.
+  [[nodiscard]] std::vector<TaskPoint> follow(double graspArc, double angle_rad, bool pastFolds = false,
+                                              TurnEnd* end = nullptr) const;
+  /// Returns why path() goes no further.
+  [[nodiscard]] TurnEnd pathEnd() const noexcept { return pathEnd_; }
 
   /// Returns the twist rate of the organ's own axis at arc length `arc_m`, rad/m, beyond that at rest.
   [[nodiscard]] double twistRateAt(double arc_m, const RodPose& pose) const noexcept;
@@ -125,6 +136,7 @@ class RodOrgan {
   TurnTask task_;
   std::array<RodSkinPlace, 3> marks_{};
   std::vector<TaskPoint> path_;
+  TurnEnd pathEnd_ = TurnEnd::kThere;
   double turnStiffness_Nm_per_rad_ = 0.0;
 };
 

@@ -12,7 +12,7 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"
 #include "sim/scene/organ_import.h"
-#include "sim/scene/organ_judgement.h"
+#include "sim/scene/pattern_judgement.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_parameters.h"
@@ -47,11 +47,19 @@ struct UsersOrgan {
   bool anatomyKnown = false;  ///< an organ file says what it is, or that nothing is known
 };
 
-/// Judges a mesh and finds its ends; its faults are warnings, or the reason to refuse it.
-std::vector<OrganWarning> judged(OrganFile& organ, const SceneRequest& request) {
-  FittedOrgan fitted = fitOrgan(organ.mesh, organ.ends, request.assets, organ.anatomy);
+/// Judges a user's organ, finds its ends and the patterns that leave it whole. Its faults are warnings, or
+/// the reason to refuse it, or the pattern that is asked for.
+void judge(OrganFile& organ, const SceneRequest& request) {
+  FittedOrgan fitted = fitOrgan(organ, request.assets);
   organ.ends = fitted.ends;
-  for (OrganFinding& finding : fitted.judgement.findings) {
+  organ.patterns = acceptedAmong(fitted.patterns);
+  std::vector<OrganFinding>& findings = fitted.judgement.findings;
+  for (const PatternJudgement& one : fitted.patterns) {
+    if (one.id == request.pattern && !one.accepted) {
+      findings.insert(findings.begin(), brokenFinding(one));
+    }
+  }
+  for (OrganFinding& finding : findings) {
     if (finding.weight == FindingWeight::kRefusal) {
       if (!request.tellOnly) {
         throw refusalOf(finding, request.organFile->string());
@@ -59,7 +67,7 @@ std::vector<OrganWarning> judged(OrganFile& organ, const SceneRequest& request) 
       finding.weight = FindingWeight::kWarning;
     }
   }
-  return warningsAmong(fitted.judgement.findings);
+  organ.warnings = warningsAmong(findings);
 }
 
 UsersOrgan loadUsersOrgan(const SceneRequest& request) {
@@ -79,8 +87,8 @@ UsersOrgan loadUsersOrgan(const SceneRequest& request) {
     organ.file.mesh =
         checkedMesh(readMeshApart(file, import.scale_m).mesh, file.string(), import, &organ.repairs);
   }
-  const bool endsGiven = request.fixedEnd_m.has_value();
-  if (endsGiven) {
+  if (request.fixedEnd_m) {
+    organ.file.patterns.clear();  // it was judged at other ends
     organ.file.ends = {.fixedEnd_m = request.fixedEnd_m,
                        .freeEnd_m = request.freeEnd_m,
                        .fixedCut = request.fixedCut,
@@ -91,9 +99,8 @@ UsersOrgan loadUsersOrgan(const SceneRequest& request) {
                        .branchCut = request.branchCut};
   }
   if (request.asRecorded) {
+    organ.file.patterns.clear();
     organ.file.warnings = request.organWarnings;
-  } else if (endsGiven || !organ.anatomyKnown) {
-    organ.file.warnings = judged(organ.file, request);
   }
   return organ;
 }
@@ -111,6 +118,11 @@ SceneDescription describeOwn(const SceneRequest& request, const UsersOrgan& orga
   const std::string suiting = organ.file.anatomy.empty() ? kOwnOrganScene : organ.file.anatomy;
   SceneDescription own = readSceneFile(request.assets, suiting);
   if (hasPattern(own, request.pattern)) {
+    const std::vector<std::string>& left = organ.file.patterns;
+    if (!request.pattern.empty() && !left.empty() && !request.tellOnly &&
+        std::find(left.begin(), left.end(), request.pattern) == left.end()) {
+      refusePattern(Text::tr("the pattern '%1' does not leave this organ whole", request.pattern), left);
+    }
     return own;
   }
   if (organ.anatomyKnown && !request.asRecorded) {
@@ -186,7 +198,8 @@ bool madeOn(SceneDescription scene, const SceneRequest& request) {
     return false;
   }
   applyWishes(scene, request);
-  return parametersText(scene, scene.patterns[place].pattern, false, request.tissue) == request.recorded;
+  return parametersText(scene, scene.patterns[place].pattern, request.organFile.has_value(),
+                        request.tissue) == request.recorded;
 }
 
 /// The scene asked for, or its former state where a recording was made on that.
@@ -235,6 +248,18 @@ std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const
 
 constexpr double kStraight = 0.01;  // of the length: an axis that bends less has no inside
 
+/// Tells whether the axis lies along the line between its ends.
+bool isStraight(const SectionLattice& lattice) {
+  const Vec3 from_m = lattice.frameAt(0.0).centre_m;
+  const Vec3 along = normalized(lattice.frameAt(lattice.length_m()).centre_m - from_m);
+  double aside_m = 0.0;
+  for (int j = 0; j < lattice.sections(); ++j) {
+    aside_m =
+        std::max(aside_m, norm(cross(lattice.frameAt(lattice.sectionArc_m(j)).centre_m - from_m, along)));
+  }
+  return aside_m <= kStraight * lattice.length_m();
+}
+
 /// Radius of the section's extent in a direction of its plane.
 double reach_m(const SectionLattice& lattice, int j, const AxisFrame& frame, const Vec3& direction) {
   double most = 0.0;
@@ -262,9 +287,14 @@ void acrossBend(TurnTask& task, const SectionLattice& lattice) {
 
 /// Puts the task of a pattern, written for the landmarks of a shipped organ, into another organ: the line of
 /// a task runs through the organ's ends or across its bend at half length, from the inside (an organ without
-/// a bend has it along e1 of its middle section); the turn that counts is that of the gripped section.
-TwistPattern patternFor(const SectionLattice& lattice, const PatternDescription& description) {
+/// a bend has it along e1 of its middle section); the turn that counts is that of the gripped section. A
+/// straight organ of which nothing is known is a bar, without a task.
+TwistPattern patternFor(const SceneDescription& scene, const SectionLattice& lattice,
+                        const PatternDescription& description) {
   TwistPattern pattern = description.pattern;
+  if (scene.id == kOwnOrganScene && isStraight(lattice)) {
+    pattern.task.reset();
+  }
   if (!pattern.task) {
     return pattern;
   }
@@ -276,11 +306,16 @@ TwistPattern patternFor(const SectionLattice& lattice, const PatternDescription&
   return pattern;
 }
 
-/// The scene whose patterns suit an organ of the user's, with that organ.
-SceneDescription describedOwn(const SceneRequest& request, const UsersOrgan& own) {
-  SceneDescription description = describeOwn(request, own);
-  replaceOrgan(description, request, own);
-  return description;
+/// Leaves the patterns that do the organ no harm, and the one that is asked for.
+void offerAccepted(SceneDescription& scene, const std::vector<std::string>& accepted,
+                   const std::string& wanted) {
+  if (accepted.empty()) {
+    return;
+  }
+  std::erase_if(scene.patterns, [&](const PatternDescription& one) {
+    const std::string& id = one.pattern.id;
+    return id != wanted && std::find(accepted.begin(), accepted.end(), id) == accepted.end();
+  });
 }
 
 /// `former`: the description is that of before, for a recording that was made on it.
@@ -290,7 +325,7 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
   const SectionLattice lattice(mesh, description.lattice);
   std::vector<TwistPattern> patterns;
   for (const PatternDescription& pattern : description.patterns) {
-    patterns.push_back(request.organFile ? patternFor(lattice, pattern) : pattern.pattern);
+    patterns.push_back(request.organFile ? patternFor(description, lattice, pattern) : pattern.pattern);
   }
   const TwistPattern& pattern = patterns[placeOfPattern(description, request.pattern)];
 
@@ -343,6 +378,21 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
                former};
 }
 
+/// The scene of a user's organ: that of its patterns, or its former state if a recording was made on it.
+Scene sceneOf(const SceneRequest& request, SceneDescription scene, UsersOrgan own) {
+  replaceOrgan(scene, request, own);
+  offerAccepted(scene, own.file.patterns, request.tellOnly ? request.pattern : "");
+  bool former = false;
+  if (scene.id == kOwnOrganScene && !request.recorded.empty() && !madeOn(scene, request)) {
+    if (std::optional<SceneDescription> before = readFormerScene(request.assets, scene.id)) {
+      replaceOrgan(*before, request, own);
+      former = madeOn(*before, request);
+      scene = former ? std::move(*before) : std::move(scene);
+    }
+  }
+  return builtScene(request, std::move(scene), std::move(own), former);
+}
+
 }  // namespace
 
 std::vector<std::string> sceneIds(const fs::path& assets) {
@@ -366,26 +416,30 @@ std::vector<std::string> patternIds(const fs::path& assets, const std::string& i
 }
 
 Scene loadScene(const SceneRequest& request) {
-  UsersOrgan own;
   if (request.organFile) {
-    own = loadUsersOrgan(request);
-    SceneDescription theirs = describedOwn(request, own);
-    return builtScene(request, std::move(theirs), std::move(own), false);
+    UsersOrgan own = loadUsersOrgan(request);
+    SceneDescription theirs = describeOwn(request, own);
+    if (!request.asRecorded && own.file.patterns.empty()) {
+      own.file.anatomy = theirs.id == kOwnOrganScene ? std::string() : theirs.id;
+      judge(own.file, request);
+    }
+    return sceneOf(request, std::move(theirs), std::move(own));
   }
   bool former = false;
   SceneDescription description = describe(request, former);
   MeshImportOptions import;
   import.scale_m = description.organUnit_m;
-  own.file.mesh = importMesh(description.organ, import, &own.repairs);
-  return builtScene(request, std::move(description), std::move(own), former);
+  UsersOrgan shipped;
+  shipped.file.mesh = importMesh(description.organ, import, &shipped.repairs);
+  return builtScene(request, std::move(description), std::move(shipped), former);
 }
 
 Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ) {
   UsersOrgan own;
   own.file = std::move(organ);
   own.anatomyKnown = true;
-  SceneDescription description = describedOwn(request, own);
-  return builtScene(request, std::move(description), std::move(own), false);
+  SceneDescription description = describeOwn(request, own);
+  return sceneOf(request, std::move(description), std::move(own));
 }
 
 }  // namespace torsio

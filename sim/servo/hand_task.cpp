@@ -7,6 +7,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
+#include "sim/scene/grasp_point.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/servo/detorsion.h"
@@ -16,68 +17,23 @@ namespace torsio {
 
 namespace {
 
-constexpr int kDirections = 24;        // tried round the section
-constexpr double kStartWay_m = 0.090;  // of the resting tip from the surface
-constexpr double kFreeFrom_m = 0.006;  // from here outwards nothing may be in the way
-constexpr double kHandProbe_m = 0.004;
-constexpr double kSmallestArm_m = 0.008;  // nearer to the axis a twist has no lever
-// An end section may lie within its cap: the hand grasps a little inside.
-constexpr double kEndMargin = 0.02;
 constexpr double kRestShare = 1.1;  // of the rest that is asked for
 
-struct Candidate {
-  Vec3 point_m;
-  Vec3 outwards;
-  double facing = -1.0;  // cosine between the surface normal and the way out; -1: cannot be reached
-};
-
-Candidate candidateAt(const Scene& scene, double arc_m, double angle_rad) {
-  Candidate found;
-  found.point_m = scene.lattice().surfacePoint({arc_m, angle_rad}).position_m;
-  const AxisFrame axis = scene.graspFrame(arc_m, found.point_m);
-  const Vec3 way = found.point_m - axis.centre_m;
-  const Vec3 arm = way - axis.tangent * dot(way, axis.tangent);
-  if (norm(arm) < kSmallestArm_m) {
-    return found;
-  }
-  found.outwards = normalized(arm);
-  const double tipRadius_m = scene.instrument.tipRadius_m;
-  for (double height_m = kFreeFrom_m; height_m <= kStartWay_m; height_m += kHandProbe_m) {
-    const Vec3 probe_m = found.point_m + found.outwards * height_m;
-    if (scene.collision.closest(probe_m).distance_m <= tipRadius_m) {
-      return found;
-    }
-  }
-  found.facing = dot(scene.collision.closest(found.point_m + found.outwards * 1e-4).normal, found.outwards);
-  return found;
-}
-
-/// Where the grasped section can be reached best.
-Candidate reachable(const Scene& scene, double arc_m) {
-  Candidate best;
-  for (int i = 0; i < kDirections; ++i) {
-    const Candidate next = candidateAt(scene, arc_m, 2.0 * kPi * i / kDirections);
-    if (next.facing > best.facing) {
-      best = next;
-    }
-  }
-  if (!(best.facing > 0.0)) {
+GraspPoint reachable(const Scene& scene) {
+  const std::optional<GraspPoint> best = graspPoint(scene);
+  if (!best) {
     throw Error(ErrorCode::kBadParameter,
                 Text::verbatim("no point of the grasped section can be reached from outside"),
                 Text::verbatim("scene %1, pattern %2", scene.id, scene.pattern.id),
                 Text::verbatim("Choose another grasp section"));
   }
-  return best;
+  return *best;
 }
 
-double graspArc_m(const Scene& scene) {
-  return std::clamp(scene.pattern.graspArc, kEndMargin, 1.0 - kEndMargin) * scene.lattice().length_m();
-}
-
-HandTask taskAt(const Scene& scene, double arc_m, const Candidate& best) {
+HandTask taskAt(const Scene& scene, double arc_m, const GraspPoint& best) {
   const AxisFrame axis = scene.graspFrame(arc_m, best.point_m);
   HandTask task;
-  task.start_m = best.point_m + best.outwards * kStartWay_m;
+  task.start_m = best.point_m + best.outwards * kHandStartWay_m;
   task.graspPoint_m = best.point_m;
   task.axisCentre_m = axis.centre_m;
   task.axisDirection = axis.tangent;
@@ -145,16 +101,16 @@ HandTask handTask(const Scene& scene, double angle_rad) {
   if (scene.comesTwisted()) {
     return detorseTask(scene, detorsionSeed({}));
   }
-  const double arc_m = graspArc_m(scene);
-  HandTask task = taskAt(scene, arc_m, reachable(scene, arc_m));
+  const double arc_m = handGrasp_m(scene);
+  HandTask task = taskAt(scene, arc_m, reachable(scene));
   // What the task of a rod measures is not what the hand turns.
   task.targetAngle_rad = scene.rod ? scene.rod->pointAt(angle_rad).hand_rad : angle_rad;
   return task;
 }
 
 HandTask detorseTask(const Scene& scene, std::uint64_t seed) {
-  const double arc_m = graspArc_m(scene);
-  const Candidate best = reachable(scene, arc_m);
+  const double arc_m = handGrasp_m(scene);
+  const GraspPoint best = reachable(scene);
   HandTask task = taskAt(scene, arc_m, best);
   const OrganState start = scene.hollow->start(seed);
   const double start_rad = start.twist.graspAngle_rad;

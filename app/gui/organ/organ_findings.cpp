@@ -87,8 +87,12 @@ void OrganFindings::fillVerdict(const OrganImport& import) {
   }
   if (const OrganMeasures& m = import.measures; m.length_m > 0.0) {
     measures << tr("axis %1 mm").arg(number(1000.0 * m.length_m, 0))
-             << tr("%1 times as long as wide").arg(number(m.elongation, 1))
-             << tr("at 60\u00b0 det F falls to %1").arg(number(m.leastDeterminant60, 2));
+             << tr("%1 times as long as wide").arg(number(m.elongation, 1));
+  }
+  if (!import.patterns.empty()) {
+    measures << tr("stays whole in %1 of %2 patterns")
+                    .arg(QLocale().toString(static_cast<qulonglong>(acceptedAmong(import.patterns).size())),
+                         QLocale().toString(static_cast<qulonglong>(import.patterns.size())));
   }
   measures_->setText(measures.join(QStringLiteral(" \u00b7 ")));
   measures_->setVisible(!measures.isEmpty());

@@ -21,7 +21,6 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/value_text.h"
 #include "sim/core/angle.h"
-#include "sim/scene/hollow_organ.h"
 
 namespace torsio::gui {
 
@@ -187,14 +186,7 @@ void OrganPicture::showTwist(int angle_deg) {
 }
 
 OrganState OrganPicture::state() const {
-  if (trial_.scene == nullptr) {
-    return {};
-  }
-  const double angle_rad = radians(static_cast<double>(twist_->value()));
-  if (trial_.scene->comesTwisted()) {
-    return trial_.scene->hollow->stateAt(angle_rad);
-  }
-  return {{trial_.scene->lattice().length_m(), angle_rad}, {}};
+  return trial_.stateAt(radians(static_cast<double>(twist_->value())));
 }
 
 void OrganPicture::showAxis() {

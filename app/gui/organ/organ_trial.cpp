@@ -11,6 +11,7 @@
 #include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/organ_file.h"
 #include "sim/scene/organ_judgement.h"
+#include "sim/scene/rod_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/tissue_look.h"
 
@@ -34,8 +35,8 @@ std::shared_ptr<const Scene> ownAxisScene(const OrganImport& import, TriangleMes
   }
   SceneRequest request;
   request.assets = assets;
+  organ.patterns.clear();  // shown although it is refused
   request.organFile = import.organ.source;
-  request.noRod = true;
   try {
     return std::make_shared<const Scene>(sceneOfOrgan(request, std::move(organ)));
   } catch (const Error&) {
@@ -82,6 +83,14 @@ ViewScene staticView(const TriangleMesh& mesh, const std::string& anatomy) {
 
 }  // namespace
 
+OrganState OrganTrial::stateAt(double angle_rad) const {
+  if (!scene || !scene->rod) {
+    return scene ? scene->stateAt(angle_rad) : OrganState{};
+  }
+  const TaskPoint point = atAngle(angle_rad < 0.0 ? back : forth, angle_rad);
+  return {{scene->grasp_m(), point.angle_rad}, point.angle_rad == 0.0 ? RodPose{} : point.pose};
+}
+
 OrganTrial trialOf(OrganImport import, const std::filesystem::path& assets) {
   OrganTrial trial;
   trial.import = std::move(import);
@@ -99,6 +108,10 @@ OrganTrial trialOf(OrganImport import, const std::filesystem::path& assets) {
   trial.view = makeViewScene(trial.scene, trial.import.organ.anatomy);
   trial.view.surroundings = Surroundings::kDrape;  // it is not placed like the patient's own
   trial.shown = std::shared_ptr<const TriangleMesh>(trial.scene, &trial.scene->mesh);
+  if (const auto& rod = trial.scene->rod) {
+    trial.forth.assign(rod->path().begin(), rod->path().end());
+    trial.back = rod->follow(trial.scene->pattern.graspArc, -trial.scene->pattern.targetAngle_rad);
+  }
   findAxis(trial);
   return trial;
 }

@@ -9,6 +9,7 @@
 #include "app/services/base/progress.h"
 #include "sim/imaging/surface/scan_preview.h"
 #include "sim/scene/organ_import.h"
+#include "sim/scene/rod_organ.h"
 
 namespace torsio::gui {
 
@@ -23,10 +24,15 @@ struct OrganLandmark {
 struct OrganTrial {
   OrganImport import;
   std::shared_ptr<const Scene> scene;         ///< twists about its own axis; null: no axis
+  std::vector<TaskPoint> forth;               ///< of a rod, to either side
+  std::vector<TaskPoint> back;
   std::shared_ptr<const TriangleMesh> shown;  ///< surface in the view; empty: could not be repaired
   ViewScene view;
   std::vector<Vec3> axis_m;  ///< from the fixed to the free end; empty: none
   std::vector<OrganLandmark> landmarks;
+
+  /// Returns how the organ lies when it is turned by an angle, as far as it goes.
+  [[nodiscard]] OrganState stateAt(double angle_rad) const;
 };
 
 /// Reads and judges a mesh and prepares its view. Slow (seconds): in a worker thread. `progress` may throw to

@@ -26,20 +26,28 @@ double determinantAt(const Vec3& p, const std::function<Vec3(const Vec3&)>& map)
 
 }  // namespace
 
-bool FoldReport::folded() const noexcept {
-  return !(minDeterminant >= kLeastDeterminant) || crossings > 0 ||
-         !(std::abs(volumeRatio - 1.0) <= kMaxVolumeChange);
+FoldLimit FoldReport::passed(const FoldLimits& limits) const noexcept {
+  if (!(minDeterminant >= limits.leastDeterminant)) {
+    return FoldLimit::kDeterminant;
+  }
+  if (static_cast<double>(crossings) > limits.mostCrossings) {
+    return FoldLimit::kCrossings;
+  }
+  return volumeRatio >= limits.leastVolume && volumeRatio <= limits.mostVolume ? FoldLimit::kNone
+                                                                               : FoldLimit::kVolume;
 }
 
-Text FoldReport::reason() const {
-  if (!(minDeterminant >= kLeastDeterminant)) {
-    return Text::tr("det F, the local volume ratio, falls to %1", shortNumber(minDeterminant));
-  }
-  if (crossings > 0) {
-    return Text::tr("the surface crosses itself in %1 {pair|pairs} of triangles", std::to_string(crossings));
-  }
-  if (!(std::abs(volumeRatio - 1.0) <= kMaxVolumeChange)) {
-    return Text::tr("the volume becomes %1 of what it was", shortNumber(volumeRatio));
+Text FoldReport::reason(const FoldLimits& limits) const {
+  switch (passed(limits)) {
+    case FoldLimit::kDeterminant:
+      return Text::tr("det F, the local volume ratio, falls to %1", shortNumber(minDeterminant));
+    case FoldLimit::kCrossings:
+      return Text::tr("the surface crosses itself in %1 {pair|pairs} of triangles",
+                      std::to_string(crossings));
+    case FoldLimit::kVolume:
+      return Text::tr("the volume becomes %1 of what it was", shortNumber(volumeRatio));
+    case FoldLimit::kNone:
+      break;
   }
   return {};
 }

@@ -19,6 +19,17 @@ namespace torsio {
 inline constexpr double kLeastDeterminant = 0.2;  ///< of det F
 inline constexpr double kMaxVolumeChange = 0.02;  ///< of the organ, either way
 
+/// Which limit a deformation passes.
+enum class FoldLimit { kNone, kDeterminant, kCrossings, kVolume };
+
+/// What a body bears; by default filled tissue.
+struct FoldLimits {
+  double leastDeterminant = kLeastDeterminant;  ///< of det F
+  double mostCrossings = 0.0;                   ///< new pairs of triangles that cross
+  double leastVolume = 1.0 - kMaxVolumeChange;  ///< over that at rest
+  double mostVolume = 1.0 + kMaxVolumeChange;
+};
+
 /// What a deformation does to the organ as a body.
 struct FoldReport {
   double volumeRatio = 1.0;     ///< volume now over volume at rest
@@ -26,11 +37,13 @@ struct FoldReport {
   double maxDeterminant = 1.0;
   std::size_t crossings = 0;  ///< pairs of triangles that cut through one another and did not at rest
 
+  /// Returns the first limit that is passed.
+  [[nodiscard]] FoldLimit passed(const FoldLimits& limits = {}) const noexcept;
   /// Tells whether the tissue would have to be folded, torn or swollen to look like this.
-  [[nodiscard]] bool folded() const noexcept;
-  /// Says what is wrong, for people: "det F falls to -0.31, 12 pairs of triangles cross"; empty unless
-  /// folded.
-  [[nodiscard]] Text reason() const;
+  [[nodiscard]] bool folded() const noexcept { return passed() != FoldLimit::kNone; }
+  /// Says what is wrong, for people: "det F, the local volume ratio, falls to -0.31"; empty where no limit is
+  /// passed.
+  [[nodiscard]] Text reason(const FoldLimits& limits = {}) const;
 };
 
 /// Judges deformations of one organ. Immutable.

@@ -11,6 +11,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/index.h"
+#include "sim/core/short_number.h"
 #include "sim/tissue/rod/rod_warping.h"
 
 namespace torsio {
@@ -393,6 +394,12 @@ class RodMaker {
     RodElement result;
     result.length_m = length(i);
     const RodStrain rest = rodStrain(result.length_m, rod_.rest.nodes[at(i)], rod_.rest.nodes[at(i + 1)]);
+    if (!(rest.stretch.z > 0.0)) {
+      const double share = 0.5 * (rod_.arcs_m[at(i)] + rod_.arcs_m[at(i + 1)]) / lattice_.length_m();
+      throw Error(ErrorCode::kBadMesh,
+                  Text::tr("the organ's axis turns back on itself at %1 of its length", shortNumber(share)),
+                  Text::tr("rod"), Text::tr("Name its ends, with a cut across each"));
+    }
     result.restStrain = {rest.stretch.x, rest.stretch.y, rest.stretch.z};
     result.restCurvature_per_m = {rest.curvature_per_m.x, rest.curvature_per_m.y, rest.curvature_per_m.z};
     Matrix6 compliance{};

@@ -77,6 +77,72 @@ TEST(OrganCommand, MakesAnOrganFileThatTwistsLikeItsMesh) {
             static_cast<int>(ErrorCode::kBadParameter));
 }
 
+TEST(OrganCommand, PrintsWhatEachPatternDoesAndOffersOnlyThoseThatLeaveItWhole) {
+  const auto folder = emptyFolder("organ-patterns");
+  const auto mesh = folder / "arch.ply";
+  writePly(mesh, testing::bentTube(0.03, 0.045, 2.6, 40, 60));
+  const auto organ = folder / "arch.organ";
+
+  const auto refused = importOf(mesh.string() + " --anatomy intestine", folder, 6);
+  ASSERT_EQ(refused.at("patterns").size(), 1U);
+  const auto& loop = refused.at("patterns")[0];
+  EXPECT_EQ(loop.at("id"), "loop");
+  EXPECT_FALSE(loop.at("accepted").get<bool>());
+  EXPECT_FALSE(loop.at("reason").get<std::string>().empty());
+  EXPECT_GT(loop.at("angle_deg").get<double>(), 90.0);
+  EXPECT_LT(loop.at("angle_deg").get<double>(), 180.0);
+
+  const auto accepted = importOf(mesh.string() + " --anatomy stomach --out " + organ.string(), folder, 0);
+  int offered = 0;
+  for (const auto& pattern : accepted.at("patterns")) {
+    const std::string id = pattern.at("id").get<std::string>();
+    if (!pattern.at("accepted").get<bool>()) {
+      continue;
+    }
+    ++offered;
+    EXPECT_GE(pattern.at("det_f_min").get<double>(), 0.2) << id;
+    EXPECT_EQ(pattern.at("crossings"), 0) << id;
+    EXPECT_NEAR(pattern.at("volume_ratio").get<double>(), 1.0, 0.02) << id;
+    EXPECT_FALSE(pattern.contains("reason")) << id;
+    // To the target, and by the smallest turn.
+    for (const char* angle : {"", " --angle=-0.01"}) {
+      const ProgramRun twisted =
+          runTorsio("twist --json --pattern " + id + angle + " --organ " + organ.string(), folder);
+      EXPECT_EQ(twisted.code, 0) << id << angle << ": " << twisted.err;
+    }
+  }
+  EXPECT_GE(offered, 2);
+}
+
+TEST(OrganCommand, SaysWhetherATwistIsValidAndWhichLimitItIsBeyond) {
+  const auto folder = emptyFolder("organ-valid");
+  const auto twist = [&folder](const std::string& words) {
+    const ProgramRun run = runTorsio("twist --json " + words, folder);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return nlohmann::json::parse(run.out);
+  };
+
+  const auto good = twist("--organ stomach --pattern partial");
+  EXPECT_TRUE(good.at("valid").get<bool>());
+  EXPECT_FALSE(good.contains("beyond"));
+  const auto folded = twist("--organ stomach --ends clamped-turned --angle 300 --allow-fold");
+  EXPECT_FALSE(folded.at("valid").get<bool>());
+  EXPECT_EQ(folded.at("beyond"), folded.at("fold"));
+  const auto packed = twist("--organ intestine --ends clamped-turned --wall 2 --angle 720");
+  EXPECT_FALSE(packed.at("valid").get<bool>());
+  EXPECT_NE(packed.at("beyond").get<std::string>().find("packed with wall"), std::string::npos);
+  const auto blown = twist("--organ intestine --ends clamped-turned --wall 2 --angle 5 --pressure-mmhg 8");
+  EXPECT_FALSE(blown.at("valid").get<bool>());
+  EXPECT_NE(blown.at("beyond").get<std::string>().find("checked up to 0.5"), std::string::npos);
+  const auto closed = twist("--organ small-bowel-loop --angle 360");
+  EXPECT_FALSE(closed.at("valid").get<bool>());
+  EXPECT_TRUE(twist("--organ small-bowel-loop --angle 30").at("valid").get<bool>());
+
+  const ProgramRun text = runTorsio("twist --organ small-bowel-loop --angle 360", folder);
+  EXPECT_NE(text.out.find("valid = false"), std::string::npos);
+  EXPECT_NE(text.out.find("beyond = "), std::string::npos);
+}
+
 TEST(OrganCommand, MakesAnArmWithAPersonsMeasurementsThatTwists) {
   const auto folder = emptyFolder("organ-arm");
   const auto organ = folder / "arm.organ";

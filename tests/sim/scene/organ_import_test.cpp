@@ -68,7 +68,14 @@ TEST(OrganImport, AcceptsAGoodMeshAsItIs) {
   EXPECT_TRUE(import.findings.empty());
   EXPECT_FALSE(import.repairs.any());
   EXPECT_NEAR(import.volume_ml.value(), 1e6 * testing::areaOf(testing::circleOutline(0.03, 36)) * 0.2, 0.1);
-  EXPECT_NEAR(import.leastDeterminant60.value(), 1.0, 1e-6);
+  ASSERT_EQ(import.patterns.size(), 2U);
+  for (const PatternJudgement& pattern : import.patterns) {
+    EXPECT_TRUE(pattern.accepted) << pattern.id;
+    EXPECT_NEAR(pattern.leastDeterminant, 1.0, 1e-6) << pattern.id;
+    EXPECT_NEAR(pattern.volumeRatio, 1.0, 0.005) << pattern.id;
+    EXPECT_EQ(pattern.crossings, 0U) << pattern.id;
+  }
+  EXPECT_THAT(import.organ.patterns, ElementsAre("own-axis", "own-axis-back"));
   EXPECT_EQ(import.organ.source, "own-bar.ply");
   // The other process reads the same bits as this one.
   EXPECT_EQ(contentHash(import.organ.mesh), contentHash(importMesh(ownFile("bar.ply"))));
@@ -101,13 +108,13 @@ TEST(OrganImport, RefusesWithCodePlaceAndRemedy) {
   ASSERT_NE(found(holed, "M11"), nullptr);
   EXPECT_THAT(found(holed, "M11")->what.str(), HasSubstr("first at ("));
   EXPECT_FALSE(found(holed, "M11")->remedy.empty());
-  EXPECT_FALSE(holed.leastDeterminant60);
+  EXPECT_TRUE(holed.patterns.empty());
 
   const OrganImport ball = importOrgan(importOf(testing::ballShape(), "ball.ply"));
   EXPECT_FALSE(ball.accepted);
   ASSERT_NE(found(ball, "M20"), nullptr);
   EXPECT_LT(found(ball, "M20")->value.value(), 1.0);
-  EXPECT_LT(ball.leastDeterminant60.value(), 0.0);
+  EXPECT_TRUE(ball.organ.patterns.empty());
 
   OrganImportRequest metres = importOf(bar(), "metres.ply");
   metres.scale_m = 1.0;
@@ -269,6 +276,7 @@ TEST(OrganFile, IsReadAsItWasWritten) {
   organ.anatomy = "stomach";
   organ.wall_m = 0.003;
   organ.source = "bar.ply";
+  organ.patterns = {"partial", "combined"};
   organ.warnings = {{"M23", Text::tr("the organ file is cut short")}};
   writeOrganFile(ownFile("bar.organ"), organ);
 
@@ -284,6 +292,7 @@ TEST(OrganFile, IsReadAsItWasWritten) {
   EXPECT_EQ(read.anatomy, "stomach");
   EXPECT_EQ(read.wall_m, 0.003);
   EXPECT_EQ(read.source, "bar.ply");
+  EXPECT_EQ(read.patterns, organ.patterns);
   EXPECT_EQ(read.warnings, organ.warnings);
 }
 

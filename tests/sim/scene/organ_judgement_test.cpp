@@ -43,6 +43,12 @@ bool refusedBy(const OrganJudgement& judgement, const std::string& code) {
   });
 }
 
+bool warnedBy(const OrganJudgement& judgement, const std::string& code) {
+  return std::any_of(judgement.findings.begin(), judgement.findings.end(), [&code](const OrganFinding& one) {
+    return one.code == code && one.weight == FindingWeight::kWarning;
+  });
+}
+
 bool refused(const OrganJudgement& judgement) {
   return std::any_of(judgement.findings.begin(), judgement.findings.end(),
                      [](const OrganFinding& one) { return one.weight == FindingWeight::kRefusal; });
@@ -53,7 +59,6 @@ TEST(OrganJudgement, RefusesABallBecauseItHasNoLength) {
 
   EXPECT_TRUE(refusedBy(ball, "M20"));
   EXPECT_LT(ball.measures.elongation, 1.0);
-  EXPECT_TRUE(refusedBy(ball, "M23")) << ball.measures.leastDeterminant60;
 }
 
 TEST(OrganJudgement, RefusesWhatBranches) {
@@ -98,12 +103,12 @@ TriangleMesh coneOf(double from_m, double to_m, double length_m) {
   return cone;
 }
 
-TEST(OrganJudgement, RefusesConesThatAreShortOrEndInATip) {
-  EXPECT_TRUE(refusedBy(judgementOf(coneOf(0.02, 0.01, 0.0790)), "M20"));  // 1.98 widths
+TEST(OrganJudgement, RefusesAShortConeAndWarnsOfATip) {
+  EXPECT_TRUE(refusedBy(judgementOf(coneOf(0.02, 0.01, 0.0690)), "M20"));  // 1.73 widths
   EXPECT_FALSE(refused(judgementOf(coneOf(0.02, 0.01, 0.0830))));          // 2.08: a warning
   EXPECT_FALSE(judgementOf(coneOf(0.02, 0.01, 0.0830)).findings.empty());
-  EXPECT_TRUE(judgementOf(coneOf(0.02, 0.01, 0.12)).findings.empty());    // a forearm tapers as much
-  EXPECT_TRUE(refusedBy(judgementOf(coneOf(0.02, 0.0002, 0.2)), "M25"));  // all twist at its tip
+  EXPECT_TRUE(judgementOf(coneOf(0.02, 0.01, 0.12)).findings.empty());   // a forearm tapers as much
+  EXPECT_TRUE(warnedBy(judgementOf(coneOf(0.02, 0.0002, 0.2)), "M25"));  // all twist at its tip
 }
 
 /// A round tube bent by a radius through an angle, with round ends.
@@ -117,23 +122,23 @@ TriangleMesh archOf(double radius_m, double bend_m, double turn_rad) {
       });
 }
 
-TEST(OrganJudgement, AcceptsAnArchThatBendsNoMoreSharplyThanItIsWide) {
+TEST(OrganJudgement, WarnsOfAnArchThatBendsMoreSharplyThanItIsWide) {
   // A banana, as a stomach is: two and a half radii of bend.
-  EXPECT_FALSE(refused(judgementOf(archOf(0.02, 0.05, kPi))));
-  // Just over its own radius: the inside has nowhere to go.
-  EXPECT_TRUE(refused(judgementOf(archOf(0.02, 0.022, kPi))));
+  EXPECT_FALSE(warnedBy(judgementOf(archOf(0.02, 0.05, kPi)), "M22"));
+  // Just over its own radius: the inside has nowhere to go. Its patterns say whether that breaks it.
+  EXPECT_TRUE(warnedBy(judgementOf(archOf(0.02, 0.022, kPi)), "M22"));
 }
 
 TEST(OrganJudgement, RefusesAHookedTool) {
   EXPECT_TRUE(refused(judgementOf(testing::hookedToolShape())));
 }
 
-TEST(OrganJudgement, RefusesSolidOrgansThatNobodyTwists) {
+TEST(OrganJudgement, RefusesALiverAndWarnsOfAKidney) {
   const OrganJudgement liver = judgementOf(testing::liverShape());
   const OrganJudgement kidney = judgementOf(testing::kidneyShape());
 
   EXPECT_TRUE(refusedBy(liver, "M20")) << liver.measures.elongation;
-  EXPECT_TRUE(refusedBy(kidney, "M22")) << kidney.measures.overlap;
+  EXPECT_TRUE(warnedBy(kidney, "M22")) << kidney.measures.overlap;
 }
 
 TEST(OrganJudgement, FindsNothingAboutAGentlyBentTube) {
@@ -141,8 +146,6 @@ TEST(OrganJudgement, FindsNothingAboutAGentlyBentTube) {
 
   EXPECT_TRUE(tube.findings.empty());
   EXPECT_GT(tube.measures.elongation, 3.5);
-  EXPECT_GT(tube.measures.leastDeterminant60, 0.3);
-  EXPECT_LT(tube.measures.leastDeterminant60, 1.0);
 }
 
 /// What a PLY file keeps of a mesh: single precision, in millimetres.
@@ -188,14 +191,11 @@ TEST(OrganJudgement, FindsTheEndsOfATubeInAnyMeshing) {
 TEST(OrganJudgement, JudgesAShapeAlikeAtAnyResolution) {
   constexpr double kBend_m = 0.09;
   constexpr double kTurn = 2.2;
-  double usual = 0.0;
   for (const auto& [points, rings] : {std::pair{60, 100}, {250, 400}, {400, 500}}) {
     const OrganJudgement tube = judgementOf(asInFile(testing::bentTube(0.03, kBend_m, kTurn, points, rings)));
 
     EXPECT_TRUE(tube.findings.empty()) << points << " points";
     EXPECT_NEAR(tube.measures.length_m, kBend_m * kTurn, 0.01 * kBend_m * kTurn) << points << " points";
-    usual = usual == 0.0 ? tube.measures.leastDeterminant60 : usual;
-    EXPECT_NEAR(tube.measures.leastDeterminant60, usual, 0.05) << points << " points";
   }
 }
 
@@ -209,8 +209,6 @@ TEST(OrganJudgement, FindsNothingAboutTheShippedOrgansThatTwistAsAWhole) {
       const OrganJudgement organ = judgeOrgan(mesh, options);
 
       EXPECT_TRUE(organ.findings.empty()) << id;
-      EXPECT_GT(organ.measures.leastDeterminant60, 0.35) << id;
-      EXPECT_EQ(organ.measures.crossings60, 0U) << id;
     }
   }
 }
@@ -219,16 +217,13 @@ TEST(OrganJudgement, RefusesNoShippedOrganAsItsSceneTakesIt) {
   for (const std::string& id : sceneIds(kJudgedAssets)) {
     const SceneDescription scene = readSceneFile(kJudgedAssets, id);
 
-    OrganJudgement organ = judgeOrgan(importMesh(scene.organ), scene.lattice, wrungShare(kJudgedAssets, id));
-    if (!twistsAsAWhole(kJudgedAssets, id)) {
-      allowPartialTwist(organ);
-    }
+    const OrganJudgement organ =
+        judgeOrgan(importMesh(scene.organ), scene.lattice, wrungShare(kJudgedAssets, id));
 
     EXPECT_EQ(organ.measures.crossingsAtRest, 0U) << id;
     for (const OrganFinding& one : organ.findings) {
       EXPECT_NE(one.weight, FindingWeight::kRefusal) << id << ": " << one.code << ' ' << one.what.str();
     }
-    RecordProperty(id, std::to_string(organ.measures.leastDeterminant60));
   }
 }
 
@@ -244,21 +239,6 @@ TEST(OrganJudgement, LetsAHandBeyondACutFollow) {
 
   EXPECT_FALSE(refused(cut));
   EXPECT_LT(cut.measures.beyond, 0.1);
-}
-
-TEST(OrganJudgement, OnlyWarnsOfALoopThatIsNotTwistedAsAWhole) {
-  EXPECT_TRUE(twistsAsAWhole(kJudgedAssets, ""));
-  EXPECT_TRUE(twistsAsAWhole(kJudgedAssets, "stomach"));
-  EXPECT_FALSE(twistsAsAWhole(kJudgedAssets, "sigmoid"));
-  OrganJudgement loop;
-  loop.measures.length_m = 0.6;
-  loop.findings = {{"M20", FindingWeight::kRefusal, std::string("short"), "", 1.0, ""},
-                   {"M23", FindingWeight::kRefusal, std::string("folds"), "", -0.1, ""}};
-
-  allowPartialTwist(loop);
-
-  EXPECT_EQ(loop.findings[0].weight, FindingWeight::kRefusal);
-  EXPECT_EQ(loop.findings[1].weight, FindingWeight::kWarning);
 }
 
 OrganImport importOfBytes(const std::string& name, const std::string& bytes) {
@@ -394,13 +374,6 @@ TEST(OrganRules, M21TellsOfTexturesThatAreLeftOut) {
   EXPECT_EQ(weightOf(import, "M21"), FindingWeight::kNote);
 }
 
-TEST(OrganRules, M24RefusesWhatCrossesItselfWhenItIsTwisted) {
-  const OrganImport slab = importOfMesh(testing::slabShape());
-
-  EXPECT_EQ(weightOf(slab, "M24"), FindingWeight::kRefusal);
-  EXPECT_EQ(foundIn(slab, "M17"), nullptr);  // not at rest
-}
-
 /// A bar with a neck of `share` of its radius at half its length.
 TriangleMesh necked(double share) {
   return testing::sweep(testing::circleOutline(0.03, 48), 80, [share](double t) {
@@ -409,11 +382,10 @@ TriangleMesh necked(double share) {
   });
 }
 
-TEST(OrganRules, M25WarnsOfANeckAndRefusesAThinOne) {
+TEST(OrganRules, M25WarnsOfANeck) {
   EXPECT_EQ(foundIn(importOfMesh(necked(0.5)), "M25"), nullptr);
   const OrganImport warned = importOfMesh(necked(0.29));
   EXPECT_EQ(weightOf(warned, "M25"), FindingWeight::kWarning);
-  EXPECT_EQ(weightOf(importOfMesh(necked(0.2)), "M25"), FindingWeight::kRefusal);
 }
 
 }  // namespace
