@@ -24,7 +24,7 @@ namespace {
 struct OrganComparison {
   OrganArguments organ;
   ComparisonOptions options;
-  std::string calibration = "affine";
+  std::string calibration = "equilibrium";
   std::string markers;
   std::string ends = "clamped-turned";
   std::string measured;
@@ -42,6 +42,9 @@ void printComparison(const ComparisonResult& result, const std::string& out) {
               << formatFixed(model.deformation_s, 4) << " s, set-up " << formatFixed(model.setUp_s, 3)
               << " s, RMSE " << formatFixed(1e3 * model.settled.rmse_m, 3) << " mm, roughness "
               << formatFixed(1e3 * model.settled.roughness_m, 4) << " mm\n";
+  }
+  for (const Text& sentence : comparisonOrder(result)) {
+    std::cout << sentence.str() << "\n";
   }
   const double fem_s = result.model("fem").frameMedian_s;
   std::cout << "a frame of the finite elements takes " << formatFixed(fem_s / result.latticeUpdate_s, 0)
@@ -121,7 +124,7 @@ void addCompare(CLI::App& program) {
   addDefaulted(*command, "--substeps", arguments->options.springs.substeps,
                "Substeps of the springs per frame");
   addDefaulted(*command, "--calibration", arguments->calibration,
-               "Calibration of the springs: affine or equilibrium", CLI::IsMember({"affine", "equilibrium"}));
+               "Calibration of the springs: equilibrium (the angle of a small torque) or affine (energy)", CLI::IsMember({"affine", "equilibrium"}));
   command->add_flag("--json", arguments->json, "Print comparison.json");
   command->callback([arguments] { runCompare(*arguments); });
 }

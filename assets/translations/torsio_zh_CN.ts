@@ -8521,10 +8521,6 @@
         <translation>模型</translation>
     </message>
     <message>
-        <source>log10 of seconds of processing</source>
-        <translation>计算秒数的 log10</translation>
-    </message>
-    <message>
         <source>whole twist</source>
         <translation>整个扭转</translation>
     </message>
@@ -8535,10 +8531,6 @@
     <message>
         <source>set-up</source>
         <translation>准备</translation>
-    </message>
-    <message>
-        <source>The reference has no frames: its values are one step of the torque and all of them. Set-up is not part of the deformation time.</source>
-        <translation>参考解没有帧：其数值分别为一个扭矩步和全部扭矩步。准备时间不计入形变时间。</translation>
     </message>
     <message>
         <source>processing time</source>
@@ -18697,6 +18689,58 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Name its ends, with a cut across each</source>
         <translation>指定其两端，并各给一个横切面</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s order (PM before FEM before MSM) holds in this run.</source>
+        <translation>论文的次序（PM 优于 FEM 优于 MSM）在本次运行中成立。</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s order (PM before FEM before MSM) does not hold in this run.</source>
+        <translation>论文的次序（PM 优于 FEM 优于 MSM）在本次运行中不成立。</translation>
+    </message>
+    <message>
+        <source>processing, powers of ten of a second</source>
+        <translation>处理时间，秒的 10 的幂次</translation>
+    </message>
+    <message>
+        <source>%1: %2 s</source>
+        <translation>%1：%2 s</translation>
+    </message>
+    <message>
+        <source>-3 is a millisecond, 0 a second. Below each model stands the time of its whole twist; the table has all times. The reference has no frames: its values are one step of the torque and all of them. Set-up is not part of the deformation time.</source>
+        <translation>-3 为 1 毫秒，0 为 1 秒。每个模型下方是其整个扭转的时间；全部时间见表。参考模型没有帧：其数值为扭矩的一步和全部各步。准备时间不计入形变时间。</translation>
+    </message>
+    <message>
+        <source>Measured (mm)</source>
+        <translation>实测（mm）</translation>
+    </message>
+    <message>
+        <source>Measured: RMSE of the markers&apos; displacements from the means of those measured.</source>
+        <translation>实测：标志点位移与实测均值之间的均方根误差。</translation>
+    </message>
+    <message>
+        <source>Errors of the key points against the reference, from the smallest: %1.</source>
+        <translation>关键点相对参考模型的误差，由小到大：%1。</translation>
+    </message>
+    <message>
+        <source>Errors of the markers against the reference, from the smallest: %1.</source>
+        <translation>标志点相对参考模型的误差，由小到大：%1。</translation>
+    </message>
+    <message>
+        <source>Errors of the markers against the measured ones, from the smallest: %1.</source>
+        <translation>标志点相对实测的误差，由小到大：%1。</translation>
+    </message>
+    <message>
+        <source>The order belongs to this organ and these settings: %1 {ring|rings} of elements, Poisson&apos;s ratio %2, springs calibrated by %3. With other ones it can change.</source>
+        <translation>这一次序只适用于该器官和这些设置：单元 %1 圈，泊松比 %2，弹簧按%3标定。设置不同，次序可能改变。</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>能量</translation>
+    </message>
+    <message>
+        <source>the angle of a small torque</source>
+        <translation>小扭矩下的转角</translation>
     </message>
 </context>
 <context>

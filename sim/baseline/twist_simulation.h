@@ -61,7 +61,7 @@ struct ComparedOrgan {
 [[nodiscard]] std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings);
 struct MassSpringOptions {
   int substeps = 10;  ///< of XPBD, a frame's
-  Calibration calibration = Calibration::kAffine;
+  Calibration calibration = Calibration::kEquilibrium;  ///< the better one
 };
 
 /// Makes the mass-spring model with `rings` rings, calibrated by `model`.

@@ -346,6 +346,15 @@ double HollowOrgan::wallShear_Pa(double arc_m, const OrganState& state) const no
   return std::abs(torque_Nm) / (kTurn * radius_m * radius_m * limb.wall[at].thickness_m);
 }
 
+double HollowOrgan::cordTwist_rad_per_m(double arc_m, const OrganState& state) const noexcept {
+  const Place place = placeOf(arc_m);
+  if (!limbs_.empty() || place.span < 0 || !(place.share > 0.0)) {
+    return 0.0;
+  }
+  const WrungSpan& span = detorsion_.spans[static_cast<std::size_t>(place.span)];
+  return std::abs(state.twist.graspAngle_rad / (length_m_ * (span.mobile - span.held)));
+}
+
 const WrungOrgan* HollowOrgan::tube(int span) const noexcept {
   const bool known = span >= 0 && static_cast<std::size_t>(span) < limbs_.size();
   return known ? limbs_[static_cast<std::size_t>(span)].tube.get() : nullptr;

@@ -210,6 +210,9 @@ class HollowOrgan {
   /// Returns the shear stress of the wall at an arc length, Pa: torque of its span over 2 pi r^2 t; 0 in the
   /// mobile part, beyond the held sections and of a cord.
   [[nodiscard]] double wallShear_Pa(double arc_m, const OrganState& state) const noexcept;
+  /// Returns how fast a solid cord is twisted at an arc length, rad/m, positive; 0 elsewhere and of a wall.
+  /// In the tick.
+  [[nodiscard]] double cordTwist_rad_per_m(double arc_m, const OrganState& state) const noexcept;
   /// Returns the number of spans.
   [[nodiscard]] int spans() const noexcept { return static_cast<int>(detorsion_.spans.size()); }
   /// Returns the wrung tube of a span; null of a cord.

@@ -12,6 +12,21 @@
 
 namespace torsio {
 
+namespace {
+
+/// Returns the shear stress of a patch of an organ that is hollow or a rod.
+double shearAt_Pa(const Scene& scene, std::size_t patch, const OrganState& state) noexcept {
+  const double arc_m = scene.model.tables().patchArc_m[patch];
+  const double byTwist_Pa_m = scene.model.tables().patchShear_Pa_m[patch];
+  if (scene.hollow) {
+    return scene.hollow->wallShear_Pa(arc_m, state) +
+           byTwist_Pa_m * scene.hollow->cordTwist_rad_per_m(arc_m, state);
+  }
+  return byTwist_Pa_m * std::abs(scene.rod->twistRateAt(arc_m, state.pose));
+}
+
+}  // namespace
+
 Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noexcept {
   if (hollow) {
     return HollowMap(lattice(), *hollow, state).forward(rest_m);
@@ -40,38 +55,22 @@ void Scene::deform(const OrganState& state, std::span<Vec3> out_m) const noexcep
 }
 
 void Scene::patchShear(const OrganState& state, std::span<double> out_Pa) const noexcept {
-  if (hollow) {
-    const std::vector<double>& arcs_m = model.tables().patchArc_m;
-    std::transform(arcs_m.begin(), arcs_m.begin() + std::min(std::ssize(arcs_m), std::ssize(out_Pa)),
-                   out_Pa.begin(), [&](double arc_m) { return hollow->wallShear_Pa(arc_m, state); });
-    return;
-  }
-  if (!rod) {
+  if (!hollow && !rod) {
     model.patchShear(state.twist, out_Pa);
     return;
   }
-  const TwistModel::Tables& tables = model.tables();
-  for (std::size_t i = 0; i < out_Pa.size() && i < tables.patchArc_m.size(); ++i) {
-    out_Pa[i] = tables.patchShear_Pa_m[i] * std::abs(rod->twistRateAt(tables.patchArc_m[i], state.pose));
+  for (std::size_t i = 0; i < out_Pa.size() && i < model.tables().patchArc_m.size(); ++i) {
+    out_Pa[i] = shearAt_Pa(*this, i, state);
   }
 }
 
 double Scene::peakShear_Pa(const OrganState& state) const noexcept {
-  if (hollow) {
-    double peak_Pa = 0.0;
-    for (const double arc_m : model.tables().patchArc_m) {
-      peak_Pa = std::max(peak_Pa, hollow->wallShear_Pa(arc_m, state));
-    }
-    return peak_Pa;
-  }
-  if (!rod) {
+  if (!hollow && !rod) {
     return model.peakShear_Pa(state.twist);
   }
-  const TwistModel::Tables& tables = model.tables();
   double peak_Pa = 0.0;
-  for (std::size_t i = 0; i < tables.patchArc_m.size(); ++i) {
-    peak_Pa = std::max(
-        peak_Pa, tables.patchShear_Pa_m[i] * std::abs(rod->twistRateAt(tables.patchArc_m[i], state.pose)));
+  for (std::size_t i = 0; i < model.tables().patchArc_m.size(); ++i) {
+    peak_Pa = std::max(peak_Pa, shearAt_Pa(*this, i, state));
   }
   return peak_Pa;
 }

@@ -307,10 +307,14 @@ void ModelComparison::showResult() {
   for (FigureCard* card : cards_) {
     card->setVisible(result_ != nullptr);
   }
-  limits_->setText(translatedLines(comparisonLimits()));
+  std::vector<Text> said = comparisonLimits();
   if (result_ == nullptr) {
+    limits_->setText(translatedLines(said));
     return;
   }
+  const std::vector<Text> order = comparisonOrder(*result_);
+  said.insert(said.begin(), order.begin(), order.end());
+  limits_->setText(translatedLines(said));
   const ReportModel report = comparisonReport(*result_, softwareVersion(), 0);
   cards_[0]->setTable(report.sections[0].tables[0]);
   cards_[1]->setTable(report.sections[1].tables[0]);

@@ -42,6 +42,59 @@ std::string readable(double value) {
   return formatFixed(value, std::clamp(3 - before, 0, 6));
 }
 
+/// Models with their errors, m, from the smallest; without those that have none, and without the reference.
+using OrderedModels = std::vector<std::pair<const ModelResult*, double>>;
+
+OrderedModels byMeasured(const ComparisonResult& result) {
+  OrderedModels order;
+  for (const ModelResult& model : result.models) {
+    if (const auto error_m = measuredRmse_m(result, model)) {
+      order.emplace_back(&model, *error_m);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.second < b.second; });
+  return order;
+}
+
+OrderedModels byReference(const ComparisonResult& result) {
+  OrderedModels order;
+  for (const ModelResult& model : result.models) {
+    if (model.id != "reference" && model.noEquilibrium.empty()) {
+      order.emplace_back(&model, result.markers.empty() ? model.settled.rmse_m : model.settled.markerRmse_m);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.second < b.second; });
+  return order;
+}
+
+/// Whether the order has the twist model before the elements and these before the springs, as the paper's.
+bool isThePapers(const OrderedModels& order) {
+  std::vector<std::string> ids;
+  for (const auto& [model, error_m] : order) {
+    if (model->id == "pm" || model->id == "fem" || model->id == "msm") {
+      ids.push_back(model->id);
+    }
+  }
+  return ids == std::vector<std::string>{"pm", "fem", "msm"};
+}
+
+std::string listed(const OrderedModels& order) {
+  std::string text;
+  for (const auto& [model, error_m] : order) {
+    text += (text.empty() ? "" : ", ") + shortName(*model).str() + " " +
+            formatFixed(kMillimetres * error_m, 2) + " mm";
+  }
+  return text;
+}
+
+Text paperSentence(const OrderedModels& order) {
+  return isThePapers(order)
+             ? Text::tr("The paper's order (PM before FEM before MSM) holds in this run.")
+             : Text::tr("The paper's order (PM before FEM before MSM) does not hold in this run.");
+}
+
 Provenance comparedFrom(const ComparisonResult& result, const Text& formula, std::int64_t n) {
   Provenance provenance;
   provenance.formula = formula;
@@ -71,14 +124,14 @@ ReportFigure timeFigure(const ComparisonResult& result) {
   figure.id = "figure-10";
   figure.title = Text::tr("Deformation time (Fig. 10), powers of ten");
   figure.xLabel = Text::tr("model");
-  figure.yLabel = Text::tr("log10 of seconds of processing");
+  figure.yLabel = Text::tr("processing, powers of ten of a second");
   figure.kind = FigureKind::kPoints;
   FigureSeries whole{Text::tr("whole twist"), {}, {}, {}, {}, {}, {}, false};
   FigureSeries frame{Text::tr("one frame"), {}, {}, {}, {}, {}, {}, false};
   FigureSeries setUp{Text::tr("set-up"), {}, {}, {}, {}, {}, {}, false};
   double category = 0.0;
   for (const ModelResult& model : result.models) {
-    figure.categories.push_back(shortName(model));
+    figure.categories.push_back(Text::tr("%1: %2 s", shortName(model), readable(model.deformation_s)));
     for (const auto& [series, value] :
          {std::pair{&whole, model.deformation_s}, {&frame, model.frameMedian_s}, {&setUp, model.setUp_s}}) {
       series->x.push_back(category);
@@ -87,7 +140,11 @@ ReportFigure timeFigure(const ComparisonResult& result) {
     category += 1.0;
   }
   figure.series = {whole, frame, setUp};
+  figure.valuesInLabels = true;
   figure.notes = {Text::tr(
+      "-3 is a millisecond, 0 a second. Below each model stands the time of its whole twist; the table has "
+      "all "
+      "times. "
       "The reference has no frames: its values are one step of the torque and all of them. Set-up is not "
       "part of "
       "the deformation time.")};
@@ -186,6 +243,17 @@ ReportTable accuracyTable(const ComparisonResult& result) {
          formatFixed(100.0 * state.radiusChange, 2), formatFixed(100.0 * (state.volumeRatio - 1.0), 3),
          formatFixed(1e3 * state.energy_J, 4)});
   }
+  if (!byMeasured(result).empty()) {
+    table.columns.push_back(Text::tr("Measured (mm)"));
+    std::size_t row = 0;
+    for (const ModelResult& model : result.models) {
+      if (const auto error_m = measuredRmse_m(result, model)) {
+        table.rows[row++].emplace_back(formatFixed(kMillimetres * *error_m, 3));
+      }
+    }
+    table.notes.emplace_back(
+        Text::tr("Measured: RMSE of the markers' displacements from the means of those measured."));
+  }
   table.notes.emplace_back(Text::tr(
       "RMSE: over all key points of the lattice; markers and course: of their displacements. Radius: its "
       "largest change. Roughness: what the radius of a key point changes "
@@ -221,6 +289,27 @@ ReportTable timeTable(const ComparisonResult& result) {
 
 }  // namespace
 
+std::vector<Text> comparisonOrder(const ComparisonResult& result) {
+  const OrderedModels order = byReference(result);
+  std::vector<Text> sentences{
+      result.markers.empty()
+          ? Text::tr("Errors of the key points against the reference, from the smallest: %1.", listed(order))
+          : Text::tr("Errors of the markers against the reference, from the smallest: %1.", listed(order)),
+      paperSentence(order)};
+  if (const OrderedModels measured = byMeasured(result); !measured.empty()) {
+    sentences.push_back(Text::tr("Errors of the markers against the measured ones, from the smallest: %1.",
+                                 listed(measured)));
+    sentences.push_back(paperSentence(measured));
+  }
+  sentences.push_back(Text::tr(
+      "The order belongs to this organ and these settings: %1 {ring|rings} of elements, Poisson's ratio %2, "
+      "springs calibrated by %3. With other ones it can change.",
+      result.options.rings, formatFixed(result.options.poissonRatio, 2),
+      result.options.springs.calibration == Calibration::kAffine ? Text::tr("energy")
+                                                                 : Text::tr("the angle of a small torque")));
+  return sentences;
+}
+
 std::vector<Text> comparisonLimits() {
   return {
       Text::tr(
@@ -252,6 +341,7 @@ ReportModel comparisonReport(const ComparisonResult& result, const std::string& 
   speed.figures = {timeFigure(result)};
   speed.tables = {timeTable(result)};
   ReportSection accuracy{"accuracy", Text::tr("Accuracy")};
+  accuracy.paragraphs = comparisonOrder(result);
   accuracy.tables = {accuracyTable(result)};
   if (!result.markers.empty()) {
     accuracy.figures = {markerFigure(result), courseFigure(result)};
@@ -286,7 +376,7 @@ const Json& noMarker() {
   return kNone;
 }
 
-Json modelJson(const ModelResult& model, bool hasMarker) {
+Json modelJson(const ModelResult& model, std::optional<double> measured_m, bool hasMarker) {
   Json course = Json::array();
   for (const CoursePoint& point : model.course) {
     course.push_back({{"time_s", point.time_s},
@@ -306,6 +396,7 @@ Json modelJson(const ModelResult& model, bool hasMarker) {
           {"moving", stateJson(model.moving)},
           {"settled", model.noEquilibrium.empty() ? stateJson(model.settled)
                                                   : Json{{"undefined", model.noEquilibrium.str()}}},
+          {"measured_rmse_m", measured_m ? Json(*measured_m) : Json{{"undefined", "nothing was measured"}}},
           {"course_rmse_m", hasMarker ? Json(model.courseRmse_m) : noMarker()},
           {"course", course}};
 }
@@ -338,18 +429,20 @@ std::string plainLine(const std::vector<std::string>& cells) {
 }
 
 std::string modelsCsv(const ComparisonResult& result) {
-  std::string text = plainLine({"model", "unknowns", "set_up_s", "frames", "frame_median_s", "frame_worst_s",
-                                "deformation_s", "settle_s", "angle_rad", "energy_j", "volume_ratio",
-                                "radius_change", "roughness_m", "rmse_m", "marker_rmse_m", "course_rmse_m"});
+  std::string text =
+      plainLine({"model", "unknowns", "set_up_s", "frames", "frame_median_s", "frame_worst_s",
+                 "deformation_s", "settle_s", "angle_rad", "energy_j", "volume_ratio", "radius_change",
+                 "roughness_m", "rmse_m", "marker_rmse_m", "measured_rmse_m", "course_rmse_m"});
   for (const ModelResult& m : result.models) {
+    const std::optional<double> measured_m = measuredRmse_m(result, m);
     const auto settled = [&m](double value) { return m.noEquilibrium.empty() ? formatExact(value) : ""; };
-    text +=
-        plainLine({m.id, std::to_string(m.unknowns), formatExact(m.setUp_s), std::to_string(m.frames),
-                   formatExact(m.frameMedian_s), formatExact(m.frameWorst_s), formatExact(m.deformation_s),
-                   formatExact(m.settle_s), settled(m.settled.angle_rad), settled(m.settled.energy_J),
-                   settled(m.settled.volumeRatio), settled(m.settled.radiusChange),
-                   settled(m.settled.roughness_m), settled(m.settled.rmse_m), settled(m.settled.markerRmse_m),
-                   tellsCourse(result) ? formatExact(m.courseRmse_m) : ""});
+    text += plainLine(
+        {m.id, std::to_string(m.unknowns), formatExact(m.setUp_s), std::to_string(m.frames),
+         formatExact(m.frameMedian_s), formatExact(m.frameWorst_s), formatExact(m.deformation_s),
+         formatExact(m.settle_s), settled(m.settled.angle_rad), settled(m.settled.energy_J),
+         settled(m.settled.volumeRatio), settled(m.settled.radiusChange), settled(m.settled.roughness_m),
+         settled(m.settled.rmse_m), settled(m.settled.markerRmse_m),
+         measured_m ? formatExact(*measured_m) : "", tellsCourse(result) ? formatExact(m.courseRmse_m) : ""});
   }
   return text;
 }
@@ -412,6 +505,7 @@ std::string comparisonJson(const ComparisonResult& result) {
   json["substeps_of_springs"] = result.options.springs.substeps;
   json["calibration_of_springs"] =
       result.options.springs.calibration == Calibration::kAffine ? "affine" : "equilibrium";
+  json["paper_order_holds"] = isThePapers(byReference(result));
   json["course_marker"] = result.options.courseMarker;
   json["machine"] = {{"processor", result.machine.processor},
                      {"cores", result.machine.cores},
@@ -428,7 +522,7 @@ std::string comparisonJson(const ComparisonResult& result) {
       {"msm_frame_over_pm_view_frame", result.model("msm").frameMedian_s / result.model("pm").frameMedian_s}};
   json["models"] = Json::array();
   for (const ModelResult& model : result.models) {
-    json["models"].push_back(modelJson(model, tellsCourse(result)));
+    json["models"].push_back(modelJson(model, measuredRmse_m(result, model), tellsCourse(result)));
   }
   json["measured"] = measuredJson(result);
   return json.dump(2) + "\n";

@@ -19,6 +19,10 @@ inline constexpr const char* kComparisonReportName = "comparison.pdf";
 [[nodiscard]] ReportModel comparisonReport(const ComparisonResult& result, const std::string& softwareVersion,
                                            std::int64_t createdUtc_us);
 
+/// Says in which order of accuracy this run finds the models, against the reference and, if there are any,
+/// against the measured markers, whether that is the paper's order, and what the order depends on.
+[[nodiscard]] std::vector<Text> comparisonOrder(const ComparisonResult& result);
+
 /// Describes the limitations of the figures, one paragraph each: a linear FEM could also precompute, set-up
 /// counts, linear tetrahedra lock, boundary conditions differ.
 [[nodiscard]] std::vector<Text> comparisonLimits();

@@ -325,6 +325,20 @@ const ModelResult& ComparisonResult::model(const std::string& id) const {
   return *found;
 }
 
+std::optional<double> measuredRmse_m(const ComparisonResult& result, const ModelResult& model) {
+  double sum_m2 = 0.0;
+  int markers = 0;
+  for (std::size_t i = 0; i < result.markers.size() && model.noEquilibrium.empty(); ++i) {
+    const MeasuredDisplacement found = finalDisplacement(result.measured, result.markers[i].number);
+    if (found.subjects > 0) {
+      const double apart_m = model.settled.displacements_m[i] - found.mean_m;
+      sum_m2 += apart_m * apart_m;
+      ++markers;
+    }
+  }
+  return markers > 0 ? std::optional(std::sqrt(sum_m2 / markers)) : std::nullopt;
+}
+
 ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker>& markers,
                                const std::vector<MeasuredSubject>& measured, const ComparisonOptions& options,
                                const ProgressCallback& progress) {

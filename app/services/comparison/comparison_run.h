@@ -111,6 +111,10 @@ struct ComparisonResult {
   [[nodiscard]] const ModelResult& model(const std::string& id) const;
 };
 
+/// Returns the root mean square of what the markers of a model in equilibrium are displaced (Eq. 24) beside
+/// the measured means, over the markers that were measured; empty: none was, or the model has no equilibrium.
+[[nodiscard]] std::optional<double> measuredRmse_m(const ComparisonResult& result, const ModelResult& model);
+
 /// Computes the torque at the free end that turns it by the angle of the scene's pattern, N m, with the twist
 /// model about the organ's own axis. Builds that model, which takes a tenth of a second.
 [[nodiscard]] double usualTorque_Nm(const Scene& scene);

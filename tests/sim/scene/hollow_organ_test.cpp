@@ -185,6 +185,26 @@ TEST(HollowOrgan, ShearsItsWallByTorqueOverTwicePiRadiusSquaredThickness) {
   EXPECT_EQ(organ.wallShear_Pa(0.5 * organ.length_m(), state), 0.0);
 }
 
+TEST(HollowOrgan, ShearsItsCordByTheTwistRate) {
+  // A solid cord in place of a wall: G times the twist rate times the largest shear of its section, which is
+  // about 1.1 r of a circle of equal area.
+  for (const char* id : {"testis", "midgut"}) {
+    const Scene& scene = testing::twistedOrgan(id);
+    const WrungSpan& span = scene.hollow->detorsion().spans.front();
+    const double length_m = std::abs(span.mobile - span.held) * scene.lattice().length_m();
+    const OrganState state = scene.stateAt(radians(90.0));
+
+    const double rate = scene.hollow->cordTwist_rad_per_m(
+        0.5 * (span.held + span.mobile) * scene.lattice().length_m(), state);
+
+    EXPECT_NEAR(rate * length_m, radians(90.0), 1e-9) << id;
+    EXPECT_GT(scene.peakShear_Pa(state), 0.0) << id;
+    EXPECT_NEAR(scene.peakShear_Pa(scene.stateAt(radians(180.0))) / scene.peakShear_Pa(state), 2.0, 1e-9)
+        << id;
+    EXPECT_EQ(scene.peakShear_Pa(scene.stateAt(0.0)), 0.0) << id;
+  }
+}
+
 TEST(HollowMap, MapsBackWhatItMapsForward) {
   const Scene& scene = twoLimbs();
   for (const double angle_deg : {-300.0, 40.0, 120.0, 360.0}) {
