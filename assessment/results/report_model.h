@@ -104,7 +104,7 @@ struct ReportFigure {
   std::optional<double> yMin;  ///< of the value axis, in either orientation
   std::optional<double> yMax;
   bool individual = false;      ///< shows single people: not part of an aggregated report
-  bool valuesInLabels = false;  ///< the category labels include the values, so no table is needed
+  bool valuesInLabels = false;  ///< labels or a table of the section have the values: no table of its own
   std::vector<Text> notes;
   Provenance provenance;
   Text valuesStand;  ///< a sentence on where to find values too many to print; empty: nowhere else

@@ -131,7 +131,7 @@ ReportFigure timeFigure(const ComparisonResult& result) {
   FigureSeries setUp{Text::tr("set-up"), {}, {}, {}, {}, {}, {}, false};
   double category = 0.0;
   for (const ModelResult& model : result.models) {
-    figure.categories.push_back(Text::tr("%1: %2 s", shortName(model), readable(model.deformation_s)));
+    figure.categories.push_back(shortName(model));
     for (const auto& [series, value] :
          {std::pair{&whole, model.deformation_s}, {&frame, model.frameMedian_s}, {&setUp, model.setUp_s}}) {
       series->x.push_back(category);
@@ -142,12 +142,8 @@ ReportFigure timeFigure(const ComparisonResult& result) {
   figure.series = {whole, frame, setUp};
   figure.valuesInLabels = true;
   figure.notes = {Text::tr(
-      "-3 is a millisecond, 0 a second. Below each model stands the time of its whole twist; the table has "
-      "all "
-      "times. "
-      "The reference has no frames: its values are one step of the torque and all of them. Set-up is not "
-      "part of "
-      "the deformation time.")};
+      "-3 is a millisecond, 0 a second; the table has the times themselves. The reference has no frames: its "
+      "values are one step of the torque and all of them. Set-up is not part of the deformation time.")};
   figure.provenance =
       comparedFrom(result, Text::tr("processing time"), static_cast<std::int64_t>(result.models.size()));
   return figure;

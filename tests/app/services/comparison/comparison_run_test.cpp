@@ -208,9 +208,7 @@ TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   for (const Text& name : report.sections[0].figures[0].categories) {
     EXPECT_TRUE(names.insert(name.str()).second) << "two models are called " << name;
   }
-  EXPECT_TRUE(std::any_of(names.begin(), names.end(), [](const auto& name) {
-    return name.starts_with("rod: ");
-  })) << "each with its time";
+  EXPECT_TRUE(names.contains("rod"));
 }
 
 TEST(ComparisonRun, EndsWithinASecondAfterTheListenerCancels) {
