@@ -15143,8 +15143,8 @@ audit trail %3</source>
         <translation>N02 文件含有一系列体数据：维度 %1 为 %2</translation>
     </message>
     <message>
-        <source>N03 voxels of datatype %1 (colour, complex or 64-bit whole numbers) are not read</source>
-        <translation>N03 不读取数据类型为 %1 的体素（彩色、复数或 64 位整数）</translation>
+        <source>N03 voxels of datatype %1 (colour or complex numbers) are not read</source>
+        <translation>N03 不读取数据类型为 %1 的体素（彩色或复数）</translation>
     </message>
     <message>
         <source>Save the volume with 16-bit whole numbers</source>
@@ -16141,6 +16141,14 @@ audit trail %3</source>
     <message>
         <source>D06 slice %1 has no valid %2</source>
         <translation>D06 层面 %1 没有有效的 %2</translation>
+    </message>
+    <message>
+        <source>D06 slice %1 writes its numbers with a decimal comma: %2</source>
+        <translation>D06 层面 %1 的数字用逗号作小数点：%2</translation>
+    </message>
+    <message>
+        <source>Export the scan again with decimal points, as DICOM requires</source>
+        <translation>请按 DICOM 的要求用小数点重新导出扫描</translation>
     </message>
     <message>
         <source>Export the scan again with its geometry</source>

@@ -49,6 +49,8 @@ std::int16_t bitsOf(std::int16_t datatype) {
     case 512:
       return 16;
     case 64:
+    case 1024:
+    case 1280:
       return 64;
     default:
       return 32;
@@ -216,6 +218,12 @@ std::string niftiVoxels(const ScanVolume& scan, const NiftiStyle& style) {
         break;
       case 512:
         appendNumber<std::uint16_t>(bytes, stored, style.swapped);
+        break;
+      case 1024:
+        appendNumber<std::int64_t>(bytes, stored, style.swapped);
+        break;
+      case 1280:
+        appendNumber<std::uint64_t>(bytes, stored, style.swapped);
         break;
       default:
         appendNumber<std::uint32_t>(bytes, stored, style.swapped);

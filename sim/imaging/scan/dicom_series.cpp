@@ -205,6 +205,11 @@ void requirePlace(const DicomSlice& slice, const std::string& where) {
     refuseSeries(Text::tr("D06 slice %1 has no valid %2", slice.name, std::string(tag)), where,
                  Text::tr("Export the scan again with its geometry"));
   };
+  if (!slice.comma.empty()) {
+    refuseSeries(
+        Text::tr("D06 slice %1 writes its numbers with a decimal comma: %2", slice.name, slice.comma), where,
+        Text::tr("Export the scan again with decimal points, as DICOM requires"));
+  }
   if (!slice.slope || !slice.intercept || *slice.slope == 0.0 || std::abs(*slice.slope) > 1e3 ||
       std::abs(*slice.intercept) > 1e5) {
     refuse("Rescale Slope or Intercept (0028,1053)");

@@ -93,7 +93,21 @@ void addWords(const std::string& text, NamingWords& words) {
   }
 }
 
+/// A decimal comma, which DICOM does not know, ends a number: what follows would be lost without a word.
+std::string valueWithComma(DcmItem& item) {
+  for (const DcmTagKey& tag : {DCM_ImagePositionPatient, DCM_PixelSpacing, DCM_ImageOrientationPatient,
+                               DCM_RescaleSlope, DCM_RescaleIntercept}) {
+    std::string value = textOf(item, tag);
+    const bool numbers = value.find_first_not_of("0123456789+-.,eE\\ ") == std::string::npos;  // names nobody
+    if (numbers && value.find(',') != std::string::npos) {
+      return value;
+    }
+  }
+  return {};
+}
+
 void takeGeometry(DcmItem& item, DicomSlice& slice) {
+  slice.comma = valueWithComma(item);
   const auto betweenRows = numberOf(item, DCM_PixelSpacing, 0);
   const auto betweenColumns = numberOf(item, DCM_PixelSpacing, 1);
   if (betweenRows && betweenColumns) {

@@ -34,6 +34,8 @@ struct DicomSlice {
   long highBit = 0;
   long samples = 0;
   long frames = 1;
+  std::string
+      comma;  ///< the first value of the geometry or scale that holds a comma, as it is written; or empty
   std::optional<double> slope;
   std::optional<double> intercept;
   std::optional<std::array<double, 2>> spacing_mm;  ///< between rows, between columns

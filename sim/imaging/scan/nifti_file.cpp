@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <span>
@@ -127,14 +128,14 @@ void readDimensions(const HeaderBytes& bytes, const std::string& where, NiftiHea
 }
 
 void readDatatype(const HeaderBytes& bytes, const std::string& where, NiftiHeader& header) {
-  // NIfTI's numbers: uint8, int16, int32, float32, float64, int8, uint16, uint32
-  constexpr std::array<std::pair<std::int16_t, std::size_t>, 8> kKnown{
-      {{2, 1}, {4, 2}, {8, 4}, {16, 4}, {64, 8}, {256, 1}, {512, 2}, {768, 4}}};
+  // NIfTI's numbers: uint8, int16, int32, float32, float64, int8, uint16, uint32, int64, uint64
+  constexpr std::array<std::pair<std::int16_t, std::size_t>, 10> kKnown{
+      {{2, 1}, {4, 2}, {8, 4}, {16, 4}, {64, 8}, {256, 1}, {512, 2}, {768, 4}, {1024, 8}, {1280, 8}}};
   header.datatype = bytes.at<std::int16_t>(kDatatype);
   const auto known = std::find_if(kKnown.begin(), kKnown.end(),
                                   [&header](const auto& one) { return one.first == header.datatype; });
   if (known == kKnown.end()) {
-    refuseHeader(Text::tr("N03 voxels of datatype %1 (colour, complex or 64-bit whole numbers) are not read",
+    refuseHeader(Text::tr("N03 voxels of datatype %1 (colour or complex numbers) are not read",
                           std::to_string(header.datatype)),
                  where, Text::tr("Save the volume with 16-bit whole numbers"));
   }
@@ -349,6 +350,10 @@ NumberReader readerOf(std::int16_t datatype) {
       return &numberAt<std::int8_t>;
     case 512:
       return &numberAt<std::uint16_t>;
+    case 1024:
+      return &numberAt<std::int64_t>;
+    case 1280:
+      return &numberAt<std::uint64_t>;
     default:
       return &numberAt<std::uint32_t>;
   }
@@ -384,17 +389,32 @@ std::size_t readVoxels(ZippedFile& file, const NiftiHeader& header, const std::s
   return none;
 }
 
+/// The name of a file in small letters: endings are written either way.
+std::string smallName(const fs::path& file) {
+  std::string name = file.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
+    return c < 0x80 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);
+  });
+  return name;
+}
+
 /// The file with the voxels of a header in a file of its own, or the header of such voxels.
 fs::path besideWith(const fs::path& file, const std::string& from, const std::string& to) {
-  std::string name = file.filename().string();
-  const std::size_t ending = name.rfind(from);
-  const fs::path plain = file.parent_path() / (name.substr(0, ending) + to);
-  const fs::path zipped = plain.string() + ".gz";
-  return !fs::exists(plain) && fs::exists(zipped) ? zipped : plain;
+  const std::string name = file.filename().string();
+  const std::string stem = name.substr(0, smallName(file).rfind(from));
+  std::string large = to;
+  std::transform(large.begin(), large.end(), large.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (const std::string& ending : {to, large, to + ".gz", large + ".GZ", to + ".GZ", large + ".gz"}) {
+    if (const fs::path beside = file.parent_path() / (stem + ending); fs::exists(beside)) {
+      return beside;
+    }
+  }
+  return file.parent_path() / (stem + to);
 }
 
 bool isNamed(const fs::path& file, const std::string& ending) {
-  const std::string name = file.filename().string();
+  const std::string name = smallName(file);
   return name.ends_with(ending) || name.ends_with(ending + ".gz");
 }
 

@@ -137,6 +137,20 @@ TEST(DicomSeries, LeansItsVoxelsWhereTheGantryWasTilted) {
       StartsWith("D10"));
 }
 
+TEST(DicomSeries, NamesADecimalComma) {
+  for (const auto& [tag, value] : {std::pair(DCM_ImagePositionPatient, "-20,5\\35\\110,25"),
+                                   {DCM_PixelSpacing, "0,9\\0,7"},
+                                   {DCM_ImageOrientationPatient, "1,0\\0\\0\\0\\1\\0"},
+                                   {DCM_RescaleSlope, "1,0"},
+                                   {DCM_RescaleIntercept, "-1024,0"}}) {
+    const std::string said = refusalOfSeries(
+        "comma",
+        {.change = [tag = tag, value = value](DcmDataset& data, std::size_t) { putText(data, tag, value); }});
+    EXPECT_THAT(said, StartsWith("D06")) << value;
+    EXPECT_THAT(said, HasSubstr("a decimal comma: " + std::string(value)));
+  }
+}
+
 TEST(DicomSeries, GoesByPositionsAndFillsGapsOnlyWhenAsked) {
   // Slice 5 is missing, and thickness lies.
   const fs::path folder = seriesFolder("gap");

@@ -69,7 +69,7 @@ void expectPlaced(const ScanVolume& read, const ScanVolume& written) {
 
 TEST(NiftiFile, ReadsEveryDatatypeInBothByteOrders) {
   const ScanVolume written = countedScan();
-  constexpr std::array<std::int16_t, 8> kDatatypes{2, 4, 8, 16, 64, 256, 512, 768};
+  constexpr std::array<std::int16_t, 10> kDatatypes{2, 4, 8, 16, 64, 256, 512, 768, 1024, 1280};
   for (const std::int16_t datatype : kDatatypes) {
     for (const bool swapped : {false, true}) {
       const ScanRead read = readBytes(niftiBytes(written, {.datatype = datatype, .swapped = swapped}));
@@ -91,6 +91,23 @@ TEST(NiftiFile, ReadsGzipAndTwoFiles) {
   EXPECT_EQ(readNifti(niftiFile("two.hdr")).volume.values, written.values);
   EXPECT_TRUE(isNiftiFile("a/b.nii.gz"));
   EXPECT_FALSE(isNiftiFile("a/b.dcm"));
+}
+
+TEST(NiftiFile, TakesEndingsInCapitals) {
+  const ScanVolume written = countedScan();
+  EXPECT_TRUE(isNiftiFile("a/B.NII"));
+  EXPECT_TRUE(isNiftiFile("a/B.Nii.GZ"));
+  EXPECT_EQ(readBytes(testing::gzipped(niftiBytes(written)), "zip.NII.GZ").volume.values, written.values);
+  const NiftiStyle two{.twoFiles = true};
+  for (const auto& [head, voxels] : {std::pair("a.HDR", "a.IMG"), {"b.hdr", "b.IMG"}, {"c.HDR", "c.img"}}) {
+    writeFileAtomically(niftiFile(head), testing::niftiHead(written, two));
+    writeFileAtomically(niftiFile(voxels), testing::niftiVoxels(written, two));
+    EXPECT_EQ(readNifti(niftiFile(head)).volume.values, written.values) << head;
+    EXPECT_EQ(readNifti(niftiFile(voxels)).volume.values, written.values) << voxels;
+  }
+  writeFileAtomically(niftiFile("d.HDR"), testing::niftiHead(written, two));
+  writeFileAtomically(niftiFile("d.IMG.GZ"), testing::gzipped(testing::niftiVoxels(written, two)));
+  EXPECT_EQ(readNifti(niftiFile("d.HDR")).volume.values, written.values);
 }
 
 TEST(NiftiFile, ScalesItsValues) {
