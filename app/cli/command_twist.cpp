@@ -115,18 +115,6 @@ void addValidity(nlohmann::ordered_json& result, const Text& beyond) {
   }
 }
 
-/// The limit that the organ of a pattern passes: of tissue, or of the law of its wall.
-Text beyondOf(const Scene& scene, const FoldReport& fold, const OrganState& state) {
-  if (scene.hollow && scene.hollow->tube(0) != nullptr) {
-    const Text packed = packedBeyond(std::abs(state.twist.graspAngle_rad),
-                                     scene.hollow->closing_rad(state.hollow.reading.pressure_Pa));
-    if (!packed.empty()) {
-      return packed;
-    }
-  }
-  return brokenLimit(scene, fold).reason;
-}
-
 void addOrgan(nlohmann::ordered_json& result, const Scene& scene, const TwistArguments& arguments) {
   result["organ"] = arguments.organ.organ;
   if (scene.repairs.any()) {
@@ -296,17 +284,6 @@ RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) 
     request.jaw = true;  // a single face inside a body cannot be turned, so the reference has a jaw
   }
   return request;
-}
-
-/// Converts a pressure option to pascal. Throws Error{kBadParameter} outside 0 to 100 mmHg.
-double pressureOf_Pa(const char* option, double pressure_mmHg) {
-  constexpr double kMaxPressure_mmHg = 100.0;
-  if (!(pressure_mmHg >= 0.0 && pressure_mmHg <= kMaxPressure_mmHg)) {
-    refuseParameter(Text::verbatim("the pressure must lie in 0 to 100 mmHg"),
-                    option + (" " + std::to_string(pressure_mmHg)),
-                    Text::verbatim("Give 0 for an empty organ"));
-  }
-  return pressure_mmHg * kPascalsPerMmHg;
 }
 
 /// Adds what a wall does; returns the limit of its law that it passes.

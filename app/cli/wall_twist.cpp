@@ -14,7 +14,9 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_wall.h"
+#include "sim/scene/pattern_judgement.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/rod/rod_sections.h"
 
@@ -50,6 +52,15 @@ double mostSealed_Pa(const std::vector<WallPlace>& places, double shear_Pa) {
   return most_Pa;
 }
 
+Text packedBeyond(double angle_rad, double closing_rad) {
+  return angle_rad > closing_rad
+             ? Text::verbatim(
+                   "beyond %1 degrees the waist is packed with wall: the torque is that of a rope, "
+                   "its order of size only",
+                   shortNumber(degrees(closing_rad)))
+             : Text();
+}
+
 // p R / (G t) where it is largest.
 double largestPressure(const std::vector<WallPlace>& places, double shear_Pa, double pressure_Pa) {
   double largest = 0.0;
@@ -61,13 +72,25 @@ double largestPressure(const std::vector<WallPlace>& places, double shear_Pa, do
 
 }  // namespace
 
-Text packedBeyond(double angle_rad, double closing_rad) {
-  return angle_rad > closing_rad
-             ? Text::verbatim(
-                   "beyond %1 degrees the waist is packed with wall: the torque is that of a rope, "
-                   "its order of size only",
-                   shortNumber(degrees(closing_rad)))
-             : Text();
+double pressureOf_Pa(const char* option, double pressure_mmHg) {
+  constexpr double kMaxPressure_mmHg = 100.0;
+  if (!(pressure_mmHg >= 0.0 && pressure_mmHg <= kMaxPressure_mmHg)) {
+    refuseParameter(Text::verbatim("the pressure must lie in 0 to 100 mmHg"),
+                    option + (" " + std::to_string(pressure_mmHg)),
+                    Text::verbatim("Give 0 for an empty organ"));
+  }
+  return pressure_mmHg * kPascalsPerMmHg;
+}
+
+Text beyondOf(const Scene& scene, const FoldReport& fold, const OrganState& state) {
+  if (scene.hollow && scene.hollow->tube(0) != nullptr) {
+    const Text packed = packedBeyond(std::abs(state.twist.graspAngle_rad),
+                                     scene.hollow->closing_rad(state.hollow.reading.pressure_Pa));
+    if (!packed.empty()) {
+      return packed;
+    }
+  }
+  return brokenLimit(scene, fold).reason;
 }
 
 WallMap wallMap(const std::string& words) {

@@ -29,8 +29,11 @@ struct WallTwistResult {
   Text beyond;                 ///< limit of the law of the wall that is passed; empty: none
 };
 
-/// Names the closing of a lumen as a limit if an angle is beyond it; empty otherwise.
-[[nodiscard]] Text packedBeyond(double angle_rad, double closing_rad);
+/// Converts a pressure option to pascal. Throws Error{kBadParameter} outside 0 to 100 mmHg.
+[[nodiscard]] double pressureOf_Pa(const char* option, double pressure_mmHg);
+
+/// Returns the limit that the organ of a pattern passes: of tissue, or of the law of its wall; empty: none.
+[[nodiscard]] Text beyondOf(const Scene& scene, const FoldReport& fold, const OrganState& state);
 
 /// Parses `--wall`: a thickness in millimetres, or thicknesses along the organ, `0:2,0.6:3`, each a fraction
 /// of the length and a thickness. Throws Error{kUsage} otherwise.

@@ -18746,6 +18746,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>the angle of a small torque</source>
         <translation>小扭矩下的转角</translation>
     </message>
+    <message>
+        <source>Cuts across its ends were tried and do not help: take a part of it that bends less, or name other ends</source>
+        <translation>已尝试在其两端横切，但无济于事：请取其弯曲较小的一段，或指定其他端点</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -25168,10 +25172,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>没有图像：无法由该文件得到曲面。原因见各条发现。</translation>
     </message>
     <message>
-        <source>Turns the free end about the organ&apos;s own axis, as in the check</source>
-        <translation>使自由端绕器官自身轴线转动，与检验时相同</translation>
-    </message>
-    <message>
         <source>Axis and landmarks</source>
         <translation>轴线与标志点</translation>
     </message>
@@ -25198,6 +25198,10 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Test &amp;twist</source>
         <translation>试扭转(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Turns the organ about its own axis, as far as it goes</source>
+        <translation>使器官绕自身轴线扭转，直到不能再扭</translation>
     </message>
 </context>
 <context>

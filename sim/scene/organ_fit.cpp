@@ -42,6 +42,17 @@ std::size_t countAccepted(const FittedOrgan& fitted) {
   return acceptedAmong(fitted.patterns).size();
 }
 
+/// Says in the refusal of a pattern that cuts were tried.
+void tellTried(std::vector<OrganFinding>& findings) {
+  for (OrganFinding& one : findings) {
+    if (one.weight == FindingWeight::kRefusal && one.code >= "M23") {
+      one.remedy = Text::tr(
+          "Cuts across its ends were tried and do not help: take a part of it that bends "
+          "less, or name other ends");
+    }
+  }
+}
+
 /// A millimetre's tenth, so that a command can name the place.
 Vec3 roundedPlace(const Vec3& p) {
   const auto tenth = [](double x_m) { return std::round(1e4 * x_m) / 1e4; };
@@ -105,6 +116,9 @@ class Fitting {
     }
     if (!other && asNamed.refused()) {
       other = stalk ? onItsStalk(ends) : plain ? cutAtItsEnds(ends) : std::nullopt;
+      if (!other && plain && ends.fixedCut == Vec3{} && ends.freeCut == Vec3{}) {
+        tellTried(asNamed.judgement.findings);
+      }
     }
     return other ? std::move(*other) : std::move(asNamed);
   }
@@ -268,14 +282,26 @@ FittedOrgan fitOrgan(const OrganFile& organ, const std::filesystem::path& assets
   if (organ.mesh.triangles.size() <= kJudgedTriangles) {
     return Fitting(organ, assets).fit();
   }
-  OrganFile fewer = organ;
-  fewer.mesh = thinned(organ.mesh, kJudgedTriangles);
-  FittedOrgan fitted = Fitting(fewer, assets).fit();
-  if (!fitted.refused()) {
-    OrganFile whole = organ;
+  // Its shape and what is tried: of a thinned surface. The patterns: of the whole, which has the last word.
+  OrganFile whole = organ;
+  const auto judgeWhole = [&whole, &assets](FittedOrgan& fitted) {
     whole.ends = fitted.ends;
     fitted.patterns = judgePatterns(assets, whole);
     replaceBroken(fitted.patterns, fitted.judgement.findings);
+  };
+  OrganFile fewer = organ;
+  fewer.mesh = thinned(organ.mesh, kJudgedTriangles);
+  const double wrung = wrungShare(assets, organ.anatomy);
+  FittedOrgan fitted{organ.ends, judgeOrgan(fewer.mesh, latticeFor(organ.ends), wrung), {}, false};
+  if (fitted.judgement.findings.empty()) {
+    judgeWhole(fitted);
+    if (!fitted.refused()) {
+      return fitted;
+    }
+  }
+  fitted = Fitting(fewer, assets).fit();
+  if (!fitted.refused()) {
+    judgeWhole(fitted);
   }
   return fitted;
 }

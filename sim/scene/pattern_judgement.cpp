@@ -21,12 +21,19 @@ namespace torsio {
 namespace {
 
 constexpr int kSteps = 8;     // on the way to the target
+constexpr int kFewSteps = 2;  // of a fine surface: a step takes as long as it has triangles
+constexpr double kFineTriangles = 30'000.0;
 constexpr int kHalvings = 4;  // of the step in which it breaks
 constexpr double kEarly_rad = radians(60.1);
 // A wall folds by design, and contents escape: not inside out, half its volume left; crossings: a share of
 // the triangles, where folds touch.
 constexpr FoldLimits kHollowLimits{
     .leastDeterminant = 1e-3, .mostCrossings = 2e-3, .leastVolume = 0.5, .mostVolume = 1.25};
+
+int stepsFor(std::size_t triangles) {
+  const double share = kFineTriangles / static_cast<double>(std::max<std::size_t>(triangles, 1));
+  return std::clamp(static_cast<int>(kSteps * share), kFewSteps, kSteps);
+}
 
 /// Steps of a turn that is judged, on and on until it breaks.
 class Turning {
@@ -37,8 +44,9 @@ class Turning {
   /// Turns from rest to an angle; tells whether the organ stays whole.
   bool to(double target_rad, const std::function<OrganState(double)>& stateAt) {
     double whole_rad = 0.0;
-    for (int step = 1; step <= kSteps; ++step) {
-      const double angle_rad = target_rad * step / kSteps;
+    const int steps = stepsFor(scene_.mesh.triangles.size());
+    for (int step = 1; step <= steps; ++step) {
+      const double angle_rad = target_rad * step / steps;
       if (!stays(angle_rad, stateAt)) {
         judgement_.brokenAt_rad = firstBroken_rad(whole_rad, angle_rad, stateAt);
         judgement_.wholeShare = whole_rad / target_rad;
@@ -124,20 +132,20 @@ void judgeTurn(const Scene& scene, PatternJudgement& judgement) {
   }
 }
 
-PatternJudgement judgedPattern(const std::filesystem::path& assets, const OrganFile& organ,
-                               const std::string& id) {
+/// The scene of a pattern; none if it cannot be built, which `judgement` then says. `same`: of the same
+/// organ.
+std::optional<Scene> builtFor(const std::filesystem::path& assets, const OrganFile& organ,
+                              PatternJudgement& judgement, const Scene* same) {
   SceneRequest request;
   request.assets = assets;
   request.organFile = std::filesystem::path(organ.source.empty() ? "organ" : organ.source);
-  request.pattern = id;
+  request.pattern = judgement.id;
   try {
-    return judgePattern(sceneOfOrgan(request, organ));
+    return sceneOfOrgan(request, organ, same);
   } catch (const Error& refusal) {
-    PatternJudgement judgement;
-    judgement.id = id;
     judgement.code = "M27";
     judgement.reason = refusal.happenedText();
-    return judgement;
+    return std::nullopt;
   }
 }
 
@@ -205,9 +213,19 @@ std::vector<PatternJudgement> judgePatterns(const std::filesystem::path& assets,
   std::vector<std::string> ids = patternIds(assets, organ.anatomy.empty() ? kOwnOrganScene : organ.anatomy);
   ids.resize(std::min(ids.size(), most));
   std::vector<PatternJudgement> judgements(ids.size());
-  const auto everySecond = [&](std::size_t first) {
-    for (std::size_t i = first; i < ids.size(); i += 2) {
-      judgements[i] = judgedPattern(assets, organ, ids[i]);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    judgements[i].id = ids[i];
+  }
+  const std::optional<Scene> first =
+      judgements.empty() ? std::nullopt : builtFor(assets, organ, judgements[0], nullptr);
+  const auto everySecond = [&](std::size_t from) {
+    for (std::size_t i = from; i < ids.size(); i += 2) {
+      if (i == 0 && first) {
+        judgements[i] = judgePattern(*first);
+      } else if (i > 0) {
+        const std::optional<Scene> scene = builtFor(assets, organ, judgements[i], first ? &*first : nullptr);
+        judgements[i] = scene ? judgePattern(*scene) : judgements[i];
+      }
     }
   };
   std::future<void> others = std::async(std::launch::async, everySecond, 1);

@@ -318,11 +318,13 @@ void offerAccepted(SceneDescription& scene, const std::vector<std::string>& acce
   });
 }
 
-/// `former`: the description is that of before, for a recording that was made on it.
-Scene builtScene(const SceneRequest& request, SceneDescription description, UsersOrgan own, bool former) {
+/// `former`: the description is that of before, for a recording that was made on it. `same`: a scene of the
+/// same organ with the same lattice; null: none.
+Scene builtScene(const SceneRequest& request, SceneDescription description, UsersOrgan own, bool former,
+                 const Scene* same) {
   applyWishes(description, request);
   TriangleMesh mesh = std::move(own.file.mesh);
-  const SectionLattice lattice(mesh, description.lattice);
+  const SectionLattice lattice = same ? same->lattice() : SectionLattice(mesh, description.lattice);
   std::vector<TwistPattern> patterns;
   for (const PatternDescription& pattern : description.patterns) {
     patterns.push_back(request.organFile ? patternFor(description, lattice, pattern) : pattern.pattern);
@@ -334,7 +336,7 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
   options.ends = pattern.ends;
   applyChoice(description.model, lattice.sections(), options, description.material);
   TwistModel model(mesh, lattice, description.material, options);
-  CollisionMesh collision(mesh);
+  CollisionMesh collision = same ? same->collision : CollisionMesh(mesh);
   std::shared_ptr<const RodOrgan> rod;
   const bool bar = request.noRod || description.model.ofBar() || runsAsync(request.tissue);
   if (pattern.task && !bar && description.formulation != Formulation::kPaper) {
@@ -353,7 +355,7 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
   if (request.model.any()) {
     digest.update("another model");  // no recording was made with it
   }
-  std::string organHash = contentHash(mesh);
+  std::string organHash = same ? same->organHash : contentHash(mesh);
   TwistPattern chosen = pattern;
   return Scene{description.id,
                description.title,
@@ -379,7 +381,7 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
 }
 
 /// The scene of a user's organ: that of its patterns, or its former state if a recording was made on it.
-Scene sceneOf(const SceneRequest& request, SceneDescription scene, UsersOrgan own) {
+Scene sceneOf(const SceneRequest& request, SceneDescription scene, UsersOrgan own, const Scene* same) {
   replaceOrgan(scene, request, own);
   offerAccepted(scene, own.file.patterns, request.tellOnly ? request.pattern : "");
   bool former = false;
@@ -390,7 +392,7 @@ Scene sceneOf(const SceneRequest& request, SceneDescription scene, UsersOrgan ow
       scene = former ? std::move(*before) : std::move(scene);
     }
   }
-  return builtScene(request, std::move(scene), std::move(own), former);
+  return builtScene(request, std::move(scene), std::move(own), former, same);
 }
 
 }  // namespace
@@ -423,7 +425,7 @@ Scene loadScene(const SceneRequest& request) {
       own.file.anatomy = theirs.id == kOwnOrganScene ? std::string() : theirs.id;
       judge(own.file, request);
     }
-    return sceneOf(request, std::move(theirs), std::move(own));
+    return sceneOf(request, std::move(theirs), std::move(own), nullptr);
   }
   bool former = false;
   SceneDescription description = describe(request, former);
@@ -431,15 +433,15 @@ Scene loadScene(const SceneRequest& request) {
   import.scale_m = description.organUnit_m;
   UsersOrgan shipped;
   shipped.file.mesh = importMesh(description.organ, import, &shipped.repairs);
-  return builtScene(request, std::move(description), std::move(shipped), former);
+  return builtScene(request, std::move(description), std::move(shipped), former, nullptr);
 }
 
-Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ) {
+Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ, const Scene* same) {
   UsersOrgan own;
   own.file = std::move(organ);
   own.anatomyKnown = true;
   SceneDescription description = describeOwn(request, own);
-  return sceneOf(request, std::move(description), std::move(own));
+  return sceneOf(request, std::move(description), std::move(own), same);
 }
 
 }  // namespace torsio

@@ -182,7 +182,8 @@ struct Scene {
 
 /// Loads the scene of an organ that is in memory, as loadScene() does of the organ file that
 /// `request.organFile` names: nothing is read there, the name is the scene's title. The organ is taken as it
-/// is, judged or not. Throws as loadScene().
-[[nodiscard]] Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ);
+/// is, judged or not. `same`: a scene of the same organ with another pattern, whose lattice and collision are
+/// taken; null: none. Throws as loadScene().
+[[nodiscard]] Scene sceneOfOrgan(const SceneRequest& request, OrganFile organ, const Scene* same = nullptr);
 
 }  // namespace torsio

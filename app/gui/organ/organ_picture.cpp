@@ -222,7 +222,7 @@ bool OrganPicture::pickAt(const QPointF& pixel) {
 void OrganPicture::retranslate() {
   none_->setText(tr("No picture: no surface could be made from the file. The findings say why."));
   nameField(twistLabel_, tr("Test &twist"));
-  twist_->setToolTip(tr("Turns the free end about the organ's own axis, as in the check"));
+  twist_->setToolTip(tr("Turns the organ about its own axis, as far as it goes"));
   axis_->setText(tr("Axis and landmarks"));
   lattice_->setText(tr("Sections and ridges"));
   mesh_->setText(tr("Triangles"));

@@ -210,20 +210,17 @@ const TriangleMesh& solid(const TriangleMesh& mesh) {
 
 }  // namespace
 
-CollisionMesh::CollisionMesh(const TriangleMesh& mesh)
-    : hierarchy_(std::make_unique<Hierarchy>()), patches_(solid(mesh)) {
-  buildModel(hierarchy_->model, mesh);
-  TORSIO_EXPECTS(depthBelow(hierarchy_->model, 0) + 1 < static_cast<int>(kDeepest));
-  hierarchy_->corners.reserve(mesh.triangles.size());
+CollisionMesh::CollisionMesh(const TriangleMesh& mesh) : patches_(solid(mesh)) {
+  const auto hierarchy = std::make_shared<Hierarchy>();
+  buildModel(hierarchy->model, mesh);
+  TORSIO_EXPECTS(depthBelow(hierarchy->model, 0) + 1 < static_cast<int>(kDeepest));
+  hierarchy->corners.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
-    hierarchy_->corners.push_back({mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]});
+    hierarchy->corners.push_back({mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]});
   }
-  hierarchy_->normals = featureNormals(mesh);
+  hierarchy->normals = featureNormals(mesh);
+  hierarchy_ = hierarchy;
 }
-
-CollisionMesh::~CollisionMesh() = default;
-CollisionMesh::CollisionMesh(CollisionMesh&&) noexcept = default;
-CollisionMesh& CollisionMesh::operator=(CollisionMesh&&) noexcept = default;
 
 SurfacePoint CollisionMesh::closest(const Vec3& point_m, std::uint32_t hint) const noexcept {
   SurfacePoint surface;

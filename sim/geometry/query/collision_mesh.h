@@ -14,15 +14,13 @@ namespace torsio {
 /// Bounding-volume hierarchy over a closed rest surface (FCL, private). Immutable after construction: queries
 /// keep no state, so that any thread may ask, and are noexcept and without allocation, so that they may run
 /// in the servo tick. The answer does not depend on the shape of the hierarchy: of equally near triangles the
-/// one with the lowest index is taken, and all arithmetic is IEEE basic operations in a fixed order.
+/// one with the lowest index is taken, and all arithmetic is IEEE basic operations in a fixed order. Copies
+/// share the hierarchy.
 class CollisionMesh {
  public:
   /// Builds the hierarchy of `mesh`, which is copied: closed and consistently oriented (requireOrgan), at
   /// least 4 triangles.
   explicit CollisionMesh(const TriangleMesh& mesh);
-  ~CollisionMesh();
-  CollisionMesh(CollisionMesh&&) noexcept;
-  CollisionMesh& operator=(CollisionMesh&&) noexcept;
 
   /// Returns the nearest surface point. The sign of the distance comes from the pseudonormal of the face,
   /// edge or vertex on which the point lies (Baerentzen and Aanaes 2005), which is exact for a closed
@@ -42,7 +40,7 @@ class CollisionMesh {
 
  private:
   struct Hierarchy;
-  std::unique_ptr<Hierarchy> hierarchy_;
+  std::shared_ptr<const Hierarchy> hierarchy_;
   SurfacePatches patches_;
 };
 

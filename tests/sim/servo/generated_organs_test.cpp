@@ -18,6 +18,8 @@
 #include "sim/scene/rod_organ.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
+#include "sim/tissue/rod/rod_sections.h"
+#include "sim/tissue/rod/rod_solve.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {
@@ -101,6 +103,14 @@ void expectWhole(const Scene& scene) {
   }
 }
 
+/// Its ends can be held and turned (`torsio twist --ends`).
+void expectEndsTurn(const Scene& scene) {
+  const OrganRod organ = rodOfOrgan(scene.lattice(), solvedSections(scene.lattice(), scene.model.options()),
+                                    {scene.model.material().shearModulus_Pa}, {});
+  const Rod rod(organ.elements, organ.rest, organ.radii_m);
+  EXPECT_TRUE(solveTurned(rod, {.angle_rad = radians(20.0)}).balance.converged);
+}
+
 /// A hand turns it.
 void expectTurned(const Scene& scene) {
   ScriptedHandOptions options{.seed = 1,
@@ -145,6 +155,7 @@ TEST(GeneratedOrgans, AreTwistedWhereTheyAreAccepted) {
       expectWhole(scene);
       if (pattern == organ.patterns[seed % organ.patterns.size()]) {
         expectTurned(scene);
+        expectEndsTurn(scene);
       }
     }
   }
