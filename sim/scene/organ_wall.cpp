@@ -174,7 +174,8 @@ std::vector<WallPlace> wallPlaces(const SectionLattice& lattice, const WallMap& 
   const std::vector<LatticeOutline> outlines = lattice.outlinesAt(arcs_m);
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const double thickness_m = wall.thickness_m(arcs_m[i] / lattice.length_m());
-    places.push_back({wallSection(outlines[i].points_m, {&thickness_m, 1}).radius, thickness_m});
+    places.push_back(
+        {wallSection(outlines[i].points_m, {&thickness_m, 1}, kSaidInMillimetres).radius, thickness_m});
   }
   if (from_m > to_m) {
     std::reverse(places.begin(), places.end());

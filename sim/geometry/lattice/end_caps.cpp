@@ -8,6 +8,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
+#include "sim/core/short_number.h"
 #include "sim/geometry/lattice/level_loops.h"
 #include "sim/geometry/mesh/flat_faces.h"
 
@@ -415,8 +416,8 @@ void checkCapRequest(const CapRequest& request) {
   if (!std::isfinite(request.capRadius_m) || request.capRadius_m < 0.0) {
     throw Error(
         ErrorCode::kBadParameter,
-        Text::tr("the cap radius %1 m is negative or not finite", std::to_string(request.capRadius_m)), "",
-        Text::tr("Give 0 for the default or a positive length."));
+        Text::tr("the cap radius %1 mm is negative or not finite", shortNumber(1000.0 * request.capRadius_m)),
+        "", Text::tr("Give 0 for the default or a positive length."));
   }
   if (request.automatic() && (request.fixedCut != Vec3{} || request.freeCut != Vec3{})) {
     throw Error(ErrorCode::kBadParameter, Text::tr("a cut needs both end points"), "",

@@ -41,7 +41,12 @@ class Loop {
   std::span<const Point2> points_;
 };
 
-void checkThickness(std::span<const double> thickness, std::size_t points) {
+Text unitRemedy(const SaidUnit& said) {
+  return said.name.empty() ? Text::verbatim("Give the thickness in the unit of the outline.")
+                           : Text::verbatim("Give the thickness in %1.", std::string(said.name));
+}
+
+void checkThickness(std::span<const double> thickness, std::size_t points, const SaidUnit& said) {
   if (thickness.size() != 1 && thickness.size() != points) {
     refuseParameter(Text::verbatim("%1 thicknesses for %2 points of the outline",
                                    std::to_string(thickness.size()), std::to_string(points)),
@@ -49,9 +54,8 @@ void checkThickness(std::span<const double> thickness, std::size_t points) {
   }
   for (const double t : thickness) {
     if (!(t > 0.0) || !std::isfinite(t)) {
-      refuseParameter(Text::verbatim("the wall is %1 thick, but must be thicker than 0", shortNumber(t)),
-                      Text::verbatim("wall"),
-                      Text::verbatim("Give the thickness in the unit of the outline."));
+      refuseParameter(Text::verbatim("the wall is %1 thick, but must be thicker than 0", said.length(t)),
+                      Text::verbatim("wall"), unitRemedy(said));
     }
   }
 }
@@ -124,9 +128,20 @@ double WallMap::thickness_m(double share) const noexcept {
   return places_.back()[1];
 }
 
-WallSection wallSection(std::span<const Point2> outline, std::span<const double> thickness) {
+std::string SaidUnit::length(double length) const {
+  std::string words = shortNumber(ofOutline * length);
+  return name.empty() ? words : words.append(1, ' ').append(name);
+}
+
+std::string SaidUnit::area(double area) const {
+  std::string words = shortNumber(ofOutline * ofOutline * area);
+  return name.empty() ? words : words.append(1, ' ').append(name).append(1, '2');
+}
+
+WallSection wallSection(std::span<const Point2> outline, std::span<const double> thickness,
+                        const SaidUnit& said) {
   const auto [points, given] = checkedOutline(outline);
-  checkThickness(thickness, outline.size());
+  checkThickness(thickness, outline.size(), said);
   std::vector<double> wall;
   for (const int point : given) {
     wall.push_back(thickness[thickness.size() > 1 ? static_cast<std::size_t>(point) : 0]);
@@ -156,11 +171,11 @@ WallSection wallSection(std::span<const Point2> outline, std::span<const double>
       !(section.area < area)) {
     refuseParameter(
         Text::verbatim("a wall %1 thick leaves no tube in a section of area %2 and perimeter %3",
-                       shortNumber(section.thickest), shortNumber(area), shortNumber(outer)),
+                       said.length(section.thickest), said.area(area), said.length(outer)),
         Text::verbatim("wall"),
         Text::verbatim("Give a wall below 0.45 of the radius of its middle line (%1 here, where it is even) "
                        "and below half of the narrowest place, or leave it out: a filled organ.",
-                       shortNumber(kMaxOfRadius / (1.0 + 0.5 * kMaxOfRadius) * outer / (2.0 * kPi))));
+                       said.length(kMaxOfRadius / (1.0 + 0.5 * kMaxOfRadius) * outer / (2.0 * kPi))));
   }
   section.torsionConstant =
       4.0 * section.areaMid * section.areaMid / (perLength * share) + strip * share / 3.0;
@@ -168,8 +183,8 @@ WallSection wallSection(std::span<const Point2> outline, std::span<const double>
       section.torsionConstant / (2.0 * section.areaMid * *std::min_element(wall.begin(), wall.end()));
   if (!std::isnormal(section.torsionConstant)) {
     refuseParameter(
-        Text::verbatim("a wall %1 thick is too thin to compute with", shortNumber(section.thickest)),
-        Text::verbatim("wall"), Text::verbatim("Give the thickness in the unit of the outline."));
+        Text::verbatim("a wall %1 thick is too thin to compute with", said.length(section.thickest)),
+        Text::verbatim("wall"), unitRemedy(said));
   }
   section.mostThickness = std::min(leastConvexRadius(loop), 0.5 * narrowestPlace(loop));
   return section;

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/tissue/section/polygon.h"
@@ -26,6 +28,18 @@ class WallMap {
   std::vector<std::array<double, 2>> places_;
 };
 
+/// The unit in which a message gives lengths: what one unit of an outline is in it, and its name.
+struct SaidUnit {
+  double ofOutline = 1.0;
+  std::string_view name = "";
+
+  /// Returns a length of the outline in words.
+  [[nodiscard]] std::string length(double length) const;
+  [[nodiscard]] std::string area(double area) const;
+};
+/// Of an outline in metres.
+inline constexpr SaidUnit kSaidInMillimetres{1000.0, "mm"};
+
 /// A closed wall inside an outline, by the middle line of the wall. Lengths in the unit of the outline.
 struct WallSection {
   double areaMid = 0.0;          ///< A_m inside the middle line, L^2
@@ -46,8 +60,9 @@ struct WallSection {
 /// simple polygon of at least 3 points, either orientation, first point not repeated. `thickness`: one
 /// number, or one for each point of the outline, linear between them. Throws Error{kBadParameter} for an
 /// outline that is no simple polygon, a thickness that is not above 0 or above 0.45 of `radius`, a wall that
-/// has more area than the outline, or another number of thicknesses.
-[[nodiscard]] WallSection wallSection(std::span<const Point2> outline, std::span<const double> thickness);
+/// has more area than the outline, or another number of thicknesses; lengths in its message are `said`.
+[[nodiscard]] WallSection wallSection(std::span<const Point2> outline, std::span<const double> thickness,
+                                      const SaidUnit& said = {});
 
 /// Returns the inner outline of a wall: every point moved inwards along the normal there. It may cross itself
 /// where the wall is thicker than `mostThickness`; moments of area stay usable. Inputs as for wallSection;
