@@ -187,7 +187,7 @@ ModelChoice readModel(JsonFields& scene, Formulation formulation) {
   model.shearCentre = fields.flag("shear_centre", false);
   model.foundationLengths = numberOf("foundation", kShortestFoundation, 100.0);
   model.stiffeningStrain = numberOf("stiffening", 1e-3, 100.0);
-  model.shearModulus_Pa = numberOf("shear_modulus_pa", 1.0, 1e9);
+  model.shearModulus_Pa = numberOf("shear_modulus_pa", kSoftest_Pa, kStiffest_Pa);
   fields.finish();
   return model;
 }
@@ -330,8 +330,8 @@ std::vector<Material> readMaterials(const fs::path& assets) {
     Material material;
     material.id = fields.text("id");
     material.title = fields.text("title");
-    material.lowest_Pa = fields.number("lowest_pa", 1.0, 1e9);
-    material.highest_Pa = fields.number("highest_pa", material.lowest_Pa, 1e9);
+    material.lowest_Pa = fields.number("lowest_pa", kSoftest_Pa, kStiffest_Pa);
+    material.highest_Pa = fields.number("highest_pa", material.lowest_Pa, kStiffest_Pa);
     material.shearModulus_Pa = fields.number("shear_modulus_pa", material.lowest_Pa, material.highest_Pa);
     material.source = fields.text("source");
     fields.finish();

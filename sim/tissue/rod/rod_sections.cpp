@@ -13,6 +13,7 @@
 #include "sim/core/index.h"
 #include "sim/core/short_number.h"
 #include "sim/tissue/rod/rod_warping.h"
+#include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
 
@@ -117,11 +118,7 @@ Quat quatOfFrame(const AxisFrame& f) {
 }
 
 void checkMaterial(const RodMaterial& material, int elements) {
-  if (!(material.shearModulus_Pa > 0.0) || !std::isfinite(material.shearModulus_Pa)) {
-    refuseParameter(
-        Text::tr("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
-        Text::tr("material"), Text::tr("Give G in pascal; for nearly incompressible tissue it is E / 3."));
-  }
+  requireShearModulus(material.shearModulus_Pa, Text::tr("material"));
   if (!(material.poisson >= 0.0 && material.poisson <= 0.5)) {
     refuseParameter(
         Text::tr("Poisson's ratio is %1, but must lie in 0..0.5", std::to_string(material.poisson)),
@@ -272,7 +269,8 @@ class RodMaker {
     const auto polar = [cx, cy](const SectionMoments& s) {
       return s.xx_m4 + s.yy_m4 - 2.0 * (cx * s.x_m3 + cy * s.y_m3) + (cx * cx + cy * cy) * s.area_m2;
     };
-    const WallSection wall = wall_.empty() ? WallSection{} : wallSection(outline, {&wall_m, 1});
+    const WallSection wall =
+        wall_.empty() ? WallSection{} : wallSection(outline, {&wall_m, 1}, kSaidInMillimetres);
     const double straight_m4 =
         wall_.empty() ? sections_.profile().at(arc_m).torsionConstant_m4 : wall.torsionConstant;
     RodElement e;

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/core/text.h"
 #include "sim/core/vec3.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/tissue/section/section_solver.h"
@@ -25,6 +26,14 @@ struct Material {
   double lowest_Pa = 0.0;           ///< range of the published values
   double highest_Pa = 0.0;
 };
+
+/// Shear moduli that are computed: softer than any tissue to stiffer than cartilage. Far beyond, a torque
+/// loses its digits.
+inline constexpr double kSoftest_Pa = 1.0;
+inline constexpr double kStiffest_Pa = 1e9;
+
+/// Checks a shear modulus; `where` names whose it is. Throws Error{kBadParameter}.
+void requireShearModulus(double shearModulus_Pa, const Text& where);
 
 /// The two readings of the paper's equations (docs/model.md).
 enum class Formulation {

@@ -11,10 +11,20 @@
 #include "sim/core/error.h"
 #include "sim/core/index.h"
 #include "sim/core/portable_math.h"
+#include "sim/core/short_number.h"
 #include "sim/tissue/twist/twist_model_map.h"
 #include "sim/tissue/twist/twist_model_sections.h"
 
 namespace torsio {
+
+void requireShearModulus(double shearModulus_Pa, const Text& where) {
+  if (shearModulus_Pa >= kSoftest_Pa && shearModulus_Pa <= kStiffest_Pa) {
+    return;  // false for NaN
+  }
+  refuseParameter(Text::tr("the shear modulus is %1 Pa, but must lie in %2 to %3 Pa",
+                           shortNumber(shearModulus_Pa), shortNumber(kSoftest_Pa), shortNumber(kStiffest_Pa)),
+                  where, Text::tr("Give G in pascal; for nearly incompressible tissue it is E / 3."));
+}
 
 namespace {
 
@@ -50,12 +60,7 @@ void checkNumber(double value, double low, double high, const char* name) {
 }
 
 void checkOptions(const TwistModelOptions& o, const Material& material) {
-  if (!(material.shearModulus_Pa > 0.0) || !std::isfinite(material.shearModulus_Pa)) {
-    refuseParameter(Text::verbatim("the shear modulus is %1 Pa, but must be above 0",
-                                   std::to_string(material.shearModulus_Pa)),
-                    Text::verbatim("material %1", material.id),
-                    Text::verbatim("Give G in pascal; for nearly incompressible tissue it is E / 3."));
-  }
+  requireShearModulus(material.shearModulus_Pa, Text::tr("material %1", material.id));
   checkNumber(o.foundationLengths, 0.0, 1e6, "foundationLengths");
   if (o.foundationLengths > 0.0) {
     checkNumber(o.foundationLengths, 0.05, 1e6, "foundationLengths");

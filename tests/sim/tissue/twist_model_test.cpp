@@ -574,7 +574,7 @@ TEST(TwistModel, RefusesParametersWithoutMeaning) {
     return options;
   };
 
-  for (const double g : {0.0, -5000.0, nan, std::numeric_limits<double>::infinity()}) {
+  for (const double g : {0.0, -5000.0, 0.1, 2e9, 1e200, nan, std::numeric_limits<double>::infinity()}) {
     Material material = barMaterial();
     material.shearModulus_Pa = g;
     EXPECT_EQ(refusal(material, {}), ErrorCode::kBadParameter);
