@@ -32,8 +32,11 @@ std::string oneLine(std::string text) {
 }
 
 /// Returns what is wrong with a numeric option value; empty: nothing, or not a number, which the parser
-/// reports.
+/// reports. The parser itself takes an empty word for the default.
 std::string noFiniteNumber(const std::string& text) {
+  if (text.empty()) {
+    return "an empty word is not a number";
+  }
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   return end == text.c_str() || std::isfinite(value) ? "" : text + " is not a finite number";
@@ -42,7 +45,8 @@ std::string noFiniteNumber(const std::string& text) {
 /// Rejects NaN, which passes range checks: it is neither below one end nor above the other.
 void refuseNoNumbers(CLI::App& command) {
   for (CLI::Option* option : command.get_options({})) {
-    if (option->get_type_name().starts_with("FLOAT")) {
+    const std::string type = option->get_type_name();
+    if (type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT")) {
       option->check(noFiniteNumber);
     }
   }

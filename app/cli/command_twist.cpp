@@ -20,6 +20,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_export.h"
+#include "sim/geometry/mesh/mesh_file_check.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"
 #include "sim/scene/pattern_judgement.h"
@@ -131,7 +132,7 @@ void writeSurface(const TwistArguments& arguments, TriangleMesh mesh, std::vecto
   }
   mesh.vertices_m = std::move(vertices_m);
   const std::filesystem::path out = arguments.out;
-  out.extension() == ".obj" ? writeObj(out, mesh) : writePly(out, mesh);
+  lowerExtension(out) == "obj" ? writeObj(out, mesh) : writePly(out, mesh);
 }
 
 void print(const nlohmann::ordered_json& result, bool json) {
@@ -439,9 +440,13 @@ void addTwist(CLI::App& program) {
       ->add_option("--reference-elements", arguments->referenceElements,
                    "With --reference: wedges or tetrahedra on the same points; default: wedges")
       ->check(CLI::IsMember({"wedges", "tetrahedra"}));
-  command->add_option("--wall", arguments->wall,
-                      "With --ends: the organ is hollow, with a wall of this thickness in mm; or along its "
-                      "length, as fractions and mm: 0:2,1:5");
+  command
+      ->add_option("--wall", arguments->wall,
+                   "With --ends: the organ is hollow, with a wall of this thickness in mm; or along its "
+                   "length, as fractions and mm: 0:2,1:5")
+      ->check([](const std::string& text) {
+        return std::string(text.empty() ? "an empty word is not a thickness" : "");
+      });
   command->add_option("--pressure-mmhg", arguments->pressure_mmHg,
                       "With --wall: pressure inside minus outside; default: 0");
   command->add_option("--rest-pressure-mmhg", arguments->restPressure_mmHg,

@@ -14,6 +14,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_file_check.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {
@@ -167,7 +168,7 @@ bool takeSurface(std::string_view bytes, std::uint64_t vertices, std::uint64_t t
 }  // namespace
 
 bool isOrganFile(const std::filesystem::path& file) {
-  return file.extension() == ".organ";
+  return lowerExtension(file) == "organ";
 }
 
 void writeOrganFile(const std::filesystem::path& file, const OrganFile& organ) {

@@ -256,7 +256,13 @@ TEST(RodTwist, MeaninglessOptionsAreRejected) {
   EXPECT_EQ(codeOf("--ends clamped-free --grasp 0.01 --jaw"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf("--ends clamped-turned --poynting"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf("--ends clamped-turned --nu 0.6"), static_cast<int>(ErrorCode::kBadParameter));
-  EXPECT_EQ(codeOf("--ends clamped-turned --shear-modulus -1"), static_cast<int>(ErrorCode::kBadParameter));
+  for (const char* modulus : {"-1", "1e200", "1e-3"}) {
+    for (const char* ends : {"", "--ends clamped-turned "}) {
+      EXPECT_EQ(codeOf(std::string(ends) + "--shear-modulus " + modulus),
+                static_cast<int>(ErrorCode::kBadParameter))
+          << ends << modulus;
+    }
+  }
 }
 
 TEST(RodTwist, IsAsStiffUnderAThousandthOfADegreeAsUnderATenth) {
@@ -364,12 +370,15 @@ TEST(RodTwist, MeaninglessWallsAndPressuresAreRejected) {
   EXPECT_EQ(codeOf(ends + "--pressure-mmhg 3"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf(ends + "--sealed"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf(ends + "--wall thin"), static_cast<int>(ErrorCode::kUsage));
+  EXPECT_EQ(codeOf(ends + "--wall ''"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf(ends + "--wall 0:2,1"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf(ends + "--wall 2 --reference"), static_cast<int>(ErrorCode::kUsage));
   EXPECT_EQ(codeOf(ends + "--wall 0"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf(ends + "--wall -1"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf(ends + "--wall nan"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf(ends + "--wall 40"), static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_NE(runTorsio("twist --organ stomach " + ends + "--wall 40", scratch).err.find("a wall 40 mm thick"),
+            std::string::npos);
   EXPECT_EQ(codeOf(ends + "--wall 1:2,0:2"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf(ends + "--wall 2 --pressure-mmhg -1"), static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(codeOf(ends + "--wall 2 --pressure-mmhg nan"), static_cast<int>(ErrorCode::kUsage));

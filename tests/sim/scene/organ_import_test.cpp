@@ -61,6 +61,13 @@ struct OtherReader : testing::OtherProgram {
       : OtherProgram("TORSIO_MESH_PROGRAM", ownFile("reader.sh"), script) {}
 };
 
+TEST(OrganFileName, CapitalsCountAsSmallLetters) {
+  EXPECT_TRUE(isOrganFile("mine.organ"));
+  EXPECT_TRUE(isOrganFile("MINE.ORGAN"));
+  EXPECT_FALSE(isOrganFile("organ"));
+  EXPECT_FALSE(isOrganFile("mine.organ.ply"));
+}
+
 TEST(OrganImport, AcceptsAGoodMeshAsItIs) {
   const OrganImport import = importOrgan(importOf(bar(), "bar.ply"));
 
