@@ -199,6 +199,20 @@ TEST(Scene, TasksAreDoneWithRestraintsHalfAndTwiceAsStiff) {
   std::filesystem::remove_all(assets);
 }
 
+TEST(Scene, SmallTurnsAreTurnsToo) {
+  for (const char* organ : {"stomach", "intestine"}) {
+    for (const std::string& pattern : patternIds(kShippedAssets, organ)) {
+      const Scene scene = loadScene(shipped(organ, pattern));
+      for (const double angle_deg : {1e-4, 0.01, 0.5, -1e-4, -0.01, -0.5}) {
+        SCOPED_TRACE(pattern + " " + std::to_string(angle_deg));
+        const TaskPoint point = scene.rod->pointAt(radians(angle_deg));
+        EXPECT_NEAR(point.angle_rad, radians(angle_deg), 1e-9);
+        EXPECT_GT(point.torque_Nm * angle_deg, 0.0);
+      }
+    }
+  }
+}
+
 TEST(Scene, GripPlaceChangesTheTwistOfTheStomach) {
   const Scene scene = loadScene(shipped("stomach", "partial"));
 
