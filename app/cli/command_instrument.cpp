@@ -13,7 +13,7 @@
 #include "app/cli/progress_line.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
-#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/mesh_space.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/instrument_file.h"
@@ -29,7 +29,7 @@ struct InstrumentArguments {
   std::string out;
   ToolRequest tool;             // of a scan; for a mesh, only the positions
   std::optional<double> scale;  // for a mesh: millimetres per file unit
-  std::string unit = "mm";
+  std::string unit;             // empty: not given
   double drawnOpen_deg = 0.0;
   std::vector<double> seed;
   std::vector<double> tip;
@@ -73,8 +73,8 @@ nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string
   return json;
 }
 
-/// Checks the output name and converts the positions, given in units of `unit_mm`.
-void takePlaces(InstrumentArguments& arguments, double unit_mm) {
+/// Checks the output name and converts the positions, given in units of `unit_mm` and the file's axes.
+void takePlaces(InstrumentArguments& arguments, double unit_mm, const MeshSpace& space = {}) {
   if (!arguments.out.ends_with(".json")) {
     refuseUsage("an instrument's file ends with .json", "--out " + arguments.out, "Name it so");
   }
@@ -85,6 +85,12 @@ void takePlaces(InstrumentArguments& arguments, double unit_mm) {
   }
   arguments.tool.shaft = placeOf(arguments.shaft);
   arguments.tool.jawAxis = placeOf(arguments.jawAxis);
+  for (std::optional<Vec3>* const place :
+       {&arguments.tool.tip_mm, &arguments.tool.shaft, &arguments.tool.jawAxis}) {
+    if (*place) {
+      *place = space.toLps(**place);
+    }
+  }
 }
 
 void finishInstrument(const InstrumentArguments& arguments, const ToolSurface& tool,
@@ -120,8 +126,9 @@ void runReconstruct(InstrumentArguments& arguments) {
 void runImport(InstrumentArguments& arguments) {
   InstrumentImportRequest request;
   request.file = arguments.source;
-  request.scale_m = arguments.scale ? *arguments.scale * kToolUnit_m : lengthUnit_m(arguments.unit);
-  takePlaces(arguments, request.scale_m / kToolUnit_m);
+  request.scale_m = arguments.scale ? meshUnit_m(request.file, *arguments.scale * kToolUnit_m)
+                                    : unitOf_m(arguments.source, arguments.unit);
+  takePlaces(arguments, request.scale_m / kToolUnit_m, meshSpaceOf(request.file));
   const ToolPlaces& places = arguments.tool;
   static_cast<ToolPlaces&>(request) = places;
   request.drawnOpen_deg = arguments.drawnOpen_deg;
@@ -180,10 +187,7 @@ void addImport(CLI::App& instrument) {
   command->add_option("FILE", arguments->source, "Mesh file")->required();
   CLI::Option* scale =
       command->add_option("--scale", arguments->scale, "Millimetres in one unit of the file, such as 25.4");
-  command->add_option("--organ-unit", arguments->unit, "Unit of the file: m, cm, mm or um")
-      ->check(CLI::IsMember({"m", "cm", "mm", "um"}))
-      ->excludes(scale)
-      ->capture_default_str();
+  addUnitOption(*command, arguments->unit)->excludes(scale);
   addDefaulted(*command, "--drawn-open", arguments->drawnOpen_deg,
                "How far each jaw is open in the file, degrees", CLI::Range(0.0, 90.0));
   addPlaces(*command, *arguments, "the file's unit");

@@ -277,8 +277,7 @@ void addMetrics(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   command->add_flag("--scene", arguments->scene, "Load the scene: adds the wander about the organ's axis");
   command->add_option("--organ", arguments->organ.organ, "The mesh file that the run was recorded on");
-  command->add_option("--organ-unit", arguments->organ.unit, "Unit of that file")
-      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  addUnitOption(*command, arguments->organ.unit);
   command->add_flag("--cards", arguments->cards, "Add what each quantity means");
   command->callback([arguments] { runMetrics(*arguments); });
 }

@@ -18,7 +18,7 @@
 #include "app/services/base/assets.h"
 #include "app/services/organs/person_arm.h"
 #include "sim/core/error.h"
-#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/mesh_space.h"
 #include "sim/imaging/surface/scan_surface.h"
 #include "sim/scene/organ_import.h"
 
@@ -195,7 +195,7 @@ struct OrganImportArguments {
   std::string file;
   OrganResultOptions result;
   std::optional<double> scale;  // millimetres per file unit
-  std::string unit = "mm";
+  std::string unit;             // empty: not given
   bool closeHoles = false;
 };
 
@@ -203,9 +203,10 @@ void runOrganImport(const OrganImportArguments& arguments) {
   OrganImportRequest request;
   request.assets = assetsFolder();
   request.file = arguments.file;
-  request.scale_m = arguments.scale ? *arguments.scale * kMetresPerMillimetre : lengthUnit_m(arguments.unit);
+  request.scale_m = arguments.scale ? meshUnit_m(request.file, *arguments.scale * kMetresPerMillimetre)
+                                    : unitOf_m(arguments.file, arguments.unit);
   request.closeHoles = arguments.closeHoles;
-  applyOrganResultOptions(arguments.result, request.scale_m, request);
+  applyOrganResultOptions(arguments.result, request.scale_m, request, meshSpaceOf(request.file));
   const OrganImport import = importOrgan(request);
   finishOrgan(import, arguments.result, arguments.file, organJson(import, arguments.result.out));
 }
@@ -222,10 +223,7 @@ void addOrgan(CLI::App& program) {
   addOrganResultOptions(*command, arguments->result, "the file's unit");
   CLI::Option* scale =
       command->add_option("--scale", arguments->scale, "Millimetres in one unit of the file, such as 1000");
-  command->add_option("--organ-unit", arguments->unit, "Unit of the file: m, cm, mm or um")
-      ->check(CLI::IsMember({"m", "cm", "mm", "um"}))
-      ->excludes(scale)
-      ->capture_default_str();
+  addUnitOption(*command, arguments->unit)->excludes(scale);
   command->add_flag("--close-holes", arguments->closeHoles,
                     "Close gaps of the surface, and the open ends of a tube");
   command->callback([arguments] { runOrganImport(*arguments); });

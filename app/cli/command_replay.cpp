@@ -90,8 +90,7 @@ void addReplay(CLI::App& program) {
   command->add_option("RUN", arguments->trial, "Id of the run, or its first characters")->required();
   addDatabaseOption(*command, arguments->database);
   command->add_option("--organ", arguments->organ.organ, "The mesh file that the run was recorded on");
-  command->add_option("--organ-unit", arguments->organ.unit, "Unit of that file")
-      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  addUnitOption(*command, arguments->organ.unit);
   command->add_flag("--verify", arguments->verify, "Exit with code 13 unless the replay is bit-identical");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { runReplay(*arguments); });

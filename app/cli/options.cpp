@@ -13,6 +13,8 @@
 #include "app/services/base/assets.h"
 #include "db/connection/locator.h"
 #include "sim/core/error.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/mesh_space.h"
 
 namespace torsio::cli {
 
@@ -119,19 +121,20 @@ CLI::Option* addDatabaseArgument(CLI::App& command, const std::string& name, std
   return checked(command.add_option(name, address, description));
 }
 
-namespace {
-
-const std::map<std::string, double>& unitsInMetres() {
-  static const std::map<std::string, double> kUnits{{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}};
-  return kUnits;
+CLI::Option* addUnitOption(CLI::App& command, std::string& unit) {
+  return command
+      .add_option("--organ-unit", unit,
+                  "Unit of the mesh file: m, cm, mm or um; default: what the file says, else mm")
+      ->check(CLI::IsMember({"m", "cm", "mm", "um"}));
 }
 
-}  // namespace
+double unitOf_m(const std::string& file, const std::string& unit) {
+  return meshUnit_m(file, unit.empty() ? std::nullopt : std::optional(lengthUnit_m(unit)));
+}
 
 void addOrganOptions(CLI::App& command, OrganArguments& arguments) {
   addDefaulted(command, "--organ", arguments.organ, "Scene (arm, stomach, intestine) or mesh file");
-  addDefaulted(command, "--organ-unit", arguments.unit, "Unit of the mesh file: mm, cm or m",
-               CLI::IsMember({"mm", "cm", "m"}));
+  addUnitOption(command, arguments.unit);
   CLI::Option* fixedEnd =
       command
           .add_option("--fixed-end", arguments.fixedEnd,
@@ -159,7 +162,7 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     request.id = organ;
   } else if (arguments.organ.find_first_of("./\\") != std::string::npos) {
     request.organFile = std::filesystem::path(arguments.organ);
-    request.organScale_m = unitsInMetres().at(arguments.unit);
+    request.organScale_m = unitOf_m(arguments.organ, arguments.unit);
   } else {
     std::string names;
     for (const std::string& id : known) {
@@ -168,8 +171,9 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     refuseUsage("no such organ", "--organ " + arguments.organ,
                 "Choose one of " + names + ", or give a mesh file with its ending");
   }
-  const auto point_m = [&request](const std::vector<double>& xyz) {
-    return Vec3{xyz[0], xyz[1], xyz[2]} * request.organScale_m;
+  const MeshSpace space = request.organFile ? meshSpaceOf(*request.organFile) : MeshSpace{};
+  const auto point_m = [&request, &space](const std::vector<double>& xyz) {
+    return space.toLps(Vec3{xyz[0], xyz[1], xyz[2]} * request.organScale_m);
   };
   if (!arguments.fixedEnd.empty() && !arguments.freeEnd.empty()) {
     request.fixedEnd_m = point_m(arguments.fixedEnd);

@@ -72,7 +72,7 @@ CLI::Option* addDatabaseArgument(CLI::App& command, const std::string& name, std
 /// Options that choose an organ and its model; identical in all commands.
 struct OrganArguments {
   std::string organ = "forearm";  ///< a scene's name, or a mesh file
-  std::string unit = "mm";        ///< unit of the mesh file
+  std::string unit;               ///< unit of the mesh file; empty: not given
   std::vector<double> fixedEnd;   ///< fixed end of the mesh file, in its unit; empty: found from the shape
   std::vector<double> freeEnd;    ///< free end of the mesh file, in its unit; empty: found from the shape
   std::string material;           ///< material by name; empty: the scene's
@@ -81,6 +81,13 @@ struct OrganArguments {
   std::optional<int> ridges;      ///< ridges of the lattice (N); empty: the scene's
   std::optional<int> sections;    ///< sections of the lattice (M); empty: the scene's
 };
+
+/// Adds --organ-unit, the unit of a mesh file.
+CLI::Option* addUnitOption(CLI::App& command, std::string& unit);
+
+/// Returns the metres in one unit of a mesh file, as it says itself or as --organ-unit does. Throws
+/// Error{kBadParameter} where the two differ.
+[[nodiscard]] double unitOf_m(const std::string& file, const std::string& unit);
 
 /// Adds these options; `arguments` must outlive the command.
 void addOrganOptions(CLI::App& command, OrganArguments& arguments);

@@ -161,7 +161,8 @@ void addOrganResultOptions(CLI::App& command, OrganResultOptions& options, const
   command.add_flag("--json", options.json, "Print JSON");
 }
 
-void applyOrganResultOptions(const OrganResultOptions& options, double unit_m, OrganImportRequest& request) {
+void applyOrganResultOptions(const OrganResultOptions& options, double unit_m, OrganImportRequest& request,
+                             const MeshSpace& space) {
   constexpr double kWallUnit_m = 1e-3;
   if (!options.out.empty() && !isOrganFile(options.out)) {
     refuseUsage("an organ file ends with .organ", "--out " + options.out, "Name it so");
@@ -170,14 +171,14 @@ void applyOrganResultOptions(const OrganResultOptions& options, double unit_m, O
     refuseUsage("one end alone is not enough", "--fixed-end, --free-end", "Give both");
   }
   if (!options.fixedEnd.empty()) {
-    request.ends.fixedEnd_m = vectorFrom(options.fixedEnd) * unit_m;
-    request.ends.freeEnd_m = vectorFrom(options.freeEnd) * unit_m;
+    request.ends.fixedEnd_m = space.toLps(vectorFrom(options.fixedEnd) * unit_m);
+    request.ends.freeEnd_m = space.toLps(vectorFrom(options.freeEnd) * unit_m);
   }
   if (!options.fixedCut.empty()) {
-    request.ends.fixedCut = vectorFrom(options.fixedCut);
+    request.ends.fixedCut = space.toLps(vectorFrom(options.fixedCut));
   }
   if (!options.freeCut.empty()) {
-    request.ends.freeCut = vectorFrom(options.freeCut);
+    request.ends.freeCut = space.toLps(vectorFrom(options.freeCut));
   }
   request.anatomy = options.anatomy;
   if (options.wall_mm) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/geometry/mesh/mesh_space.h"
 #include "sim/scene/organ_import.h"
 
 namespace CLI {
@@ -30,9 +31,10 @@ struct OrganResultOptions {
 /// Adds the options; `options` must outlive the command. `unit`: unit of the ends.
 void addOrganResultOptions(CLI::App& command, OrganResultOptions& options, const std::string& unit);
 
-/// Applies the options to a request; `unit_m`: unit of the ends. Throws Error{kUsage} for a name that is not
-/// an organ file's, or for one end without the other.
-void applyOrganResultOptions(const OrganResultOptions& options, double unit_m, OrganImportRequest& request);
+/// Applies the options to a request; `unit_m`: unit of the ends, `space`: their axes. Throws Error{kUsage}
+/// for a name that is not an organ file's, or for one end without the other.
+void applyOrganResultOptions(const OrganResultOptions& options, double unit_m, OrganImportRequest& request,
+                             const MeshSpace& space = {});
 
 /// Returns the outcome of an import, as --json prints it.
 [[nodiscard]] nlohmann::ordered_json organJson(const OrganImport& import, const std::string& out);

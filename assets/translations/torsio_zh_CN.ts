@@ -1945,10 +1945,6 @@
         <translation>一份已保存的录制未能入库，原因：%1。文件已保留：%2</translation>
     </message>
     <message>
-        <source>Add --organ-unit %1</source>
-        <translation>请加上 --organ-unit %1</translation>
-    </message>
-    <message>
         <source>Add a module, or begin with a template</source>
         <translation>请添加模块，或从模板开始</translation>
     </message>
@@ -4763,10 +4759,6 @@
     <message>
         <source>the backup is not there any more</source>
         <translation>备份已不存在</translation>
-    </message>
-    <message>
-        <source>the cap radius %1 m is negative or not finite</source>
-        <translation>端盖半径 %1 m 为负或不是有限的数</translation>
     </message>
     <message>
         <source>the centre has no name</source>
@@ -8435,10 +8427,6 @@
     <message>
         <source>the volume becomes %1 of what it was</source>
         <translation>体积变为原来的 %1 倍</translation>
-    </message>
-    <message>
-        <source>the shear modulus is %1 Pa, but must be above 0</source>
-        <translation>剪切模量为 %1 Pa，但必须大于 0</translation>
     </message>
     <message>
         <source>material</source>
@@ -18750,6 +18738,30 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Cuts across its ends were tried and do not help: take a part of it that bends less, or name other ends</source>
         <translation>已尝试在其两端横切，但无济于事：请取其弯曲较小的一段，或指定其他端点</translation>
     </message>
+    <message>
+        <source>the cap radius %1 mm is negative or not finite</source>
+        <translation>端盖半径 %1 mm 为负或不是有限的数</translation>
+    </message>
+    <message>
+        <source>Add --organ-unit %1 (in the window: choose the unit of the file)</source>
+        <translation>请加上 --organ-unit %1（在窗口中：选择文件的单位）</translation>
+    </message>
+    <message>
+        <source>the file says that one of its units is %1 mm, not %2 mm</source>
+        <translation>文件说明其一个单位为 %1 mm，而不是 %2 mm</translation>
+    </message>
+    <message>
+        <source>Leave the unit out; if the file is wrong, export it again with its true unit</source>
+        <translation>不要给出单位；如果文件有误，请以其真实单位重新导出</translation>
+    </message>
+    <message>
+        <source>the shear modulus is %1 Pa, but must lie in %2 to %3 Pa</source>
+        <translation>剪切模量为 %1 Pa，但必须在 %2 到 %3 Pa 之间</translation>
+    </message>
+    <message>
+        <source>material %1</source>
+        <translation>材料 %1</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -26265,6 +26277,10 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>%1 after %2</source>
         <translation>%2 后：%1</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>微米</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "sim/core/short_number.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/mesh_space.h"
 #include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/scene/instrument_parts.h"
 #include "sim/scene/scene_file.h"
@@ -308,7 +309,7 @@ void requireThickness(const std::vector<Vec3>& local_mm, const std::string& wher
 }
 
 /// Before anything is said of places: most often the unit is another.
-void requireInstrumentSize(const TriangleMesh& mesh, double unit_m, const std::string& where) {
+void requireInstrumentSize(const TriangleMesh& mesh, std::optional<double> unit_m, const std::string& where) {
   requireSound(mesh, where);
   const double side_m = boxOf(mesh.vertices_m).largestSide();
   requireLargestSide(side_m,
@@ -358,7 +359,8 @@ ToolSurface toolOfMesh(RawMesh raw, const InstrumentImportRequest& request) {
                 Text::tr("Give the angle of one jaw"));
   }
   ToolSurface tool;
-  requireInstrumentSize(raw.mesh, request.scale_m, where);
+  const bool stated = meshSpaceOf(request.file).unit_m.has_value();
+  requireInstrumentSize(raw.mesh, stated ? std::nullopt : std::optional(request.scale_m), where);
   MeshImportOptions options;
   options.scale_m = request.scale_m;
   options.organ = false;

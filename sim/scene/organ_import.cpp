@@ -15,6 +15,7 @@
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_holes.h"
 #include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/mesh_space.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_file.h"
@@ -169,6 +170,7 @@ std::string option(const std::string& name, const Vec3& v, double unit) {
 /// The command that asks for these ends; of a scan only its options.
 std::string commandFor(const OrganImportRequest& request, const OrganEnds& ends) {
   constexpr double kMillimetre = 1e-3;
+  const MeshSpace space = meshSpaceOf(request.file);  // the options are in the file's own axes
   std::string words;
   if (!request.ofScan) {
     words = "torsio organ import '" + request.file.string() + "'";
@@ -176,9 +178,10 @@ std::string commandFor(const OrganImportRequest& request, const OrganEnds& ends)
     words += request.anatomy.empty() ? "" : " --anatomy " + request.anatomy;
     words += request.closeHoles ? " --close-holes" : "";
   }
-  return words + option("fixed-end", *ends.fixedEnd_m, request.scale_m) +
-         option("free-end", *ends.freeEnd_m, request.scale_m) + option("fixed-cut", ends.fixedCut, 1.0) +
-         option("free-cut", ends.freeCut, 1.0);
+  return words + option("fixed-end", space.toLps(*ends.fixedEnd_m), request.scale_m) +
+         option("free-end", space.toLps(*ends.freeEnd_m), request.scale_m) +
+         option("fixed-cut", space.toLps(ends.fixedCut), 1.0) +
+         option("free-cut", space.toLps(ends.freeCut), 1.0);
 }
 
 /// Says that the organ was cut across its ends, and how to ask for that.
@@ -194,6 +197,7 @@ OrganFinding cutNote(const OrganImportRequest& request, const OrganEnds& ends) {
 void judgeMesh(const OrganImportRequest& request, RawMesh raw, OrganImport& import) {
   MeshImportOptions options;
   options.scale_m = request.scale_m;
+  options.unitStated = meshSpaceOf(request.file).unit_m.has_value();
   const MeshRepairs before = mendHoles(request, raw.mesh, import.findings);
   import.organ.mesh = checkedMesh(std::move(raw.mesh), request.file.string(), options, &import.repairs);
   import.repairs.add(before);

@@ -9,6 +9,7 @@
 #include "sim/core/error.h"
 #include "sim/geometry/apart/mesh_process.h"
 #include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/mesh_space.h"
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/organ_file.h"
 #include "sim/scene/organ_import.h"
@@ -83,6 +84,7 @@ UsersOrgan loadUsersOrgan(const SceneRequest& request) {
   } else {
     MeshImportOptions import;
     import.scale_m = request.organScale_m;
+    import.unitStated = meshSpaceOf(file).unit_m.has_value();
     requireUnit(import.scale_m, file.string());
     organ.file.mesh =
         checkedMesh(readMeshApart(file, import.scale_m).mesh, file.string(), import, &organ.repairs);

@@ -146,7 +146,7 @@ inline std::string daeText(const TriangleMesh& mesh) {
     }
   }
   return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-<asset><unit name="metre" meter="1"/><up_axis>Z_UP</up_axis></asset>
+<asset><unit name="millimeter" meter="0.001"/><up_axis>Z_UP</up_axis></asset>
 <library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count=")" +
          std::to_string(3 * mesh.vertices_m.size()) + "\">" + places +
          R"(</float_array><technique_common><accessor source="#a" count=")" +

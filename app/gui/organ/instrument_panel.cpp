@@ -19,6 +19,7 @@
 #include "app/gui/organ/instrument_view.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
+#include "sim/geometry/mesh/mesh_space.h"
 
 namespace torsio::gui {
 
@@ -146,6 +147,9 @@ void InstrumentPanel::reset(const ToolRequest& request, const std::filesystem::p
                        static_cast<QWidget*>(drawnOpen_), static_cast<QWidget*>(drawnOpenLabel_)}) {
     one->setVisible(ofMesh());
   }
+  for (QWidget* one : {static_cast<QWidget*>(unit_), static_cast<QWidget*>(unitLabel_)}) {
+    one->setVisible(ofMesh() && !meshSpaceOf(meshFile_).unit_m);  // the file states it
+  }
   setTool({});
 }
 
@@ -155,7 +159,8 @@ InstrumentImportRequest InstrumentPanel::meshRequest() const {
   const ToolPlaces& places = scan;
   static_cast<ToolPlaces&>(request) = places;
   request.file = meshFile_;
-  request.scale_m = kUnits_m[static_cast<std::size_t>(std::max(unit_->currentIndex(), 0))];
+  request.scale_m = meshSpaceOf(meshFile_).unit_m.value_or(
+      kUnits_m[static_cast<std::size_t>(std::max(unit_->currentIndex(), 0))]);
   request.drawnOpen_deg = drawnOpen_->value();
   return request;
 }

@@ -2,6 +2,8 @@
 #include "app/gui/organ/organ_settings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -18,6 +20,7 @@
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/geometry/mesh/mesh_space.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::gui {
@@ -25,6 +28,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kMillimetre_m = 1e-3;
+constexpr double kSameUnit = 1e-6;                                    // relative
 constexpr std::array<double, 4> kUnits_mm{1.0, 10.0, 1000.0, 0.001};  // mm, cm, m, um
 constexpr double kFarthest_mm = 1e5;
 constexpr double kThickest_mm = 50.0;
@@ -155,6 +159,23 @@ void OrganSettings::enableEnds() {
 
 void OrganSettings::setScan(bool scan) {
   ofMesh_->setVisible(!scan);
+}
+
+void OrganSettings::setMesh(const std::filesystem::path& file) {
+  setScan(false);
+  const std::optional<double> stated_m = meshSpaceOf(file).unit_m;
+  unit_->setEnabled(!stated_m);
+  if (!stated_m) {
+    return;
+  }
+  const double unit_mm = *stated_m / kMillimetre_m;
+  const auto known = std::find_if(kUnits_mm.begin(), kUnits_mm.end(), [unit_mm](double one_mm) {
+    return std::abs(one_mm / unit_mm - 1.0) < kSameUnit;
+  });
+  const QSignalBlocker quiet(this);
+  unit_->setCurrentIndex(static_cast<int>(known - kUnits_mm.begin()));  // past the last: another
+  scale_->setValue(unit_mm);
+  scale_->setEnabled(false);
 }
 
 Vec3 OrganSettings::placeOf_m(const End& end) {

@@ -27,6 +27,8 @@ class OrganSettings : public QWidget {
 
   /// Hides unit and holes for a scan, which defines its unit and whose surface has no holes.
   void setScan(bool scan);
+  /// Takes the unit that a mesh file states, and does not offer another.
+  void setMesh(const std::filesystem::path& file);
   /// Writes the input into a request; the caller sets the file.
   void apply(OrganImportRequest& request) const;
   /// Assigns a clicked place to the end that waits for one, if any.

@@ -170,7 +170,7 @@ void OrganWizard::judgeMesh(const std::filesystem::path& file) {
   source_ = file;
   ofScan_ = false;
   ofMeasures_ = false;
-  settings_->setScan(false);
+  settings_->setMesh(file);
   shell_.run(
       this, tr("Checking the organ"),
       [request = request()](SessionContext&, const ProgressCallback& progress) {

@@ -13,6 +13,7 @@
 #include "app/gui/widgets/picture.h"
 #include "app/gui/widgets/value_text.h"
 #include "sim/core/error.h"
+#include "sim/geometry/mesh/mesh_space.h"
 #include "sim/scene/organ_file.h"
 
 namespace torsio::gui {
@@ -50,10 +51,10 @@ void PracticeFiles::openOrgan() {
   SceneRequest request = controller_.request();
   request.organFile = toPath(file);
   request.pattern.clear();  // the new organ has its own patterns
-  request.organScale_m = 0.001;
-  if (!isOrganFile(*request.organFile)) {  // an organ file defines its unit
-    const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres")};
-    constexpr double kScales_m[] = {0.001, 0.01, 1.0};
+  request.organScale_m = meshUnit_m(*request.organFile, {});
+  if (!isOrganFile(*request.organFile) && !meshSpaceOf(*request.organFile).unit_m) {  // the file does not say
+    const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres"), tr("micrometres")};
+    constexpr double kScales_m[] = {0.001, 0.01, 1.0, 1e-6};
     bool chosen = false;
     const QString unit = QInputDialog::getItem(&window_, tr("Open organ"), tr("The file's numbers are"),
                                                units, 0, false, &chosen);

@@ -31,6 +31,8 @@
 #include "app/services/recording/unstored_trials.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/mesh_space.h"
 
 namespace torsio::gui {
 
@@ -46,7 +48,7 @@ constexpr QSize kMaxSize(7680, 4320);
 struct WrittenWindow {
   WindowOptions options;
   std::string organ;
-  std::string unit = "mm";
+  std::string unit;  // empty: not given
   std::string formulation;
   std::string theme;
   std::string size = "1280x800";
@@ -92,10 +94,11 @@ WindowOptions windowOptions(const WrittenWindow& written) {
   scene.assets = assetsFolder();
   if (written.organ.find_first_of("/\\.") != std::string::npos) {
     scene.organFile = written.organ;
+    scene.organScale_m = meshUnit_m(
+        *scene.organFile, written.unit.empty() ? std::nullopt : std::optional(lengthUnit_m(written.unit)));
   } else if (!written.organ.empty()) {
     scene.id = written.organ;
   }
-  scene.organScale_m = written.unit == "mm" ? 0.001 : written.unit == "cm" ? 0.01 : 1.0;
   if (!written.formulation.empty()) {
     scene.formulation = written.formulation == "paper" ? Formulation::kPaper : Formulation::kSaintVenant;
   }
@@ -261,9 +264,10 @@ void addWindow(CLI::App& program) {
   window->add_option("--database", options.database,
                      "File or address of the database of this run instead of the station's");
   window->add_option("--organ", written->organ, "Simulator only, with this scene or mesh file");
-  window->add_option("--organ-unit", written->unit, "Unit of the mesh file")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  window
+      ->add_option("--organ-unit", written->unit,
+                   "Unit of the mesh file; default: what the file says, else mm")
+      ->check(CLI::IsMember({"m", "cm", "mm", "um"}));
   window->add_option("--pattern", options.picture.scene.pattern, "Twist pattern of the scene");
   window->add_option("--formulation", written->formulation, "Of the twist model")
       ->check(CLI::IsMember({"paper", "saint-venant"}));

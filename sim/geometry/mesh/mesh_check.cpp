@@ -154,7 +154,7 @@ void measureVertices(const TriangleMesh& mesh, const std::vector<EdgeUse>& edges
   report.unusedVertices = mesh.vertices_m.size() - used;
 }
 
-void requireSize(const MeshReport& report, const std::string& where, double unit_m) {
+void requireSize(const MeshReport& report, const std::string& where, std::optional<double> unit_m) {
   const double side_m = report.largestSide_m();
   requireLargestSide(side_m, kOrganSide,
                      Text::tr("M09 largest side %1 is not that of an organ (%2 to %3)", mm(side_m),
@@ -206,7 +206,7 @@ void requireShape(const MeshReport& r, const std::string& where) {
 }  // namespace
 
 void requireLargestSide(double side_m, const SideRange& range, const Text& otherwise,
-                        const std::string& where, double unit_m) {
+                        const std::string& where, std::optional<double> unit_m) {
   if (range.holds(side_m)) {
     return;
   }
@@ -221,10 +221,9 @@ void requireLargestSide(double side_m, const SideRange& range, const Text& other
                                         {"cm", "centimetres", 0.01},
                                         {"um", "micrometres", 1e-6}}};
   for (const Unit& unit : kUnits) {
-    const double guess_m = side_m / unit_m * unit.metres;
-    if (range.holds(guess_m)) {
+    if (unit_m && range.holds(side_m / *unit_m * unit.metres)) {
       refuseMesh(Text::tr("M09 largest side %1: the file seems to be in %2", mm(side_m), unit.name), where,
-                 Text::tr("Add --organ-unit %1", unit.option));
+                 Text::tr("Add --organ-unit %1 (in the window: choose the unit of the file)", unit.option));
     }
   }
   refuseMesh(otherwise, where, Text::tr("Scale the mesh to life size"));
@@ -312,7 +311,8 @@ void requireNearOrigin(const TriangleMesh& mesh, const std::string& where) {
   }
 }
 
-TriangleMesh requireOrgan(TriangleMesh mesh, const std::string& where, double unit_m, MeshRepairs* repairs) {
+TriangleMesh requireOrgan(TriangleMesh mesh, const std::string& where, std::optional<double> unit_m,
+                          MeshRepairs* repairs) {
   MeshRepairs done;
   requireSound(mesh, where);
   removeUnusedVertices(mesh, done);

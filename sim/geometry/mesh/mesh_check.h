@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "sim/core/text.h"
@@ -76,16 +77,16 @@ void requireSound(const TriangleMesh& mesh, const std::string& where);
 void requireNearOrigin(const TriangleMesh& mesh, const std::string& where);
 
 /// Checks that a surface is as large as what it shows. Throws Error{kBadMesh}, M09, with the unit that would
-/// fit in place of `unit_m` where one does, else with the sentence `otherwise`.
+/// fit in place of `unit_m` where one does, else with the sentence `otherwise`. No unit: the file states it.
 void requireLargestSide(double side_m, const SideRange& range, const Text& otherwise,
-                        const std::string& where, double unit_m);
+                        const std::string& where, std::optional<double> unit_m);
 
 /// Repairs what can be repaired without guessing (double vertices and faces, orientation, small separate
 /// pieces, inner shells) and returns a closed, manifold, outward-oriented surface of genus 0. Throws
 /// Error{kBadMesh} for everything else, with the code of the rule (M06..M19), the measured value and what to
-/// do. `where` names the file; `unit_m` is the file unit that was assumed, for the guess of the right one;
-/// `repairs`, when given, receives what was done.
-[[nodiscard]] TriangleMesh requireOrgan(TriangleMesh mesh, const std::string& where, double unit_m = 0.001,
-                                        MeshRepairs* repairs = nullptr);
+/// do. `where` names the file; `unit_m` is the file unit that was assumed, for the guess of the right one
+/// (none: the file states it); `repairs`, when given, receives what was done.
+[[nodiscard]] TriangleMesh requireOrgan(TriangleMesh mesh, const std::string& where,
+                                        std::optional<double> unit_m = 0.001, MeshRepairs* repairs = nullptr);
 
 }  // namespace torsio

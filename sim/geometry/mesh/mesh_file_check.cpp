@@ -36,13 +36,22 @@ std::uint32_t littleEndian32(std::string_view bytes) {
   return value;
 }
 
-void checkStl(std::string_view head, std::uint64_t size, const std::string& where) {
-  constexpr std::size_t kHeader = 84;
+constexpr std::size_t kStlHeader = 84;
+
+std::uint64_t stlFacets(std::string_view head) {
+  return head.size() >= kStlHeader ? littleEndian32(head.substr(80, 4)) : 0;
+}
+
+bool isExactStl(std::string_view head, std::uint64_t size) {
   constexpr std::uint64_t kFacet = 50;
-  const std::uint64_t facets = head.size() >= kHeader ? littleEndian32(head.substr(80, 4)) : 0;
-  const bool exact = head.size() >= kHeader && kHeader + facets * kFacet == size;
-  // Many binary files begin with the word "solid" too: the length decides.
-  if (exact || firstWord(head.substr(0, 64)) == "solid") {
+  return head.size() >= kStlHeader && kStlHeader + stlFacets(head) * kFacet == size;
+}
+
+void checkStl(std::string_view head, std::uint64_t size, const std::string& where) {
+  constexpr std::size_t kHeader = kStlHeader;
+  constexpr std::uint64_t kFacet = 50;
+  const std::uint64_t facets = stlFacets(head);
+  if (isExactStl(head, size) || isTextStl(head, size)) {
     return;
   }
   if (head.size() < kHeader) {
@@ -70,10 +79,7 @@ void checkText(std::string_view head, std::string_view format, std::string_view 
   if (head.find('\0') != std::string_view::npos) {
     refuseFormat(where, format, Text::tr("it is not UTF-8 text"));
   }
-  if (head.starts_with("\xEF\xBB\xBF")) {
-    head.remove_prefix(3);
-  }
-  if (!firstWord(head).starts_with(mark)) {
+  if (!firstWord(withoutMark(head)).starts_with(mark)) {
     refuseFormat(where, format, Text::tr("it does not begin with %1", std::string(mark)));
   }
 }
@@ -206,6 +212,37 @@ void refuseIndex(const std::string& where, const std::string& row, std::int64_t 
               where, Text::tr("Export the mesh again"));
 }
 
+std::string_view withoutMark(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+std::string smallLetters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return small;
+}
+
+bool isTextStl(std::string_view head, std::uint64_t size) {
+  // Many binary files begin with the word "solid" too: the length decides.
+  return !isExactStl(head, size) && head.find('\0') == std::string_view::npos &&
+         smallLetters(firstWord(withoutMark(head))) == "solid";
+}
+
+std::string lowerExtension(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return smallLetters(std::string_view(extension).substr(extension.empty() ? 0 : 1));
+}
+
+std::string headOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string head(kHeadBytes, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return in.bad() ? std::string() : head;
+}
+
 void requirePlausibleHead(std::string_view head, std::uint64_t size, std::string_view extension,
                           const std::string& where) {
   if (extension == "stl") {
@@ -228,13 +265,10 @@ void requirePlausibleFile(const std::filesystem::path& file, std::string_view ex
   if (extension == "off") {
     return requirePlausibleOff(readFile(file), file.string());
   }
-  std::ifstream in(file, std::ios::binary);
-  std::string head(kHeadBytes, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  const std::string head = headOf(file);
   std::error_code failed;
   const auto size = std::filesystem::file_size(file, failed);
-  if (failed || in.bad() || head.empty()) {
+  if (failed || head.empty()) {
     throw Error(ErrorCode::kFileUnreadable, Text::tr("M01 cannot be read"), file.string(),
                 Text::tr("Check that it is a file you may read"));
   }

@@ -40,6 +40,21 @@ void splitWords(std::string_view line, std::vector<std::string_view>& words);
 /// Tells whether a word is a number as C reads one, including nan and inf.
 [[nodiscard]] bool isNumber(std::string_view word);
 
+/// Returns a text without the byte order mark that some programs write before UTF-8.
+[[nodiscard]] std::string_view withoutMark(std::string_view text);
+
+/// Returns a text with A to Z in small letters.
+[[nodiscard]] std::string smallLetters(std::string_view text);
+
+/// Returns the ending of a file's name without its dot, in small letters.
+[[nodiscard]] std::string lowerExtension(const std::filesystem::path& file);
+
+/// Returns the first 64 kB of a file; empty when it cannot be read.
+[[nodiscard]] std::string headOf(const std::filesystem::path& file);
+
+/// Tells from the first bytes of an STL file of `size` bytes whether it is text.
+[[nodiscard]] bool isTextStl(std::string_view head, std::uint64_t size);
+
 /// Checks a mesh file before a library reads it. The content must match `extension` (lower case, without
 /// dot) and the counts that a header declares must fit in the file, because importers reserve memory for
 /// what a header promises. PLY and OFF files are walked to the end: assimp 5.2 crashes on damaged ones.

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstring>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -23,6 +23,7 @@
 #include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_file_check.h"
+#include "sim/geometry/mesh/mesh_space.h"
 
 namespace torsio {
 
@@ -32,17 +33,6 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kFormats{"obj", "stl", "ply", "off", "glb", "gltf", "dae"};
 constexpr std::uintmax_t kMaxBytes = 500'000'000;
-
-std::string lowerExtension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  if (!extension.empty()) {
-    extension.erase(0, 1);
-  }
-  for (char& c : extension) {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return extension;
-}
 
 // Opens nothing outside the folder of the mesh: a file must not name "../../etc/passwd" as its material.
 class FolderOnly final : public Assimp::DefaultIOSystem {
@@ -161,14 +151,31 @@ MeshExtras extrasOf(const aiScene& scene) {
   return extras;
 }
 
+/// A text STL file as one solid in small letters: assimp 5.2 ends at a solid without facets, and does not
+/// read a file that begins with a blank, a byte order mark or a capital.
+std::string plainStl(const fs::path& file) {
+  const std::string bytes = readFile(file);
+  std::string plain = "solid\n";
+  TextLines lines(withoutMark(bytes));
+  while (const auto line = lines.next()) {
+    std::string small = smallLetters(*line);
+    const std::size_t start = std::min(small.find_first_not_of(" \t\r"), small.size());
+    if (small.compare(start, 5, "solid") == 0 || small.compare(start, 8, "endsolid") == 0) {
+      small.erase(0, small.find("facet normal"));  // a name may be followed by facets on its line
+    }
+    plain += small + '\n';
+  }
+  if (plain.find("facet") == std::string::npos) {
+    requireSound({}, file.string());
+  }
+  return plain + "endsolid\n";
+}
+
 /// The bytes of a binary PLY file that assimp 5.2 would misread: where they begin with 0x0A it takes that for
 /// the second half of a line end and shifts all that follows. One more is put before it. Else empty.
-std::string mendedPly(const fs::path& file, const std::string& extension) {
+std::string mendedPly(const fs::path& file) {
   constexpr std::string_view kEnd = "\nend_header\n";
   constexpr std::size_t kHead = 65'536;
-  if (extension != "ply") {
-    return {};
-  }
   std::string bytes = readFile(file);
   const std::size_t end = std::string_view(bytes).substr(0, kHead).find(kEnd);
   const std::size_t body = end + kEnd.size();
@@ -179,13 +186,29 @@ std::string mendedPly(const fs::path& file, const std::string& extension) {
   return bytes;
 }
 
+/// The bytes to read in place of a file; empty: the file itself.
+std::string mendedBytes(const fs::path& file, const std::string& extension) {
+  if (extension == "ply") {
+    return mendedPly(file);
+  }
+  return extension == "stl" && isTextStl(headOf(file), fs::file_size(file)) ? plainStl(file) : std::string();
+}
+
+/// Turns a surface as a file has it to LPS.
+void turnToLps(const MeshSpace& space, TriangleMesh& mesh) {
+  for (Vec3& v : mesh.vertices_m) {
+    v = space.toLps(v);
+  }
+}
+
 RawMesh readWithAssimp(const fs::path& file, const std::string& extension, double scale_m) {
   Assimp::Importer importer;
   keepLoaders(importer, extension);
   importer.SetIOHandler(new FolderOnly(file));  // owned by the importer
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType;
-  const std::string mended = mendedPly(file, extension);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  const std::string mended = mendedBytes(file, extension);
   const aiScene* const scene =
       mended.empty() ? importer.ReadFile(file.string(), kSteps)
                      : importer.ReadFileFromMemory(mended.data(), mended.size(), kSteps, extension.c_str());
@@ -198,7 +221,12 @@ RawMesh readWithAssimp(const fs::path& file, const std::string& extension, doubl
     throw Error(ErrorCode::kFileUnreadable, Text::tr("M05 the importer failed on this file: %1", reason),
                 file.string(), Text::tr("Export the mesh again"));
   }
-  return {flatten(*scene, scale_m, file.string()), extrasOf(*scene)};
+  const MeshSpace space = meshSpaceOf(file);
+  // assimp has brought COLLADA to metres already
+  const double perNumber_m = extension == "dae" ? scale_m / space.unit_m.value_or(1.0) : scale_m;
+  RawMesh read{flatten(*scene, perNumber_m, file.string()), extrasOf(*scene)};
+  turnToLps(space, read.mesh);
+  return read;
 }
 
 void requireThere(const fs::path& file) {
@@ -286,7 +314,8 @@ TriangleMesh checkedMesh(TriangleMesh mesh, const std::string& where, const Mesh
   weldVertices(mesh, kWeldShare * boxOf(mesh.vertices_m).largestSide(), done);
   done = {};  // the importer gives every face its own corners: the file is not to blame
   if (options.organ) {
-    mesh = requireOrgan(std::move(mesh), where, options.scale_m, &done);
+    mesh = requireOrgan(std::move(mesh), where,
+                        options.unitStated ? std::nullopt : std::optional(options.scale_m), &done);
   } else {
     requireNearOrigin(mesh, where);
     removeDegenerateFaces(mesh, done);

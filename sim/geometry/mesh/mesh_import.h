@@ -28,25 +28,27 @@ struct RawMesh {
 /// (not there, empty), M02 (a format that is not read), M03 (more than 500 MB).
 void requireMeshFile(const std::filesystem::path& file);
 
-/// Reads an OBJ, STL, PLY, OFF, GLB, glTF or COLLADA file in this process (assimp, private), coordinates
-/// times `scale_m`. Files named inside the file are opened only below its own folder. Throws
-/// Error{kFileMissing, kFileUnreadable, kBadMesh} with the code of the rule (M01..M08). A damaged file may
-/// take assimp, and the process, down: files of users are read by readMeshApart.
+/// Reads an OBJ, STL, PLY, OFF, GLB, glTF or COLLADA file in this process (assimp, private), the file's own
+/// numbers times `scale_m` (meshUnit_m), turned to LPS where the file says that they are not. Files named
+/// inside the file are opened only below its own folder. Throws Error{kFileMissing, kFileUnreadable,
+/// kBadMesh} with the code of the rule (M01..M08). A damaged file may take assimp, and the process, down:
+/// files of users are read by readMeshApart.
 [[nodiscard]] RawMesh readMesh(const std::filesystem::path& file, double scale_m);
 
 /// Returns a text from a file as one line of at most 200 characters.
 [[nodiscard]] std::string printable(std::string text);
 
 struct MeshImportOptions {
-  double scale_m = 0.001;  ///< one file unit in metres
-  bool organ = true;       ///< requireOrgan; false: any finite surface (instruments, scenery)
+  double scale_m = 0.001;   ///< one file unit in metres
+  bool unitStated = false;  ///< by the file (mesh_space.h): no other unit is looked for
+  bool organ = true;        ///< requireOrgan; false: any finite surface (instruments, scenery)
 };
 
 /// Reads a surface from an OBJ, STL, PLY, OFF, GLB, glTF or COLLADA file (assimp, private): all parts and
-/// node transforms flattened, equal vertices welded, checked, and in metres. Axes are taken as they are
-/// (LPS). `repairs`, when given, receives what had to be repaired. Files named inside the file are opened
-/// only below its own folder. Throws Error{kFileMissing, kFileUnreadable} for a file that is not a mesh,
-/// {kBadParameter} for the scale, {kBadMesh} for a mesh that breaks a rule (M01..M19).
+/// node transforms flattened, equal vertices welded, checked, and in metres. Axes are taken as LPS unless the
+/// file says otherwise. `repairs`, when given, receives what had to be repaired. Files named inside the file
+/// are opened only below its own folder. Throws Error{kFileMissing, kFileUnreadable} for a file that is not a
+/// mesh, {kBadParameter} for the scale, {kBadMesh} for a mesh that breaks a rule (M01..M19).
 [[nodiscard]] TriangleMesh importMesh(const std::filesystem::path& file,
                                       const MeshImportOptions& options = {}, MeshRepairs* repairs = nullptr);
 

@@ -14,6 +14,7 @@
 #include "sim/geometry/mesh/triangle_mesh.h"
 #include "tests/app/cli/program.h"
 #include "tests/support/dicom_files.h"
+#include "tests/support/mesh_formats.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/scan_files.h"
 
@@ -208,6 +209,48 @@ TEST(OrganCommand, AcceptsItsUnitAsAFactor) {
 
   EXPECT_EQ(wrong.at("findings")[0].at("code"), "M09");
   EXPECT_NEAR(right.at("length_mm").get<double>(), 200.0, 0.01);
+}
+
+TEST(OrganCommand, TakesTheUnitThatAFileStatesAndRefusesAnother) {
+  const auto folder = emptyFolder("organ-stated");
+  const TriangleMesh bar = testing::prism(testing::circleOutline(0.03, 36), 0.2, 12);
+  const auto dae = folder / "bar.dae";
+  writeFileAtomically(dae, testing::daeText(bar));
+
+  for (const char* unit : {"", " --organ-unit mm", " --scale 1"}) {
+    EXPECT_NEAR(importOf(dae.string() + unit, folder, 0).at("length_mm").get<double>(), 200.0, 0.01) << unit;
+  }
+  for (const std::string command : {"organ import ", "instrument import --out a.json ", "twist --organ "}) {
+    const ProgramRun refused = runTorsio(command + dae.string() + " --organ-unit cm", folder);
+    EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kBadParameter)) << command;
+    EXPECT_NE(refused.err.find("one of its units is 1 mm, not 10 mm"), std::string::npos) << refused.err;
+  }
+  // The ends are in the file's own axes.
+  const std::string said = "3D Slicer output. SPACE=RAS";
+  std::string stl = testing::binaryStl(bar);
+  stl.replace(0, said.size(), said);
+  const auto ras = folder / "bar.stl";
+  writeFileAtomically(ras, stl);
+  const auto ends = importOf(ras.string() + " --fixed-end 5 3 0 --free-end 5 3 200", folder, 0);
+  EXPECT_NEAR(ends.at("length_mm").get<double>(), 200.0, 0.5);
+}
+
+TEST(OrganCommand, EveryUnitThatIsAdvisedIsTaken) {
+  const auto folder = emptyFolder("organ-advice");
+  const TriangleMesh bar = testing::prism(testing::circleOutline(0.03, 36), 0.2, 12);
+  for (const auto& [unit, factor] : {std::pair("um", 1e3), {"m", 1e-3}, {"cm", 0.1}}) {
+    TriangleMesh other = bar;
+    for (Vec3& v : other.vertices_m) {
+      v *= factor;
+    }
+    const auto mesh = folder / (std::string("bar-") + unit + ".ply");
+    writePly(mesh, other);
+    const std::string command = "twist --angle 5 --organ " + mesh.string();
+    const ProgramRun advised = runTorsio(command, folder);
+    ASSERT_NE(advised.err.find(std::string("Add --organ-unit ") + unit), std::string::npos) << advised.err;
+    const ProgramRun followed = runTorsio(command + " --organ-unit " + unit, folder);
+    EXPECT_EQ(followed.code, 0) << followed.err;
+  }
 }
 
 TEST(InstrumentCommand, MakesAnInstrumentFromAMeshOrReportsWhyNot) {
