@@ -124,7 +124,8 @@ void addCompare(CLI::App& program) {
   addDefaulted(*command, "--substeps", arguments->options.springs.substeps,
                "Substeps of the springs per frame");
   addDefaulted(*command, "--calibration", arguments->calibration,
-               "Calibration of the springs: equilibrium (the angle of a small torque) or affine (energy)", CLI::IsMember({"affine", "equilibrium"}));
+               "Calibration of the springs: equilibrium (the angle of a small torque) or affine (energy)",
+               CLI::IsMember({"affine", "equilibrium"}));
   command->add_flag("--json", arguments->json, "Print comparison.json");
   command->callback([arguments] { runCompare(*arguments); });
 }

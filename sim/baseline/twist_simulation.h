@@ -60,7 +60,7 @@ struct ComparedOrgan {
 /// Makes corotational linear tetrahedra with `rings` rings of elements.
 [[nodiscard]] std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings);
 struct MassSpringOptions {
-  int substeps = 10;  ///< of XPBD, a frame's
+  int substeps = 10;                                    ///< of XPBD, a frame's
   Calibration calibration = Calibration::kEquilibrium;  ///< the better one
 };
 

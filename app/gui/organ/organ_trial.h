@@ -23,8 +23,8 @@ struct OrganLandmark {
 /// A judged organ, with its view for checking the judgement.
 struct OrganTrial {
   OrganImport import;
-  std::shared_ptr<const Scene> scene;         ///< twists about its own axis; null: no axis
-  std::vector<TaskPoint> forth;               ///< of a rod, to either side
+  std::shared_ptr<const Scene> scene;  ///< twists about its own axis; null: no axis
+  std::vector<TaskPoint> forth;        ///< of a rod, to either side
   std::vector<TaskPoint> back;
   std::shared_ptr<const TriangleMesh> shown;  ///< surface in the view; empty: could not be repaired
   ViewScene view;
