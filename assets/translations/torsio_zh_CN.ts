@@ -18700,7 +18700,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>-3 is a millisecond, 0 a second; the table has the times themselves. The reference has no frames: its values are one step of the torque and all of them. Set-up is not part of the deformation time.</source>
-        <translation>-3 为 1 毫秒，0 为 1 秒；各时间见表。参考模型没有帧：其数值为扭矩的一步和全部各步。准备时间不计入形变时间。</translation>
+        <translation>-3 为 1 ms，0 为 1 s；各时间见表。参考模型没有帧：其数值为扭矩的一步和全部各步。准备时间不计入形变时间。</translation>
     </message>
     <message>
         <source>Measured (mm)</source>

@@ -353,7 +353,7 @@ TEST_F(ModelOptions, ChangeThePapersFormulationAccordingToItsEquations) {
 TEST_F(ModelOptions, OfTheOtherFormulationOrOfTheRodAreRejected) {
   for (const std::string options : {"--beta 10", "--clamp-lift", "--interpolation angle",
                                     "--formulation paper --poynting", "--formulation paper --foundation 1",
-                                    "--formulation paper --taper", "--ends clamped-turned --taper"}) {
+                                    "--formulation paper --taper", "--ends clamped-turned --poynting"}) {
     const ProgramRun run = runTorsio("twist --organ arm --angle 30 " + options, scratch_);
     EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kUsage)) << options << '\n' << run.err;
   }

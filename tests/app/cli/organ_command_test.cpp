@@ -126,7 +126,7 @@ TEST(OrganCommand, SaysWhetherATwistIsValidAndWhichLimitItIsBeyond) {
   const auto good = twist("--organ stomach --pattern partial");
   EXPECT_TRUE(good.at("valid").get<bool>());
   EXPECT_FALSE(good.contains("beyond"));
-  const auto folded = twist("--organ stomach --ends clamped-turned --angle 300 --allow-fold");
+  const auto folded = twist("--organ stomach --ends clamped-turned --angle 310 --allow-fold");
   EXPECT_FALSE(folded.at("valid").get<bool>());
   EXPECT_EQ(folded.at("beyond"), folded.at("fold"));
   const auto packed = twist("--organ intestine --ends clamped-turned --wall 2 --angle 720");
