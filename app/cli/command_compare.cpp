@@ -10,6 +10,8 @@
 #include "app/cli/progress_line.h"
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/services/base/build_info.h"
+#include "app/services/comparison/comparison_files.h"
+#include "app/services/comparison/comparison_order.h"
 #include "app/services/comparison/comparison_report.h"
 #include "app/services/comparison/comparison_run.h"
 #include "assessment/results/number_format.h"

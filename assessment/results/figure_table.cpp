@@ -31,6 +31,8 @@ class Twin {
       case FigureKind::kHeatMap:
         heatMap();
         break;
+      case FigureKind::kReliefs:  // pictures have no values
+        break;
       case FigureKind::kPoints:
         points();
         break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <memory>
@@ -59,6 +60,20 @@ enum class FigureKind {
   kScatter,      ///< markers at (x, y)
   kForest,       ///< categories from top to bottom, values with intervals along the horizontal axis
   kHeatMap,      ///< categories are columns, series are rows; cells are shaded by value
+  kReliefs,      ///< categories are columns, series are rows; a picture in each cell
+};
+
+/// A place in a picture: x to the right, y up, z towards the reader, any unit.
+using ReliefPlace = std::array<float, 3>;
+
+/// A closed surface to be drawn as a solid body.
+struct ReportRelief {
+  Text caption;  ///< below it
+  std::shared_ptr<const std::vector<std::array<std::uint32_t, 3>>>
+      triangles;                                             ///< corners anticlockwise seen from outside
+  std::vector<ReliefPlace> places;                           ///< of the corners
+  std::vector<std::vector<ReliefPlace>> lines{};             ///< on the surface
+  std::vector<std::pair<std::string, ReliefPlace>> marks{};  ///< short names and their places on it
 };
 
 /// A line across a figure, such as a limit, a target or zero. Crosses the value axis.
@@ -85,9 +100,10 @@ struct FigureSeries {
   std::vector<std::optional<double>> y{};  ///< one per category; kBoxes: all raw values
   std::vector<double> low{};               ///< kRanges, kForest: same length as y; kLines: same or empty
   std::vector<double> high{};
-  std::optional<BoxSummary> box{};    ///< kBoxes: required
-  std::optional<std::size_t> look{};  ///< colour and marker of this index instead of the series' own
-  bool faint = false;                 ///< one curve of many: thin, unnamed; kScatter: a reference line
+  std::optional<BoxSummary> box{};      ///< kBoxes: required
+  std::optional<std::size_t> look{};    ///< colour and marker of this index instead of the series' own
+  bool faint = false;                   ///< one curve of many: thin, unnamed; kScatter: a reference line
+  std::vector<ReportRelief> reliefs{};  ///< kReliefs: one per column
   std::vector<std::shared_ptr<const ResultKey>> keys{};  ///< of y; null or shorter: no result
   std::shared_ptr<const ResultKey> boxKey{};             ///< of the median
 };
@@ -101,6 +117,7 @@ struct ReportFigure {
   std::vector<Text> categories;
   std::vector<FigureSeries> series;
   std::vector<FigureReference> references;
+  bool logarithmic = false;    ///< kPoints: powers of ten on the value axis; all values are positive
   std::optional<double> yMin;  ///< of the value axis, in either orientation
   std::optional<double> yMax;
   bool individual = false;      ///< shows single people: not part of an aggregated report

@@ -8477,10 +8477,6 @@
         <translation>编译器</translation>
     </message>
     <message>
-        <source>Instruction set of the view</source>
-        <translation>显示所用指令集</translation>
-    </message>
-    <message>
         <source>Lattice</source>
         <translation>网格线</translation>
     </message>
@@ -8499,10 +8495,6 @@
     <message>
         <source>Poisson&apos;s ratio of the elements</source>
         <translation>单元的泊松比</translation>
-    </message>
-    <message>
-        <source>Deformation time (Fig. 10), powers of ten</source>
-        <translation>形变时间（图 10），以 10 的幂表示</translation>
     </message>
     <message>
         <source>model</source>
@@ -18695,14 +18687,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>论文的次序（PM 优于 FEM 优于 MSM）在本次运行中不成立。</translation>
     </message>
     <message>
-        <source>processing, powers of ten of a second</source>
-        <translation>处理时间，秒的 10 的幂次</translation>
-    </message>
-    <message>
-        <source>-3 is a millisecond, 0 a second; the table has the times themselves. The reference has no frames: its values are one step of the torque and all of them. Set-up is not part of the deformation time.</source>
-        <translation>-3 为 1 ms，0 为 1 s；各时间见表。参考模型没有帧：其数值为扭矩的一步和全部各步。准备时间不计入形变时间。</translation>
-    </message>
-    <message>
         <source>Measured (mm)</source>
         <translation>实测（mm）</translation>
     </message>
@@ -18761,6 +18745,98 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>material %1</source>
         <translation>材料 %1</translation>
+    </message>
+    <message>
+        <source>The markers (Fig. 11)</source>
+        <translation>标记点（图 11）</translation>
+    </message>
+    <message>
+        <source>from the front</source>
+        <translation>前面观</translation>
+    </message>
+    <message>
+        <source>from behind</source>
+        <translation>后面观</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>Every model in equilibrium with the torque of %1 N m</source>
+        <translation>各模型在 %1 N m 扭矩下的平衡状态</translation>
+    </message>
+    <message>
+        <source>%1, %2, no equilibrium: last frame</source>
+        <translation>%1，%2，无平衡：最后一帧</translation>
+    </message>
+    <message>
+        <source>Seen from the front, all in one scale. Lines: %1 of the ridges, straight along the organ at rest.</source>
+        <translation>前面观，比例尺相同。线条：%1 条脊线，静止时沿器官呈直线。</translation>
+    </message>
+    <message>
+        <source>The twist of every model (Figs. 8, 9 and 12)</source>
+        <translation>各模型的扭转过程（图 8、图 9 和图 12）</translation>
+    </message>
+    <message>
+        <source>While the torque grows, at the moments above, with the angle of the turned end below. Elements and springs have mass and follow late.</source>
+        <translation>扭矩增大过程中上方所示各时刻的形状，下方为被扭转端的角度。有限元和弹簧有质量，因而滞后。</translation>
+    </message>
+    <message>
+        <source>Instruction set of all models</source>
+        <translation>所有模型的指令集</translation>
+    </message>
+    <message>
+        <source>Deformation time (Fig. 10)</source>
+        <translation>变形时间（图 10）</translation>
+    </message>
+    <message>
+        <source>processing (ms)</source>
+        <translation>处理时间（ms）</translation>
+    </message>
+    <message>
+        <source>Each line is ten times the one below. The reference has no frames: its values are one step of the torque and all of them. Set-up is not part of the deformation time.</source>
+        <translation>每条线是其下一条的十倍。参考模型没有帧：其数值为扭矩的一步和全部各步。准备时间不计入变形时间。</translation>
+    </message>
+    <message>
+        <source>All models run on the same instruction set (%1). As the simulator draws, with %2, a frame of PM takes %3 ms and all key points %4 µs.</source>
+        <translation>所有模型使用相同的指令集（%1）。按模拟器的绘制方式（%2），PM 一帧需 %3 ms，全部关键点需 %4 µs。</translation>
+    </message>
+    <message>
+        <source>Coarser meshes of each model</source>
+        <translation>各模型的较粗网格</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>脊线</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>截面</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>圈数</translation>
+    </message>
+    <message>
+        <source>Equilibrium (s)</source>
+        <translation>平衡 (s)</translation>
+    </message>
+    <message>
+        <source>%1 with %2 {ring|rings}: %3.</source>
+        <translation>%1，%2 圈：%3。</translation>
+    </message>
+    <message>
+        <source>The last row of a model is the mesh that is compared above. Markers: RMSE of their displacements from the reference that is compared. A model whose angle still changes from row to row has not come to its own limit.</source>
+        <translation>每个模型的最后一行是上文所比较的网格。标记点：其位移相对于所比较参考模型的均方根误差。角度仍逐行变化的模型尚未达到其自身的极限。</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>Coarser meshes</source>
+        <translation>较粗的网格</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,13 @@ AxisFrame lastSectionFrame(const LatticePlaces& places) {
   return frame;
 }
 
+/// Carries a place along with the last section as with a rigid body.
+Vec3 withLastSection(const Vec3& place_m, const AxisFrame& before, const AxisFrame& after) {
+  const Vec3 arm = place_m - before.centre_m;
+  return after.centre_m + dot(arm, before.tangent) * after.tangent + dot(arm, before.e1) * after.e1 +
+         dot(arm, before.e2) * after.e2;
+}
+
 /// The point of a patch with these weights, and three unit directions of the patch: along the organ, round
 /// it, out.
 struct PatchPoint {
@@ -234,11 +241,7 @@ Vec3 markerPlace_m(const MarkerAnchor& marker, const LatticePlaces& rest, const 
     return marker.rest_m;
   }
   if (marker.part == LatticePart::kFreeCap) {
-    const AxisFrame before = lastSectionFrame(rest);
-    const AxisFrame after = lastSectionFrame(now);
-    const Vec3 arm = marker.rest_m - before.centre_m;
-    return after.centre_m + dot(arm, before.tangent) * after.tangent + dot(arm, before.e1) * after.e1 +
-           dot(arm, before.e2) * after.e2;
+    return withLastSection(marker.rest_m, lastSectionFrame(rest), lastSectionFrame(now));
   }
   Vec3 place = marker.rest_m;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -275,16 +278,21 @@ LatticeSkin::LatticeSkin(const TriangleMesh& mesh, const SectionLattice& lattice
   }
 }
 
-void LatticeSkin::deform(const LatticePlaces& now, double angle_rad, std::span<Vec3> out_m) const {
+void LatticeSkin::deform(const LatticePlaces& now, std::optional<double> turned_rad,
+                         std::span<Vec3> out_m) const {
   TORSIO_EXPECTS(out_m.size() == vertices_.size() && now.places_m.size() == rest_.places_m.size());
+  const AxisFrame before = lastSectionFrame(rest_);
+  const AxisFrame after = lastSectionFrame(now);
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const CarriedVertex& vertex = vertices_[i];
     if (vertex.part == LatticePart::kSide) {
       const PatchPoint patch = patchPoint(now, vertex.points, vertex.weights);
       out_m[i] = patch.place_m + vertex.aside_m.x * patch.along + vertex.aside_m.y * patch.round +
                  vertex.aside_m.z * patch.out;
+    } else if (vertex.part == LatticePart::kFreeCap && !turned_rad) {
+      out_m[i] = withLastSection(vertex.rest_m, before, after);
     } else {
-      out_m[i] = capPlace_m(vertex.part, vertex.rest_m, end_, angle_rad);
+      out_m[i] = capPlace_m(vertex.part, vertex.rest_m, end_, turned_rad.value_or(0.0));
     }
   }
 }

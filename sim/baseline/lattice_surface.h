@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -89,9 +90,10 @@ class LatticeSkin {
  public:
   LatticeSkin(const TriangleMesh& mesh, const SectionLattice& lattice);
 
-  /// Computes where the vertices are when the key points are at `now` and the free end has turned by
-  /// `angle_rad`. `out_m`: one entry a vertex of the mesh (contract).
-  void deform(const LatticePlaces& now, double angle_rad, std::span<Vec3> out_m) const;
+  /// Computes where the vertices are when the key points are at `now` and the free end has turned in its
+  /// place by `turned_rad`; none: the end is not held, and what lies beyond it moves with the last section.
+  /// `out_m`: one entry a vertex of the mesh (contract).
+  void deform(const LatticePlaces& now, std::optional<double> turned_rad, std::span<Vec3> out_m) const;
 
  private:
   /// A vertex at rest and the key points that carry it; on the side of the organ only.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "sim/core/portable_math.h"
-#include "sim/tissue/view/cpu_features.h"
 #include "sim/tissue/view/twist_kernels.h"
 #include "sim/tissue/view/twist_kernels_buffer.h"
 
@@ -41,7 +40,7 @@ void writeMotion(const AxisFrame& frame, double angle_rad, float* motion) {
 
 }  // namespace
 
-double latticeUpdateTime_s(const TwistModel& model) {
+double latticeUpdateTime_s(const TwistModel& model, Isa isa) {
   const SectionLattice& lattice = model.lattice();
   const int blocks = (lattice.ridges() + kKernelBlock - 1) / kKernelBlock;
   const auto sections = static_cast<std::size_t>(lattice.sections());
@@ -62,7 +61,7 @@ double latticeUpdateTime_s(const TwistModel& model) {
       block[2 * kKernelBlock] = static_cast<float>(p.z);
     }
   }
-  const TwistKernels& kernels = twistKernels(bestIsa());
+  const TwistKernels& kernels = twistKernels(isa);
   const double perRadian = 1.0 / model.graspCompliance(lattice.length_m());
   std::vector<double> times_s;
   for (int batch = 0; batch < kUpdateBatches; ++batch) {

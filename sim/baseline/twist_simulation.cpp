@@ -36,10 +36,10 @@ LatticePlaces outlinesOf(const SweptSolid& solid, std::span<const Vec3> places_m
 
 class TwistModelRun final : public TwistSimulation {
  public:
-  TwistModelRun(const ComparedOrgan& organ, const TwistModel& model)
+  TwistModelRun(const ComparedOrgan& organ, const TwistModel& model, Isa isa)
       : organ_(organ),
         model_(model),
-        view_(model),
+        view_(model, isa),
         xyz_(3 * organ.mesh->vertices_m.size()),
         points_(*organ.mesh, *organ.lattice) {}
 
@@ -321,8 +321,9 @@ class RodRun final : public TwistSimulation {
 
 }  // namespace
 
-std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ, const TwistModel& model) {
-  return std::make_unique<TwistModelRun>(organ, model);
+std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ, const TwistModel& model,
+                                                      Isa isa) {
+  return std::make_unique<TwistModelRun>(organ, model, isa);
 }
 
 std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings) {

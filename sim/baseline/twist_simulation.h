@@ -10,6 +10,7 @@
 #include "sim/baseline/lattice_surface.h"
 #include "sim/baseline/spring_lattice.h"
 #include "sim/tissue/twist/twist_model.h"
+#include "sim/tissue/view/cpu_isa.h"
 
 namespace torsio {
 
@@ -54,9 +55,10 @@ struct ComparedOrgan {
 };
 
 /// Makes the twist model's simulation: a frame moves every vertex of the mesh as the view does, the key
-/// points lie on it. `model`: of this organ, clamped and free, twisted about its own axis.
+/// points lie on it, with the kernels of an instruction set. `model`: of this organ, clamped and free,
+/// twisted about its own axis.
 [[nodiscard]] std::unique_ptr<TwistSimulation> twistModelSimulation(const ComparedOrgan& organ,
-                                                                    const TwistModel& model);
+                                                                    const TwistModel& model, Isa isa);
 /// Makes corotational linear tetrahedra with `rings` rings of elements.
 [[nodiscard]] std::unique_ptr<TwistSimulation> finiteElementSimulation(const ComparedOrgan& organ, int rings);
 struct MassSpringOptions {

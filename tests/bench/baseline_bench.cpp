@@ -10,6 +10,7 @@
 #include "sim/baseline/lattice_update.h"
 #include "sim/baseline/twist_simulation.h"
 #include "sim/scene/scene.h"
+#include "sim/tissue/view/cpu_features.h"
 #include "tests/support/shipped_scene.h"
 
 namespace torsio {
@@ -38,11 +39,11 @@ int run() {
   const double torque_Nm = 1.0 / twist.graspCompliance(scene.lattice().length_m());
   ComparedOrgan organ{&scene.mesh, &scene.lattice(), {scene.model.material().shearModulus_Pa, 0.45}, {}, {}};
   organ.dynamics.drag_per_s = criticalDrag_per_s(organ.constants, 1000.0, scene.lattice().length_m());
-  const auto view = twistModelSimulation(organ, twist);
+  const auto view = twistModelSimulation(organ, twist, bestIsa());
   const auto elements = finiteElementSimulation(organ, 4);
   const auto springs = massSpringSimulation(organ, twist, 4, {});
 
-  const double lattice_s = latticeUpdateTime_s(twist);
+  const double lattice_s = latticeUpdateTime_s(twist, bestIsa());
   const double view_s = medianFrame_s(*view, torque_Nm, 501);
   const double elements_s = medianFrame_s(*elements, torque_Nm, 61);
   const double springs_s = medianFrame_s(*springs, torque_Nm, 61);

@@ -27,6 +27,8 @@
 #include "app/gui/widgets/value_text.h"
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/services/base/build_info.h"
+#include "app/services/comparison/comparison_files.h"
+#include "app/services/comparison/comparison_order.h"
 #include "app/services/comparison/comparison_report.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"
@@ -111,7 +113,8 @@ ModelComparison::ModelComparison(ShellContext& shell, QWidget* parent) : QWidget
   column->addLayout(row);
   hint_ = sentence(content);
   column->addWidget(hint_);
-  for (const int height : {kTableHeight, kTableHeight, kFigureHeight, kFigureHeight, kFigureHeight}) {
+  for (const int height :
+       {kTableHeight, kTableHeight, kTableHeight, kFigureHeight, kFigureHeight, kFigureHeight}) {
     auto* card = new FigureCard(content);
     card->setMinimumHeight(height);
     card->hide();
@@ -318,9 +321,10 @@ void ModelComparison::showResult() {
   const ReportModel report = comparisonReport(*result_, softwareVersion(), 0);
   cards_[0]->setTable(report.sections[0].tables[0]);
   cards_[1]->setTable(report.sections[1].tables[0]);
-  cards_[2]->setFigure(report.sections[0].figures[0]);
-  cards_[3]->setFigure(report.sections[1].figures[0]);
-  cards_[4]->setFigure(report.sections[1].figures[1]);
+  cards_[2]->setTable(report.sections[1].tables[1]);
+  cards_[3]->setFigure(report.sections[0].figures[0]);
+  cards_[4]->setFigure(report.sections[1].figures[0]);
+  cards_[5]->setFigure(report.sections[1].figures[1]);
 }
 
 void ModelComparison::showPose(Side& side, double processing_s) {

@@ -104,7 +104,7 @@ class ModelComparison : public QWidget {
   QPushButton* save_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* limits_ = nullptr;
-  std::vector<FigureCard*> cards_;  // of the report: times, accuracy, figures 10, 13, 14
+  std::vector<FigureCard*> cards_;  // of the report: times, accuracy, meshes, figures 10, 13, 14
 
   bool asked_ = false;
   ComparedScene organ_;

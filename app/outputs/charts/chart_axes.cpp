@@ -202,7 +202,27 @@ void ChartAxes::leaveRoomForLast(QCategoryAxis& axis) const {
   chart_.setMargins(margins);
 }
 
+QCategoryAxis* ChartAxes::addPowers() {
+  const AxisRange range = valueRange();
+  constexpr double kRounding = 1e-9;
+  const int low = static_cast<int>(std::floor(std::log10(range.low) + kRounding));
+  const int high = std::max(low + 1, static_cast<int>(std::ceil(std::log10(range.high) - kRounding)));
+  auto* axis = styled(new QCategoryAxis, Text());
+  axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+  axis->setRange(low, high);
+  axis->setStartValue(low);
+  for (int power = low; power <= high; ++power) {
+    appendTo(*axis, withTickSpacing(chartNumber(std::pow(10.0, power), std::max(0, -power), style_)), power);
+  }
+  addUprightTitle(figure_.yLabel);
+  chart_.addAxis(axis, Qt::AlignLeft);
+  return axis;
+}
+
 QCategoryAxis* ChartAxes::addValues(Qt::Alignment side) {
+  if (figure_.logarithmic) {
+    return addPowers();
+  }
   const bool upright = side == Qt::AlignLeft;
   QValueAxis values;
   const AxisRange range = valueRange();

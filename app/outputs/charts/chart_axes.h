@@ -38,7 +38,8 @@ class ChartAxes {
   /// All four must outlive this object.
   ChartAxes(const ReportFigure& figure, const ChartStyle& look, const Wording& wording, QChart& chart);
 
-  /// Adds the value axis, covering all values. Its title is vertical if it is on the left.
+  /// Adds the value axis, covering all values. Its title is vertical if it is on the left. Of a logarithmic
+  /// figure (on the left): marked by values, laid out by their powers of ten.
   QCategoryAxis* addValues(Qt::Alignment side);
   /// Adds a category axis at the bottom, continuous with categories at 1, 2, 3 ..., so that markers can be
   /// side by side.
@@ -53,6 +54,7 @@ class ChartAxes {
   [[nodiscard]] const AxisRange& across() const noexcept { return across_; }
 
  private:
+  QCategoryAxis* addPowers();
   template <typename Axis>
   Axis* styled(Axis* axis, const Text& title) const;
   [[nodiscard]] QCategoryAxis* numbered(const QValueAxis& range, int decimals, const Text& title,

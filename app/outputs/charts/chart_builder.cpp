@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <QBarCategoryAxis>
 #include <QBarSeries>
@@ -20,6 +21,7 @@
 
 #include "app/outputs/charts/chart_axes.h"
 #include "app/outputs/charts/heat_map_item.h"
+#include "app/outputs/charts/relief_item.h"
 #include "sim/core/contracts.h"
 
 namespace torsio {
@@ -77,6 +79,7 @@ class Builder {
         forest();
         break;
       case FigureKind::kHeatMap:
+      case FigureKind::kReliefs:
         TORSIO_EXPECTS(false);  // handled by buildFigure()
     }
     references();
@@ -206,7 +209,7 @@ class Builder {
           continue;
         }
         const double category = i < series.x.size() ? series.x[i] : static_cast<double>(i);
-        dots->append(category + slot(0, s), *series.y[i]);
+        dots->append(category + slot(0, s), figure_.logarithmic ? std::log10(*series.y[i]) : *series.y[i]);
       }
       add(dots, axis, values_, true);
     }
@@ -393,6 +396,9 @@ std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure, const C
                                              const Wording& wording) {
   if (figure.kind == FigureKind::kHeatMap) {
     return std::make_unique<HeatMapItem>(figure, look, wording);
+  }
+  if (figure.kind == FigureKind::kReliefs) {
+    return std::make_unique<ReliefItem>(figure, look, wording);
   }
   return buildChart(figure, look, wording);
 }

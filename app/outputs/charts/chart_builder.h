@@ -12,14 +12,14 @@ class QGraphicsWidget;
 
 namespace torsio {
 
-/// Builds a figure for a scene, on paper or screen: a chart or a heat map. Translates with `wording`; the
-/// caller shows title and notes. Needs a QApplication; GUI thread.
+/// Builds a figure for a scene, on paper or screen: a chart, a heat map or pictures. Translates with
+/// `wording`; the caller shows title and notes. Needs a QApplication; GUI thread.
 [[nodiscard]] std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure,
                                                            const ChartStyle& look = {},
                                                            const Wording& wording = englishWording);
 
 /// Builds a figure as a Qt chart without animation or shadow (both spoil vector output). Every kind but
-/// kHeatMap.
+/// kHeatMap and kReliefs.
 [[nodiscard]] std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartStyle& look = {},
                                                  const Wording& wording = englishWording);
 

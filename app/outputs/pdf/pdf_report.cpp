@@ -11,6 +11,7 @@
 #include <QPdfWriter>
 
 #include "app/outputs/charts/chart_builder.h"
+#include "app/outputs/charts/relief_item.h"
 #include "app/outputs/pdf/page_flow.h"
 #include "app/outputs/pdf/pdf_structure.h"
 #include "app/outputs/wording/joined_sentences.h"
@@ -33,6 +34,7 @@ constexpr double kCloudHeight_mm = 84.0;  // flatter, the shape of a cloud would
 constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
 constexpr double kFrame_mm = 24.0;        // axis, labels and legend around the rows
 constexpr double kTallestChart_mm = 170.0;
+constexpr double kTallestPictures_mm = 225.0;
 constexpr int kTableDecimals = 4;
 constexpr std::size_t kLongestTwin = 40;  // rows; longer tables would swamp the report
 constexpr std::size_t kWidestTwin = 12;   // columns that fit on a page
@@ -45,7 +47,11 @@ constexpr std::size_t kRowsWithTitle = 2;
 constexpr double kShortTable_mm = 60.0;
 const QColor kAccent(0x00, 0x4A, 0x7C);
 
-double heightOf(const ReportFigure& figure) {
+double heightOf(const ReportFigure& figure, double width_mm) {
+  if (figure.kind == FigureKind::kReliefs) {
+    return std::min(kTallestPictures_mm,
+                    ReliefItem::heightFor(figure, width_mm * kChartPixelsPerMm) / kChartPixelsPerMm);
+  }
   const std::size_t rows = figure.kind == FigureKind::kHeatMap  ? figure.series.size()
                            : figure.kind == FigureKind::kForest ? figure.categories.size()
                                                                 : 0;
@@ -136,7 +142,7 @@ class Composer {
         !figure.valuesInLabels && twin.rows.size() <= kLongestTwin && twin.columns.size() <= kWidestTwin;
     const PlainTable values = printed ? plain(twin) : PlainTable{};
     const TableLayout layout = printed ? flow_.layOut(values) : TableLayout{};
-    const double height_mm = heightOf(figure);
+    const double height_mm = heightOf(figure, flow_.width_mm());
     // A figure and its values share a page if they fit on one.
     const double together_mm =
         height_mm + layout.height_mm() + notesHeight_mm(figure.notes, figure.provenance);

@@ -52,6 +52,8 @@ class FigureWriter {
       case FigureKind::kScatter:
         block = points(figure, head, chart);
         break;
+      case FigureKind::kReliefs:  // pictures have no numbers
+        break;
     }
     if (chart != nullptr) {
       finish(figure, chart, row);

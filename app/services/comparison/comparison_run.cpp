@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -12,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "app/services/comparison/compared_meshes.h"
 #include "assessment/statistics/descriptive.h"
 #include "sim/baseline/lattice_update.h"
 #include "sim/core/contracts.h"
@@ -121,6 +121,16 @@ class ComparisonBench {
     return point;
   }
 
+  /// Stores a model's picture of the film strip if the ramp has come to the next one.
+  void film(const TwistSimulation& model, ModelResult& run) const {
+    const double share = run.course.back().time_s / result_.options.ramp_s;
+    constexpr double kRounding = 1e-9;
+    if (run.film.size() <= kFilmSteps &&
+        share + kRounding >= static_cast<double>(run.film.size()) / kFilmSteps) {
+      run.film.push_back({0.0, model.angle_rad(), model.surface()});
+    }
+  }
+
   /// Stores a model's pose if the next one is due.
   void keep(const TwistSimulation& model, double processing_s, ModelResult& run) const {
     const double every_s = result_.options.poseEvery_s;
@@ -156,6 +166,7 @@ class ComparisonBench {
         opened("reference", Text::tr("Reference (quadratic elements, neo-Hookean)"), *model, start);
     std::vector<double> times_s;
     run.course.push_back({});
+    film(*model, run);
     for (int step = 1; step <= kReferenceSteps; ++step) {
       const double share = static_cast<double>(step) / kReferenceSteps;
       tellProgress(progress, Text::tr("Reference"), share);
@@ -163,10 +174,12 @@ class ComparisonBench {
       model->step(share * result_.torque_Nm);
       times_s.push_back(secondsSince(stepStart));
       run.course.push_back(coursePoint(*model, share * result_.options.ramp_s, share * result_.torque_Nm));
+      film(*model, run);
     }
     close(run, times_s);
     run.settled = run.moving = state(*model);
     reference_ = model->surface();
+    run.atRest = {0.0, model->angle_rad(), reference_};
     result_.models.push_back(std::move(run));
   }
 
@@ -179,6 +192,7 @@ class ComparisonBench {
     double processing_s = 0.0;
     run.course.push_back({});
     keep(model, processing_s, run);
+    film(model, run);
     const double frame_s = organ.dynamics.frame_s;
     const int ramp = static_cast<int>(std::lround(result_.options.ramp_s / frame_s));
     const int most = static_cast<int>((result_.options.ramp_s + kMaxTime_s) / frame_s);
@@ -190,6 +204,7 @@ class ComparisonBench {
       processing_s += times_s.back();
       run.course.push_back(coursePoint(model, frame * frame_s, torque_Nm));
       keep(model, processing_s, run);
+      film(model, run);
       tellProgress(progress, title, std::min(1.0, 0.5 * frame / ramp));
       if (frame >= ramp + kRestFrames ||
           (frame >= ramp && run.course.size() > 1 && reachesRestImmediately(id))) {
@@ -205,6 +220,7 @@ class ComparisonBench {
       run.poses.push_back({processing_s, model.angle_rad(), model.surface()});
     }
     run.moving = state(model);
+    run.atRest = {processing_s, model.angle_rad(), model.surface()};
     run.courseRmse_m = courseRmse_m(run);
     return run;
   }
@@ -267,6 +283,7 @@ void settleAndRead(TwistSimulation& model, double torque_Nm, const ComparisonBen
   try {
     model.settle(torque_Nm);
     run.settled = bench.state(model);
+    run.atRest = {0.0, model.angle_rad(), model.surface()};
   } catch (const Error& none) {
     run.noEquilibrium = none.happenedText();
     run.settled = run.moving;
@@ -305,6 +322,19 @@ void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const 
   waiting.get();
   result.models.push_back(std::move(fem));
   result.models.push_back(std::move(msm));
+}
+
+/// Times the twist model as the simulator's view runs it.
+WidestTimes widestTimes(const ComparedOrgan& organ, const TwistModel& twist, double torque_Nm) {
+  constexpr int kFrames = 61;
+  const auto simulation = twistModelSimulation(organ, twist, bestIsa());
+  std::vector<double> times_s;
+  for (int frame = 1; frame <= kFrames; ++frame) {
+    const auto start = RunClock::now();
+    simulation->step(torque_Nm * frame / kFrames);
+    times_s.push_back(secondsSince(start));
+  }
+  return {std::string(isaName(bestIsa())), medianOf(times_s), latticeUpdateTime_s(twist, bestIsa())};
 }
 
 double usualTorque_Nm(const Scene& scene, const TwistModel& twist, double arc_m) {
@@ -354,6 +384,7 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   result.machine = machineFacts();
   result.markers = markers;
   result.measured = measured;
+  result.body = std::make_shared<const ComparedBody>(scene.mesh, scene.lattice());
   const Material& material = scene.model.material();
   result.shearModulus_Pa = material.shearModulus_Pa;
 
@@ -367,7 +398,7 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
   twistOptions.formulation = Formulation::kPaper;
   const TwistModel paper(scene.mesh, scene.lattice(), material, twistOptions);
   const double paperSetUp_s = secondsSince(start);
-  result.latticeUpdate_s = latticeUpdateTime_s(twist);
+  result.latticeUpdate_s = latticeUpdateTime_s(twist, Isa::kPortable);
 
   ComparedOrgan organ{&scene.mesh,
                       &scene.lattice(),
@@ -384,49 +415,19 @@ ComparisonResult runComparison(const Scene& scene, const std::vector<OrganMarker
        {std::tuple{"pm", Text::tr("PM (twist model, Saint-Venant)"), &twist, twistSetUp_s},
         std::tuple{"paper", Text::tr("PM as printed (linear rotation, cone)"), &paper, paperSetUp_s}}) {
     start = RunClock::now();
-    const auto simulation = twistModelSimulation(organ, *model);
+    const auto simulation = twistModelSimulation(organ, *model, Isa::kPortable);
     ModelResult run = bench.runFrames(id, title, organ, *simulation, start, {});
     run.setUp_s += setUp_s;
     run.settled = run.moving;
     result.models.push_back(std::move(run));
   }
+  result.widest = widestTimes(organ, twist, result.torque_Nm);
   runRod(organ, twist, bench, result);
   runMovingModels(organ, twist, bench, result, heart);
+  heart.tell(Text::tr("Coarser meshes"), 0.9);
+  result.meshes = comparedMeshes(scene, organ, twist, result);
   heart.tell(Text::tr("Writing"), 1.0);
   return result;
-}
-
-namespace {
-
-std::string processorName() {
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {
-      return line.substr(colon + 2);
-    }
-  }
-  return "unknown";
-}
-
-}  // namespace
-
-MachineFacts machineFacts() {
-  MachineFacts facts;
-  facts.processor = processorName();
-  facts.cores = static_cast<int>(std::thread::hardware_concurrency());
-  std::ifstream load("/proc/loadavg");
-  if (!(load >> facts.loadAverage)) {
-    facts.loadAverage = -1.0;
-  }
-  facts.instructionSet = std::string(isaName(bestIsa()));
-  facts.compiler = TORSIO_COMPILER;
-#if defined(__OPTIMIZE__)
-  facts.flags = "optimised, models -O3 -ffp-contract=off, no -march";
-#else
-  facts.flags = "not optimised: times mean nothing";
-#endif
-  return facts;
 }
 
 }  // namespace torsio

@@ -2,31 +2,21 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/services/base/progress.h"
+#include "app/services/comparison/machine_facts.h"
 #include "app/services/comparison/measured_markers.h"
 #include "app/services/comparison/organ_markers.h"
+#include "sim/baseline/lattice_surface.h"
 #include "sim/baseline/twist_simulation.h"
 #include "sim/core/text.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
-
-/// What timings depend on besides the program; part of every result with timings.
-struct MachineFacts {
-  std::string processor;       ///< name from the system, or "unknown"
-  int cores = 0;               ///< available to the program; 0: unknown
-  double loadAverage = -1.0;   ///< over the last minute; -1: unknown
-  std::string instructionSet;  ///< of the view's kernels; everything else is built for the baseline processor
-  std::string compiler;        ///< "GNU 12.2.0"
-  std::string flags;           ///< those that affect speed and rounding
-};
-
-/// Reads the facts of this machine.
-[[nodiscard]] MachineFacts machineFacts();
 
 /// Default lattice of a comparison; it makes the reference quadratic.
 inline constexpr int kComparedRidges = 36;
@@ -89,6 +79,43 @@ struct ModelResult {
   std::vector<CoursePoint> course;
   double courseRmse_m = 0.0;     ///< of the marker's course, from the reference
   std::vector<ModelPose> poses;  ///< from rest to the last frame; see poseEvery_s
+  std::vector<ModelPose> film;   ///< at rest and after each quarter of the ramp (Figs. 8, 9 and 12)
+  ModelPose atRest;              ///< in equilibrium; without one, the last frame
+};
+
+/// Name of the instruction set on which all models of a comparison run.
+inline constexpr const char* kComparedInstructions = "portable";
+
+/// Number of equal parts of the ramp between the pictures of the film strip.
+inline constexpr std::size_t kFilmSteps = 4;
+
+/// The skin of a compared organ, to draw its models by.
+struct ComparedBody {
+  ComparedBody(const TriangleMesh& organ, const SectionLattice& lattice)
+      : mesh(organ), skin(organ, lattice) {}
+  TriangleMesh mesh;
+  LatticeSkin skin;
+};
+
+/// A model's equilibrium on a mesh of its own.
+struct ComparedMesh {
+  std::string model;  ///< "reference", "fem", "msm"
+  int ridges = 0;
+  int sections = 0;
+  int rings = 0;
+  int unknowns = 0;
+  double angle_rad = 0.0;
+  std::optional<double>
+      markerRmse_m{};  ///< of the markers' displacements, from the reference; none: no markers
+  double settle_s = 0.0;
+  Text noEquilibrium{};  ///< why there is none, instead of angle and error
+};
+
+/// Times of the twist model on the processor's widest instruction set, as the simulator's view runs it.
+struct WidestTimes {
+  std::string instructionSet;
+  double pmFrame_s = 0.0;
+  double latticeUpdate_s = 0.0;
 };
 
 struct ComparisonResult {
@@ -103,8 +130,11 @@ struct ComparisonResult {
   ComparisonOptions options;
   MachineFacts machine;
   double latticeUpdate_s = 0.0;  ///< time of the twist model for all key points
+  WidestTimes widest;            ///< everything else runs on the base instruction set
+  std::shared_ptr<const ComparedBody> body;
   std::vector<OrganMarker> markers;
-  std::vector<ModelResult> models;  ///< the reference first
+  std::vector<ModelResult> models;   ///< the reference first
+  std::vector<ComparedMesh> meshes;  ///< of each model of elements or springs, from the coarsest
   std::vector<MeasuredSubject> measured;
 
   /// Returns the model with this id, which must exist (contract).

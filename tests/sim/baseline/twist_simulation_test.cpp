@@ -17,6 +17,7 @@
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_import.h"
+#include "sim/tissue/view/cpu_features.h"
 #include "tests/sim/baseline/bars.h"
 #include "tests/support/procedural_mesh.h"
 
@@ -57,7 +58,7 @@ class Comparison : public ::testing::Test {
 
 TEST_F(Comparison, ReferenceAndTwistModelAgreeOnARoundBar) {
   const auto reference = referenceSimulation(organ_, 2);
-  const auto twist = twistModelSimulation(organ_, model_);
+  const auto twist = twistModelSimulation(organ_, model_, bestIsa());
 
   for (const double share : {0.25, 0.5, 0.75, 1.0}) {
     reference->step(torqueFor(1.0) * share);
@@ -172,7 +173,7 @@ struct ComparedTube {
 TEST(RodSimulation, TurnsAStraightBarAsFarAsTheTwistModel) {
   const ComparedTube bar(0.0);
   const auto rod = rodSimulation(bar.organ, bar.model);
-  const auto twist = twistModelSimulation(bar.organ, bar.model);
+  const auto twist = twistModelSimulation(bar.organ, bar.model, bestIsa());
   const double torque_Nm = 1.0 / bar.model.graspCompliance(bar.lattice.length_m());
 
   rod->settle(torque_Nm);

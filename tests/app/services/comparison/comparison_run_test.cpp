@@ -17,6 +17,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/services/comparison/comparison_files.h"
+#include "app/services/comparison/comparison_order.h"
 #include "app/services/comparison/comparison_report.h"
 #include "app/services/comparison/measured_markers.h"
 #include "app/services/comparison/organ_markers.h"
@@ -108,6 +110,64 @@ TEST_F(ComparisonOfTheForearm, MeasuresErrorsAgainstTheReference) {
   EXPECT_LT(twist.settled.rmse_m, result_->model("fem").settled.rmse_m);
 }
 
+TEST_F(ComparisonOfTheForearm, HasRowsOfCoarserMeshesForEachModelOfElementsOrSprings) {
+  std::vector<std::string> rows;
+  for (const ComparedMesh& mesh : result_->meshes) {
+    rows.push_back(mesh.model + ' ' + std::to_string(mesh.ridges) + 'x' + std::to_string(mesh.sections) +
+                   'x' + std::to_string(mesh.rings));
+    EXPECT_GT(mesh.unknowns, 0) << rows.back();
+    EXPECT_TRUE(!mesh.noEquilibrium.empty() || mesh.angle_rad < -0.005) << rows.back();
+  }
+  EXPECT_THAT(rows,
+              ::testing::ElementsAre("reference 6x5x2", "reference 8x7x2", "reference 12x9x2", "fem 6x5x1",
+                                     "fem 8x7x1", "fem 12x9x2", "msm 6x5x1", "msm 8x7x1", "msm 12x9x2"));
+  const auto angleOf = [&](std::size_t row) { return std::abs(result_->meshes[row].angle_rad); };
+  EXPECT_LT(angleOf(3), angleOf(5)) << "coarse tetrahedra lock";
+  EXPECT_EQ(result_->meshes[5].angle_rad, result_->model("fem").settled.angle_rad);
+  const auto json = nlohmann::json::parse(comparisonJson(*result_));
+  EXPECT_EQ(json["meshes"].size(), 9U);
+  EXPECT_GT(json["meshes"][3]["marker_rmse_m"], json["meshes"][5]["marker_rmse_m"]);
+}
+
+TEST_F(ComparisonOfTheForearm, TellsTheInstructionSetOfEveryTime) {
+  const auto json = nlohmann::json::parse(comparisonJson(*result_));
+  EXPECT_EQ(json["machine"]["instruction_set_of_models"], "portable");
+  EXPECT_EQ(json["as_simulator_draws"]["instruction_set"], result_->widest.instructionSet);
+  EXPECT_GT(json["as_simulator_draws"]["pm_view_frame_s"], 0.0);
+  const ReportModel report = comparisonReport(*result_, "1.0", 0);
+  EXPECT_THAT(report.sections[0].tables[0].notes.back().str(), HasSubstr("(portable)"));
+  EXPECT_THAT(report.sections[0].tables[0].notes.back().str(), HasSubstr(result_->widest.instructionSet));
+}
+
+TEST_F(ComparisonOfTheForearm, DrawsItsTimesOnAnAxisOfMilliseconds) {
+  const ReportFigure figure = comparisonReport(*result_, "1.0", 0).sections[0].figures[0];
+  EXPECT_TRUE(figure.logarithmic);
+  EXPECT_THAT(figure.yLabel.str(), HasSubstr("(ms)"));
+  ASSERT_EQ(figure.series[0].y.size(), 6U);
+  EXPECT_DOUBLE_EQ(*figure.series[0].y[1], 1e3 * result_->model("pm").deformation_s);
+}
+
+TEST_F(ComparisonOfTheForearm, HasPicturesOfEveryModelAtTheEndAndOnTheWay) {
+  const ReportSection pictures = comparisonReport(*result_, "1.0", 0).sections[2];
+  ASSERT_EQ(pictures.figures.size(), 3U);
+  EXPECT_EQ(pictures.figures[0].series[0].reliefs[0].marks.size(), 10U);
+  std::vector<std::string> captions;
+  for (const FigureSeries& row : pictures.figures[1].series) {
+    for (const ReportRelief& relief : row.reliefs) {
+      captions.push_back(relief.caption.str());
+      EXPECT_EQ(relief.places.size(), result_->body->mesh.vertices_m.size());
+    }
+  }
+  ASSERT_EQ(captions.size(), 6U);
+  EXPECT_THAT(captions[1], HasSubstr("PM, -"));
+  ASSERT_EQ(pictures.figures[2].series.size(), 6U);
+  for (const FigureSeries& row : pictures.figures[2].series) {
+    ASSERT_EQ(row.reliefs.size(), 5U) << row.name.str();
+    EXPECT_EQ(row.reliefs[0].caption.str(), "0.0\u00b0");
+    EXPECT_NE(row.reliefs[0].places, row.reliefs[4].places) << row.name.str();
+  }
+}
+
 TEST_F(ComparisonOfTheForearm, SaysTheOrderThatThisRunFinds) {
   ComparisonResult other = *result_;
   const auto modelOf = [&other](const std::string& id) -> ModelResult& {
@@ -181,7 +241,7 @@ TEST_F(ComparisonOfTheForearm, WritesJsonAndTables) {
 TEST_F(ComparisonOfTheForearm, ReportDrawsTheThreeFiguresOfThePaper) {
   const ReportModel report = comparisonReport(*result_, "0", 0);
 
-  ASSERT_EQ(report.sections.size(), 3U);
+  ASSERT_EQ(report.sections.size(), 4U);
   EXPECT_EQ(report.sections[0].figures[0].id, "figure-10");
   ASSERT_EQ(report.sections[1].figures.size(), 2U);
   EXPECT_EQ(report.sections[1].figures[0].series.size(), 7U);  // six models and the measurements
