@@ -46,6 +46,7 @@ struct TwistArguments {
   bool reference = false;
   std::string referenceElements;  // empty: wedges
   std::string wall;               // for a hollow organ; empty: solid
+  bool ownWall = false;           // the organ's, which was not asked for
   std::optional<double> pressure_mmHg;
   std::optional<double> restPressure_mmHg;
   bool sealed = false;
@@ -295,6 +296,7 @@ Text addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, co
   request.restPressure_Pa = pressureOf_Pa(
       "--rest-pressure-mmhg", arguments.restPressure_mmHg.value_or(arguments.pressure_mmHg.value_or(0.0)));
   request.sealed = arguments.sealed;
+  request.ofOrgan = arguments.ownWall;
   const WallTwistResult wall = wallTwist(scene, rod, request);
   result["taut_torque_nm"] = result["torque_nm"];
   result["torque_nm"] = wall.torque_Nm;
@@ -311,13 +313,19 @@ Text addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, co
   return wall.beyond;
 }
 
+/// Whether an angle lies within what an accepted organ is asked for: the pattern's target, and half a turn.
+/// There held ends always have an answer, valid or not.
+bool accepted(const Scene& scene, double angle_rad) {
+  return std::abs(angle_rad) <= std::max(kPi, std::abs(scene.pattern.targetAngle_rad));
+}
+
 void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms) {
   checkRodArguments(arguments);
   const RodTwistRequest request = rodRequest(arguments, scene);
   const auto twisting = SteadyClock::now();
   RodTwistResult twist = rodTwist(scene, request);
   const double twist_ms = millisecondsSince(twisting);
-  if (arguments.wall.empty()) {
+  if (arguments.wall.empty() && !accepted(scene, request.angle_rad)) {
     requireUnfolded(twist.fold, arguments);
   }
   writeSurface(arguments, scene.mesh, std::move(twist.vertices_m));
@@ -333,15 +341,15 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
   result["length_m"] = scene.lattice().length_m();
   result["grasp_s_m"] = request.grasp * scene.lattice().length_m();
   result["jaw"] = request.jaw;
-  result["angle_rad"] = request.angle_rad;
+  result["angle_rad"] = twist.angle_rad;
   result["torque_nm"] = twist.torque_Nm;
   result["energy_j"] = twist.energy_J;
   result["inverse_m"] = twist.inverse_m;
-  Text beyond = twist.fold.reason();
+  Text beyond = twist.beyond;
   if (!arguments.wall.empty()) {
     beyond = addWall(result, arguments, scene, request);
   }
-  addReference(result, twist, request.angle_rad);
+  addReference(result, twist, twist.angle_rad);
   addFold(result, twist.fold);
   addValidity(result, beyond);
   result["set_up_ms"] = setUp_ms;
@@ -401,6 +409,7 @@ void runTwist(TwistArguments arguments) {
   }
   if (!arguments.ends.empty() && !arguments.reference && arguments.wall.empty()) {
     arguments.wall = wallWords(scene);
+    arguments.ownWall = true;
   }
   if (organFile) {
     checkWallArguments(arguments);

@@ -12,6 +12,7 @@
 #include "sim/baseline/twist_simulation.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
+#include "sim/core/short_number.h"
 #include "sim/tissue/hollow/wrung_organ.h"
 #include "sim/tissue/rod/rod.h"
 #include "sim/tissue/rod/rod_sections.h"
@@ -74,17 +75,29 @@ std::size_t nearestNode(std::span<const double> arcs_m, double arc_m) {
 
 // The twist of an element is only known modulo a turn: more than half a turn appears as less in the other
 // direction.
-void requireTwistWithin(const RodPose& pose, std::span<const double> arcs_m,
-                        std::span<const double> turns_rad, double angle_rad) {
+Text gatheredTwist(const RodPose& pose, std::span<const double> arcs_m, std::span<const double> turns_rad) {
   for (std::size_t i = 0; i + 1 < arcs_m.size(); ++i) {
     const double length_m = arcs_m[i + 1] - arcs_m[i];
     const double own_rad = length_m * rodStrain(length_m, pose.nodes[i], pose.nodes[i + 1]).curvature_per_m.z;
     if (std::abs(turns_rad[i + 1] - turns_rad[i] - own_rad) > kPi) {
-      refuseParameter(Text::verbatim("the twist gathers in one place: more than half a turn within %1 mm",
-                                     std::to_string(1000.0 * length_m)),
-                      "--angle " + std::to_string(degrees(angle_rad)), Text::verbatim("Twist less far."));
+      return Text::verbatim("the twist gathers in one place: more than half a turn within %1 mm",
+                            shortNumber(1000.0 * length_m));
     }
   }
+  return {};
+}
+
+// Turns the rod; where it finds no pose at rest on the way, to the last angle at which it does.
+TurnedRod turnedAsFarAsItGoes(const Rod& rod, RodTurn turn, RodTwistResult& result) {
+  TurnedRod solved = solveTurned(rod, turn);
+  result.angle_rad = turn.angle_rad;
+  if (!solved.balance.converged) {
+    result.angle_rad = turn.angle_rad = solved.balanced_rad;
+    result.beyond = Text::verbatim("the turn ends at %1 degrees: beyond it the rod finds no pose at rest",
+                                   shortNumber(degrees(turn.angle_rad)));
+    solved = solveTurned(rod, turn);
+  }
+  return solved;
 }
 
 TwistReference turnedReference(const SectionLattice& lattice, const RodTwistRequest& request,
@@ -129,17 +142,16 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
     refuseParameter(Text::verbatim("the jaw would reach the clamped face"),
                     "--grasp " + std::to_string(request.grasp), Text::verbatim("Grip further away from it."));
   }
-  const TurnedRod solved = solveTurned(rod, {.angle_rad = request.angle_rad,
-                                             .node = static_cast<int>(turned),
-                                             .holdsPlace = !free,
-                                             .halfWidth_m = halfWidth_m});
-  if (!solved.balance.converged) {
-    refuseParameter(Text::verbatim("the rod finds no pose at rest at this angle"),
-                    "--angle " + std::to_string(degrees(request.angle_rad)),
-                    Text::verbatim("Twist less far."));
-  }
-  requireTwistWithin(solved.pose, organ.arcs_m, solved.turn_rad, request.angle_rad);
   RodTwistResult result;
+  const TurnedRod solved = turnedAsFarAsItGoes(rod,
+                                               {.angle_rad = request.angle_rad,
+                                                .node = static_cast<int>(turned),
+                                                .holdsPlace = !free,
+                                                .halfWidth_m = halfWidth_m},
+                                               result);
+  if (result.beyond.empty()) {
+    result.beyond = gatheredTwist(solved.pose, organ.arcs_m, solved.turn_rad);
+  }
   result.nodeArcs_m = organ.arcs_m;
   const NodeRange jaw = nodesAround(organ.elements, organ.arcs_m[turned] - organ.arcs_m[0], halfWidth_m,
                                     static_cast<int>(organ.arcs_m.size()));
@@ -162,8 +174,13 @@ RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request) {
   result.fold = FoldCheck(scene.mesh, lattice).judge(result.vertices_m, [&](const Vec3& rest_m) {
     return skin.toDeformed_m(rest_m, curve);
   });
+  if (result.beyond.empty()) {
+    result.beyond = result.fold.reason();
+  }
   if (request.reference) {
-    result.reference = turnedReference(lattice, request, organ.arcs_m);
+    RodTwistRequest reached = request;
+    reached.angle_rad = result.angle_rad;
+    result.reference = turnedReference(lattice, reached, organ.arcs_m);
   }
   return result;
 }

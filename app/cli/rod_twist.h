@@ -48,7 +48,9 @@ struct RodTwistResult {
   std::vector<double> nodeArcs_m;  ///< of the nodes of the rod
   std::vector<double> arcs_m;      ///< of the sections of the lattice
   std::vector<double> turn_rad;    ///< rotation of each about its own rest tangent
-  double torque_Nm = 0.0;          ///< about the rest tangent of the rotated section
+  double angle_rad = 0.0;  ///< as far as it goes: below that of the request if no pose is at rest there
+  Text beyond;             ///< the limit that the answer passes; empty: none
+  double torque_Nm = 0.0;  ///< about the rest tangent of the rotated section
   double energy_J = 0.0;
   int elements = 0;
   std::vector<Vec3> vertices_m;  ///< of the mesh, twisted
@@ -57,8 +59,8 @@ struct RodTwistResult {
   std::optional<TwistReference> reference;
 };
 
-/// Twists the organ of a scene as a curved rod. Throws Error{kBadParameter} for a material out of range, if
-/// no equilibrium is found at this angle, and for a jaw that reaches the clamp.
+/// Twists the organ of a scene as a curved rod, as far as it finds a pose at rest. Throws
+/// Error{kBadParameter} for a material out of range, and for a jaw that reaches the clamp.
 [[nodiscard]] RodTwistResult rodTwist(const Scene& scene, const RodTwistRequest& request);
 
 // Output of `torsio twist` by kind of organ. docs/cli.md lists the keys.

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -126,10 +127,10 @@ std::string wallWords(const Scene& scene) {
 
 WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const WallTwistRequest& request) {
   const auto started = std::chrono::steady_clock::now();
-  RodTwistRequest taut = rod;
-  taut.reference = false;
-  taut.angle_rad = kSmallTurn_rad;
-  const RodTwistResult small = rodTwist(scene, taut);
+  RodTwistRequest little = rod;
+  little.reference = false;
+  little.angle_rad = kSmallTurn_rad;
+  const RodTwistResult small = rodTwist(scene, little);
   const double from_m = small.nodeArcs_m.front();
   const double to_m = std::min(small.nodeArcs_m.back(), rod.grasp * scene.lattice().length_m());
   HollowContent content;
@@ -142,20 +143,36 @@ WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const 
     content.highestPressure_Pa =
         std::max(content.highestPressure_Pa, mostSealed_Pa(places, rod.shearModulus_Pa));
   }
-  const WrungOrgan organ(places, to_m - from_m, content);
+  const double tautStiffness_Nm_per_rad = small.torque_Nm / kSmallTurn_rad;
+  const auto tautWall = [&](const Text& beyond) {
+    WallTwistResult taut;
+    taut.torque_Nm = tautStiffness_Nm_per_rad * rod.angle_rad;
+    taut.pressure_Pa = request.pressure_Pa;
+    taut.beyond = beyond;
+    return taut;
+  };
+  std::optional<WrungOrgan> made;
+  try {
+    made.emplace(places, to_m - from_m, content);
+  } catch (const Error& limit) {
+    if (limit.code() != ErrorCode::kFolded && !request.ofOrgan) {
+      throw;
+    }
+    return tautWall(limit.happenedText());
+  }
+  const WrungOrgan& organ = *made;
   WallTwistResult result;
   result.setUp_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
   result.pressure_Pa =
       request.sealed ? organ.sealedPressure_Pa(rod.angle_rad, request.pressure_Pa) : request.pressure_Pa;
   if (result.pressure_Pa > content.highestPressure_Pa) {
-    refuseParameter(
+    return tautWall(
         Text::verbatim("a sealed organ would come under more than %1 mmHg, which is beyond the wall's law",
-                       std::to_string(content.highestPressure_Pa / kPascalsPerMmHg)),
-        Text::verbatim("--sealed"), Text::verbatim("Turn less far, or leave out --sealed."));
+                       shortNumber(content.highestPressure_Pa / kPascalsPerMmHg)));
   }
   const WrungState state = organ.at(rod.angle_rad, result.pressure_Pa);
-  const double bend = small.torque_Nm / (kSmallTurn_rad * organ.plainStiffness_Nm_per_rad());
+  const double bend = tautStiffness_Nm_per_rad / organ.plainStiffness_Nm_per_rad();
   result.torque_Nm = bend * state.torque;
   result.peakTorque_Nm = bend * organ.peakTorque_Nm(result.pressure_Pa);
   result.patency = state.patency;

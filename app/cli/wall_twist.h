@@ -12,6 +12,7 @@ struct WallTwistRequest {
   double pressure_Pa = 0.0;      ///< gauge pressure now
   double restPressure_Pa = 0.0;  ///< gauge pressure at which the surface was drawn
   bool sealed = false;           ///< the gas cannot escape while the organ is twisted
+  bool ofOrgan = false;          ///< the wall is the organ's own and was not asked for
 };
 
 struct WallTwistResult {
@@ -44,8 +45,9 @@ struct WallTwistResult {
 [[nodiscard]] std::string wallWords(const Scene& scene);
 
 /// Twists the hollow organ of a scene that `rod` has rotated, as the folded wall of a straight tube with the
-/// organ's perimeters; its torque is scaled by the rod's effects of section and bend. Throws
-/// Error{kBadParameter} for a wall or a pressure out of range.
+/// organ's perimeters; its torque is scaled by the rod's effects of section and bend. Where the wall finds no
+/// balance, or the organ's own is no thin one, `beyond` says so, and the torque is that of the taut wall.
+/// Throws Error{kBadParameter} for a wall that was asked for or a pressure out of range.
 [[nodiscard]] WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod,
                                         const WallTwistRequest& request);
 

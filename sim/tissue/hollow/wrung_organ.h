@@ -35,7 +35,8 @@ struct HollowContent {
 class WrungOrgan {
  public:
   /// Takes the wall at equal steps from the fixed to the turned end, `length_m` between them, and solves the
-  /// table. Throws Error{kBadParameter} for a number out of range, or a wall that finds no balance.
+  /// table. Throws Error{kBadParameter} for a number out of range, {kFolded} for a wall that finds
+  /// no balance.
   WrungOrgan(std::span<const WallPlace> places, double length_m, const HollowContent& content);
 
   /// Returns the organ at an angle and a pressure: torque in N m, lengths in m, volume in m^3. In the tick,

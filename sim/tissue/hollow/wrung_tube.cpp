@@ -353,9 +353,9 @@ WrungShape WrungTube::mirrored(const WrungShape& shape) const {
 void WrungTube::solve(double angle_rad, double pressure, WrungShape& shape) const {
   balance(angle_rad, pressure, shape);
   if (!(shape.residual <= kLoosest)) {
-    refuseParameter(
-        Text::verbatim("the wall finds no balance at %1 degrees", std::to_string(degrees(angle_rad))),
-        Text::verbatim("wall"), Text::verbatim("Turn less far, or give another wall or pressure."));
+    throw Error(ErrorCode::kFolded,
+                Text::verbatim("the wall finds no balance at %1 degrees", std::to_string(degrees(angle_rad))),
+                Text::verbatim("wall"), Text::verbatim("Turn less far, or give another wall or pressure."));
   }
   if (shape.folding <= 0.0) {
     return;

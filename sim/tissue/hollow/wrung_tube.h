@@ -49,7 +49,7 @@ class WrungTube {
   [[nodiscard]] WrungShape start() const;
   /// Brings `shape`, in balance nearby, into balance at an angle between the ends and a pressure. Where the
   /// tube has a neck and both mirror images are in balance alike, the neck stays on the side of the turned
-  /// end. Throws Error{kBadParameter} when no balance is found.
+  /// end. Throws Error{kFolded} when no balance is found.
   void solve(double angle_rad, double pressure, WrungShape& shape) const;
 
   [[nodiscard]] const TubeWall& wall() const noexcept { return wall_; }

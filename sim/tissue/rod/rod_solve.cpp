@@ -198,6 +198,7 @@ TurnedRod solveTurned(const Rod& rod, const RodTurn& turn) {
   const auto count = static_cast<std::size_t>(rest.count);
   result.turn_rad.assign(count, 0.0);
   int newtonSteps = 0;
+  bool balanced = true;
   for (int k = 1; k <= steps; ++k) {
     const Quat rotation = axisAngle(axis, turn.angle_rad * k / steps);
     for (const HeldNode& h : jaw) {
@@ -210,6 +211,10 @@ TurnedRod solveTurned(const Rod& rod, const RodTurn& turn) {
     }
     result.balance = balanceRod(rod, nullptr, {}, held, result.pose);
     newtonSteps += result.balance.newtonSteps;
+    balanced = balanced && result.balance.converged;
+    if (balanced) {
+      result.balanced_rad = turn.angle_rad * k / steps;
+    }
     for (std::size_t i = 0; i < count; ++i) {
       const Quat& was = rest.nodes[i].orientation;
       result.turn_rad[i] =

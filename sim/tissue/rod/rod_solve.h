@@ -46,9 +46,10 @@ struct TurnedRod {
   std::vector<double> arc_m;     ///< of each node, along the rod at rest
   std::vector<double> turn_rad;  ///< of each section about its own tangent at rest; counts whole turns
   double torque_Nm = 0.0;        ///< on the turned section or jaw, about its tangent at rest
-  double overlap_m = 0.0;  ///< how far the rod overlaps itself: 0 unless parts are pressed on each other
-  GripLoad end;            ///< on the turned section or jaw: force, moment about its node; world frame
-  RodBalance balance;      ///< of the last step; newtonSteps of all
+  double overlap_m = 0.0;     ///< how far the rod overlaps itself: 0 unless parts are pressed on each other
+  GripLoad end;               ///< on the turned section or jaw: force, moment about its node; world frame
+  RodBalance balance;         ///< of the last step; newtonSteps of all
+  double balanced_rad = 0.0;  ///< the last angle up to which every step came to rest
 };
 
 /// Turns a section of `rod` about its own tangent at rest, in steps of at most 5 degrees, the first section

@@ -49,8 +49,8 @@ std::string words(const Vec3& p_m) {
 }
 
 /// Writes the tube in millimetres; returns the options for it and its ends.
-std::string written(const Tube& tube, const fs::path& folder) {
-  const TriangleMesh mesh = testing::sweep(testing::circleOutline(1.0, 96), 80, [&tube](double share) {
+std::string written(const Tube& tube, const fs::path& folder, int rings = 80) {
+  const TriangleMesh mesh = testing::sweep(testing::circleOutline(1.0, 96), rings, [&tube](double share) {
     const double at = tube.angle_rad * share;
     const double a = tube.lower_m[0] + share * (tube.upper_m[0] - tube.lower_m[0]);
     const double b = tube.lower_m[1] + share * (tube.upper_m[1] - tube.lower_m[1]);
@@ -197,6 +197,36 @@ TEST(RodTwist, ATwistThatFoldsTheOrganIsRejectedUnlessRequested) {
   ASSERT_EQ(shown.code, 0) << shown.err;
   EXPECT_EQ(nlohmann::json::parse(shown.out)["folded"], true);
   EXPECT_TRUE(fs::exists(scratch / "folded.obj"));
+}
+
+TEST(RodTwist, HeldEndsAlwaysHaveAnAnswerWithinHalfATurn) {
+  const fs::path scratch = emptyFolder("rod-answers");
+  // So few rings that the chords of its triangles lose volume long before half a turn.
+  const Tube tube{"coarse", radians(20.0), {0.020, 0.020}, {0.020, 0.020}};
+  const std::string call = written(tube, scratch, 7) + " --ends clamped-turned --angle ";
+
+  const nlohmann::json little = resultOf(call + "1", scratch);
+  const nlohmann::json half = resultOf(call + "180", scratch);
+
+  EXPECT_EQ(little["valid"], true);
+  EXPECT_EQ(little.count("beyond"), 0U);
+  EXPECT_EQ(half["valid"], false);
+  EXPECT_EQ(half["folded"], true);
+  EXPECT_FALSE(half["beyond"].get<std::string>().empty());
+}
+
+TEST(RodTwist, AWallWithoutBalanceIsTold) {
+  const fs::path scratch = emptyFolder("wall-answers");
+  const Tube tube{"bent", radians(90.0), {0.030, 0.030}, {0.014, 0.014}};
+  const std::string call =
+      written(tube, scratch) + " --ends clamped-turned --pressure-mmhg 50 --sealed --wall 1 --angle ";
+
+  for (const char* angle : {"60", "121", "180"}) {
+    const nlohmann::json result = resultOf(call + angle, scratch);
+    EXPECT_EQ(result["valid"], false) << angle;
+    EXPECT_FALSE(result["beyond"].get<std::string>().empty()) << angle;
+    EXPECT_GT(result["torque_nm"], 0.0) << angle;
+  }
 }
 
 TEST(RodTwist, ATaskAboutTheOwnAxisHasItsWholeTurnsOrIsRejected) {

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/cli/rod_twist.h"
 #include "sim/core/angle.h"
 #include "sim/core/random.h"
 #include "sim/device/virtual/scripted_hand.h"
@@ -18,8 +19,6 @@
 #include "sim/scene/rod_organ.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
-#include "sim/tissue/rod/rod_sections.h"
-#include "sim/tissue/rod/rod_solve.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {
@@ -103,12 +102,23 @@ void expectWhole(const Scene& scene) {
   }
 }
 
-/// Its ends can be held and turned (`torsio twist --ends`).
+/// Its ends can be held and turned (`torsio twist --ends`): every turn up to half of one has an answer, and
+/// one that is said to hold is no fold.
 void expectEndsTurn(const Scene& scene) {
-  const OrganRod organ = rodOfOrgan(scene.lattice(), solvedSections(scene.lattice(), scene.model.options()),
-                                    {scene.model.material().shearModulus_Pa}, {});
-  const Rod rod(organ.elements, organ.rest, organ.radii_m);
-  EXPECT_TRUE(solveTurned(rod, {.angle_rad = radians(20.0)}).balance.converged);
+  cli::RodTwistRequest request;
+  request.shearModulus_Pa = scene.model.material().shearModulus_Pa;
+  for (const cli::RodEnds ends : {cli::RodEnds::kClampedTurned, cli::RodEnds::kClampedFree}) {
+    request.ends = ends;
+    request.grasp = ends == cli::RodEnds::kClampedFree ? 0.6 : 1.0;
+    for (const double angle_deg : {20.0, -180.0}) {
+      request.angle_rad = radians(angle_deg);
+      SCOPED_TRACE(angle_deg);
+      const cli::RodTwistResult twist = cli::rodTwist(scene, request);
+      EXPECT_TRUE(std::isfinite(twist.torque_Nm));
+      EXPECT_EQ(twist.beyond.empty(), !twist.fold.folded() && twist.angle_rad == request.angle_rad);
+      EXPECT_TRUE(angle_deg != 20.0 || twist.beyond.empty()) << twist.beyond;
+    }
+  }
 }
 
 /// A hand turns it.
