@@ -34,7 +34,8 @@ TEST(CompareCommand, ComparesTheModelsOfTheArmAndWritesItsReport) {
   EXPECT_EQ(json["models"].size(), 6U);
   EXPECT_EQ(json["measured"][7]["subjects"], 2);
   EXPECT_NE(run.err.find("Equilibrium"), std::string::npos) << "progress";
-  for (const char* name : {"comparison.pdf", "comparison.json", "models.csv", "markers.csv", "course.csv"}) {
+  for (const char* name :
+       {"comparison.pdf", "comparison.json", "models.csv", "meshes.csv", "markers.csv", "course.csv"}) {
     EXPECT_TRUE(fs::exists(folder / "out" / name)) << name;
   }
 }

@@ -406,7 +406,7 @@ TEST(ModelComparison, ShowsThreeTimesTheReportsTablesAndSavesItsFiles) {
   for (const FigureCard* card : models.findChildren<FigureCard*>()) {
     cards += card->isHidden() ? 0 : 1;
   }
-  EXPECT_EQ(cards, 5);
+  EXPECT_EQ(cards, 6);
   const auto* limits = models.findChild<QLabel*>(QStringLiteral("limits"));
   ASSERT_NE(limits, nullptr);
   for (const Text& sentence : comparisonLimits()) {
@@ -414,7 +414,8 @@ TEST(ModelComparison, ShowsThreeTimesTheReportsTablesAndSavesItsFiles) {
   }
   const fs::path folder = freshFolder("report");
   models.saveReport(folder);
-  for (const char* name : {"comparison.pdf", "comparison.json", "models.csv", "markers.csv", "course.csv"}) {
+  for (const char* name :
+       {"comparison.pdf", "comparison.json", "models.csv", "meshes.csv", "markers.csv", "course.csv"}) {
     EXPECT_GT(fs::file_size(folder / name), 100U) << name;
   }
   fs::remove_all(folder);
