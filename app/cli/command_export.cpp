@@ -36,13 +36,6 @@ struct ExportArguments {
   bool json = false;
 };
 
-/// Returns somebody who signs in, or the owner of the record's file.
-Maintainer maintainerOf(const ExportArguments& arguments) {
-  MaintenanceOptions maintenance = arguments.maintenance;
-  maintenance.asSystem = maintenance.login.empty();
-  return maintenance.maintainer();
-}
-
 /// Returns the key in a file, creating it if missing.
 std::string keyOf(const std::string& file) {
   if (file.empty()) {
@@ -82,7 +75,7 @@ using Write = ExchangeFiles (*)(SessionContext& session, const ExchangeData& dat
                                 const ExportArguments& given);
 
 void run(const ExportArguments& given, Write write) {
-  MaintenanceDesk desk(maintainerOf(given), given.database);
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
   ExchangeRequest request = given.request;
   request.pseudonymised = request.pseudonymised || !given.keyFile.empty();
   request.key = keyOf(given.keyFile);
@@ -112,7 +105,7 @@ ExchangeFiles writeSet(SessionContext& session, const ExchangeData& data, const 
 }
 
 void writeGrades(const ExportArguments& given) {
-  MaintenanceDesk desk(maintainerOf(given), given.database);
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
   ExchangeRequest request = given.request;
   nameRequest(desk.session(), given.cohort, {}, request);
   TrialDigests digests(assetsFolder());

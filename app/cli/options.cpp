@@ -71,6 +71,12 @@ Maintainer MaintenanceOptions::maintainer() const {
           .tell = say};
 }
 
+Maintainer MaintenanceOptions::ownerOrMaintainer() const {
+  MaintenanceOptions options = *this;
+  options.asSystem = login.empty();
+  return options.maintainer();
+}
+
 namespace {
 
 constexpr const char* kWhat = "SQLite file or postgresql://user@host:port/database?sslmode=verify-full";

@@ -37,6 +37,8 @@ struct MaintenanceOptions {
   bool asSystem = false;
 
   [[nodiscard]] Maintainer maintainer() const;
+  /// Returns the user who signs in; without a login, the owner of the record's file.
+  [[nodiscard]] Maintainer ownerOrMaintainer() const;
 };
 
 /// Prints a line to standard error.

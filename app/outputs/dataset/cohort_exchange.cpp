@@ -104,9 +104,9 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
 
 void nameRequest(SessionContext& session, const std::string& cohort, const std::string& campaign,
                  ExchangeRequest& request) {
-  session.require(Operation::kReportExportCoded);
-  request.cohortId = cohortNamed(session.connection(), cohort);
-  request.campaignId = campaignNamed(session.connection(), campaign);
+  const ReportRequest named = reportNamed(session, {.cohort = cohort, .campaign = campaign});
+  request.cohortId = named.cohortId;
+  request.campaignId = named.campaignId;
 }
 
 ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,

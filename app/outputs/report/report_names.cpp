@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/outputs/report/report_names.h"
 
+#include "app/services/study/frozen_data.h"
 #include "assessment/domain/study/cohort.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -30,6 +31,31 @@ CampaignId campaignNamed(Connection& connection, const std::string& name) {
   }
   refuseParameter(Text::verbatim("the record has no such evaluation of models"), Text(name),
                   Text::verbatim("Give its name as the window shows it"));
+}
+
+namespace {
+
+FreezeId frozenNamed(SessionContext& session, const CohortId& cohort, const std::string& name) {
+  if (name.empty()) {
+    return {};
+  }
+  for (const FrozenRow& row : frozenData(session, cohort)) {
+    if (row.name == name) {
+      return row.id;
+    }
+  }
+  refuseParameter(Text::verbatim("the cohort has no such frozen data set"), Text(name),
+                  Text::verbatim("Give its name as the window shows it"));
+}
+
+}  // namespace
+
+ReportRequest reportNamed(SessionContext& session, const ReportNames& names) {
+  session.require(Operation::kReportExportCoded);
+  const CohortId cohort = cohortNamed(session.connection(), names.cohort);
+  return {.cohortId = cohort,
+          .campaignId = campaignNamed(session.connection(), names.campaign),
+          .frozenId = frozenNamed(session, cohort, names.frozen)};
 }
 
 }  // namespace torsio

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/outputs/report/report_data.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio {
@@ -16,5 +17,17 @@ class Connection;
 /// Returns the evaluation of this name; for an empty name the oldest with marks, or none. Throws
 /// Error{kBadParameter} for an unknown name.
 [[nodiscard]] CampaignId campaignNamed(Connection& connection, const std::string& name);
+
+/// Names of what a report is about; empty: see reportNamed().
+struct ReportNames {
+  std::string cohort{};
+  std::string campaign{};
+  std::string frozen{};
+};
+
+/// Looks up the ids: by default the oldest cohort, the oldest evaluation with marks, and current data.
+/// kReportExportCoded; for a frozen data set also kResultsCompute. Throws Error{kBadParameter} for an unknown
+/// name.
+[[nodiscard]] ReportRequest reportNamed(SessionContext& session, const ReportNames& names);
 
 }  // namespace torsio

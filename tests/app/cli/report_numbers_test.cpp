@@ -242,6 +242,34 @@ void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
             static_cast<int>(ErrorCode::kBadParameter));
 }
 
+/// The whole lines of a table that are not about its being made, without byte order mark.
+std::vector<std::string> studyLines(const fs::path& table) {
+  std::vector<std::string> out;
+  for (std::string& line : lines(table)) {
+    if (line.find("training,") == 0 || line.find("evaluation,") == 0 || line.find("comparison,") == 0) {
+      out.push_back(std::move(line));
+    }
+  }
+  return out;
+}
+
+void areInTheReportThatTheOwnerOfTheFileWrites(const fs::path& folder) {
+  const std::string command =
+      "report cohort --database " + (folder / "out" / "torsio.sqlite").string() + " --out ";
+  const fs::path pdf = folder / "again.pdf";
+  const ProgramRun run =
+      runTorsio(command + pdf.string() + " --csv " + (folder / "again.csv").string() + " --json", folder);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(json::parse(run.out)["simulated"].get<bool>());
+  EXPECT_EQ(json::parse(run.out)["files"].size(), 2U);
+  EXPECT_EQ(readFile(pdf).substr(0, 5), "%PDF-");
+  EXPECT_FALSE(studyLines(folder / "again.csv").empty());
+  EXPECT_EQ(studyLines(folder / "again.csv"), studyLines(folder / "out" / "cohort.csv"));
+  EXPECT_EQ(runTorsio(command + "no.pdf --cohort nobody", folder).code, 7);
+  EXPECT_NE(runTorsio(command + "no.pdf --login nobody --password-fd 0 </dev/null", folder).code, 0);
+  EXPECT_FALSE(fs::exists(folder / "no.pdf"));
+}
+
 // A single test, because the demonstration takes most of the time.
 TEST(ReportNumbers, OfCommandsWindowAndTraceAreEqual) {
   const fs::path folder = emptyFolder("report-numbers");
@@ -249,6 +277,7 @@ TEST(ReportNumbers, OfCommandsWindowAndTraceAreEqual) {
   equalThoseOfTheCommandsToTheLastDigit(folder);
   areFollowedToTheMarksTheSheetAndTheRecording(folder);
   ofTheWindowAreThoseOfTheCommandLineInEveryCell(folder);
+  areInTheReportThatTheOwnerOfTheFileWrites(folder);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/outputs/report/coded_tables.h"
 #include "app/outputs/report/report_data.h"
 #include "app/outputs/report/report_export.h"
+#include "app/outputs/report/report_names.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/audit_service.h"
 #include "app/services/access/centre_settings.h"
@@ -336,6 +337,8 @@ std::vector<ServiceCall> reportingCalls() {
        [](W w, Path folder) { takeOut(w, ReportIdentity::kNamed, folder); }},
       {O::kReportExportCoded, "exportReport, aggregated",
        [](W w, Path folder) { takeOut(w, ReportIdentity::kAggregated, folder); }},
+      {O::kReportExportCoded, "reportNamed",
+       [](W w, Path) { (void)reportNamed(w, {.cohort = "no such cohort"}); }},
       {O::kReportExportCoded, "nameRequest",
        [](W w, Path) {
          ExchangeRequest request;
