@@ -5,12 +5,16 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "assessment/results/analysis_tables.h"
 #include "assessment/results/number_format.h"
+#include "assessment/results/received_training.h"
 #include "assessment/results/record_sentences.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
@@ -28,26 +32,59 @@ constexpr std::size_t kNamedAtMost = 10;  // people in one cell
 constexpr std::size_t kRoomyGroups = 3;   // more of them fill the page
 constexpr std::size_t kPairsAtMost = 3;   // not shown to differ, but still named
 
-bool opensDirection(const PrimaryDifference& pair) {
-  return pair.interval.lower <= 0.0 && pair.interval.upper >= 0.0;
-}
+/// A difference of the primary comparison as the ledger has it.
+struct AnsweredPair {
+  Text name;
+  ReportCell difference;
+  ReportCell interval;
+  ReportCell p;
+  double value = 0.0;
+  Interval between;
+  double pHolm = 1.0;
+};
 
 /// Returns the decimals needed to distinguish the ends of the interval, more than usual if it is narrow.
-int decimalsOf(const PrimaryDifference& pair) {
+int decimalsOf(const Interval& interval) {
   constexpr int kMaxDecimals = 4;
   constexpr double kSteps = 2.0;  // in units of the last decimal, between the ends
   int decimals = kPointDecimals;
-  while (decimals < kMaxDecimals &&
-         pair.interval.upper - pair.interval.lower < kSteps * std::pow(10.0, -decimals)) {
+  while (decimals < kMaxDecimals && interval.upper - interval.lower < kSteps * std::pow(10.0, -decimals)) {
     ++decimals;
   }
   return decimals;
 }
 
-Text shown(const PrimaryDifference& pair) {
-  const int decimals = decimalsOf(pair);
-  return Text::tr("%1 points [%2; %3]", formatFixed(pair.value, decimals),
-                  formatFixed(pair.interval.lower, decimals), formatFixed(pair.interval.upper, decimals));
+/// Returns the pairs of the primary comparison that the reader may see.
+std::vector<AnsweredPair> answeredPairs(const CohortInputs& in, const StudyAnalysis& study,
+                                        const Ledger& ledger) {
+  const PrimaryStatistics names = primaryStatistics(study.primaryMethod());
+  std::vector<AnsweredPair> out;
+  for (const PrimaryDifference& pair : primaryDifferences(study)) {
+    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+    const Result* interval = at.find(names.interval);
+    const std::optional<double> value = at.number(names.difference);
+    const std::optional<double> p = at.number(names.p);
+    if (interval == nullptr || !value || !p) {
+      continue;
+    }
+    const auto& between = std::get<Interval>(interval->value);
+    const int decimals = decimalsOf(between);
+    out.push_back({pairName(in, pair.first, pair.second), at(names.difference, fixed(decimals)),
+                   at(names.interval, intervalWith(decimals)), at(names.p, kAsP), *value, between, *p});
+  }
+  return out;
+}
+
+Text shown(const AnsweredPair& pair) {
+  return Text::tr("%1: %2 points %3, %4", pair.name, pair.difference.words(), pair.interval.words(),
+                  equalsP(pair.pHolm));
+}
+
+/// Adds the results that a pair's words state.
+void addKeys(const AnsweredPair& pair, ReportParagraph& to) {
+  for (const ReportCell* cell : {&pair.difference, &pair.interval, &pair.p}) {
+    to.keys.push_back(cell->key);
+  }
 }
 
 Text questionOf(const CohortInputs& in) {
@@ -61,22 +98,30 @@ Text questionOf(const CohortInputs& in) {
       in.occasions.back(), listed(protocols));
 }
 
-Text peopleOf(const CohortInputs& in) {
-  const auto withdrew = std::count_if(in.trainees.begin(), in.trainees.end(),
-                                      [](const CohortTrainee& trainee) { return trainee.withdrew; });
-  return Text::tr(
-      "People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them withdrew; %4 {physician|physicians} "
-      "gave %5 {mark|marks}; %6 {deviation from the protocol was|deviations from the protocol were} "
-      "reported.",
-      in.trainees.size(), in.groups.size(), withdrew, in.trainingRaters, in.trainingMarks.size(),
-      in.deviations.size());
+ReportParagraph peopleOf(const Ledger& ledger) {
+  const ResultsAt people(ledger, {.section = ResultSection::kParticipants});
+  const ResultsAt marks(ledger, {.section = ResultSection::kTraining});
+  const ReportCell trainees = people("trainees");
+  const ReportCell groups = people("groups");
+  const ReportCell withdrew = people("withdrew");
+  const ReportCell raters = marks("raters");
+  const ReportCell given = marks("marks");
+  const ReportCell reported = people("deviations");
+  return {Text::tr("People: %1 {trainee|trainees} in %2 {group|groups}, %3 of them withdrew; %4 "
+                   "{physician|physicians} gave %5 {mark|marks}; %6 {deviation from the protocol was|"
+                   "deviations from the protocol were} reported.",
+                   trainees.words(), groups.words(), withdrew.words(), raters.words(), given.words(),
+                   reported.words()),
+          {trainees, groups, withdrew, raters, given, reported}};
 }
 
 /// Names the pairs that do not differ: readers must not think that there were none.
 Text othersOf(const std::vector<Text>& differing, const std::vector<Text>& others) {
-  const Text answer =
-      Text::tr("Answer, adjusted for the score before, with the 95 % interval of each pair by itself: %1.",
-               listed(differing, Text::tr("%1; %2")));
+  const Text answer = Text::tr(
+      "Answer, adjusted for the score before, with the 95 % interval and the p value of each pair after "
+      "Holm: "
+      "%1.",
+      listed(differing, Text::tr("%1; %2")));
   if (others.empty()) {
     return answer;
   }
@@ -88,119 +133,155 @@ Text othersOf(const std::vector<Text>& differing, const std::vector<Text>& other
 }
 
 /// Answers the question as far as the data allow.
-Text answerOf(const CohortInputs& in, const StudyAnalysis& study) {
-  const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
-  if (pairs.empty()) {
+ReportParagraph answerOf(const CohortInputs& in, const StudyAnalysis& study,
+                         const std::vector<AnsweredPair>& pairs) {
+  if (study.primaryMethod() == PrimaryMethod::kNone) {
     return in.groups.size() < 2
                ? Text::tr("Answer: none. There is only one group.")
                : Text::tr("Answer: none. The groups are not compared: %1.", Text(study.ancova.reason()));
   }
+  if (pairs.empty()) {
+    return Text(Text::tr("Answer: not shown, as too few people are behind it."));
+  }
   std::vector<Text> differing;
   std::vector<Text> others;
-  const PrimaryDifference* widest = &pairs.front();
-  bool allHoldZero = true;
-  for (const PrimaryDifference& pair : pairs) {
-    allHoldZero = allHoldZero && opensDirection(pair);
-    (pair.pHolm < kSignificant ? differing : others)
-        .push_back(Text::tr("%1: %2, %3 after Holm", pairName(in, pair.first, pair.second), shown(pair),
-                            equalsP(pair.pHolm)));
+  const AnsweredPair* widest = &pairs.front();
+  for (const AnsweredPair& pair : pairs) {
+    (pair.pHolm < kSignificant ? differing : others).push_back(shown(pair));
     if (std::abs(pair.value) > std::abs(widest->value)) {
       widest = &pair;
     }
   }
-  if (!differing.empty()) {
-    return othersOf(differing, others);
+  ReportParagraph answer =
+      !differing.empty()
+          ? othersOf(differing, others)
+          : Text::tr(
+                "Answer: no difference between two groups was shown. The largest, adjusted for the score "
+                "before, with the 95 % interval and the p value after Holm: %1. The interval of every "
+                "pair includes zero.",
+                shown(*widest));
+  for (const AnsweredPair& pair : pairs) {
+    if (!differing.empty() || &pair == widest) {
+      addKeys(pair, answer);
+    }
   }
-  return Text::tr(
-      "Answer: no difference between two groups was shown. The largest, adjusted for the score before, with "
-      "the 95 % interval of this pair by itself: %1, %2. %3",
-      pairName(in, widest->first, widest->second), shown(*widest),
-      allHoldZero ? Text::tr("Every interval includes zero.")
-                  : Text::tr("No p value stays below %1 after Holm.", formatFixed(kSignificant, 2)));
+  return answer;
 }
 
-/// States what the answer is based on if that is not the analysis of covariance of every mark.
-std::vector<Text> reservationsOf(const CohortInputs& in, const StudyAnalysis& study) {
-  std::vector<Text> out;
-  if (in.freeze && !in.freeze->unchanged) {
-    out.push_back(
-        Text::tr("The record has changed since it was frozen as \"%1\": these results are computed from the "
-                 "record as it is now, not from the frozen data.",
-                 in.freeze->name));
+/// States who belongs to which group by what, as far as the record knows.
+Text allocationOf(const CohortAllocation& drawn) {
+  if (drawn.method.empty()) {
+    return Text::tr(
+        "Groups: how trainees came into them is not in the record. Nothing shows that they were drawn at "
+        "random, so a difference need not be an effect of the training.");
   }
-  if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
-    out.push_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
+  if (drawn.movedByHand > 0) {
+    return Text::tr(
+        "Groups: drawn at random (%1), but %2 {trainee was|trainees were} moved by hand after the draw: a "
+        "difference need not be an effect of the training.",
+        drawn.method, drawn.movedByHand);
   }
-  if (!primaryDifferences(study).empty()) {
-    std::vector<Text> single;
-    for (std::size_t g = 0; g < study.ends.after.size(); ++g) {
-      if (study.ends.after[g].size() == 1) {
-        single.push_back(in.groups[g].name);
+  if (drawn.replayDiffers) {
+    return Text::tr(
+        "Groups: the record says that they were drawn (%1), but the draw could not be repeated from its "
+        "seed: a difference need not be an effect of the training.",
+        drawn.method);
+  }
+  return Text::tr("Groups: drawn at random (%1).", drawn.method);
+}
+
+/// States the training that the groups were to receive and did receive.
+ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
+  if (in.doses.empty()) {
+    return Text(Text::tr(
+        "Training: no training time is in the record. Nothing shows that the groups trained as they are "
+        "named."));
+  }
+  if (!knowsPlanAndTimes(in)) {
+    return Text(
+        Text::tr("Training: the record has times, but no plan for every group to compare them with."));
+  }
+  ReportParagraph out;
+  std::map<Received, std::int64_t> counts;
+  std::int64_t asPlanned = 0;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = g});
+    for (const Received received : kEveryReceived) {
+      const auto count = static_cast<std::int64_t>(at.number(receivedStatistic(received)).value_or(0.0));
+      (received == Received::kAsPlanned ? asPlanned : counts[received]) += count;
+      if (count > 0) {
+        out.keys.push_back(at(receivedStatistic(received)).key);
       }
     }
-    if (!single.empty()) {
-      out.push_back(Text::tr(
-          "A single trainee has a score at both occasions in: %1. Its differences rest on one person; "
-          "how much trainees of a group vary is taken from the other groups.",
-          listed(single)));
+  }
+  std::vector<Text> kinds;
+  std::int64_t otherwise = 0;
+  for (const auto& [received, count] : counts) {
+    otherwise += count;
+    if (count > 0) {
+      kinds.push_back(Text::tr("%1: %2", labelOf(received), count));
     }
   }
-  if (study.mixed && study.endMissing == 0) {
-    out.push_back(
-        Text::tr("Not every trainee was marked by the same raters at the end, so the answer is that of the "
-                 "linear mixed model, which allows for it; the analysis of covariance is shown beside it."));
-  } else if (study.mixed) {
-    out.push_back(
-        Text::tr("Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which "
-                 "uses every mark that was given; the analysis of covariance is shown beside it.",
-                 study.endMissing, study.endMarks + study.endMissing));
+  if (otherwise == 0) {
+    static_cast<Text&>(out) =
+        Text::tr("Training: all %1 trainees received what was planned for their group, within %2 %.",
+                 asPlanned, std::lround(100.0 * (1.0 - kLeastShare)));
+    return out;
   }
-  const auto open = std::count_if(study.bounds.begin(), study.bounds.end(), [](const MissingBounds& pair) {
-    return !pair.worst || !pair.best ||
-           (pair.worst->interval.lower <= 0.0 && pair.best->interval.upper >= 0.0);
-  });
-  if (open > 0 && !primaryDifferences(study).empty()) {
-    out.push_back(
-        Text::tr("The missing marks could, at worst, leave open which group is better in %1 of %2 "
-                 "{comparison|comparisons}.",
-                 open, study.bounds.size()));
+  const Text who = Text::tr(
+      "Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). "
+      "Everybody "
+      "is compared in the group to which they were allocated (intention to treat).",
+      otherwise, asPlanned + otherwise, listed(kinds));
+  if (!study.perProtocol) {
+    static_cast<Text&>(out) =
+        Text::tr("%1 Those who were trained as planned cannot be compared by themselves: %2.", who,
+                 study.perProtocol.reason());
+    return out;
   }
-  if (study.slopes) {
-    out.push_back(
-        Text::tr("The difference depends on the score before (test of equal slopes: %1): read the table with "
-                 "a slope for each group.",
-                 equalsP(study.ancova->equalSlopes->p)));
+  std::vector<Text> pairs;
+  for (const AdjustedDifference& pair : study.perProtocol->pairs) {
+    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+    const ReportCell interval = at("per_protocol_difference_holm_95", intervalWith(kPointDecimals));
+    const ReportCell value = at("per_protocol_difference", fixed(kPointDecimals));
+    pairs.push_back(
+        Text::verbatim("%1: %2 %3", pairName(in, pair.first, pair.second), value.words(), interval.words()));
+    out.keys.insert(out.keys.end(), {value.key, interval.key});
   }
+  static_cast<Text&>(out) =
+      Text::tr("%1 Without them (per protocol), in points with 95 % intervals after Holm: %2.", who,
+               listed(pairs, Text::tr("%1; %2")));
   return out;
 }
 
 std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnalysis& study,
-                                         const Ledger& ledger) {
-  const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
+                                         const std::vector<AnsweredPair>& pairs) {
   if (pairs.empty()) {
     return std::nullopt;
   }
+  const PrimaryMethod method = study.primaryMethod();
   ReportFigure figure = itemOf<ReportFigure>(
       in, "figure-answer", Text::tr("The answer: differences between the groups with 95 % intervals"),
-      study.mixed ? Text::tr("linear mixed model, restricted maximum likelihood")
-                  : Text::tr("analysis of covariance, one pooled slope"));
+      method == PrimaryMethod::kMixed    ? Text::tr("linear mixed model, restricted maximum likelihood")
+      : method == PrimaryMethod::kRobust ? Text::tr("analysis of covariance, one pooled slope, HC3")
+                                         : Text::tr("analysis of covariance, one pooled slope"));
   figure.kind = FigureKind::kForest;
   figure.valuesInLabels = true;
   figure.yLabel = Text::tr("difference (points)");
   FigureSeries series{.name = Text::tr("difference [95 %]")};
-  for (const PrimaryDifference& pair : pairs) {
-    const int decimals = decimalsOf(pair);  // points, like the axis: a chart truncates long labels
-    figure.categories.push_back(Text::verbatim(
-        "%1: %2 [%3; %4]", pairName(in, pair.first, pair.second), formatFixed(pair.value, decimals),
-        formatFixed(pair.interval.lower, decimals), formatFixed(pair.interval.upper, decimals)));
-    addPoint(series, resultsOfPair(in, ledger, pair.first, pair.second),
-             study.mixed ? "mixed_model_difference" : "adjusted_difference", true);
+  for (const AnsweredPair& pair : pairs) {  // points, like the axis: a chart truncates long labels
+    figure.categories.push_back(
+        Text::verbatim("%1: %2 %3", pair.name, pair.difference.words(), pair.interval.words()));
+    series.y.emplace_back(pair.value);
+    series.low.push_back(pair.between.lower);
+    series.high.push_back(pair.between.upper);
+    series.keys.push_back(pair.difference.key);
   }
   figure.series = {series};
   figure.references = {{0.0, Text::tr("no difference")}};
   figure.provenance.n = study.mixed ? static_cast<std::int64_t>(study.mixed->marks) : comparedTrainees(study);
   figure.provenance.missing = study.endMissing;
-  figure.notes = {Text::tr("Intervals are not adjusted for the number of pairs.")};
+  figure.notes = {Text::tr("Intervals are adjusted for the number of pairs, as the p values are (Holm).")};
   return figure;
 }
 
@@ -224,7 +305,7 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-standard", Text::tr("Scores at the end, and who reached the standard"),
                           Text::tr("mean of the trainee scores; LC-CUSUM"));
-  table.columns = {Text::tr("Group"), Text::tr("Trainees"), Text::tr("Mean score [lowest; highest]"),
+  table.columns = {Text::tr("Group"), Text::tr("Trainees"), Text::tr("Mean score (lowest to highest)"),
                    Text::tr("Competent on the simulator")};
   // Verdicts of the section Competence; none are computed here.
   std::map<std::string, bool> ableAtAll;
@@ -253,8 +334,8 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
     ReportCell score = end("mean", fixed(kPointDecimals), Text::tr("none"));
     if (score.key != nullptr) {
       static_cast<Text&>(score) =
-          Text::verbatim("%1 [%2; %3]", score.words(), end("min", fixed(kPointDecimals)).words(),
-                         end("max", fixed(kPointDecimals)).words());
+          Text::tr("%1 (%2 to %3)", score.words(), end("min", fixed(kPointDecimals)).words(),
+                   end("max", fixed(kPointDecimals)).words());
     }
     const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
     table.rows.push_back({in.groups[g].name, group("allocated"), score, ableOf(in, ledger, g, able)});
@@ -290,14 +371,14 @@ ReportTable signatureTable(bool roomy) {
 ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportSection section{"summary", Text::tr("At a glance")};
   section.onFirstPage = true;
-  section.paragraphs = {questionOf(in), peopleOf(in), answerOf(in, study)};
-  for (Text& reservation : reservationsOf(in, study)) {
+  const std::vector<AnsweredPair> pairs = answeredPairs(in, study, ledger);
+  section.paragraphs = {questionOf(in), peopleOf(ledger), allocationOf(in.allocation),
+                        trainingOf(in, study, ledger), answerOf(in, study, pairs)};
+  for (ReportParagraph& reservation : reservations(in, study, ledger)) {
     section.paragraphs.push_back(std::move(reservation));
   }
-  section.paragraphs.push_back(
-      Text::tr("What this does not show: %1 Marks on a training arm say nothing about patients.",
-               detectableSentence(in)));
-  if (std::optional<ReportFigure> figure = answerFigure(in, study, ledger)) {
+  section.paragraphs.push_back(detectableSentence(in, study, ledger));
+  if (std::optional<ReportFigure> figure = answerFigure(in, study, pairs)) {
     section.figures.push_back(std::move(*figure));
   }
   const bool roomy = in.groups.size() <= kRoomyGroups;

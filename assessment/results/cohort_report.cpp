@@ -133,7 +133,7 @@ ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>&
   }
   if (!in.simulated.empty()) {
     ReportSection section{"simulated", Text::tr("What was simulated")};
-    section.paragraphs = in.simulated;
+    section.paragraphs.assign(in.simulated.begin(), in.simulated.end());
     report.sections.push_back(section);
   }
   if (!in.trainees.empty()) {
@@ -222,7 +222,7 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
   }
   if (!left.empty()) {
     ReportSection section{"left-out", Text::tr("What is left out")};
-    section.paragraphs = std::move(left);
+    section.paragraphs.assign(left.begin(), left.end());
     const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }

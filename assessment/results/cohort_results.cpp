@@ -225,6 +225,11 @@ void addSummaries(const CohortInputs& in, ResultWriter& rows) {
 
 void addTraining(const CohortInputs& in, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kTraining}, commonFlags(in));
+  if (const std::int64_t marks = std::ssize(in.trainingMarks); marks > 0) {
+    rows.madeOf = partsOf({ResultPattern{.statistic = "rater_mark", .of = kEach}});
+    rows.addCount("raters", static_cast<std::int64_t>(in.trainingRaters), marks);
+    rows.addCount("marks", marks, marks);
+  }
   addSummaries(in, rows);
   for (const TraineeScore& score : in.scores) {
     rows.place.of = score.trainee;

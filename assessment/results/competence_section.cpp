@@ -133,7 +133,8 @@ ResultKey competenceKey(const CohortInputs& in, std::size_t number) {
 
 ReportSection competenceSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"competence", Text::tr("Competence")};
-  section.paragraphs = designSentences(in);
+  const std::vector<Text> designs = designSentences(in);
+  section.paragraphs.assign(designs.begin(), designs.end());
   section.figures = {sumsFigure(in, ledger)};
   section.tables = {countsTable(in, ledger), verdictsTable(in, ledger)};
   return section;

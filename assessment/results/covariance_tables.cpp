@@ -238,6 +238,11 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
   }
   points.series = study.mixed ? std::vector{primary, difference} : std::vector{difference};
   effects.series = {effect};
+  points.notes = {
+      Text::tr("First group minus second group. Intervals are not adjusted for the number of pairs.")};
+  effects.notes = {Text::tr(
+      "First group minus second group, scores at the end alone: the adjusted difference can be clear "
+      "where this one is not. Intervals are not adjusted for the number of pairs.")};
   std::vector<ReportFigure> figures;
   for (ReportFigure* figure : {&points, &effects}) {
     if (figure->categories.empty()) {
@@ -246,9 +251,6 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
     figure->references = {{0.0, Text::tr("no difference")}};
     figure->provenance.n = comparedTrainees(study);
     figure->provenance.missing = study.endMissing;
-    figure->notes = {
-        Text::tr("First group minus second group. An interval that crosses zero leaves the direction open. "
-                 "Intervals are not adjusted for the number of pairs.")};
     figures.push_back(std::move(*figure));
   }
   return figures;

@@ -85,7 +85,8 @@ Text comparisonSentence(const StudyAnalysis& study) {
 ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study) {
   ReportSection section{"methods", Text::tr("Methods and limits")};
   if (!in.evaluations.empty()) {
-    section.paragraphs = evaluationSentences(in);
+    const std::vector<Text> sentences = evaluationSentences(in);
+    section.paragraphs.assign(sentences.begin(), sentences.end());
   }
   if (!in.evaluations.empty() && !in.scores.empty()) {
     section.paragraphs.push_back(Text::tr(
@@ -116,9 +117,6 @@ ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study)
     section.paragraphs.push_back(Text::tr(
         "Who counts as competent is judged by LC-CUSUM, by the designs and with the error rates of the "
         "section Competence."));
-  }
-  if (Text power = powerSentence(in); !power.empty()) {
-    section.paragraphs.push_back(std::move(power));
   }
   if (in.demonstration) {
     section.paragraphs.push_back(Text::tr(

@@ -11,6 +11,7 @@
 
 #include "assessment/results/aggregated_inputs.h"
 #include "assessment/results/analysed_cohort.h"
+#include "assessment/results/received_training.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/results/result_writer.h"
 #include "assessment/statistics/curve_fit.h"
@@ -35,6 +36,15 @@ ResultPattern runsOf(const std::string& statistic, std::size_t group, const std:
 void addParticipants(const CohortInputs& in, const CohortInputs& all, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kParticipants}, commonFlags(in));
   const ResultPart enrolments = RecordRef{RecordKind::kEnrolments};
+  const std::int64_t everybody = std::ssize(in.trainees);
+  rows.madeOf = partsOf({enrolments});
+  rows.addCount("trainees", everybody, everybody);
+  rows.addCount("groups", std::ssize(in.groups), everybody);
+  rows.addCount("withdrew",
+                std::count_if(in.trainees.begin(), in.trainees.end(),
+                              [](const CohortTrainee& trainee) { return trainee.withdrew; }),
+                everybody);
+  rows.addCount("deviations", std::ssize(in.deviations), everybody);
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::map<std::string, std::int64_t> sexes;
     std::map<std::string, std::int64_t> levels;
@@ -150,6 +160,28 @@ void addTimes(const CohortInputs& in, Ledger& ledger) {
     rows.add("rest_min", sum.rest_min, trainees);
     rows.madeOf = partsOf({RecordRef{RecordKind::kTrainingTimes}, runsOf("minutes", g)});
     rows.add("mean_recorded_virtual_min", recorded_min / count, trainees);
+  }
+}
+
+/// Adds who was trained as planned.
+void addReceived(const CohortInputs& in, Ledger& ledger) {
+  std::map<std::size_t, std::map<Received, std::int64_t>> counts;
+  std::map<std::size_t, std::int64_t> trainees;
+  for (const ReceivedTraining& one : receivedTraining(in)) {
+    ResultWriter rows(ledger, {.section = kParticipants, .of = one.trainee, .group = one.group},
+                      commonFlags(in));
+    rows.madeOf = partsOf({RecordRef{RecordKind::kCohortPlan}, RecordRef{RecordKind::kTrainingTimes}});
+    rows.put("received", Text(std::string(wordOf(one.received))), 1);
+    ++counts[one.group][one.received];
+    ++trainees[one.group];
+  }
+  for (auto& [group, of] : counts) {
+    ResultWriter rows(ledger, {.section = kParticipants, .group = group}, commonFlags(in));
+    rows.madeOf = partsOf(
+        {ResultPattern{.section = kParticipants, .statistic = "received", .of = kEach, .group = group}});
+    for (const Received received : kEveryReceived) {
+      rows.addCount(receivedStatistic(received), of[received], trainees[group]);
+    }
   }
 }
 
@@ -371,6 +403,7 @@ void addPracticeResults(const CohortInputs& in, const CohortInputs& all, Ledger&
   if (!in.trainees.empty()) {
     addParticipants(in, all, ledger);
     addTrainees(in, ledger);
+    addReceived(in, ledger);
   }
   addTimes(in, ledger);
   const std::vector<PracticeCourse> courses = practiceCourses(in);

@@ -48,29 +48,42 @@ PointAgreement agreementInPoints(const OccasionMarks& at) {
   return out;
 }
 
-/// Returns the minimum number of raters with a sufficiently dependable mean; empty if more than kMaxRaters.
-std::optional<std::size_t> fewestRaters(const GStudy& found) {
+/// Returns the minimum number of raters whose mean is dependable enough; empty if more than kMaxRaters.
+template <typename Dependable>
+std::optional<std::size_t> fewestRaters(const Dependable& dependable) {
   for (std::size_t raters = 1; raters <= kMaxRaters; ++raters) {
-    const Outcome<DStudy> study = dStudyPR(found, static_cast<double>(raters));
-    if (study && study->dependability >= kWantedDependability) {
+    if (dependable(static_cast<double>(raters))) {
       return raters;
     }
   }
   return std::nullopt;
 }
 
-RatersNeeded ratersNeeded(const OccasionMarks& last) {
+RatersNeeded ratersNeeded(const StudyAnalysis& study, std::size_t groups) {
+  const OccasionMarks& last = study.occasions.back();
   RatersNeeded out;
-  const NumberTable marks = completeMarks(last);
-  out.marks = static_cast<std::int64_t>(marks.rows() * marks.columns());
-  out.components = gStudyPR(marks);
+  std::vector<NumberTable> within;
+  for (std::size_t g = 0; g < groups; ++g) {
+    within.push_back(completeMarks(last, study.groupOf, g));
+    out.marks += static_cast<std::int64_t>(within.back().rows() * within.back().columns());
+  }
+  out.components = gStudyPRWithin(within);
   if (!out.components) {
     return out;
   }
+  const GStudy& found = *out.components;
   for (const std::size_t raters : std::set<std::size_t>{1, 2, 3, 5, 10, last.present.size()}) {
-    out.planned.emplace_back(raters, dStudyPR(*out.components, static_cast<double>(raters)));
+    const auto k = static_cast<double>(raters);
+    out.planned.push_back({raters, dStudyPR(found, k), dependabilityInterval(found, k)});
   }
-  out.fewest = fewestRaters(*out.components);
+  out.fewestByEstimate = fewestRaters([&](double raters) {
+    const Outcome<DStudy> of = dStudyPR(found, raters);
+    return of && of->dependability >= kWantedDependability;
+  });
+  out.fewest = fewestRaters([&](double raters) {
+    const std::optional<Interval> of = dependabilityInterval(found, raters);
+    return of && of->lower >= kWantedDependability;
+  });
   return out;
 }
 
@@ -101,11 +114,11 @@ Outcome<RaschResult> onOneScale(const OccasionMarks& last) {
 
 }  // namespace
 
-void addRaterModels(StudyAnalysis& study) {
+void addRaterModels(std::size_t groups, StudyAnalysis& study) {
   for (OccasionMarks& occasion : study.occasions) {
     occasion.points = agreementInPoints(occasion);
   }
-  study.needed = ratersNeeded(study.occasions.back());
+  study.needed = ratersNeeded(study, groups);
   study.rasch = onOneScale(study.occasions.back());
 }
 

@@ -5,18 +5,17 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
+#include "assessment/results/analysis_tables.h"
 #include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
-#include "assessment/statistics/power.h"
 #include "sim/core/text.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr double kLargeEffect = 0.8;
-constexpr double kDefaultPower = 0.8;
 
 Text waysSentence(const MarkWays& ways) {
   const std::int64_t all = ways.blinded + ways.live + ways.entered;
@@ -73,75 +72,34 @@ std::vector<Text> blindingSentences(const CohortInputs& in) {
   return sentences;
 }
 
-namespace {
-
-/// Returns the trainees per group with a score at the end; without any scores, those allocated.
-std::vector<std::size_t> groupSizes(const CohortInputs& in) {
-  std::vector<std::set<std::string>> members(in.groups.size());
-  for (const TraineeScore& score : in.scores) {
-    if (score.occasion + 1 == in.occasions.size()) {
-      members[score.group].insert(score.trainee);
+ReportParagraph detectableSentence(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
+  std::optional<std::pair<double, ReportCell>> least;
+  std::optional<std::pair<double, ReportCell>> most;
+  for (const PrimaryDifference& pair : primaryDifferences(study)) {
+    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+    const std::optional<double> value = at.number("detectable_difference");
+    if (!value) {
+      continue;
     }
+    const ReportCell cell = at("detectable_difference", fixed(2));
+    least = !least || *value < least->first ? std::pair(*value, cell) : least;
+    most = !most || *value > most->first ? std::pair(*value, cell) : most;
   }
-  if (std::all_of(members.begin(), members.end(), [](const auto& group) { return group.empty(); })) {
-    for (const CohortTrainee& trainee : in.trainees) {
-      members[trainee.group].insert(trainee.code);
-    }
+  const Text rest = Text::tr(
+      "A difference that was not shown is not evidence of equality, and marks on a training arm say nothing "
+      "about patients.");
+  if (!least) {
+    return Text(Text::tr("What this does not show: %1", rest));
   }
-  std::vector<std::size_t> sizes;
-  for (const auto& group : members) {
-    sizes.push_back(group.size());
-  }
-  return sizes;
-}
-
-/// Returns the size of the smallest group of at least two, if there are two such groups.
-std::optional<std::size_t> smallestCompared(const std::vector<std::size_t>& sizes) {
-  std::vector<std::size_t> compared;
-  for (const std::size_t size : sizes) {
-    if (size > 1) {
-      compared.push_back(size);
-    }
-  }
-  return compared.size() < 2 ? std::nullopt
-                             : std::optional(*std::min_element(compared.begin(), compared.end()));
-}
-
-}  // namespace
-
-Text powerSentence(const CohortInputs& in) {
-  const std::vector<std::size_t> groups = groupSizes(in);
-  if (groups.size() < 2) {
-    return {};
-  }
-  std::vector<Text> sizes;
-  for (const std::size_t size : groups) {
-    sizes.emplace_back(std::to_string(size));
-  }
-  const std::optional<std::size_t> smallest = smallestCompared(groups);
-  if (!smallest) {
-    return Text::tr("The groups have %1 trainees: without two groups of two or more no power can be stated.",
-                    listed(sizes));
-  }
-  const auto n = static_cast<double>(*smallest);
-  return Text::tr(
-      "The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a "
-      "difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that "
-      "is not significant is not evidence of equality.",
-      listed(sizes), *smallest, formatFixed(powerTwoSampleT(n, kLargeEffect), 2),
-      formatFixed(detectableTwoSampleT(n, kDefaultPower), 2));
-}
-
-Text detectableSentence(const CohortInputs& in) {
-  const std::optional<std::size_t> smallest = smallestCompared(groupSizes(in));
-  if (!smallest) {
-    return Text::tr("a difference that was not shown is not evidence of equality.");
-  }
-  return Text::tr(
-      "two groups of %1 detect a difference of %2 standard deviations with a power of 0.80 (two-sided t test "
-      "at 5 %) and miss smaller ones more often; a difference that was not shown is not evidence of "
-      "equality.",
-      *smallest, formatFixed(detectableTwoSampleT(static_cast<double>(*smallest), kDefaultPower), 2));
+  const Text size = least->second == most->second
+                        ? least->second.words()
+                        : Text::tr("%1 to %2", least->second.words(), most->second.words());
+  return {
+      Text::tr("What this does not show: with the spread found here, this comparison detects a difference of "
+               "%1 points between two groups with a power of %2 (two-sided test at 5 %, not adjusted for the "
+               "number of pairs), and misses smaller ones more often. %3",
+               size, formatFixed(kWantedPower, 2), rest),
+      {least->second, most->second}};
 }
 
 Text commitmentSentence(const CohortAllocation& drawn) {

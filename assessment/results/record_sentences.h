@@ -4,16 +4,17 @@
 #include <vector>
 
 #include "assessment/results/cohort_report.h"
+#include "assessment/results/ledger.h"
+#include "assessment/results/study_analysis.h"
 
 // Statements of the report about the study, computed from the record.
 namespace torsio {
 
 /// States whether raters were blinded, from how each mark was made.
 [[nodiscard]] std::vector<Text> blindingSentences(const CohortInputs& inputs);
-/// States what groups of this size can detect. Empty with fewer than two groups.
-[[nodiscard]] Text powerSentence(const CohortInputs& inputs);
-/// States what groups of this size can detect, as a clause with full stop for the first page.
-[[nodiscard]] Text detectableSentence(const CohortInputs& inputs);
+/// States which difference the comparison detects, and what it cannot show.
+[[nodiscard]] ReportParagraph detectableSentence(const CohortInputs& inputs, const StudyAnalysis& study,
+                                                 const Ledger& ledger);
 /// States when the seed was committed, relative to enrolment and allocation.
 [[nodiscard]] Text commitmentSentence(const CohortAllocation& allocation);
 /// States whether the allocation was replayed from its seed, and the result.

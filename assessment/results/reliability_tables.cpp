@@ -13,21 +13,41 @@ namespace {
 
 constexpr int kReliabilityDecimals = 3;
 
-Text neededSentence(const RatersNeeded& found) {
-  return found.fewest
-             ? Text::tr("%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more.",
-                        *found.fewest, formatFixed(kWantedDependability, 2))
-             : Text::tr("Not even %1 raters would give a dependability of %2.", kMaxRaters,
-                        formatFixed(kWantedDependability, 2));
+/// Returns how many raters it takes, by the lower end of the interval; otherwise why that is not known.
+ReportParagraph neededSentence(const Ledger& ledger, const CohortInputs& in, const RatersNeeded& found) {
+  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = in.occasions.size() - 1});
+  const ReportCell fewest = at("raters_needed", fixed(0));
+  const ReportCell byEstimate = at("raters_needed_by_estimate", fixed(0));
+  const std::string wanted = formatFixed(kWantedDependability, 2);
+  if (found.components->at("pr").variance == 0.0 && found.components->at("r").variance == 0.0) {
+    return Text(
+        Text::tr("All raters gave the same marks: that says nothing about how many are needed, as raters who "
+                 "score by themselves differ."));
+  }
+  if (found.fewest) {
+    return {
+        Text::tr("%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more with 95 % "
+                 "confidence (lower end of the interval); by the estimate alone it would be %3.",
+                 fewest.words(), wanted, byEstimate.words()),
+        {fewest, byEstimate}};
+  }
+  return {
+      found.fewestByEstimate
+          ? Text::tr("These trainees are too few to say how many raters are needed: even %1 raters do not "
+                     "have a dependability of %2 with 95 % confidence. By the estimate alone it would be %3.",
+                     kMaxRaters, wanted, byEstimate.words())
+          : Text::tr("Not even %1 raters would give a dependability of %2.", kMaxRaters, wanted),
+      {byEstimate}};
 }
 
 ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
-  auto table = itemOf<ReportTable>(in, "table-raters-needed", Text::tr("How many raters are needed"),
-                                   Text::tr("G-study of trainees x raters, last occasion; D-study"));
+  auto table =
+      itemOf<ReportTable>(in, "table-raters-needed", Text::tr("How many raters are needed"),
+                          Text::tr("G-study of trainees x raters within groups, last occasion; D-study"));
   ResultTable rows(
       ledger, table,
       {{Text::tr("Raters")},
-       {Text::tr("Dependability (level)"), "dependability", fixed(kReliabilityDecimals)},
+       {Text::tr("Dependability (level) [95 %]"), "dependability", kWithInterval},
        {Text::tr("Generalizability (order)"), "generalizability", fixed(kReliabilityDecimals), ""},
        {Text::tr("Standard error of the mean mark (points)"), "standard_error_of_mean_mark",
         fixed(kReliabilityDecimals), ""}});
@@ -38,21 +58,23 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
     table.rows.push_back({notDefined(found.components.reason()), "", "", ""});
     return table;
   }
-  for (const auto& [raters, planned] : found.planned) {
-    rows.row({std::to_string(raters)}, {.section = ResultSection::kAgreement,
-                                        .index = ratersIndex(raters),
-                                        .occasion = in.occasions.size() - 1});
+  for (const RatersNeeded::Planned& planned : found.planned) {
+    rows.row({std::to_string(planned.raters)}, {.section = ResultSection::kAgreement,
+                                                .index = ratersIndex(planned.raters),
+                                                .occasion = in.occasions.size() - 1});
   }
-  const GStudy& components = *found.components;
   if (std::any_of(found.planned.begin(), found.planned.end(),
-                  [](const auto& planned) { return static_cast<bool>(planned.second); })) {
-    table.notes = {neededSentence(found)};
+                  [](const auto& planned) { return static_cast<bool>(planned.study); })) {
+    table.notes = {neededSentence(ledger, in, found)};
   }
-  table.notes.push_back(Text::tr("Components of variance: trainees %1, raters %2, rest %3.",
-                                 formatFixed(components.at("p").variance, kReliabilityDecimals),
-                                 formatFixed(components.at("r").variance, kReliabilityDecimals),
-                                 formatFixed(components.at("pr").variance, kReliabilityDecimals)));
-  if (components.negativeComponent) {
+  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = in.occasions.size() - 1});
+  table.notes.push_back(Text::tr(
+      "Components of variance within groups: trainees %1, raters %2, rest %3. Differences between the "
+      "groups do not count: an effect of the training would make raters look more alike.",
+      at("variance_of_trainees", fixed(kReliabilityDecimals)).words(),
+      at("variance_of_raters", fixed(kReliabilityDecimals)).words(),
+      at("variance_of_rest", fixed(kReliabilityDecimals)).words()));
+  if (found.components->negativeComponent) {
     table.notes.push_back(Text::tr("A negative component counts as 0 in the rows above."));
   }
   return table;

@@ -11,9 +11,8 @@ namespace {
 
 constexpr int kLabelDecimals = 3;
 
-std::string intervalText(const Interval& interval) {
-  return filledIn("[%1, %2]",
-                  {formatFixed(interval.lower, kLabelDecimals), formatFixed(interval.upper, kLabelDecimals)});
+std::string intervalText(const Interval& interval, int decimals = kLabelDecimals) {
+  return filledIn("[%1, %2]", {formatFixed(interval.lower, decimals), formatFixed(interval.upper, decimals)});
 }
 
 Text numberText(double value, Format format, const std::optional<Interval>& interval) {
@@ -66,7 +65,9 @@ ReportCell ResultsAt::operator()(const std::string& statistic, Format format, co
     return {*word, key};
   }
   if (const auto* interval = std::get_if<Interval>(&result->value)) {
-    return {intervalText(*interval), key};
+    return {
+        intervalText(*interval, format.kind == Format::Kind::kInterval ? format.decimals : kLabelDecimals),
+        key};
   }
   if (const auto* yes = std::get_if<bool>(&result->value)) {
     return {*yes ? Text(Text::tr("yes")) : Text(Text::tr("no")), key};

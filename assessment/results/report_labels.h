@@ -25,6 +25,7 @@ struct Format {
     kP,             ///< "< 0.001"
     kPercent,       ///< of a share: "12.5 %"
     kWithInterval,  ///< with the interval `statistic`_95: "1.234 [1.000, 1.500]"
+    kInterval,      ///< "[1.0, 1.5]"; without this, an interval has three decimals
     kQuantity,      ///< of the catalogue: its scale and decimals
     kValues,        ///< the number of values behind it
   };
@@ -34,6 +35,9 @@ struct Format {
 };
 [[nodiscard]] constexpr Format fixed(int decimals) noexcept {
   return {Format::Kind::kFixed, decimals};
+}
+[[nodiscard]] constexpr Format intervalWith(int decimals) noexcept {
+  return {Format::Kind::kInterval, decimals};
 }
 [[nodiscard]] constexpr Format percent(int decimals) noexcept {
   return {Format::Kind::kPercent, decimals};

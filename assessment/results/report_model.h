@@ -4,6 +4,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,13 +42,29 @@ struct ReportCell : Text {
   std::shared_ptr<const ResultKey> key;  ///< null: no result
 };
 
+/// A sentence with the results that it states.
+struct ReportParagraph : Text {
+  ReportParagraph() = default;
+  ReportParagraph(const std::convertible_to<Text> auto& words) : Text(words) {}  // NOLINT: text is one
+  /// `from`: the cells among the arguments of `words`.
+  ReportParagraph(const Text& words, std::initializer_list<ReportCell> from) : Text(words) {
+    for (const ReportCell& cell : from) {
+      if (cell.key != nullptr) {
+        keys.push_back(cell.key);
+      }
+    }
+  }
+
+  std::vector<std::shared_ptr<const ResultKey>> keys{};
+};
+
 struct ReportTable {
   std::string id;  ///< stable id, "table-evaluation"
   Text title;
   std::vector<Text> columns;
   std::vector<std::vector<ReportCell>> rows;  ///< each as long as `columns`; numbers are already formatted
   bool individual = false;                    ///< lists single people: not part of an aggregated report
-  std::vector<Text> notes;
+  std::vector<ReportParagraph> notes;
   Provenance provenance;
 };
 
@@ -122,7 +139,7 @@ struct ReportFigure {
   std::optional<double> yMax;
   bool individual = false;      ///< shows single people: not part of an aggregated report
   bool valuesInLabels = false;  ///< labels or a table of the section have the values: no table of its own
-  std::vector<Text> notes;
+  std::vector<ReportParagraph> notes;
   Provenance provenance;
   Text valuesStand;  ///< a sentence on where to find values too many to print; empty: nowhere else
 };
@@ -131,7 +148,7 @@ struct ReportSection {
   std::string id;  ///< stable id, "methods"
   Text title;
   bool onFirstPage = false;  ///< below the title, on the same page
-  std::vector<Text> paragraphs{};
+  std::vector<ReportParagraph> paragraphs{};
   std::vector<ReportFigure> figures{};
   std::vector<ReportTable> tables{};
 };

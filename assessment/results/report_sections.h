@@ -20,6 +20,9 @@ namespace torsio {
 /// The board's one-minute page; requires scores.
 [[nodiscard]] ReportSection boardSection(const CohortInputs& inputs, const StudyAnalysis& study,
                                          const Ledger& ledger);
+/// Returns what stands against the answer on that page, or limits it.
+[[nodiscard]] std::vector<ReportParagraph> reservations(const CohortInputs& inputs,
+                                                        const StudyAnalysis& study, const Ledger& ledger);
 [[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs, const Ledger& ledger);
 [[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs, const Ledger& ledger);
 /// Describes what an evaluation lacks that cannot be computed yet, and each class's own result.

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "assessment/results/received_training.h"
 #include "assessment/results/study_parts.h"
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
@@ -179,6 +180,31 @@ void compareEnds(const CohortInputs& in, StudyAnalysis& out) {
   }
 }
 
+/// Repeats the comparison without the trainees who were not trained as planned.
+void compareAsTreated(const CohortInputs& in, StudyAnalysis& out) {
+  std::set<std::string> otherwise;
+  for (const ReceivedTraining& one : receivedTraining(in)) {
+    if (one.received != Received::kAsPlanned) {
+      otherwise.insert(one.trainee);
+    }
+  }
+  if (otherwise.empty()) {
+    return;
+  }
+  CompleteCases kept = out.ends;
+  for (std::size_t g = 0; g < out.endCodes.size(); ++g) {
+    for (std::size_t i = out.endCodes[g].size(); i-- > 0;) {
+      if (otherwise.contains(out.endCodes[g][i])) {
+        kept.before[g].erase(kept.before[g].begin() + static_cast<std::ptrdiff_t>(i));
+        kept.after[g].erase(kept.after[g].begin() + static_cast<std::ptrdiff_t>(i));
+      } else {
+        out.perProtocolCodes.push_back(out.endCodes[g][i]);
+      }
+    }
+  }
+  out.perProtocol = ancova(kept.before, kept.after);
+}
+
 /// Computes the course over the occasions for trainees with a score at each.
 void followCourse(const CohortInputs& in, StudyAnalysis& out) {
   std::map<std::string, std::vector<std::optional<double>>> byTrainee;
@@ -246,17 +272,47 @@ std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& mar
   return others > 0 ? std::optional(sum / static_cast<double>(others)) : std::nullopt;
 }
 
+bool StudyAnalysis::spreadsDiffer() const noexcept {
+  return ancova && ancova->spread.test && ancova->spread.test->p < kSpreadsDiffer;
+}
+
+PrimaryMethod StudyAnalysis::primaryMethod() const noexcept {
+  if (mixed) {
+    return PrimaryMethod::kMixed;
+  }
+  if (!ancova) {
+    return PrimaryMethod::kNone;
+  }
+  return spreadsDiffer() && !ancova->spread.pairs.empty() ? PrimaryMethod::kRobust
+                                                          : PrimaryMethod::kCovariance;
+}
+
+PrimaryStatistics primaryStatistics(PrimaryMethod method) noexcept {
+  switch (method) {
+    case PrimaryMethod::kMixed:
+      return {"mixed_model_difference", "mixed_model_difference_holm_95", "mixed_model_p_holm"};
+    case PrimaryMethod::kRobust:
+      return {"adjusted_difference", "robust_difference_holm_95", "robust_p_holm"};
+    case PrimaryMethod::kCovariance:
+      return {"adjusted_difference", "adjusted_difference_holm_95", "p_holm"};
+    case PrimaryMethod::kNone:
+      break;
+  }
+  return {};
+}
+
 std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study) {
   std::vector<PrimaryDifference> out;
   if (study.mixed) {
     for (const MixedComparison::Pair& pair : study.mixed->pairs) {
       const ModelEstimate& of = pair.difference;
-      out.push_back({pair.first, pair.second, of.value, of.error, of.df, pair.pHolm, of.interval});
+      out.push_back({pair.first, pair.second, of.value, of.error, of.df, pair.pHolm, pair.asHolm});
     }
   } else if (study.ancova) {
-    for (const AdjustedDifference& pair : study.ancova->pairs) {
+    const bool robust = study.primaryMethod() == PrimaryMethod::kRobust;
+    for (const AdjustedDifference& pair : robust ? study.ancova->spread.pairs : study.ancova->pairs) {
       out.push_back({pair.first, pair.second, pair.difference, pair.error, study.ancova->residualDf,
-                     pair.pHolm, pair.interval});
+                     pair.pHolm, pair.asHolm});
     }
   }
   return out;
@@ -312,7 +368,7 @@ StudyAnalysis analyseStudy(const CohortInputs& in) {
   if (out.occasions.empty()) {
     return out;
   }
-  addRaterModels(out);
+  addRaterModels(in.groups.size(), out);
   out.againstPanel.assign(
       out.raters.size(), Outcome<BlandAltmanResult>::undefined(Text::tr("too few trainees with every mark")));
   const OccasionMarks& end = out.occasions.back();
@@ -326,6 +382,7 @@ StudyAnalysis analyseStudy(const CohortInputs& in) {
     return out;
   }
   compareEnds(in, out);
+  compareAsTreated(in, out);
   followCourse(in, out);
   addGains(in, out);
   return out;

@@ -52,12 +52,19 @@ struct OccasionMarks {
   PointAgreement points;
 };
 
-/// Results for other numbers of raters (G- and D-study of the last occasion).
+/// Results for other numbers of raters (G- and D-study of the last occasion, within the groups: an effect of
+/// the training would pass for a difference between trainees).
 struct RatersNeeded {
+  struct Planned {
+    std::size_t raters = 0;
+    Outcome<DStudy> study = Outcome<DStudy>::undefined(Text::tr("not computed"));
+    std::optional<Interval> dependability;
+  };
   std::int64_t marks = 0;  ///< of trainees scored by every rater
-  Outcome<GStudy> components = Outcome<GStudy>::undefined(Text::tr("not computed"));
-  std::vector<std::pair<std::size_t, Outcome<DStudy>>> planned;  ///< by number of raters, ascending
-  std::optional<std::size_t> fewest;  ///< with a dependability of at least kWantedDependability
+  Outcome<GStudy> components = Outcome<GStudy>::undefined(Text::tr("not computed"));  ///< within groups
+  std::vector<Planned> planned;                 ///< by number of raters, ascending
+  std::optional<std::size_t> fewest;            ///< whose interval lies at or above kWantedDependability
+  std::optional<std::size_t> fewestByEstimate;  ///< whose estimate does
 };
 inline constexpr double kWantedDependability = 0.8;
 inline constexpr std::size_t kMaxRaters = 100;  ///< maximum tried
@@ -95,8 +102,15 @@ struct RaterSeverity {
   std::optional<Interval> interval;  ///< 95 %, Student's t over the trainees; empty for fewer than two
 };
 
-/// A difference of the primary comparison: by the mixed model if marks are missing and it is defined,
-/// otherwise by analysis of covariance.
+/// How the groups are compared, and why.
+enum class PrimaryMethod : std::uint8_t {
+  kNone,
+  kCovariance,  ///< analysis of covariance
+  kRobust,      ///< the same with the errors of HC3, as spreads differ
+  kMixed,       ///< linear mixed model, as marks are missing or raters differ
+};
+
+/// A difference of the primary comparison.
 struct PrimaryDifference {
   std::size_t first = 0;
   std::size_t second = 0;
@@ -104,8 +118,21 @@ struct PrimaryDifference {
   double error = 0.0;
   double df = 0.0;
   double pHolm = 0.0;
-  Interval interval;  ///< not adjusted for the number of pairs
+  Interval interval;  ///< adjusted like pHolm
 };
+
+/// Power for which a detectable difference is stated.
+inline constexpr double kWantedPower = 0.8;
+/// Groups whose scores before differ by this many standard deviations or more are called unlike.
+inline constexpr double kUnlikeBefore_sd = 0.5;
+
+/// Names of the results of the primary comparison of a pair.
+struct PrimaryStatistics {
+  const char* difference = "";
+  const char* interval = "";  ///< adjusted like `p`
+  const char* p = "";         ///< after Holm
+};
+[[nodiscard]] PrimaryStatistics primaryStatistics(PrimaryMethod method) noexcept;
 
 /// Analysis of the training marks for the report, its figures and its table of numbers; computed once.
 struct StudyAnalysis {
@@ -125,7 +152,10 @@ struct StudyAnalysis {
       Text::tr("the slopes do not differ"));  ///< if the test of equal slopes requires it
   Outcome<MixedComparison> mixed =
       Outcome<MixedComparison>::undefined(Text::tr("no mark is missing"));  ///< if a mark is missing
-  std::vector<MissingBounds> bounds;                                        ///< if a mark is missing
+  /// Analysis of covariance of those who were trained as planned; undefined if everybody was.
+  Outcome<Ancova> perProtocol = Outcome<Ancova>::undefined(Text::tr("everybody was trained as planned"));
+  std::vector<std::string> perProtocolCodes;  ///< of its trainees
+  std::vector<MissingBounds> bounds;          ///< if a mark is missing
   Outcome<MixedAnova> course = Outcome<MixedAnova>::undefined(Text::tr("there are fewer than two occasions"));
   std::vector<NumberTable> courses;          ///< by group: trainees with a score at every occasion x
                                              ///< occasions
@@ -135,6 +165,9 @@ struct StudyAnalysis {
   Outcome<RaschResult> rasch = Outcome<RaschResult>::undefined(Text::tr("not computed"));  ///< last occasion
   bool sameRaters = true;  ///< at the last occasion, every trainee with marks has one by each rater present
 
+  [[nodiscard]] PrimaryMethod primaryMethod() const noexcept;
+  /// Returns whether the spread of the scores differs between the groups.
+  [[nodiscard]] bool spreadsDiffer() const noexcept;
   /// Returns whether the planned analysis (of covariance) has all its marks, by the same raters.
   [[nodiscard]] bool asPlanned() const noexcept { return missing.empty() && sameRaters; }
 };

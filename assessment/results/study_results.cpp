@@ -11,6 +11,8 @@
 #include "assessment/results/report_sections.h"
 #include "assessment/results/result_writer.h"
 #include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/mean_tests.h"
+#include "assessment/statistics/power.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -112,14 +114,20 @@ void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, Ledger&
   rows.add("variance_of_trainees", needed.components->at("p").variance, needed.marks);
   rows.add("variance_of_raters", needed.components->at("r").variance, needed.marks);
   rows.add("variance_of_rest", needed.components->at("pr").variance, needed.marks);
-  rows.add("raters_needed", needed.fewest ? std::optional(static_cast<double>(*needed.fewest)) : std::nullopt,
-           needed.marks);
-  for (const auto& [raters, planned] : needed.planned) {
-    rows.place.index = ratersIndex(raters);
-    rows.add("dependability", planned, &DStudy::dependability, needed.marks);
-    rows.add("generalizability", planned, &DStudy::generalizability, needed.marks);
+  for (const auto& [name, fewest] :
+       {std::pair("raters_needed", needed.fewest), {"raters_needed_by_estimate", needed.fewestByEstimate}}) {
+    rows.add(name, fewest ? std::optional(static_cast<double>(*fewest)) : std::nullopt, needed.marks);
+  }
+  for (const RatersNeeded::Planned& planned : needed.planned) {
+    rows.place.index = ratersIndex(planned.raters);
+    rows.add("dependability", planned.study, &DStudy::dependability, needed.marks);
+    if (planned.study && planned.dependability) {
+      rows.put("dependability_95", *planned.dependability, needed.marks);
+    }
+    rows.add("generalizability", planned.study, &DStudy::generalizability, needed.marks);
     rows.add("standard_error_of_mean_mark",
-             planned ? std::optional(std::sqrt(planned->absoluteError)) : std::nullopt, needed.marks);
+             planned.study ? std::optional(std::sqrt(planned.study->absoluteError)) : std::nullopt,
+             needed.marks);
   }
 }
 
@@ -366,6 +374,76 @@ void addEquivalence(const CohortInputs& in, const StudyAnalysis& study, std::int
   placeAtAll(rows);
 }
 
+/// Adds the difference of each pair that the primary comparison detects with a power of kWantedPower.
+void addDetectable(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
+  for (const PrimaryDifference& pair : primaryDifferences(study)) {
+    if (pair.error > 0.0 && pair.df > 0.0) {
+      placeAtPair(rows, pair.first, pair.second);
+      rows.add("detectable_difference", pair.error * detectableStandardErrors(pair.df, kWantedPower), n);
+    }
+  }
+  placeAtAll(rows);
+}
+
+/// Adds how the residuals of the groups spread, and the comparison that allows for unequal spreads.
+void addSpread(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
+  const UnequalSpread& spread = study.ancova->spread;
+  rows.add("largest_spread", spread.largest, n);
+  rows.add("smallest_spread", spread.smallest, n);
+  rows.add("equal_spread_p", spread.test, &FTest::p, n);
+  for (const AdjustedDifference& pair : spread.pairs) {
+    placeAtPair(rows, pair.first, pair.second);
+    rows.put("robust_difference_95", pair.interval, n);
+    rows.put("robust_difference_holm_95", pair.asHolm, n);
+    rows.add("robust_error", pair.error, n);
+    rows.add("robust_t", pair.t, n);
+    rows.add("robust_p", pair.p, n);
+    rows.add("robust_p_holm", pair.pHolm, n);
+  }
+  placeAtAll(rows);
+}
+
+/// Adds how the groups differed before, in standard deviations within groups.
+void addBaseline(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
+  const Groups& before = study.ends.before;
+  const Outcome<OneWayAnova> within = oneWayAnova(before);
+  if (!within) {
+    return;
+  }
+  const std::int64_t n = comparedTrainees(study);
+  ResultWriter rows = comparison(in, {}, partsOf(endScores(in, study)), ledger);
+  for (std::size_t g = 0; g < before.size(); ++g) {
+    for (std::size_t h = g + 1; h < before.size(); ++h) {
+      if (!before[g].empty() && !before[h].empty()) {
+        placeAtPair(rows, g, h);
+        rows.add("difference_before_in_sd",
+                 (meanOf(before[g]) - meanOf(before[h])) / std::sqrt(within->msWithin), n);
+      }
+    }
+  }
+}
+
+/// Adds the comparison of those who were trained as planned.
+void addPerProtocol(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
+  if (!study.perProtocol) {
+    return;
+  }
+  std::vector<ResultPart> parts{RecordRef{RecordKind::kTrainingTimes}, RecordRef{RecordKind::kCohortPlan}};
+  for (const std::string& code : study.perProtocolCodes) {
+    for (const std::size_t t : {std::size_t{0}, lastOf(in)}) {
+      parts.emplace_back(ResultPattern{.statistic = "score", .of = code, .occasion = t});
+    }
+  }
+  ResultWriter rows = comparison(in, {"per protocol"}, partsOf(std::move(parts)), ledger);
+  for (const AdjustedDifference& pair : study.perProtocol->pairs) {
+    placeAtPair(rows, pair.first, pair.second);
+    const std::int64_t n = std::ssize(study.perProtocolCodes);
+    rows.add("per_protocol_difference", pair.difference, n);
+    rows.put("per_protocol_difference_holm_95", pair.asHolm, n);
+    rows.add("per_protocol_p_holm", pair.pHolm, n);
+  }
+}
+
 /// Adds the data of the residual plots, one row per trainee.
 void addResiduals(const CohortInputs& in, const StudyAnalysis& study, ResultWriter& rows) {
   for (std::size_t g = 0; g < study.ancova->residuals.size(); ++g) {
@@ -391,7 +469,12 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
     const Text covariance = Text::verbatim("analysis of covariance");
     rows.put("planned_analysis",
              in.hasAnalysisPlan() ? covariance : Text(Text::verbatim("none in the record")), n);
-    rows.put("primary_analysis", study.mixed ? Text(Text::verbatim("linear mixed model")) : covariance, n);
+    rows.put("primary_analysis",
+             study.primaryMethod() == PrimaryMethod::kMixed    ? Text(Text::verbatim("linear mixed model"))
+             : study.primaryMethod() == PrimaryMethod::kRobust ? Text::verbatim("%1, HC3", covariance)
+                                                               : covariance,
+             n);
+    addDetectable(study, n, rows);
     rows.addCount("marks_missing", study.endMissing, study.endMarks + study.endMissing);
     addEquivalence(in, study, n, rows);
   }
@@ -415,6 +498,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   for (const AdjustedDifference& pair : study.ancova->pairs) {
     placeAtPair(rows, pair.first, pair.second);
     rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
+    rows.put("adjusted_difference_holm_95", pair.asHolm, n);
     rows.put("adjusted_difference_simultaneous_95", pair.simultaneous, n);
     rows.add("t", pair.t, n);
     rows.add("p", pair.p, n);
@@ -427,6 +511,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   }
   placeAtAll(rows);
   rows.origin = Origin::kUnplanned;
+  addSpread(study, n, rows);
   addSlopes(study, n, rows);
   addResiduals(in, study, rows);
 }
@@ -451,6 +536,7 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
     for (const MixedComparison::Pair& pair : study.mixed->pairs) {
       placeAtPair(rows, pair.first, pair.second);
       rows.addInterval("mixed_model_difference", pair.difference.value, pair.difference.interval, n);
+      rows.put("mixed_model_difference_holm_95", pair.asHolm, n);
       rows.put("mixed_model_difference_simultaneous_95", pair.simultaneous, n);
       rows.add("mixed_model_t", pair.difference.t, n);
       rows.add("mixed_model_df", pair.difference.df, n);
@@ -467,6 +553,17 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
         rows.put(name, Undefined{bound->reason()}, n);
       }
     }
+  }
+  placeAtAll(rows);
+  if (!study.bounds.empty()) {
+    rows.addCount(
+        "pairs_left_open",
+        std::count_if(study.bounds.begin(), study.bounds.end(),
+                      [](const MissingBounds& pair) {
+                        return !pair.worst || !pair.best ||
+                               (pair.worst->interval.lower <= 0.0 && pair.best->interval.upper >= 0.0);
+                      }),
+        std::ssize(study.bounds));
   }
   addMissingTrainees(study, rows);
 }
@@ -493,6 +590,8 @@ void addStudyResults(const CohortInputs& in, const StudyAnalysis& study, Ledger&
   }
   if (study.occasions.size() >= 2) {
     addComparison(in, study, ledger);
+    addBaseline(in, study, ledger);
+    addPerProtocol(in, study, ledger);
     addCourse(in, study, ledger);
     addMixedModel(in, study, ledger);
     addGainResults(in, study, ledger);

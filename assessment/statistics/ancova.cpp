@@ -93,10 +93,14 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
   return test;
 }
 
-void addHolm(std::span<const double> p, std::span<AdjustedDifference* const> pairs) {
+void addHolm(std::span<const double> p, std::span<AdjustedDifference* const> pairs, double confidence,
+             double df) {
   const std::vector<double> adjusted = adjustHolm(p);
+  const std::vector<double> factors = holmFactors(p);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
-    pairs[i]->pHolm = adjusted[i];
+    AdjustedDifference& pair = *pairs[i];
+    pair.pHolm = adjusted[i];
+    pair.asHolm = around(pair.difference, quantileOf(1.0 - (1.0 - confidence) / factors[i], df) * pair.error);
   }
 }
 
@@ -111,29 +115,83 @@ AdjustedDifference tested(std::size_t first, std::size_t second, double differen
   return out;
 }
 
-void addPairs(const std::vector<Moments>& groups, const Moments& within, double confidence, Ancova& out) {
-  const double t = quantileOf(confidence, out.residualDf);
-  const std::size_t number = groups.size() * (groups.size() - 1) / 2;
-  const double wide = quantileOf(bonferroni(confidence, number), out.residualDf);
-  std::vector<double> p;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (std::size_t j = i + 1; j < groups.size(); ++j) {
-      const double shift = groups[i].meanX - groups[j].meanX;
-      const double error = std::sqrt(out.residualVariance *
-                                     (1.0 / groups[i].n + 1.0 / groups[j].n + shift * shift / within.xx));
-      AdjustedDifference pair = tested(out.groups[i], out.groups[j],
-                                       out.adjusted[i].mean - out.adjusted[j].mean, error, out.residualDf);
+/// Returns the differences of all pairs of groups; `errorOf(i, j)`: standard error of one.
+template <typename ErrorOf>
+std::vector<AdjustedDifference> pairsOf(const Ancova& of, double confidence, const ErrorOf& errorOf) {
+  const std::size_t groups = of.groups.size();
+  const double t = quantileOf(confidence, of.residualDf);
+  const double wide = quantileOf(bonferroni(confidence, groups * (groups - 1) / 2), of.residualDf);
+  std::vector<AdjustedDifference> out;
+  for (std::size_t i = 0; i < groups; ++i) {
+    for (std::size_t j = i + 1; j < groups; ++j) {
+      const double error = errorOf(i, j);
+      AdjustedDifference pair =
+          tested(of.groups[i], of.groups[j], of.adjusted[i].mean - of.adjusted[j].mean, error, of.residualDf);
       pair.interval = around(pair.difference, t * error);
       pair.simultaneous = around(pair.difference, wide * error);
-      p.push_back(pair.p);
-      out.pairs.push_back(pair);
+      out.push_back(pair);
     }
   }
+  std::vector<double> p;
   std::vector<AdjustedDifference*> pairs;
-  for (AdjustedDifference& pair : out.pairs) {
+  for (AdjustedDifference& pair : out) {
+    p.push_back(pair.p);
     pairs.push_back(&pair);
   }
-  addHolm(p, pairs);
+  addHolm(p, pairs, confidence, of.residualDf);
+  return out;
+}
+
+void addPairs(const std::vector<Moments>& groups, const Moments& within, double confidence, Ancova& out) {
+  out.pairs = pairsOf(out, confidence, [&](std::size_t i, std::size_t j) {
+    const double shift = groups[i].meanX - groups[j].meanX;
+    return std::sqrt(out.residualVariance *
+                     (1.0 / groups[i].n + 1.0 / groups[j].n + shift * shift / within.xx));
+  });
+}
+
+/// A difference is a weighted sum of the scores after; HC3 gives each score the variance e^2 / (1 - h)^2.
+std::vector<AdjustedDifference> robustPairs(const Groups& before, const std::vector<Moments>& groups,
+                                            const Moments& within, double confidence, const Ancova& of) {
+  constexpr double kFitsExactly = 1e-9;
+  std::vector<std::vector<double>> variances(groups.size());
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    for (std::size_t i = 0; i < before[of.groups[k]].size(); ++i) {
+      const double x = before[of.groups[k]][i] - groups[k].meanX;
+      const double free = 1.0 - 1.0 / groups[k].n - x * x / within.xx;
+      if (free < kFitsExactly) {
+        return {};
+      }
+      const double e = of.residuals[of.groups[k]][i] / free;
+      variances[k].push_back(e * e);
+    }
+  }
+  return pairsOf(of, confidence, [&](std::size_t first, std::size_t second) {
+    const double shift = groups[first].meanX - groups[second].meanX;
+    double variance = 0.0;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      const double share = k == first ? 1.0 / groups[k].n : k == second ? -1.0 / groups[k].n : 0.0;
+      for (std::size_t i = 0; i < variances[k].size(); ++i) {
+        const double weight = share - shift * (before[of.groups[k]][i] - groups[k].meanX) / within.xx;
+        variance += weight * weight * variances[k][i];
+      }
+    }
+    return std::sqrt(variance);
+  });
+}
+
+void addSpread(const Groups& before, const std::vector<Moments>& groups, const Moments& within,
+               double confidence, Ancova& out) {
+  UnequalSpread& spread = out.spread;
+  spread.test = brownForsythe(out.residuals);
+  bool first = true;
+  for (const std::size_t g : out.groups) {
+    const double deviation = sampleDeviation(out.residuals[g]).value_or(0.0);
+    spread.largest = first ? deviation : std::max(spread.largest, deviation);
+    spread.smallest = first ? deviation : std::min(spread.smallest, deviation);
+    first = false;
+  }
+  spread.pairs = robustPairs(before, groups, within, confidence, out);
 }
 
 void addResiduals(const Groups& before, const Groups& after, const std::vector<Moments>& groups,
@@ -216,6 +274,7 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   }
   addPairs(groups, within, confidence, out);
   addResiduals(before, after, groups, out);
+  addSpread(before, groups, within, confidence, out);
   out.equalSlopes = slopesTest(groups, residual, total.n);
   return out;
 }
@@ -333,7 +392,7 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
       all.push_back(&at);
     }
   }
-  addHolm(p, all);
+  addHolm(p, all, confidence, out.residualDf);
   return out;
 }
 

@@ -26,8 +26,21 @@ struct AdjustedDifference {
   double p = 0.0;
   double pHolm = 0.0;
   Interval interval;      ///< not adjusted for the number of pairs
+  Interval asHolm;        ///< excludes 0 exactly if pHolm < 1 - confidence (holmFactors())
   Interval simultaneous;  ///< Bonferroni over the pairs
 };
+
+/// The comparison of groups whose residuals spread unequally.
+struct UnequalSpread {
+  double largest = 0.0;   ///< standard deviation of a group's residuals
+  double smallest = 0.0;  ///< of another group's; 0: they do not spread at all
+  Outcome<FTest> test = Outcome<FTest>::undefined(Text::tr("not computed"));  ///< Brown and Forsythe
+  /// The same differences with the errors of HC3 (MacKinnon and White 1985), in the order of Ancova::pairs;
+  /// empty if a trainee fits exactly, being alone in a group.
+  std::vector<AdjustedDifference> pairs;
+};
+/// If the test of equal spread gives p below this, the errors of HC3 are used.
+inline constexpr double kSpreadsDiffer = 0.05;
 
 /// Analysis of covariance: score after on score before and group, with a common slope. The primary analysis
 /// of randomised groups scored before and after training.
@@ -41,6 +54,7 @@ struct Ancova {
   std::vector<AdjustedMean> adjusted;     ///< of `groups`
   std::vector<AdjustedDifference> pairs;  ///< (0,1), (0,2), ..., (1,2) of `groups`, by index among all groups
   Outcome<FTest> equalSlopes = Outcome<FTest>::undefined(Text::tr("not computed"));
+  UnequalSpread spread;
   double partialEtaSquared = 0.0;
   Groups fitted;     ///< fitted score of each trainee
   Groups residuals;  ///< score after minus fitted

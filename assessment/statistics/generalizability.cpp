@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/reliability.h"
 
 namespace torsio {
 
@@ -114,33 +115,73 @@ const GComponent& GStudy::at(const std::string& effect) const {
 }
 
 Outcome<GStudy> gStudyPR(const NumberTable& x) {
-  if (const std::optional<Text> reason = beyondArithmetic(x.values())) {
-    return Outcome<GStudy>::undefined(*reason);
+  return gStudyPRWithin({x});
+}
+
+Outcome<GStudy> gStudyPRWithin(const std::vector<NumberTable>& groups) {
+  GStudy out;
+  out.components = {{"p"}, {"r"}, {"pr"}};
+  double persons = 0.0;
+  double strata = 0.0;
+  double nr = 0.0;
+  for (const NumberTable& x : groups) {
+    if (const std::optional<Text> reason = beyondArithmetic(x.values())) {
+      return Outcome<GStudy>::undefined(*reason);
+    }
+    if (x.rows() < 2 || x.columns() < 2) {
+      continue;
+    }
+    const double np = static_cast<double>(x.rows());
+    nr = static_cast<double>(x.columns());
+    std::vector<double> p;
+    std::vector<double> r;
+    for (std::size_t i = 0; i < x.rows(); ++i) {
+      p.push_back(meanOf(x.row(i)));
+    }
+    for (std::size_t j = 0; j < x.columns(); ++j) {
+      r.push_back(meanOf(x.column(j)));
+    }
+    const double grand = meanOf(p);
+    const double squares[] = {nr * squaredAbout(p, grand), np * squaredAbout(r, grand),
+                              interaction(x, p, r, grand)};
+    const double df[] = {np - 1.0, nr - 1.0, (np - 1.0) * (nr - 1.0)};
+    for (std::size_t i = 0; i < out.components.size(); ++i) {
+      out.components[i].sumOfSquares += squares[i];
+      out.components[i].df += df[i];
+    }
+    persons += np;
+    strata += 1.0;
   }
-  if (x.rows() < 2 || x.columns() < 2) {
+  if (strata == 0.0) {
     return Outcome<GStudy>::undefined(Text::tr("a study needs at least two persons and two raters"));
   }
-  const double np = static_cast<double>(x.rows());
-  const double nr = static_cast<double>(x.columns());
-  std::vector<double> p;
-  std::vector<double> r;
-  for (std::size_t i = 0; i < x.rows(); ++i) {
-    p.push_back(meanOf(x.row(i)));
-  }
-  for (std::size_t j = 0; j < x.columns(); ++j) {
-    r.push_back(meanOf(x.column(j)));
-  }
-  const double grand = meanOf(p);
-  GStudy out;
-  out.components = {{"p", nr * squaredAbout(p, grand), np - 1.0},
-                    {"r", np * squaredAbout(r, grand), nr - 1.0},
-                    {"pr", interaction(x, p, r, grand), (np - 1.0) * (nr - 1.0)}};
   finish(out);
+  out.personsPerRater = persons / strata;
   const double e = out.at("pr").meanSquare;
   setVariance(out, "pr", e);
   setVariance(out, "p", (out.at("p").meanSquare - e) / nr);
-  setVariance(out, "r", (out.at("r").meanSquare - e) / np);
+  setVariance(out, "r", (out.at("r").meanSquare - e) / out.personsPerRater);
   return out;
+}
+
+std::optional<Interval> dependabilityInterval(const GStudy& study, double raters, double confidence) {
+  TORSIO_EXPECTS(raters >= 1.0 && study.personsPerRater > 0.0);
+  const GComponent& p = study.at("p");
+  const GComponent& r = study.at("r");
+  const GComponent& error = study.at("pr");
+  const auto single = agreementInterval({.raters = error.df / p.df + 1.0,
+                                         .targetsPerRater = study.personsPerRater,
+                                         .targets_ms = p.meanSquare,
+                                         .targets_df = p.df,
+                                         .raters_ms = r.meanSquare,
+                                         .raters_df = r.df,
+                                         .error_ms = error.meanSquare,
+                                         .error_df = error.df},
+                                        confidence);
+  if (!single) {
+    return std::nullopt;
+  }
+  return Interval{spearmanBrown(single->first.lower, raters), spearmanBrown(single->first.upper, raters)};
 }
 
 Outcome<DStudy> dStudyPR(const GStudy& study, double raters) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct GComponent {
 struct GStudy {
   std::vector<GComponent> components;
   bool negativeComponent = false;
+  double personsPerRater = 0.0;  ///< of persons x raters: mean number in a group; otherwise 0
   /// Returns the component named `effect`; throws ContractError if there is none.
   [[nodiscard]] const GComponent& at(const std::string& effect) const;
 };
@@ -35,7 +37,13 @@ struct DStudy {
 /// Analyses persons x raters, complete. Effects "p", "r", "pr", all random. Undefined with fewer than two of
 /// either.
 [[nodiscard]] Outcome<GStudy> gStudyPR(const NumberTable& ratings);
+/// As gStudyPR(), within groups of persons who were all rated by the same raters: differences between groups
+/// count neither as differences between persons nor as errors. Groups of one person are left out.
+[[nodiscard]] Outcome<GStudy> gStudyPRWithin(const std::vector<NumberTable>& groups);
 [[nodiscard]] Outcome<DStudy> dStudyPR(const GStudy& study, double raters);
+/// Returns the interval of the dependability of the mean of `raters` raters; empty like agreementInterval().
+[[nodiscard]] std::optional<Interval> dependabilityInterval(const GStudy& study, double raters,
+                                                            double confidence = kDefaultConfidence);
 
 /// Analyses persons x raters x occasions, complete; byOccasion[o] is persons x raters. Effects "p", "r", "o",
 /// "pr", "po", "ro", "pro". Occasions must be replicates: a change by training is not a random occasion.

@@ -154,15 +154,20 @@ void addContrasts(const CrossedModel& model, double confidence, MixedComparison&
     }
     for (std::size_t h = g + 1; h < groups; ++h) {
       const std::vector<double> of = weights(g, h);
-      MixedComparison::Pair pair{out.groups[g], out.groups[h], model.estimate(of, confidence), {}, 0.0};
+      MixedComparison::Pair pair{out.groups[g], out.groups[h], model.estimate(of, confidence), {}, 0.0, {}};
       pair.simultaneous = model.estimate(of, 1.0 - (1.0 - confidence) / number).interval;
       p.push_back(pair.difference.p);
       out.pairs.push_back(pair);
     }
   }
   const std::vector<double> adjusted = adjustHolm(p);
+  const std::vector<double> factors = holmFactors(p);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
-    out.pairs[i].pHolm = adjusted[i];
+    MixedComparison::Pair& pair = out.pairs[i];
+    pair.pHolm = adjusted[i];
+    const ModelEstimate& of = pair.difference;
+    const double reach = tQuantile(1.0 - 0.5 * (1.0 - confidence) / factors[i], of.df) * of.error;
+    pair.asHolm = {of.value - reach, of.value + reach};
   }
   out.group = model.test(contrasts);
 }

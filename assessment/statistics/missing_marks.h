@@ -48,6 +48,7 @@ struct MixedComparison {
     ModelEstimate difference;  ///< first minus second
     Interval simultaneous;     ///< Bonferroni over the pairs
     double pHolm = 0.0;
+    Interval asHolm;  ///< excludes 0 exactly if pHolm < 1 - confidence (holmFactors())
   };
   std::vector<Pair> pairs;  ///< (0,1), (0,2), ..., (1,2) of `groups`, by index among all groups
   Outcome<FTest> group = Outcome<FTest>::undefined(Text::tr("not computed"));

@@ -49,6 +49,18 @@ std::vector<double> adjustHolm(std::span<const double> p) {
   return out;
 }
 
+std::vector<double> holmFactors(std::span<const double> p) {
+  const std::vector<std::size_t> order = ascending(p);
+  std::vector<double> out(p.size());
+  double largest = 0.0;  // not capped at 1
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double step = static_cast<double>(order.size() - i);
+    largest = std::max(largest, step * p[order[i]]);
+    out[order[i]] = p[order[i]] > 0.0 ? std::max(step, largest / p[order[i]]) : step;
+  }
+  return out;
+}
+
 std::vector<double> adjustHochberg(std::span<const double> p) {
   return stepUp(p, [&](std::size_t rank) { return static_cast<double>(p.size() - rank + 1); });
 }

@@ -55,6 +55,11 @@ double detectableTwoSampleT(double n, double power, double alpha) {
   return solveRising([&](double d) { return powerTwoSampleT(n, d, alpha) - power; }, 0.0);
 }
 
+double detectableStandardErrors(double df, double power, double alpha) {
+  TORSIO_EXPECTS(df > 0.0 && power > alpha && power < 1.0);
+  return solveRising([&](double errors) { return powerOfT(errors, df, alpha) - power; }, 0.0);
+}
+
 double powerPairedT(double pairs, double d, double alpha) {
   TORSIO_EXPECTS(pairs > 1.0);
   return powerOfT(d * std::sqrt(pairs), pairs - 1.0, alpha);

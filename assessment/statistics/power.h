@@ -13,6 +13,8 @@ inline constexpr double kDefaultAlpha = 0.05;
 [[nodiscard]] double sizeTwoSampleT(double d, double power, double alpha = kDefaultAlpha);
 /// Returns the standardised difference that n per group detect with the given power.
 [[nodiscard]] double detectableTwoSampleT(double n, double power, double alpha = kDefaultAlpha);
+/// Returns the difference, in standard errors, that a two-sided t test with `df` detects with this power.
+[[nodiscard]] double detectableStandardErrors(double df, double power, double alpha = kDefaultAlpha);
 [[nodiscard]] double powerPairedT(double pairs, double d, double alpha = kDefaultAlpha);
 [[nodiscard]] double detectablePairedT(double pairs, double power, double alpha = kDefaultAlpha);
 /// Returns the number of pairs that detects standardised mean difference d with the given power.

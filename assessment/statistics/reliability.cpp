@@ -53,10 +53,6 @@ TwoWay twoWay(const NumberTable& x) {
   return ss;
 }
 
-double spearmanBrown(double r, double k) {
-  return k * r / (1.0 + (k - 1.0) * r);
-}
-
 /// Returns the single-rater and mean-of-raters coefficients with their intervals, from the target mean square
 /// over an error mean square with `df2` degrees of freedom.
 std::pair<IccForm, IccForm> singleAndMean(const IccResult& of, double error, double df2, double tail) {
@@ -100,43 +96,60 @@ void addConsistency(IccResult& out, double tail) {
   std::tie(out.consistencySingle, out.consistencyMean) = singleAndMean(out, out.ems, df2, tail);
 }
 
-/// McGraw and Wong's interval; the interval of the mean is its Spearman-Brown transform.
-void addAgreement(IccResult& out, double tail) {
+void addAgreement(IccResult& out, double confidence) {
   const double n = static_cast<double>(out.targets);
   const double k = static_cast<double>(out.raters);
-  const double r = (out.bms - out.ems) / (out.bms + (k - 1.0) * out.ems + k * (out.jms - out.ems) / n);
-  out.agreementSingle.estimate = r;
+  out.agreementSingle.estimate =
+      (out.bms - out.ems) / (out.bms + (k - 1.0) * out.ems + k * (out.jms - out.ems) / n);
   out.agreementMean.estimate = (out.bms - out.ems) / (out.bms + (out.jms - out.ems) / n);
-  if (out.ems == 0.0) {
+  const auto found = agreementInterval({.raters = k,
+                                        .targetsPerRater = n,
+                                        .targets_ms = out.bms,
+                                        .targets_df = n - 1.0,
+                                        .raters_ms = out.jms,
+                                        .raters_df = k - 1.0,
+                                        .error_ms = out.ems,
+                                        .error_df = (n - 1.0) * (k - 1.0)},
+                                       confidence);
+  if (!found) {
     return;
   }
-  const double a = k * r / (n * (1.0 - r));
-  const double b = 1.0 + k * r * (n - 1.0) / (n * (1.0 - r));
-  const double sum = a * out.jms + b * out.ems;
-  const double v =
-      sum * sum /
-      ((a * out.jms) * (a * out.jms) / (k - 1.0) + (b * out.ems) * (b * out.ems) / ((n - 1.0) * (k - 1.0)));
-  out.agreementDf = v;
-  if (!(v > 0.0) || !std::isfinite(v)) {
-    return;
-  }
-  const double f1 = fQuantile(1.0 - tail, n - 1.0, v);
-  const double f2 = fQuantile(1.0 - tail, v, n - 1.0);
-  if (!std::isfinite(f1) || !std::isfinite(f2)) {  // v near 0: the interval is unbounded
-    return;
-  }
-  const double spread = k * out.jms + (k * n - k - n) * out.ems;
-  const Interval single{n * (out.bms - f1 * out.ems) / (f1 * spread + n * out.bms),
-                        n * (f2 * out.bms - out.ems) / (spread + n * f2 * out.bms)};
-  const Interval mean{spearmanBrown(single.lower, k), spearmanBrown(single.upper, k)};
-  if (!std::isfinite(mean.lower) || !std::isfinite(mean.upper)) {  // likewise
-    return;
-  }
+  const Interval& single = found->first;
+  out.agreementDf = found->second;
   out.agreementSingle.interval = single;
-  out.agreementMean.interval = mean;
+  out.agreementMean.interval = Interval{spearmanBrown(single.lower, k), spearmanBrown(single.upper, k)};
 }
 
 }  // namespace
+
+std::optional<std::pair<Interval, double>> agreementInterval(const RatedSquares& of, double confidence) {
+  if (of.error_ms == 0.0) {
+    return std::nullopt;
+  }
+  const double k = of.raters;
+  const double n = of.targetsPerRater;
+  const double tail = 0.5 * (1.0 - confidence);
+  const double r = (of.targets_ms - of.error_ms) /
+                   (of.targets_ms + (k - 1.0) * of.error_ms + k * (of.raters_ms - of.error_ms) / n);
+  const double a = k * r / (n * (1.0 - r)) * of.raters_ms;
+  const double b = (1.0 + k * r * (n - 1.0) / (n * (1.0 - r))) * of.error_ms;
+  const double v = (a + b) * (a + b) / (a * a / of.raters_df + b * b / of.error_df);
+  if (!(v > 0.0) || !std::isfinite(v)) {
+    return std::nullopt;
+  }
+  const double f1 = fQuantile(1.0 - tail, of.targets_df, v);
+  const double f2 = fQuantile(1.0 - tail, v, of.targets_df);
+  if (!std::isfinite(f1) || !std::isfinite(f2)) {  // v near 0: the interval is unbounded
+    return std::nullopt;
+  }
+  const double spread = k * of.raters_ms + (k * n - k - n) * of.error_ms;
+  const Interval single{n * (of.targets_ms - f1 * of.error_ms) / (f1 * spread + n * of.targets_ms),
+                        n * (f2 * of.targets_ms - of.error_ms) / (spread + n * f2 * of.targets_ms)};
+  if (!std::isfinite(spearmanBrown(single.lower, k)) || !std::isfinite(spearmanBrown(single.upper, k))) {
+    return std::nullopt;  // likewise
+  }
+  return std::pair(single, v);
+}
 
 Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double confidence) {
   if (const std::optional<Text> reason = beyondArithmetic(ratings.values())) {
@@ -170,7 +183,7 @@ Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double conf
   const double tail = 0.5 * (1.0 - confidence);
   addOneWay(out, tail);
   addConsistency(out, tail);
-  addAgreement(out, tail);
+  addAgreement(out, confidence);
   out.varianceTargets = (out.bms - out.ems) / ss.k;
   out.varianceRaters = (out.jms - out.ems) / ss.n;
   out.varianceResidual = out.ems;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "assessment/statistics/values.h"
@@ -43,6 +44,23 @@ struct IccResult {
   double semAgreement = 0.0;    ///< sqrt(rater variance + EMS); negative rater variance counts as 0
   double semMean = 0.0;         ///< semAgreement / sqrt(k): of the mean over the raters
 };
+
+/// Mean squares of targets x raters, pooled over strata if there are several.
+struct RatedSquares {
+  double raters = 0.0;           ///< in each stratum
+  double targetsPerRater = 0.0;  ///< mean over the strata
+  double targets_ms = 0.0, targets_df = 0.0;
+  double raters_ms = 0.0, raters_df = 0.0;
+  double error_ms = 0.0, error_df = 0.0;
+};
+/// Returns the interval of the absolute agreement of a single rater, ICC(2,1), and its degrees of freedom
+/// (McGraw and Wong 1996; Satterthwaite). Empty if nothing bounds it.
+[[nodiscard]] std::optional<std::pair<Interval, double>> agreementInterval(
+    const RatedSquares& squares, double confidence = kDefaultConfidence);
+/// Returns the reliability of the mean of k raters from that of one (Spearman and Brown).
+[[nodiscard]] constexpr double spearmanBrown(double single, double k) noexcept {
+  return k * single / (1.0 + (k - 1.0) * single);
+}
 
 /// Computes the six intraclass correlations. `ratings`: targets x raters, complete. Raters that differ by
 /// constants only leave no residual: consistency is 1, and ratios to the residual are empty. Undefined with

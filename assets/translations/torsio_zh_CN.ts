@@ -10625,10 +10625,6 @@
         <translation>最严格者在前。得分未按严格程度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
     </message>
     <message>
-        <source>The groups have %1 trainees. Two groups of %2 have a power of %3 in a two-sided t test at 5 % for a difference of 0.8 standard deviations, and detect one of %4 with a power of 0.80. A difference that is not significant is not evidence of equality.</source>
-        <translation>各组人数为 %1。两个各 %2 人的组在 5 % 水平的双侧 t 检验中，对 0.8 个标准差的差异的检验效能为 %3；以 0.80 的效能可检出 %4 个标准差的差异。差异不显著并不证明相等。</translation>
-    </message>
-    <message>
         <source>No commitment to the seed is in the record.</source>
         <translation>记录中没有对种子的承诺。</translation>
     </message>
@@ -10649,24 +10645,12 @@
         <translation>需要多少名评分者</translation>
     </message>
     <message>
-        <source>G-study of trainees x raters, last occasion; D-study</source>
-        <translation>最后时点学员 × 评分者的概化研究；决策研究</translation>
-    </message>
-    <message>
-        <source>Dependability (level)</source>
-        <translation>可靠性（水平）</translation>
-    </message>
-    <message>
         <source>Generalizability (order)</source>
         <translation>概化系数（次序）</translation>
     </message>
     <message>
         <source>Standard error of the mean mark (points)</source>
         <translation>平均评分的标准误（分）</translation>
-    </message>
-    <message>
-        <source>Components of variance: trainees %1, raters %2, rest %3.</source>
-        <translation>方差分量：学员 %1，评分者 %2，其余 %3。</translation>
     </message>
     <message>
         <source>Raters on one scale, last occasion</source>
@@ -10785,10 +10769,6 @@
         <translation>请先在实物手臂上接受评分，或说明为何仍要开始训练</translation>
     </message>
     <message>
-        <source>%1 points [%2; %3]</source>
-        <translation>%1 分 [%2; %3]</translation>
-    </message>
-    <message>
         <source>Question: do trainees score differently at the end (%1) who trained in different ways: %2?</source>
         <translation>问题：训练方式不同的学员在结束时（%1）得分是否不同：%2？</translation>
     </message>
@@ -10797,20 +10777,8 @@
         <translation>答案：无。各组未作比较：%1。</translation>
     </message>
     <message>
-        <source>%1: %2, %3 after Holm</source>
-        <translation>%1：%2，Holm 校正后 %3</translation>
-    </message>
-    <message>
         <source>Answer: none. There is only one group.</source>
         <translation>答案：无。只有一个组。</translation>
-    </message>
-    <message>
-        <source>Every interval includes zero.</source>
-        <translation>所有区间都包含零。</translation>
-    </message>
-    <message>
-        <source>No p value stays below %1 after Holm.</source>
-        <translation>Holm 校正后没有 p 值低于 %1。</translation>
     </message>
     <message>
         <source>The answer: differences between the groups with 95 % intervals</source>
@@ -10823,10 +10791,6 @@
     <message>
         <source>mean of the trainee scores; LC-CUSUM</source>
         <translation>学员得分的均值；LC-CUSUM</translation>
-    </message>
-    <message>
-        <source>Mean score [lowest; highest]</source>
-        <translation>平均得分 [最低; 最高]</translation>
     </message>
     <message>
         <source>did not train there</source>
@@ -10991,10 +10955,6 @@
     <message>
         <source>mixed model, primary [95 %]</source>
         <translation>混合模型，主要分析 [95 %]</translation>
-    </message>
-    <message>
-        <source>First group minus second group. An interval that crosses zero leaves the direction open. Intervals are not adjusted for the number of pairs.</source>
-        <translation>第一组减第二组。跨过零的区间不能确定方向。区间未按配对数校正。</translation>
     </message>
     <message>
         <source>Residuals of the analysis of covariance</source>
@@ -12787,24 +12747,12 @@ audit trail %3</source>
         <translation>两种错误率所对应的尝试次数</translation>
     </message>
     <message>
-        <source>Answer, adjusted for the score before, with the 95 % interval of each pair by itself: %1.</source>
-        <translation>答案（已按训练前得分校正，区间为每一配对各自的 95 % 区间）：%1。</translation>
-    </message>
-    <message>
-        <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before, with the 95 % interval of this pair by itself: %1, %2. %3</source>
-        <translation>答案：未显示任何两组之间有差异。最大的差异（已按训练前得分校正，区间为该配对自身的 95 % 区间）：%1，%2。%3</translation>
-    </message>
-    <message>
         <source>The missing marks could, at worst, leave open which group is better in %1 of %2 {comparison|comparisons}.</source>
         <translation>在最坏情况下，缺失的评分会使 %2 项比较中的 %1 项无法判定哪一组更好。</translation>
     </message>
     <message>
         <source>The difference depends on the score before (test of equal slopes: %1): read the table with a slope for each group.</source>
         <translation>差异随训练前得分而变（斜率相等检验：%1）：请看各组斜率分开的表。</translation>
-    </message>
-    <message>
-        <source>Intervals are not adjusted for the number of pairs.</source>
-        <translation>区间未按配对数校正。</translation>
     </message>
     <message>
         <source>there is no simulated physician here</source>
@@ -14511,10 +14459,6 @@ audit trail %3</source>
         <translation>以下组无人在两个评分时点都有得分，因此未参与比较：%1。</translation>
     </message>
     <message>
-        <source>What this does not show: %1 Marks on a training arm say nothing about patients.</source>
-        <translation>本报告不能说明的：%1训练手臂上的分数不能说明患者的情况。</translation>
-    </message>
-    <message>
         <source>No test of baseline differences is shown. The draw could not be repeated from its seed: a difference need not be due to chance.</source>
         <translation>不显示基线差异的检验。抽取结果无法由种子重现：差异不一定出于偶然。</translation>
     </message>
@@ -14581,22 +14525,6 @@ audit trail %3</source>
     <message>
         <source>Best for the first group [95 %, not adjusted]</source>
         <translation>对第一组最有利 [95 %，未校正]</translation>
-    </message>
-    <message>
-        <source>The groups have %1 trainees: without two groups of two or more no power can be stated.</source>
-        <translation>各组人数为 %1：若没有两个至少两人的组，就无法给出检验效能。</translation>
-    </message>
-    <message>
-        <source>a difference that was not shown is not evidence of equality.</source>
-        <translation>未显示差异并不证明相同。</translation>
-    </message>
-    <message>
-        <source>two groups of %1 detect a difference of %2 standard deviations with a power of 0.80 (two-sided t test at 5 %) and miss smaller ones more often; a difference that was not shown is not evidence of equality.</source>
-        <translation>两个各 %1 人的组以 0.80 的效能可检出 %2 个标准差的差异（5 % 水平的双侧 t 检验），更小的差异更常被漏掉；未显示差异并不证明相同。</translation>
-    </message>
-    <message>
-        <source>%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more.</source>
-        <translation>至少 %1 名评分者的平均分，其可靠性才达到 %2 或以上。</translation>
     </message>
     <message>
         <source>Not even %1 raters would give a dependability of %2.</source>
@@ -18837,6 +18765,182 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Coarser meshes</source>
         <translation>较粗的网格</translation>
+    </message>
+    <message>
+        <source>No plan of the analysis is in the record: nothing shows that it was chosen before the data were seen.</source>
+        <translation>记录中没有分析计划：无法证明分析方法是在看到数据之前选定的。</translation>
+    </message>
+    <message>
+        <source>The scores of the groups spread differently about the comparison (standard deviations from %1 to %2 points, test of equal spread: %3)</source>
+        <translation>各组分数围绕比较结果的离散程度不同（标准差从 %1 到 %2 分，离散程度相等的检验：%3）</translation>
+    </message>
+    <message>
+        <source>%1, so the answer uses standard errors that allow for it (HC3).</source>
+        <translation>%1，因此答案采用考虑了这一点的标准误（HC3）。</translation>
+    </message>
+    <message>
+        <source>%1, which the linear mixed model does not allow for.</source>
+        <translation>%1，线性混合模型未考虑这一点。</translation>
+    </message>
+    <message>
+        <source>%1, which the answer does not allow for: somebody is alone in a group.</source>
+        <translation>%1，答案未考虑这一点：有一组只有一人。</translation>
+    </message>
+    <message>
+        <source>The groups were unlike before the training, in standard deviations: %1. The answer is adjusted for it as far as a straight line can.</source>
+        <translation>各组在训练前就不相同，以标准差计：%1。答案已在直线关系所能达到的范围内对此作了调整。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>Everybody withdrew. The answer rests on marks that were given before that: ask whether it may be used.</source>
+        <translation>所有人都已退出。答案所依据的分数是在此之前给出的：请询问是否可以使用。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trainees withdrew: the answer may hold only for people like those who stayed.</source>
+        <translation>%2 名学员中有 %1 名退出：答案可能只适用于与留下者相似的人。</translation>
+    </message>
+    <message>
+        <source>%1: %2 points %3, %4</source>
+        <translation>%1：%2 分 %3，%4</translation>
+    </message>
+    <message>
+        <source>Answer, adjusted for the score before, with the 95 % interval and the p value of each pair after Holm: %1.</source>
+        <translation>答案（已按训练前分数调整，附每一对经 Holm 校正的 95 % 区间和 p 值）：%1。</translation>
+    </message>
+    <message>
+        <source>Answer: not shown, as too few people are behind it.</source>
+        <translation>答案：不显示，因为所涉及的人数太少。</translation>
+    </message>
+    <message>
+        <source>Answer: no difference between two groups was shown. The largest, adjusted for the score before, with the 95 % interval and the p value after Holm: %1. The interval of every pair includes zero.</source>
+        <translation>答案：未显示出任何两组之间的差异。其中最大的差异（已按训练前分数调整，附经 Holm 校正的 95 % 区间和 p 值）：%1。每一对的区间都包含零。</translation>
+    </message>
+    <message>
+        <source>Groups: how trainees came into them is not in the record. Nothing shows that they were drawn at random, so a difference need not be an effect of the training.</source>
+        <translation>分组：记录中没有学员如何分入各组的信息。无法证明分组是随机抽取的，因此差异不一定是训练的效果。</translation>
+    </message>
+    <message>
+        <source>Groups: drawn at random (%1), but %2 {trainee was|trainees were} moved by hand after the draw: a difference need not be an effect of the training.</source>
+        <translation>分组：随机抽取（%1），但抽取后有 %2 名学员被手动调整：差异不一定是训练的效果。</translation>
+    </message>
+    <message>
+        <source>Groups: the record says that they were drawn (%1), but the draw could not be repeated from its seed: a difference need not be an effect of the training.</source>
+        <translation>分组：记录显示分组是抽取的（%1），但无法用种子重现抽取结果：差异不一定是训练的效果。</translation>
+    </message>
+    <message>
+        <source>Groups: drawn at random (%1).</source>
+        <translation>分组：随机抽取（%1）。</translation>
+    </message>
+    <message>
+        <source>Training: no training time is in the record. Nothing shows that the groups trained as they are named.</source>
+        <translation>训练：记录中没有训练时间。无法证明各组确实按其名称进行了训练。</translation>
+    </message>
+    <message>
+        <source>Training: the record has times, but no plan for every group to compare them with.</source>
+        <translation>训练：记录中有训练时间，但并非每组都有可供对照的计划。</translation>
+    </message>
+    <message>
+        <source>Training: all %1 trainees received what was planned for their group, within %2 %.</source>
+        <translation>训练：全部 %1 名学员都接受了为其所在组计划的训练，误差在 %2 % 以内。</translation>
+    </message>
+    <message>
+        <source>Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). Everybody is compared in the group to which they were allocated (intention to treat).</source>
+        <translation>训练：%2 名学员中有 %1 名没有接受为其所在组计划的训练（%3）。每个人都按其被分配到的组进行比较（意向性分析）。</translation>
+    </message>
+    <message>
+        <source>%1 Those who were trained as planned cannot be compared by themselves: %2.</source>
+        <translation>%1无法单独比较按计划接受训练的学员：%2。</translation>
+    </message>
+    <message>
+        <source>%1 Without them (per protocol), in points with 95 % intervals after Holm: %2.</source>
+        <translation>%1不包括这些人（符合方案分析），以分计，附经 Holm 校正的 95 % 区间：%2。</translation>
+    </message>
+    <message>
+        <source>analysis of covariance, one pooled slope, HC3</source>
+        <translation>协方差分析，单一合并斜率，HC3</translation>
+    </message>
+    <message>
+        <source>Intervals are adjusted for the number of pairs, as the p values are (Holm).</source>
+        <translation>区间与 p 值一样已按对数校正（Holm）。</translation>
+    </message>
+    <message>
+        <source>Mean score (lowest to highest)</source>
+        <translation>平均分（最低至最高）</translation>
+    </message>
+    <message>
+        <source>as planned</source>
+        <translation>按计划</translation>
+    </message>
+    <message>
+        <source>no training</source>
+        <translation>没有训练</translation>
+    </message>
+    <message>
+        <source>too little training</source>
+        <translation>训练太少</translation>
+    </message>
+    <message>
+        <source>too much training</source>
+        <translation>训练太多</translation>
+    </message>
+    <message>
+        <source>training that was not planned for the group</source>
+        <translation>不在该组计划内的训练</translation>
+    </message>
+    <message>
+        <source>A difference that was not shown is not evidence of equality, and marks on a training arm say nothing about patients.</source>
+        <translation>未显示出差异并不证明相等；在训练手臂上的评分也不能说明对患者的情况。</translation>
+    </message>
+    <message>
+        <source>What this does not show: %1</source>
+        <translation>这不能说明什么：%1</translation>
+    </message>
+    <message>
+        <source>What this does not show: with the spread found here, this comparison detects a difference of %1 points between two groups with a power of %2 (two-sided test at 5 %, not adjusted for the number of pairs), and misses smaller ones more often. %3</source>
+        <translation>这不能说明什么：按这里的离散程度，这项比较能以 %2 的检验效能发现两组之间 %1 分的差异（双侧检验，5 %，未按对数校正），更小的差异则更常被漏掉。%3</translation>
+    </message>
+    <message>
+        <source>All raters gave the same marks: that says nothing about how many are needed, as raters who score by themselves differ.</source>
+        <translation>所有评分者给出的分数都相同：这不能说明需要多少评分者，因为独立评分的人总会有差别。</translation>
+    </message>
+    <message>
+        <source>%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more with 95 % confidence (lower end of the interval); by the estimate alone it would be %3.</source>
+        <translation>至少需要 %1 名评分者，其平均分的可靠性才能以 95 % 的置信度达到 %2 或更高（区间下限）；仅按估计值则为 %3 名。</translation>
+    </message>
+    <message>
+        <source>These trainees are too few to say how many raters are needed: even %1 raters do not have a dependability of %2 with 95 % confidence. By the estimate alone it would be %3.</source>
+        <translation>学员太少，无法确定需要多少评分者：即使 %1 名评分者也不能以 95 % 的置信度达到 %2 的可靠性。仅按估计值则为 %3 名。</translation>
+    </message>
+    <message>
+        <source>G-study of trainees x raters within groups, last occasion; D-study</source>
+        <translation>组内学员 × 评分者的概化研究（G 研究），最后一次；D 研究</translation>
+    </message>
+    <message>
+        <source>Dependability (level) [95 %]</source>
+        <translation>可靠性（水平）[95 %]</translation>
+    </message>
+    <message>
+        <source>Components of variance within groups: trainees %1, raters %2, rest %3. Differences between the groups do not count: an effect of the training would make raters look more alike.</source>
+        <translation>组内方差分量：学员 %1，评分者 %2，其余 %3。组间差异不计入：否则训练效果会使评分者看起来更一致。</translation>
+    </message>
+    <message>
+        <source>everybody was trained as planned</source>
+        <translation>所有人都按计划接受了训练</translation>
+    </message>
+    <message>
+        <source>%1 have the same mark from every rater at every occasion: check whether somebody was entered twice.</source>
+        <translation>%1 在每次评分中从每位评分者得到的分数都相同：请检查是否有人被录入了两次。</translation>
+    </message>
+    <message>
+        <source>First group minus second group. Intervals are not adjusted for the number of pairs.</source>
+        <translation>第一组减第二组。区间未按对数校正。</translation>
+    </message>
+    <message>
+        <source>First group minus second group, scores at the end alone: the adjusted difference can be clear where this one is not. Intervals are not adjusted for the number of pairs.</source>
+        <translation>第一组减第二组，仅比较结束时的分数：调整后的差异可能明确，而这里并不明确。区间未按对数校正。</translation>
     </message>
 </context>
 <context>

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "assessment/results/cohort_report.h"
-#include "assessment/results/number_format.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/study_analysis.h"
 #include "assessment/statistics/distributions.h"
 #include "tests/support/demonstration_cohort.h"
@@ -105,16 +105,21 @@ TEST(CohortReport, ListsLearningCurvesAndWhyOthersAreMissing) {
 
 TEST(CohortReport, ReportsTheRatersNeededAndEachGroupsGain) {
   const CohortInputs in = demonstrationCohort();
-  const StudyAnalysis study = analyseStudy(in);
   const ReportModel report = cohortReport(in);
 
   const ReportTable* needed = tableNamed(report, "table-raters-needed");
   ASSERT_NE(needed, nullptr);
   EXPECT_EQ(needed->rows.size(), 5U);  // 1, 2, 3, 5 and the ten of the study
-  // One rater: dependability is ICC(2,1); all ten: ICC(2,k).
-  const IccResult& icc = study.occasions.back().icc.value();
-  EXPECT_EQ(needed->rows.front().at(1), formatFixed(icc.agreementSingle.estimate, 3));
-  EXPECT_EQ(needed->rows.back().at(1), formatFixed(icc.agreementMean.estimate, 3));
+  // In a single group, one rater's dependability is ICC(2,1), and that of all ten ICC(2,k).
+  CohortInputs one = in;
+  std::erase_if(one.trainingMarks, [](const TrainingMark& mark) { return mark.group > 0; });
+  const IccResult icc = analyseStudy(one).occasions.back().icc.value();
+  const ReportModel ofOne = cohortReport(testing::scored(std::move(one)));
+  const ReportTable* alone = tableNamed(ofOne, "table-raters-needed");
+  EXPECT_EQ(alone->rows.front().at(1),
+            withInterval(icc.agreementSingle.estimate, icc.agreementSingle.interval));
+  EXPECT_EQ(alone->rows.back().at(1), withInterval(icc.agreementMean.estimate, icc.agreementMean.interval));
+  EXPECT_THAT(needed->notes.front().str(), ::testing::HasSubstr("with 95 % confidence"));
   const ReportTable* rasch = tableNamed(report, "table-rasch");
   ASSERT_NE(rasch, nullptr);
   ASSERT_EQ(rasch->rows.size(), 10U);
@@ -166,7 +171,7 @@ TEST(CohortReport, OneMissingMarkExcludesNobody) {
   EXPECT_EQ(board.figures[0].series[0].y, figureNamed(report, "figure-differences")->series[0].y);
   EXPECT_THAT(board.figures[0].provenance.formula.str(), ::testing::HasSubstr("mixed model"));
   EXPECT_EQ(board.figures[0].provenance.missing, 1);
-  EXPECT_THAT(board.paragraphs[3].str(), ::testing::HasSubstr("Of 600 marks 1 is missing, so the answer"));
+  EXPECT_THAT(testing::firstPageOf(report), ::testing::HasSubstr("Of 600 marks 1 is missing, so the answer"));
 }
 
 TEST(CohortReport, ACompletelyMissingRaterIsReportedAndCostsNoAgreement) {
@@ -208,8 +213,9 @@ TEST(CohortReport, MethodsNameTheComparisonInUse) {
 
 TEST(CohortReport, LabelsTheIntervalsOfTheAnswer) {
   const ReportSection board = cohortReport(demonstrationCohort()).sections.front();
-  EXPECT_THAT(board.paragraphs[2].str(), ::testing::HasSubstr("by itself"));
-  EXPECT_THAT(board.figures[0].notes.at(0).str(), ::testing::HasSubstr("not adjusted"));
+  EXPECT_THAT(board.paragraphs[4].str(),
+              ::testing::HasSubstr("the 95 % interval and the p value of each pair after Holm"));
+  EXPECT_THAT(board.figures[0].notes.at(0).str(), ::testing::HasSubstr("adjusted for the number of pairs"));
 }
 
 TEST(CohortReport, NamesExcludedPeopleByCode) {
@@ -253,7 +259,7 @@ TEST(CohortReport, DifferentSlopesAreAnalysedSeparately) {
   ASSERT_NE(slopes, nullptr);
   EXPECT_EQ(slopes->rows.size(), 9U);  // pairs x stated scores before
   EXPECT_THAT(tableNamed(report, "table-ancova")->notes[1].str(), ::testing::HasSubstr("The slopes differ"));
-  EXPECT_THAT(report.sections.front().paragraphs[3].str(),
+  EXPECT_THAT(testing::firstPageOf(report),
               ::testing::HasSubstr("The difference depends on the score before"));
   EXPECT_EQ(csvCount(in, "separate_slopes_difference"), 9);
   EXPECT_EQ(csvCount(in, "separate_slope"), 3);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -183,6 +184,65 @@ TEST(Ancova, AgreesOnTheSyntheticTrainingStudy) {
     pair.value("p_holm", got->pairs[i].pHolm);
   }
   EXPECT_FALSE(ancova({{1, 1}, {1, 1}}, {{2, 3}, {4, 5}}));
+}
+
+// R: e <- resid(m); V <- b %*% t(X) %*% diag(e^2 / (1 - hatvalues(m))^2) %*% X %*% b with b = (X'X)^-1 of
+// lm(after ~ 0 + group + before); factors of p.adjust(p, "holm").
+TEST(Covariance, ErrorsThatAllowForUnequalSpreadAreThoseOfHc3) {
+  const Groups before{{3.1, 4.0, 3.6, 5.2, 4.4}, {3.9, 4.8, 2.7, 4.1, 5.0}, {3.3, 4.6, 4.2, 3.8, 5.1}};
+  const Groups after{{5.0, 6.4, 5.1, 9.8, 6.0}, {5.6, 5.9, 5.2, 5.7, 6.1}, {4.4, 5.2, 5.0, 4.7, 5.5}};
+  const Ancova found = ancova(before, after).value();
+  const UnequalSpread& spread = found.spread;
+  ASSERT_EQ(spread.pairs.size(), 3U);
+  const double error[] = {0.881055665483344, 0.838296109156015, 0.424700877868748};
+  const double p[] = {0.3824560739534613, 0.0754559089597971, 0.0724063730793349};
+  const double pHolm[] = {0.382456073953461, 0.217219119238005, 0.217219119238005};
+  const double lower[] = {-1.137650403875744, -0.699299803991281, -0.353820685339029};
+  const double upper[] = {2.74073048601126, 3.99008009146561, 2.04152089067784};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(spread.pairs[i].difference, found.pairs[i].difference);
+    EXPECT_NEAR(spread.pairs[i].error, error[i], 1e-12);
+    EXPECT_NEAR(spread.pairs[i].p, p[i], 1e-12);
+    EXPECT_NEAR(spread.pairs[i].pHolm, pHolm[i], 1e-12);
+    EXPECT_NEAR(spread.pairs[i].asHolm.lower, lower[i], 1e-10);
+    EXPECT_NEAR(spread.pairs[i].asHolm.upper, upper[i], 1e-10);
+  }
+  EXPECT_NEAR(spread.test->p, 0.428374520316705, 1e-12);
+  EXPECT_NEAR(spread.largest, 1.255265557227579, 1e-12);
+  EXPECT_NEAR(spread.smallest, 0.296912132798017, 1e-12);
+}
+
+TEST(Covariance, SomebodyAloneInAGroupHasNoErrorOfHc3) {
+  const Ancova found = ancova({{3.1, 4.0, 3.6}, {3.9}}, {{5.0, 6.4, 5.1}, {5.6}}).value();
+  EXPECT_TRUE(found.spread.pairs.empty());
+  EXPECT_EQ(found.pairs.size(), 1U);
+}
+
+TEST(Covariance, AnIntervalExcludesZeroExactlyWhereItsAdjustedPIsBelowFivePercent) {
+  std::uint64_t state = 7;
+  const auto draw = [&] {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<double>(state >> 11U) / 9007199254740992.0;
+  };
+  int below = 0;
+  for (int round = 0; round < 200; ++round) {
+    Groups before(4);
+    Groups after(4);
+    for (std::size_t g = 0; g < 4; ++g) {
+      for (int i = 0; i < 6; ++i) {
+        before[g].push_back(3.0 + draw());
+        after[g].push_back(5.0 + draw() + 0.25 * static_cast<double>(g));
+      }
+    }
+    const Ancova found = ancova(before, after).value();
+    for (const std::vector<AdjustedDifference>& pairs : {found.pairs, found.spread.pairs}) {
+      for (const AdjustedDifference& pair : pairs) {
+        EXPECT_EQ(pair.pHolm<0.05, pair.asHolm.lower> 0.0 || pair.asHolm.upper < 0.0) << pair.pHolm;
+        below += pair.pHolm < 0.05 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(below, 200);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The ledger of results: each number once, with what it is made of.
 #include "assessment/results/ledger.h"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -121,6 +122,40 @@ void expectEveryNumberLeadsToTheRecord(const ReportTable& table, const Ledger& l
   }
 }
 
+/// Collects the numbers that fill in a sentence, but for those in names.
+void collectNumbers(const Text& text, const ResultNames& names, std::vector<std::string>& out) {
+  const auto is = [&](const Text& name) { return name == text; };
+  if (std::any_of(names.groups.begin(), names.groups.end(), is) ||
+      std::any_of(names.occasions.begin(), names.occasions.end(), is)) {
+    return;
+  }
+  for (const Text& argument : text.arguments()) {
+    collectNumbers(argument, names, out);
+  }
+  if (text.arguments().empty() && !text.empty() &&
+      std::string("0123456789[-").find(text.str()[0]) != std::string::npos) {
+    out.push_back(text.str());
+  }
+}
+
+/// Fails where a sentence of the first page states a number of which it names no result.
+void expectSentencesNameTheirResults(const ReportSection& board, const Ledger& ledger, Follower& follower) {
+  ASSERT_EQ(board.id, "summary");
+  for (std::size_t i = 1; i < board.paragraphs.size(); ++i) {  // the question states no result
+    const ReportParagraph& sentence = board.paragraphs[i];
+    std::vector<std::string> numbers;
+    collectNumbers(sentence, ledger.names(), numbers);
+    std::erase_if(numbers, [](const std::string& number) { return number == "0.80" || number == "20"; });
+    EXPECT_GE(sentence.keys.size(), numbers.size()) << sentence;
+    for (const auto& key : sentence.keys) {
+      ASSERT_NE(key, nullptr) << sentence;
+      const Result* result = ledger.find(*key);
+      ASSERT_NE(result, nullptr) << sentence;
+      EXPECT_TRUE(follower.reachesTheRecord(*result)) << sentence;
+    }
+  }
+}
+
 /// Fails where a result, or a number of a table or figure of the report, does not lead down to the record.
 void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
   const AnalysedCohort cohort = analysedCohort(in);
@@ -128,7 +163,9 @@ void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
   for (const Result& result : cohort.ledger.every()) {
     EXPECT_TRUE(follower.reachesTheRecord(result)) << keyAddress(result.key, cohort.ledger.names());
   }
-  for (const ReportSection& section : cohortReport(in, cohort).sections) {
+  const ReportModel report = cohortReport(in, cohort);
+  expectSentencesNameTheirResults(report.sections.front(), cohort.ledger, follower);
+  for (const ReportSection& section : report.sections) {
     for (const ReportTable& table : section.tables) {
       expectEveryNumberLeadsToTheRecord(table, cohort.ledger, follower);
     }

@@ -75,22 +75,6 @@ TEST(ReportSentences, HiddenModelsAndRatersAmongTraineesAreReported) {
   EXPECT_THAT(saidBy(in), HasSubstr("1 trainee of this cohort is a rater of the models as well"));
 }
 
-// R: power.t.test(n = 10, delta = 0.8, strict = TRUE)$power 0.395; n = 5: 0.2007; detectable with 0.8:
-// power.t.test(n = 10, power = 0.8)$delta 1.3249.
-TEST(ReportSentences, ThePowerIsThatOfThePresentGroups) {
-  CohortInputs in = demonstrationCohort();
-  EXPECT_THAT(saidBy(in),
-              HasSubstr("The groups have 10, 10, 10 trainees. Two groups of 10 have a power of 0.40"));
-  EXPECT_THAT(saidBy(in), HasSubstr("detect one of 1.32"));
-  const auto fifth = [](const auto& item) { return item.number > 5 && item.group == 1; };
-  std::erase_if(in.scores, fifth);
-  EXPECT_THAT(saidBy(in), HasSubstr("10, 5, 10 trainees. Two groups of 5 have a power of 0.20"));
-  std::erase_if(in.scores, [](const TraineeScore& score) { return score.number > 1 && score.group == 1; });
-  EXPECT_THAT(saidBy(in), HasSubstr("10, 1, 10 trainees. Two groups of 10 have"));
-  std::erase_if(in.scores, [](const TraineeScore& score) { return score.number > 1 && score.group == 0; });
-  EXPECT_THAT(saidBy(in), HasSubstr("no power can be stated"));
-}
-
 TEST(ReportSentences, TheCommitmentIsDatedByTheRecord) {
   CohortInputs in = demonstrationCohort();
   in.allocation.commitment = "c0ffee";

@@ -200,6 +200,14 @@ const ReportTable* tableNamed(const ReportModel& report, const std::string& id) 
   return nullptr;
 }
 
+std::string firstPageOf(const ReportModel& report) {
+  std::string all;
+  for (const ReportParagraph& paragraph : report.sections.front().paragraphs) {
+    all += paragraph.str() + "\n";
+  }
+  return all;
+}
+
 std::string paragraphsOf(const ReportModel& report) {
   std::string all;
   for (const ReportSection& section : report.sections) {

@@ -38,6 +38,8 @@ namespace torsio::testing {
 [[nodiscard]] const ReportTable* tableNamed(const ReportModel& report, const std::string& id);
 /// Returns all paragraphs, one per line.
 [[nodiscard]] std::string paragraphsOf(const ReportModel& report);
+/// Returns the sentences of the first page, one per line.
+[[nodiscard]] std::string firstPageOf(const ReportModel& report);
 /// Returns the number of rows with this statistic in the table of numbers.
 [[nodiscard]] std::int64_t csvCount(const CohortInputs& in, const std::string& statistic);
 

@@ -346,8 +346,8 @@ void FigureCard::fillTable(const ReportTable& table) {
   table_->setRows(std::move(rows));
 }
 
-void FigureCard::showNotes(const std::vector<Text>& notes, const Provenance& provenance) {
-  std::vector<Text> lines = notes;
+void FigureCard::showNotes(const std::vector<ReportParagraph>& notes, const Provenance& provenance) {
+  std::vector<Text> lines(notes.begin(), notes.end());
   if (const Text from = provenanceLine(provenance); !from.empty()) {
     lines.push_back(from);
   }

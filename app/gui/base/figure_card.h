@@ -74,7 +74,7 @@ class FigureCard : public QFrame {
 
  private:
   void fillTable(const ReportTable& table);
-  void showNotes(const std::vector<Text>& notes, const Provenance& provenance);
+  void showNotes(const std::vector<ReportParagraph>& notes, const Provenance& provenance);
   void showTexts();
   void copy();
   void retranslate();

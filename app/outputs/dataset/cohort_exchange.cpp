@@ -95,7 +95,7 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
   const auto methods = std::find_if(report.sections.begin(), report.sections.end(),
                                     [](const auto& section) { return section.id == "methods"; });
   if (methods != report.sections.end()) {
-    contents.methods = methods->paragraphs;
+    contents.methods.assign(methods->paragraphs.begin(), methods->paragraphs.end());
   }
   return contents;
 }

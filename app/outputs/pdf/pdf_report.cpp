@@ -194,7 +194,7 @@ class Composer {
     addNotes(table.notes, table.provenance);
   }
 
-  [[nodiscard]] double notesHeight_mm(const std::vector<Text>& notes, const Provenance& from) const {
+  [[nodiscard]] double notesHeight_mm(const std::vector<ReportParagraph>& notes, const Provenance& from) const {
     double height_mm = 1.0;
     for (const Text& note : notes) {
       height_mm += flow_.textHeight_mm(say_(note), kNote_pt);
@@ -203,7 +203,7 @@ class Composer {
     return line.empty() ? height_mm : height_mm + flow_.textHeight_mm(say_(line), kNote_pt);
   }
 
-  void addNotes(const std::vector<Text>& notes, const Provenance& from) {
+  void addNotes(const std::vector<ReportParagraph>& notes, const Provenance& from) {
     const Text line = provenanceLine(from);
     const double last_mm = line.empty() ? 0.0 : flow_.textHeight_mm(say_(line), kNote_pt);
     for (const Text& note : notes) {  // keep the last line from being alone on a page

@@ -278,7 +278,8 @@ ReportModel comparisonReport(const ComparisonResult& result, const std::string& 
   speed.figures = {timeFigure(result)};
   speed.tables = {timeTable(result)};
   ReportSection accuracy{"accuracy", Text::tr("Accuracy")};
-  accuracy.paragraphs = comparisonOrder(result);
+  const std::vector<Text> order = comparisonOrder(result);
+  accuracy.paragraphs.assign(order.begin(), order.end());
   accuracy.tables = {accuracyTable(result), meshTable(result)};
   if (!result.markers.empty()) {
     accuracy.figures = {markerFigure(result), courseFigure(result)};
@@ -286,7 +287,8 @@ ReportModel comparisonReport(const ComparisonResult& result, const std::string& 
   ReportSection pictures{"pictures", Text::tr("Pictures")};
   pictures.figures = comparedPictures(result);
   ReportSection honesty{"limits", Text::tr("What these figures do not say")};
-  honesty.paragraphs = comparisonLimits();
+  const std::vector<Text> limits = comparisonLimits();
+  honesty.paragraphs.assign(limits.begin(), limits.end());
   for (const OrganWarning& warning : result.organWarnings) {
     honesty.paragraphs.push_back(Text::tr("The organ was accepted with a warning: %1.", coded(warning)));
   }

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands against the answer on the first page, or limits it.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "assessment/results/analysis_tables.h"
+#include "assessment/results/report_labels.h"
+#include "assessment/results/report_sections.h"
+#include "assessment/results/study_analysis.h"
+#include "sim/core/text.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kPointDecimals = 1;
+constexpr double kManyWithdrew = 0.2;
+
+/// Adds whether the answer is not that of a planned analysis of covariance, and why.
+void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger,
+               std::vector<ReportParagraph>& out) {
+  if (!in.hasAnalysisPlan() && study.primaryMethod() != PrimaryMethod::kNone) {
+    out.emplace_back(Text(Text::tr(
+        "No plan of the analysis is in the record: nothing shows that it was chosen before the data were "
+        "seen.")));
+  }
+  if (study.mixed && study.endMissing == 0) {
+    out.emplace_back(Text(
+        Text::tr("Not every trainee was marked by the same raters at the end, so the answer is that of the "
+                 "linear mixed model, which allows for it; the analysis of covariance is shown beside it.")));
+  } else if (study.mixed) {
+    const ResultsAt at(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+    const ReportCell missing = at("marks_missing");
+    const ReportCell all = at("marks_missing", kValues);
+    out.push_back(
+        {Text::tr("Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which "
+                  "uses every mark that was given; the analysis of covariance is shown beside it.",
+                  missing.words(), all.words()),
+         {missing, all}});
+  }
+  if (study.spreadsDiffer()) {
+    const ResultsAt at(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+    const ReportCell least = at("smallest_spread", fixed(kPointDecimals));
+    const ReportCell most = at("largest_spread", fixed(kPointDecimals));
+    const ReportCell p = at("equal_spread_p", kAsP);
+    const Text spread = Text::tr(
+        "The scores of the groups spread differently about the comparison (standard deviations from %1 to %2 "
+        "points, test of equal spread: %3)",
+        least.words(), most.words(), equalsP(study.ancova->spread.test->p));
+    out.push_back(
+        {study.primaryMethod() == PrimaryMethod::kRobust
+             ? Text::tr("%1, so the answer uses standard errors that allow for it (HC3).", spread)
+         : study.mixed
+             ? Text::tr("%1, which the linear mixed model does not allow for.", spread)
+             : Text::tr("%1, which the answer does not allow for: somebody is alone in a group.", spread),
+         {least, most, p}});
+  }
+  if (study.slopes) {
+    const ResultsAt at(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+    out.push_back(
+        {Text::tr(
+             "The difference depends on the score before (test of equal slopes: %1): read the table with "
+             "a slope for each group.",
+             equalsP(study.ancova->equalSlopes->p)),
+         {at("ancova_equal_slopes_p")}});
+  }
+}
+
+/// Names the groups whose scores before are unlike.
+std::optional<ReportParagraph> unlikeBefore(const CohortInputs& in, const Ledger& ledger) {
+  std::vector<Text> pairs;
+  std::vector<std::shared_ptr<const ResultKey>> keys;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    for (std::size_t h = g + 1; h < in.groups.size(); ++h) {
+      const ResultsAt at = resultsOfPair(in, ledger, g, h);
+      const std::optional<double> by = at.number("difference_before_in_sd");
+      if (by && std::abs(*by) >= kUnlikeBefore_sd) {
+        const ReportCell cell = at("difference_before_in_sd", fixed(1));
+        pairs.push_back(Text::verbatim("%1: %2", pairName(in, g, h), cell.words()));
+        keys.push_back(cell.key);
+      }
+    }
+  }
+  if (pairs.empty()) {
+    return std::nullopt;
+  }
+  ReportParagraph out = Text::tr(
+      "The groups were unlike before the training, in standard deviations: %1. The answer is adjusted for it "
+      "as far as a straight line can.",
+      listed(pairs, Text::tr("%1; %2")));
+  out.keys = std::move(keys);
+  return out;
+}
+
+/// Names trainees who have the same marks throughout.
+std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study) {
+  std::map<std::vector<std::optional<double>>, std::vector<Text>> alike;
+  for (std::size_t i = 0; i < study.trainees.size(); ++i) {
+    std::vector<std::optional<double>> all;
+    std::set<double> different;
+    for (const OccasionMarks& occasion : study.occasions) {
+      for (const std::optional<double>& mark : occasion.marks[i]) {
+        all.push_back(mark);
+        if (mark) {
+          different.insert(*mark);
+        }
+      }
+    }
+    if (different.size() > 2) {  // constant marks are alike without being the same person
+      alike[std::move(all)].emplace_back(study.trainees[i]);
+    }
+  }
+  std::vector<Text> pairs;
+  std::size_t people = 0;
+  for (const auto& [marks, codes] : alike) {
+    if (codes.size() > 1) {
+      pairs.push_back(listed(codes, Text::tr("%1 and %2")));
+      people += codes.size();
+    }
+  }
+  if (pairs.empty()) {
+    return std::nullopt;
+  }
+  return Text::tr(
+      "%1 have the same mark from every rater at every occasion: check whether somebody was entered twice.",
+      in.identity == ReportIdentity::kAggregated ? Text::tr("%1 trainees", people)
+                                                 : listed(pairs, Text::tr("%1; %2")));
+}
+
+/// Adds how many withdrew if they are many.
+void addWithdrawn(const Ledger& ledger, std::vector<ReportParagraph>& out) {
+  const ResultsAt people(ledger, {.section = ResultSection::kParticipants});
+  const double everybody = people.number("trainees").value_or(0.0);
+  const double withdrew = people.number("withdrew").value_or(0.0);
+  const ReportCell gone = people("withdrew");
+  const ReportCell all = people("trainees");
+  if (withdrew == 0.0) {
+    return;
+  }
+  if (withdrew == everybody) {
+    out.push_back({Text(Text::tr("Everybody withdrew. The answer rests on marks that were given before that: "
+                                 "ask whether it may be used.")),
+                   {gone, all}});
+  } else if (withdrew >= kManyWithdrew * everybody) {
+    out.push_back({Text::tr("%1 of %2 trainees withdrew: the answer may hold only for people like those who "
+                            "stayed.",
+                            gone.words(), all.words()),
+                   {gone, all}});
+  }
+}
+
+/// Adds what the data lack.
+void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger,
+             std::vector<ReportParagraph>& out) {
+  if (in.freeze && !in.freeze->unchanged) {
+    out.emplace_back(
+        Text::tr("The record has changed since it was frozen as \"%1\": these results are computed from the "
+                 "record as it is now, not from the frozen data.",
+                 in.freeze->name));
+  }
+  addWithdrawn(ledger, out);
+  const bool compared = study.primaryMethod() != PrimaryMethod::kNone;
+  if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
+    out.emplace_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
+  }
+  std::vector<Text> single;
+  for (std::size_t g = 0; g < study.ends.after.size(); ++g) {
+    if (study.ends.after[g].size() == 1 && compared) {
+      single.push_back(in.groups[g].name);
+    }
+  }
+  if (!single.empty()) {
+    out.emplace_back(
+        Text::tr("A single trainee has a score at both occasions in: %1. Its differences rest on one person; "
+                 "how much trainees of a group vary is taken from the other groups.",
+                 listed(single)));
+  }
+  if (std::optional<ReportParagraph> unlike = unlikeBefore(in, ledger)) {
+    out.push_back(std::move(*unlike));
+  }
+  if (std::optional<Text> same = sameMarks(in, study)) {
+    out.emplace_back(std::move(*same));
+  }
+  const ResultsAt at(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+  if (at.number("pairs_left_open").value_or(0.0) > 0.0 && compared) {
+    const ReportCell open = at("pairs_left_open");
+    const ReportCell pairs = at("pairs_left_open", kValues);
+    out.push_back({Text::tr("The missing marks could, at worst, leave open which group is better in %1 of %2 "
+                            "{comparison|comparisons}.",
+                            open.words(), pairs.words()),
+                   {open, pairs}});
+  }
+}
+
+}  // namespace
+
+std::vector<ReportParagraph> reservations(const CohortInputs& in, const StudyAnalysis& study,
+                                          const Ledger& ledger) {
+  std::vector<ReportParagraph> out;
+  addData(in, study, ledger, out);
+  addMethod(in, study, ledger, out);
+  return out;
+}
+
+}  // namespace torsio

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the first page must and must not say of cohorts that something is wrong with.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assessment/results/cohort_report.h"
+#include "assessment/results/received_training.h"
+#include "assessment/results/study_analysis.h"
+#include "tests/support/demonstration_cohort.h"
+
+namespace torsio {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::losing;
+using testing::marking;
+using ::testing::Not;
+using testing::scored;
+
+/// A cohort as it should be: drawn, trained as planned, with a plan of the analysis.
+CohortInputs sound() {
+  CohortInputs in = testing::demonstrationCohort();
+  in.demonstration = false;
+  in.simulated.clear();
+  in.allocation.method = Text::verbatim("complete permutation");
+  in.allocation.replayed = true;
+  in.equivalenceMargin = 0.5;
+  const double planned[3][2] = {{40.0, 0.0}, {20.0, 20.0}, {0.0, 40.0}};
+  for (std::size_t g = 0; g < 3; ++g) {
+    in.groups[g].plannedVirtual_min = planned[g][0];
+    in.groups[g].plannedReal_min = planned[g][1];
+  }
+  for (const CohortTrainee& trainee : in.trainees) {
+    in.doses.push_back({trainee.code, planned[trainee.group][0], planned[trainee.group][1], 0.0});
+  }
+  return in;
+}
+
+using Change = std::function<void(CohortInputs&)>;
+
+CohortInputs with(const Change& change) {
+  CohortInputs in = sound();
+  change(in);
+  return in;
+}
+
+CohortInputs withMarks(const std::function<void(TrainingMark&)>& change) {
+  return with([&](CohortInputs& in) {
+    for (TrainingMark& mark : in.trainingMarks) {
+      change(mark);
+    }
+    in = scored(std::move(in));
+  });
+}
+
+CohortInputs without(const std::function<bool(const TrainingMark&)>& lost) {
+  return with([&](CohortInputs& in) {
+    std::erase_if(in.trainingMarks, lost);
+    in = scored(std::move(in));
+  });
+}
+
+Change doses(std::size_t group, double virtual_min, double real_min) {
+  return [=](CohortInputs& in) {
+    for (std::size_t i = 0; i < in.trainees.size(); ++i) {
+      if (in.trainees[i].group == group) {
+        in.doses[i].virtual_min = virtual_min;
+        in.doses[i].real_min = real_min;
+      }
+    }
+  };
+}
+
+std::string page(const CohortInputs& in) {
+  return testing::firstPageOf(cohortReport(in));
+}
+
+struct Strange {
+  std::string name;
+  CohortInputs cohort;
+  std::vector<std::string> says{};
+  std::vector<std::string> neverSays{};
+};
+
+constexpr const char* kDrawn = "Groups: drawn at random (complete permutation).";
+constexpr const char* kNeedNot = "a difference need not be an effect of the training";
+constexpr const char* kAsPlanned = "Training: all 30 trainees received what was planned for their group";
+constexpr const char* kToTreat = "compared in the group to which they were allocated (intention to treat)";
+constexpr const char* kNoPlan = "No plan of the analysis is in the record";
+
+std::vector<Strange> allocations() {
+  return {
+      {"sound", sound(), {kDrawn, kAsPlanned}, {kNeedNot, kNoPlan, "withdrew:", "unlike before", "HC3"}},
+      {"allocation not recorded",
+       with([](CohortInputs& in) { in.allocation = {}; }),
+       {"how trainees came into them is not in the record", kNeedNot},
+       {"Groups: drawn"}},
+      {"moved by hand",
+       with([](CohortInputs& in) { in.allocation.movedByHand = 2; }),
+       {"2 trainees were moved by hand after the draw", kNeedNot},
+       {kDrawn}},
+      {"one moved by hand",
+       with([](CohortInputs& in) { in.allocation.movedByHand = 1; }),
+       {"1 trainee was moved by hand after the draw"}},
+      {"the draw cannot be repeated",
+       with([](CohortInputs& in) { in.allocation.replayDiffers = true; }),
+       {"could not be repeated from its seed", kNeedNot},
+       {kDrawn}},
+      {"no plan of the analysis",
+       with([](CohortInputs& in) { in.equivalenceMargin.reset(); }),
+       {kNoPlan},
+       {"Planned and used"}},
+      {"unlike before",
+       withMarks([](TrainingMark& mark) { mark.steps += mark.group == 1 && mark.occasion == 0 ? 30 : 0; }),
+       {"The groups were unlike before the training, in standard deviations: Group 1 - Group 2: -"},
+       {"Group 1 - Group 3: 0.0;"}}};
+}
+
+std::vector<Strange> trainings() {
+  return {{"nobody trained, nothing noted",
+           with([](CohortInputs& in) { in.doses.clear(); }),
+           {"no training time is in the record", "Nothing shows that the groups trained as they are named"},
+           {kAsPlanned, kToTreat}},
+          {"nobody trained",
+           with([](CohortInputs& in) {
+             for (CohortDose& dose : in.doses) {
+               dose.virtual_min = dose.real_min = 0.0;
+             }
+           }),
+           {"30 of 30 trainees did not receive what was planned", "no training: 30", kToTreat,
+            "cannot be compared by themselves"},
+           {kAsPlanned}},
+          {"times without a plan",
+           with([](CohortInputs& in) { in.groups[1].plannedReal_min.reset(); }),
+           {"no plan for every group to compare them with"},
+           {kAsPlanned}},
+          {"group 1 trained on the real arm",
+           with(doses(0, 0.0, 40.0)),
+           {"10 of 30 trainees did not receive", "training that was not planned for the group: 10", kToTreat,
+            "Without them (per protocol), in points with 95 % intervals after Holm: Group 2 - Group 3: "},
+           {kAsPlanned}},
+          {"group 3 trained two of forty minutes",
+           with(doses(2, 0.0, 2.0)),
+           {"10 of 30 trainees did not receive", "too little training: 10", kToTreat},
+           {kAsPlanned}},
+          {"group 1 trained twice as long",
+           with(doses(0, 80.0, 0.0)),
+           {"too much training: 10", kToTreat},
+           {kAsPlanned}},
+          {"one untrained",
+           with([](CohortInputs& in) { in.doses.erase(in.doses.begin()); }),
+           {"1 of 30 trainees did not receive what was planned", "no training: 1",
+            "Without them (per protocol), in points with 95 % intervals after Holm: Group 1 - Group 2: "},
+           {kAsPlanned}},
+          {"a minute short", with(doses(0, 39.0, 0.0)), {kAsPlanned}, {kToTreat}},
+          {"a look at the arm", with(doses(0, 40.0, 0.5)), {kAsPlanned}, {kToTreat}}};
+}
+
+std::vector<Strange> people() {
+  return {{"all withdrew",
+           with([](CohortInputs& in) {
+             for (CohortTrainee& trainee : in.trainees) {
+               trainee.withdrew = true;
+             }
+           }),
+           {"Everybody withdrew", "30 of them withdrew"}},
+          {"a third withdrew",
+           with([](CohortInputs& in) {
+             for (std::size_t i = 0; i < 10; ++i) {
+               in.trainees[i].withdrew = true;
+             }
+           }),
+           {"10 of 30 trainees withdrew: the answer may hold only for people like those who stayed"},
+           {"Everybody withdrew"}},
+          {"one withdrew",
+           with([](CohortInputs& in) { in.trainees[0].withdrew = true; }),
+           {"1 of them withdrew"},
+           {"may hold only"}},
+          {"entered twice",
+           with([](CohortInputs& in) {
+             std::map<std::pair<std::string, std::size_t>, std::int64_t> first;
+             for (const TrainingMark& mark : in.trainingMarks) {
+               if (mark.trainee == "x101") {
+                 first[{mark.rater, mark.occasion}] = mark.steps;
+               }
+             }
+             for (TrainingMark& mark : in.trainingMarks) {
+               if (mark.trainee == "z110") {
+                 mark.steps = first.at({mark.rater, mark.occasion});
+               }
+             }
+             in = scored(std::move(in));
+           }),
+           {"x101 and z110 have the same mark from every rater at every occasion: check whether somebody was "
+            "entered "
+            "twice."}},
+          {"everything equal",
+           withMarks([](TrainingMark& mark) { mark.steps = 70; }),
+           {"Answer: none"},
+           {"entered twice", "Answer, adjusted"}},
+          {"a group of one",
+           without([](const TrainingMark& mark) { return mark.group == 0 && mark.trainee != "x103"; }),
+           {"A single trainee has a score at both occasions in: Group 1"}},
+          {"an arm drops out",
+           without([](const TrainingMark& mark) { return mark.group == 2 && mark.occasion > 0; }),
+           {"Group 3 (n = 0)"},
+           {"Group 1 - Group 3"}},
+          {"one group only",
+           without([](const TrainingMark& mark) { return mark.group > 0; }),
+           {"Answer: none"},
+           {"Answer, adjusted"}},
+          {"changed after the freeze",
+           with([](CohortInputs& in) {
+             in.freeze = CohortFreeze{"final", "b", 1, "admin", false};
+           }),
+           {"has changed since it was frozen as \"final\""}},
+          {"as frozen",
+           with([](CohortInputs& in) {
+             in.freeze = CohortFreeze{"final", "b", 1, "admin", true};
+           }),
+           {},
+           {"has changed since"}}};
+}
+
+std::vector<Strange> marks() {
+  return {{"a rater is absent at the end",
+           without([](const TrainingMark& mark) { return mark.rater == "R104" && mark.occasion == 2; }),
+           {"Answer, adjusted"}},
+          {"one arm rated by one rater",
+           without([](const TrainingMark& mark) { return mark.group == 0 && mark.rater != "R101"; }),
+           {"linear mixed model"}},
+          {"a mark is missing",
+           without([](const TrainingMark& mark) {
+             return mark.rater == "R104" && mark.occasion == 2 && mark.trainee == "x101";
+           }),
+           {"Of 600 marks 1 is missing, so the answer is that of the linear mixed model"}},
+          {"spreads differ",
+           withMarks([](TrainingMark& mark) {
+             const std::int64_t person = (mark.trainee.back() - '0') % 10;
+             const std::int64_t noise = mark.rater.back() % 2;
+             mark.steps = mark.occasion == 0 ? 40 + 2 * person + noise
+                          : mark.group == 0  ? (person % 2 == 0 ? 95 : 15) + noise
+                                             : 60 + person + noise;
+           }),
+           {"spread differently about the comparison",
+            "so the answer uses standard errors that allow for it "
+            "(HC3)"}},
+          {"slopes differ",
+           withMarks([](TrainingMark& mark) {
+             const std::int64_t person = mark.trainee.back() - '0';
+             mark.steps = mark.occasion == 0 ? 20 + 6 * person + (mark.rater.back() - '0')
+                          : mark.group == 0
+                              ? 90 - 7 * person + (mark.rater.back() - '0')
+                              : 30 + 6 * person + (mark.rater.back() - '0') + person * person % 4;
+           }),
+           {"The difference depends on the score before"}}};
+}
+
+void expectSaid(const std::vector<Strange>& cohorts) {
+  for (const Strange& strange : cohorts) {
+    const std::string said = page(strange.cohort);
+    for (const std::string& sentence : strange.says) {
+      EXPECT_THAT(said, HasSubstr(sentence)) << strange.name;
+    }
+    for (const std::string& sentence : strange.neverSays) {
+      EXPECT_THAT(said, Not(HasSubstr(sentence))) << strange.name;
+    }
+    testing::expectWellSaid(strange.cohort);
+  }
+}
+
+TEST(FirstPage, SaysHowTheGroupsWereMadeAndWhetherTheyWereAlike) {
+  expectSaid(allocations());
+}
+
+TEST(FirstPage, SaysWhichTrainingWasPlannedAndWhichWasReceived) {
+  expectSaid(trainings());
+}
+
+TEST(FirstPage, SaysWhoIsMissingOrThereTwice) {
+  expectSaid(people());
+}
+
+TEST(FirstPage, SaysWhatIsWrongWithTheMarks) {
+  expectSaid(marks());
+}
+
+TEST(FirstPage, APageWithoutNamesNamesNobody) {
+  for (const std::vector<Strange>& cohorts : {trainings(), people(), marks()}) {
+    for (const Strange& strange : cohorts) {
+      CohortInputs in = strange.cohort;
+      in.identity = ReportIdentity::kAggregated;
+      const std::string said = page(in);
+      for (const CohortTrainee& trainee : in.trainees) {
+        EXPECT_THAT(said, Not(HasSubstr(trainee.code))) << strange.name;
+      }
+    }
+  }
+}
+
+TEST(ReceivedTraining, NothingNotedIsNoTraining) {
+  CohortInputs in = sound();
+  in.doses.erase(in.doses.begin());
+  const std::vector<ReceivedTraining> found = receivedTraining(in);
+  ASSERT_EQ(found.size(), 30U);
+  EXPECT_EQ(found[0].received, Received::kNothing);
+  EXPECT_EQ(found[1].received, Received::kAsPlanned);
+}
+
+}  // namespace
+}  // namespace torsio
