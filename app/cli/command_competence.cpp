@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +16,11 @@
 #include "app/services/recording/competence.h"
 #include "app/services/recording/competence_service.h"
 #include "assessment/attempt/competence.h"
+#include "assessment/attempt/competence_simulation.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
 
 namespace torsio::cli {
 
@@ -37,12 +44,22 @@ Json designJson(const CompetenceDesign& design) {
   json["adequate"] = design.adequate;
   json["inadequate"] = design.inadequate;
   json["attempts"] = design.attempts;
+  json["session_correlation"] = design.sessionCorrelation;
+  json["lag_correlation"] = design.lagCorrelation;
+  json["runs_per_session"] = design.runsPerSession;
+  json["dependence_runs"] = design.dependenceRuns;
   json["limit"] = design.limit;
   const CompetenceErrors errors = competenceErrors(design, design.attempts);
   json["false_pass"] = errors.falsePass;
   json["false_fail"] = errors.falseFail;
   json["false_alarm"] = errors.falseAlarm;
   json["fewest_attempts"] = fewestForAble(design);
+  const CompetenceOdds odds = competenceOdds(design, design.attempts);
+  json["declared_if_failing"] = Json::array();
+  for (std::size_t i = 0; i < kStatedFailureRates.size(); ++i) {
+    json["declared_if_failing"].push_back(
+        {{"failure_rate", kStatedFailureRates[i]}, {"declared", odds.declared[i]}});
+  }
   return json;
 }
 
@@ -103,14 +120,9 @@ void enrolDesign(const CompetenceArguments& arguments) {
 }
 
 void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
-  CompetenceDesign& design = arguments->design;
-  addDefaulted(command, "--adequate", design.adequate, "Failure rate of a trainee who is competent");
-  addDefaulted(command, "--inadequate", design.inadequate, "Failure rate of a trainee who is not competent");
-  addDefaulted(command, "--attempts", design.attempts, "Number of attempts for which the error rates hold");
-  addDefaulted(command, "--false-pass", design.falsePassMost,
-               "Largest share of inadequate trainees that pass");
-  addDefaulted(command, "--false-fail", design.falseFailMost,
-               "Largest share of adequate trainees that do not pass");
+  addDesignOptions(command, arguments->design);
+  addDefaulted(command, "--attempts", arguments->design.attempts,
+               "Number of runs for which the error rates hold");
   command.add_option("--tolerance", arguments->tolerance_deg,
                      "Tolerance in degrees; default: the exercise's");
 }
@@ -119,6 +131,99 @@ void addDesk(CLI::App& command, const std::shared_ptr<CompetenceArguments>& argu
   addDatabaseArgument(command, "--database", arguments->database, "SQLite file or postgresql://... address")
       ->capture_default_str();
   addSignIn(command, arguments->maintenance, "--login")->required();
+}
+
+struct SimulateArguments {
+  std::int64_t trainees = 2'000;
+  std::uint64_t seed = 1;
+  std::string designFile;
+  bool json = false;
+};
+
+/// Reads a design as `plan` and `show` print it; what is missing is taken from the shipped one.
+CompetenceDesign designFrom(const std::string& file) {
+  const auto refused = [&file](const std::string& what) {
+    throw Error(ErrorCode::kBadData, what, file,
+                Text::verbatim("Give a file with the output of \"torsio competence plan\""));
+  };
+  const std::string text = readFile(file);
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) {
+    refused("this is not a JSON object");
+  }
+  CompetenceDesign design;
+  const auto take = [&](const char* key, auto& value) {
+    if (const auto found = json.find(key); found != json.end()) {
+      if (!found->is_number()) {
+        refused(std::string(key) + " is not a number");
+      }
+      found->get_to(value);
+    }
+  };
+  take("adequate", design.adequate);
+  take("inadequate", design.inadequate);
+  take("attempts", design.attempts);
+  take("limit", design.limit);
+  requireSoundNumbers(design);
+  if (!(design.limit > 0.0)) {
+    refused("the limit is not above 0");
+  }
+  return design;
+}
+
+Json shareJson(const SimulatedShare& share) {
+  return {{"failure_rate", share.failureRate}, {"declared", share.declared}, {"printed", share.printed}};
+}
+
+void simulate(const SimulateArguments& arguments) {
+  const bool own = !arguments.designFile.empty();
+  const std::vector<CompetenceScenario> scenarios = simulateCompetence(
+      own ? designFrom(arguments.designFile) : CompetenceDesign{}, arguments.trainees, arguments.seed, own);
+  if (!arguments.json) {
+    std::cout << "Declared competent within the planned runs, simulated (as printed), per cent\n";
+    for (const CompetenceScenario& scenario : scenarios) {
+      const auto shown = [](const SimulatedShare& share) {
+        return formatFixed(100.0 * share.declared, 1) + " (" + formatFixed(100.0 * share.printed, 1) +
+               ") of those who fail " + formatFixed(100.0 * share.failureRate, 0) + " %";
+      };
+      std::cout << scenario.name << ": " << shown(scenario.inadequate) << ", " << shown(scenario.adequate)
+                << "; " << scenario.description << "\n";
+    }
+    return;
+  }
+  Json out{{"trainees", arguments.trainees}, {"seed", arguments.seed}, {"scenarios", Json::array()}};
+  for (const CompetenceScenario& scenario : scenarios) {
+    Json json{{"name", scenario.name}, {"description", scenario.description}};
+    json["failure_rate"] = scenario.inadequate.failureRate;
+    json["declared"] = scenario.inadequate.declared;
+    json["printed"] = scenario.inadequate.printed;
+    json["adequate"] = shareJson(scenario.adequate);
+    json["session_correlation"] = scenario.design.sessionCorrelation;
+    json["lag_correlation"] = scenario.design.lagCorrelation;
+    json["runs_per_session"] = scenario.design.runsPerSession;
+    json["dependence_runs"] = scenario.design.dependenceRuns;
+    json["attempts"] = scenario.design.attempts;
+    json["limit"] = scenario.design.limit;
+    json["fewest_attempts"] = fewestForAble(scenario.design);
+    out["scenarios"].push_back(std::move(json));
+  }
+  printJson(out);
+}
+
+void addSimulate(CLI::App& competence) {
+  auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* command = competence.add_subcommand(
+      "simulate", "Simulates the rule on trainees whose runs depend on each other, beside the printed rates");
+  addDefaulted(*command, "--trainees", arguments->trainees,
+               "Simulated trainees of each failure rate and scenario",
+               CLI::Range(std::int64_t{1}, kMaxSimulatedTrainees));
+  addDefaulted(*command, "--seed", arguments->seed, "Seed of the random numbers");
+  command->add_option(
+      "--design", arguments->designFile,
+      "File with a design as plan prints it, whose limit is kept; default: the shipped design, "
+      "its limit chosen anew for each scenario, as registering does");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->callback([arguments] { simulate(*arguments); });
 }
 
 }  // namespace
@@ -136,6 +241,8 @@ void addCompetence(CLI::App& program) {
   command = competence->add_subcommand("show", "Prints the designs of all exercises of a record");
   addDesk(*command, arguments);
   command->callback([arguments] { show(*arguments); });
+
+  addSimulate(*competence);
 
   command =
       competence->add_subcommand("register", "Registers a design for an exercise; it cannot be changed");

@@ -14,6 +14,7 @@
 #include "app/cli/options.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/base/name_places.h"
+#include "assessment/attempt/competence.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/cusum.h"
 #include "assessment/statistics/descriptive.h"
@@ -28,12 +29,8 @@ using Json = nlohmann::ordered_json;
 
 struct LearningArguments {
   std::string file;
-  double adequate = 0.1;
-  double inadequate = 0.2;
-  double falsePass = 0.1;
+  CompetenceDesign design;  ///< as in torsio competence
   std::optional<double> limit;
-  double alpha = 0.1;
-  double beta = 0.1;
   std::optional<double> target;
   std::optional<double> sigma;
   double h = 5.0;
@@ -187,8 +184,8 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
       const auto byChance = [&](double failureRate) {
         return proficientProbability(1.0 - failureRate, y.size(), arguments.consecutive, arguments.further);
       };
-      entry["proficient_if_adequate"] = byChance(arguments.adequate);
-      entry["proficient_if_inadequate"] = byChance(arguments.inadequate);
+      entry["proficient_if_adequate"] = byChance(arguments.design.adequate);
+      entry["proficient_if_inadequate"] = byChance(arguments.design.inadequate);
     }
     list.push_back(std::move(entry));
   }
@@ -214,8 +211,8 @@ Json outcomeSubjectJson(const LearningArguments& arguments, const LcCusumDesign&
                         const std::string& name, const std::vector<bool>& failed) {
   Json entry{{"subject", name}, {"attempts", failed.size()}};
   entry["failures"] = std::count(failed.begin(), failed.end(), true);
-  const BinaryCusum cusum =
-      binaryCusum(failed, arguments.adequate, arguments.inadequate, arguments.alpha, arguments.beta);
+  const BinaryCusum cusum = binaryCusum(failed, arguments.design.adequate, arguments.design.inadequate,
+                                        arguments.design.falsePassMost, arguments.design.falseFailMost);
   entry["cusum"] = {{"s", cusum.s}, {"h0", cusum.h0}, {"h1", cusum.h1}, {"sums", cusum.sums}};
   const LcCusum learning = lcCusum(failed, design);
   Json lc{{"success_weight", learning.successWeight},
@@ -246,21 +243,23 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
     failed.push_back(outcomesOf(table, subject));
     longest = std::max(longest, failed.back().size());
   }
+  LcCusumDesign design = cusumOf(arguments.design);
   const std::optional<double> limit =
-      arguments.limit
-          ? arguments.limit
-          : chooseLcCusumLimit(arguments.adequate, arguments.inadequate, longest, arguments.falsePass);
+      arguments.limit ? arguments.limit : chooseLcCusumLimit(design, longest, arguments.design.falsePassMost);
   if (!limit) {
-    refuse("no limit keeps the false pass rate below " + std::to_string(arguments.falsePass) +
+    refuse("no limit keeps the false pass rate below " + std::to_string(arguments.design.falsePassMost) +
                " in so few attempts",
            table.name(), Text::verbatim("Record more attempts, or give --limit or a larger --false-pass"));
   }
-  const LcCusumDesign design{arguments.adequate, arguments.inadequate, *limit};
+  design.limit = *limit;
   Json out{{"kind", "pass/fail"}};
   out["design"] = {{"adequate", design.adequate},
                    {"inadequate", design.inadequate},
                    {"limit", design.limit},
                    {"limit_chosen", !arguments.limit.has_value()},
+                   {"session_correlation", design.dependence.session},
+                   {"lag_correlation", design.dependence.lag},
+                   {"runs_per_session", design.dependence.perSession},
                    {"attempts", longest},
                    {"pass_if_adequate", lcCusumProbability(design, design.adequate, longest)},
                    {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)},
@@ -275,11 +274,7 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
 }
 
 void runLearning(const LearningArguments& arguments) {
-  if (!(arguments.adequate < arguments.inadequate)) {
-    refuseParameter(Text::verbatim("the adequate failure rate must be below the inadequate one"),
-                    "--adequate " + std::to_string(arguments.adequate),
-                    Text::verbatim("Give for example 0.1 and 0.2"));
-  }
+  requireSoundNumbers(arguments.design);
   if (arguments.target.has_value() != arguments.sigma.has_value()) {
     refuseUsage("a CUSUM of values needs both --target and --sigma", "learning", "Give both or none");
   }
@@ -309,15 +304,9 @@ void addLearning(CLI::App& program) {
       program.add_subcommand("learning", "Learning curves of values; CUSUM and LC-CUSUM of pass and fail");
   command->add_option("FILE", arguments->file, "CSV: subject,attempt,value with numbers or pass and fail")
       ->required();
-  const auto rate = CLI::Range(0.001, 0.999);
-  addDefaulted(*command, "--adequate", arguments->adequate, "Acceptable failure rate", rate);
-  addDefaulted(*command, "--inadequate", arguments->inadequate, "Unacceptable failure rate", rate);
-  addDefaulted(*command, "--false-pass", arguments->falsePass,
-               "How often an inadequate trainee may pass; decides the limit", rate);
+  addDesignOptions(*command, arguments->design);
   command->add_option("--limit", arguments->limit, "Limit h of the LC-CUSUM instead of the chosen one")
       ->check(CLI::Range(0.01, 100.0));
-  addDefaulted(*command, "--alpha", arguments->alpha, "Error rate of the success-failure CUSUM", rate);
-  addDefaulted(*command, "--beta", arguments->beta, "Error rate of the success-failure CUSUM", rate);
   command->add_option("--target", arguments->target, "Values: target of a tabular CUSUM");
   command->add_option("--sigma", arguments->sigma, "Values: standard deviation in control")
       ->check(CLI::PositiveNumber);

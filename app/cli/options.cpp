@@ -220,6 +220,20 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments) {
                      "Shear strain at which the torque has doubled against the linear law");
 }
 
+void addDesignOptions(CLI::App& command, CompetenceDesign& design) {
+  addDefaulted(command, "--adequate", design.adequate, "Failure rate of a trainee who is competent");
+  addDefaulted(command, "--inadequate", design.inadequate, "Failure rate of a trainee who is not competent");
+  addDefaulted(command, "--false-pass", design.falsePassMost,
+               "Largest share of inadequate trainees that pass");
+  addDefaulted(command, "--false-fail", design.falseFailMost,
+               "Largest share of adequate trainees that do not pass");
+  addDefaulted(command, "--session-correlation", design.sessionCorrelation,
+               "Correlation among the runs of a session; 0: sessions are alike");
+  addDefaulted(command, "--lag-correlation", design.lagCorrelation,
+               "Correlation between successive runs; 0: a run does not depend on the one before");
+  addDefaulted(command, "--runs-per-session", design.runsPerSession, "Runs of a session");
+}
+
 ModelChoice modelChoice(const ModelArguments& arguments) {
   ModelChoice choice = arguments.choice;
   if (!arguments.interpolation.empty()) {

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/services/maintenance/maintenance_desk.h"
+#include "assessment/domain/study/curriculum.h"
 #include "sim/core/error.h"
 #include "sim/core/text.h"
 #include "sim/scene/model_choice.h"
@@ -27,6 +28,9 @@ CLI::Option* addDefaulted(CLI::App& command, const std::string& name, Value& val
                                      const std::string& remedy) {
   throw Error(ErrorCode::kUsage, what, where, remedy);
 }
+
+/// Adds the numbers of a competence design; identical in all commands.
+void addDesignOptions(CLI::App& command, CompetenceDesign& design);
 
 /// Options that identify the maintainer of a record.
 struct MaintenanceOptions {

@@ -38,7 +38,7 @@ json verdictJson(const Call& call, const CompetenceVerdict& verdict) {
   return {{"level", said(call, competenceLevelText(verdict))},
           {"able", isAble(verdict.level)},
           {"design", said(call, competenceRuleText(verdict))},
-          {"errors", said(call, competenceErrorText(verdict.design, verdict.errors))}};
+          {"errors", said(call, competenceErrorText(verdict))}};
 }
 
 /// The verdict on a run: its stored word for the page, and the word that the page shows.
@@ -170,8 +170,8 @@ HttpResponse answerRun(Call& call) {
                      {"started_utc_us", shown.startedUtc_us},
                      {"duration_s", shown.duration_s},
                      {"outcome", runVerdictJson(call, shown.verdict)},
-                     {"verdict", shown.competence.errors.attempts > 0 ? verdictJson(call, shown.competence)
-                                                                      : json(nullptr)},
+                     {"verdict", shown.competence.planned.attempts > 0 ? verdictJson(call, shown.competence)
+                                                                       : json(nullptr)},
                      {"force_felt", shown.forceFelt},
                      {"untwisting", shown.detorsion.has_value()},
                      {"tolerance_deg", degrees(shown.tolerance_rad)},

@@ -86,6 +86,11 @@ std::int64_t AttemptMeasures::twistsOnTarget() const noexcept {
   return std::count_if(twists.begin(), twists.end(), [](const JudgedTwist& twist) { return twist.onTarget; });
 }
 
+std::int64_t AttemptMeasures::twistsCutOff() const noexcept {
+  const auto torn = static_cast<std::int64_t>(valueIn(values, Quantity::kTornTwists).value_or(0.0));
+  return std::max<std::int64_t>(0, unfinished - torn);
+}
+
 AttemptMeasures measureAttempt(const TrialHeader& header, std::span<const Sample> samples,
                                const AttemptRules& rules) {
   if (isForeign(header.sceneId)) {

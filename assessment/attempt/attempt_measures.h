@@ -23,7 +23,7 @@ struct JudgedTwist {
 struct AttemptMeasures {
   std::int64_t duration_us = 0;
   std::vector<JudgedTwist> twists{};              ///< completed ones, in order; empty for an untwisting
-  std::int64_t unfinished = 0;                    ///< twists not completed, counted separately
+  std::int64_t unfinished = 0;                    ///< twists not completed, in no share or mean
   std::optional<double> meanAbsoluteError_deg{};  ///< empty without a completed twist
   /// Peaks of force and torque are those of the whole recording (RecordedLoads). Quantities of single twists:
   /// over the completed ones, the sum of mishaps, the maximum of peaks, otherwise the median. An untwisting
@@ -32,6 +32,9 @@ struct AttemptMeasures {
 
   /// Counts the completed twists released on target.
   [[nodiscard]] std::int64_t twistsOnTarget() const noexcept;
+  /// Counts the twists cut off while the organ was held: by the end of the run, or by a device that was lost.
+  /// The verdict counts them as missed. Twists whose release the computer lost are not among them.
+  [[nodiscard]] std::int64_t twistsCutOff() const noexcept;
   friend bool operator==(const AttemptMeasures&, const AttemptMeasures&) = default;
 };
 

@@ -15,16 +15,39 @@ namespace torsio {
 namespace {
 
 constexpr double kWatchShare = 0.5;
-
-LcCusumDesign cusumOf(const CompetenceDesign& design) {
-  return {.adequate = design.adequate, .inadequate = design.inadequate, .limit = design.limit};
-}
+constexpr std::int64_t kMaxRunsPerSession = 19;  // for which the probabilities are exact (cusum.cpp)
+constexpr double kMaxCorrelation = 0.9;
+constexpr std::int64_t kSessionPause_us = std::int64_t{6} * 3600 * 1'000'000;
 
 void requireShare(double value, const Text& name) {
   if (!(value > 0.0 && value < 1.0)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("must lie above 0 and below 1"), name,
                 Text::tr("Give a share such as 0.05"));
   }
+}
+
+void requireCorrelation(double value, const Text& name) {
+  if (!(value >= 0.0 && value <= kMaxCorrelation)) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 0 and 0.9"), name,
+                Text::tr("Give a correlation such as 0.1; 0 for independent runs"));
+  }
+}
+
+Text percent(double share) {
+  const double tenths = std::round(1000.0 * share);
+  return Text::verbatim("%1.%2 %", static_cast<std::int64_t>(tenths) / 10,
+                        static_cast<std::int64_t>(tenths) % 10);
+}
+
+}  // namespace
+
+LcCusumDesign cusumOf(const CompetenceDesign& design) {
+  return {.adequate = design.adequate,
+          .inadequate = design.inadequate,
+          .limit = design.limit,
+          .dependence = {.session = design.sessionCorrelation,
+                         .lag = design.lagCorrelation,
+                         .perSession = design.runsPerSession}};
 }
 
 void requireSoundNumbers(const CompetenceDesign& design) {
@@ -39,7 +62,13 @@ void requireSoundNumbers(const CompetenceDesign& design) {
   }
   if (design.attempts < 1 || design.attempts > kMaxCompetenceAttempts) {
     throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 1 and %1", kMaxCompetenceAttempts),
-                Text::tr("number of attempts"), Text::tr("Give as many as a trainee makes, such as 50"));
+                Text::tr("number of runs"), Text::tr("Give as many as a trainee makes, such as 50"));
+  }
+  requireCorrelation(design.sessionCorrelation, Text::tr("correlation of the runs of a session"));
+  requireCorrelation(design.lagCorrelation, Text::tr("correlation of successive runs"));
+  if (design.runsPerSession < 1 || design.runsPerSession > kMaxRunsPerSession) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 1 and %1", kMaxRunsPerSession),
+                Text::tr("runs of a session"), Text::tr("Give as many as a trainee makes in a day"));
   }
   if (!(design.tolerance_rad > 0.0 && design.tolerance_rad <= std::numbers::pi)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("must lie above 0 and at most at 180 degrees"),
@@ -47,16 +76,11 @@ void requireSoundNumbers(const CompetenceDesign& design) {
   }
 }
 
-Text percent(double share) {
-  const double tenths = std::round(1000.0 * share);
-  return Text::verbatim("%1.%2 %", static_cast<std::int64_t>(tenths) / 10,
-                        static_cast<std::int64_t>(tenths) % 10);
-}
-
-}  // namespace
-
 CompetenceErrors competenceErrors(const CompetenceDesign& design, std::int64_t attempts) {
-  TORSIO_EXPECTS(attempts >= 1);
+  TORSIO_EXPECTS(attempts >= 0);
+  if (attempts == 0) {
+    return {};
+  }
   const LcCusumDesign cusum = cusumOf(design);
   const auto n = static_cast<std::size_t>(attempts);
   CompetenceErrors errors{.attempts = attempts};
@@ -69,15 +93,27 @@ CompetenceErrors competenceErrors(const CompetenceDesign& design, std::int64_t a
   return errors;
 }
 
+double competenceProbability(const CompetenceDesign& design, double failureRate, std::int64_t attempts) {
+  TORSIO_EXPECTS(attempts >= 0);
+  return attempts == 0 ? 0.0
+                       : lcCusumProbability(cusumOf(design), failureRate, static_cast<std::size_t>(attempts));
+}
+
+CompetenceOdds competenceOdds(const CompetenceDesign& design, std::int64_t attempts) {
+  CompetenceOdds odds{.attempts = attempts};
+  for (std::size_t i = 0; i < kStatedFailureRates.size(); ++i) {
+    odds.declared[i] = competenceProbability(design, kStatedFailureRates[i], attempts);
+  }
+  return odds;
+}
+
 CompetenceDesign plannedCompetence(CompetenceDesign design) {
   requireSoundNumbers(design);
   const auto n = static_cast<std::size_t>(design.attempts);
-  const std::optional<double> limit =
-      chooseLcCusumLimit(design.adequate, design.inadequate, n, design.falsePassMost);
+  const std::optional<double> limit = chooseLcCusumLimit(cusumOf(design), n, design.falsePassMost);
   if (!limit) {
-    throw Error(
-        ErrorCode::kBadParameter, Text::tr("no limit keeps the largest false pass within these attempts"),
-        Text::tr("competence design"), Text::tr("Plan more attempts, or rates that lie farther apart"));
+    throw Error(ErrorCode::kBadParameter, Text::tr("no limit keeps the largest false pass within these runs"),
+                Text::tr("competence design"), Text::tr("Plan more runs, or rates that lie farther apart"));
   }
   design.limit = *limit;
   return design;
@@ -95,10 +131,9 @@ void requireFalseFailKept(const CompetenceDesign& design) {
   if (errors.falseFail > design.falseFailMost) {
     throw Error(
         ErrorCode::kBadParameter,
-        Text::tr(
-            "%1 of the adequate trainees would not pass within %2 {attempt|attempts}; at most %3 are wanted",
-            percent(errors.falseFail), design.attempts, percent(design.falseFailMost)),
-        Text::tr("competence design"), Text::tr("Plan more attempts, or rates that lie farther apart"));
+        Text::tr("%1 of the adequate trainees would not pass within %2 {run|runs}; at most %3 are wanted",
+                 percent(errors.falseFail), design.attempts, percent(design.falseFailMost)),
+        Text::tr("competence design"), Text::tr("Plan more runs, or rates that lie farther apart"));
   }
 }
 
@@ -120,24 +155,76 @@ CompetenceDesign designInForce(std::span<const CompetenceDesign> registered, con
   return chosen;
 }
 
-std::vector<bool> failedAttempts(const CompetenceDesign& design, std::span<const CompetenceRun> runs) {
+std::optional<bool> CompetenceRun::failed() const noexcept {
+  switch (outcome) {
+    case RunOutcome::kPassed:
+      return false;
+    case RunOutcome::kNotPassed:
+      return true;
+    case RunOutcome::kInterrupted:
+      return excused ? std::nullopt : std::optional(true);
+    case RunOutcome::kNotJudged:
+    case RunOutcome::kRefused:
+      break;
+  }
+  return std::nullopt;
+}
+
+RunOutcome competenceOutcome(const CompetenceDesign& design, const AttemptRules& rules,
+                             const AttemptMeasures& measures, double measured_rad) {
+  if (measured_rad == design.tolerance_rad || isUntwisting(measures.values)) {
+    return judgeRun(measures, rules).outcome;
+  }
+  AttemptMeasures judged = measures;
+  const double tolerance_deg = degrees(design.tolerance_rad);
+  for (JudgedTwist& twist : judged.twists) {
+    twist.onTarget = twist.error_deg <= tolerance_deg;
+  }
+  const auto reached = static_cast<double>(judged.twistsOnTarget());
+  judged.values[Quantity::kTargetsReached] = reached;
+  if (!judged.twists.empty()) {
+    judged.values[Quantity::kOnTarget] = reached / static_cast<double>(judged.twists.size());
+  }
+  return judgeRun(judged, rules).outcome;
+}
+
+std::vector<bool> failedAttempts(std::span<const CompetenceRun> runs) {
   std::vector<bool> failed;
   for (const CompetenceRun& run : runs) {
-    if (run.untwisting) {
-      if (run.outcome != RunOutcome::kNotJudged) {
-        failed.push_back(run.outcome != RunOutcome::kPassed);
-      }
-      continue;
-    }
-    for (const JudgedTwist& twist : run.twists) {
-      // Judged by the same tolerance: use the exercise's own result.
-      const bool within = run.tolerance_rad == design.tolerance_rad
-                              ? twist.onTarget
-                              : twist.error_deg <= degrees(design.tolerance_rad);
-      failed.push_back(!within || !run.withinLimits);
+    if (const std::optional<bool> one = run.failed()) {
+      failed.push_back(*one);
     }
   }
   return failed;
+}
+
+SessionOutcomes sessionsOf(std::span<const CompetenceRun> runs) {
+  SessionOutcomes sessions;
+  std::optional<std::int64_t> before_us;
+  for (const CompetenceRun& run : runs) {
+    const std::optional<bool> failed = run.failed();
+    if (!failed) {
+      continue;
+    }
+    if (!before_us || run.startedUtc_us - *before_us >= kSessionPause_us) {
+      sessions.emplace_back();
+    }
+    sessions.back().push_back(*failed);
+    before_us = run.startedUtc_us;
+  }
+  return sessions;
+}
+
+void setDependence(CompetenceDesign& design, const std::optional<EstimatedDependence>& estimated) {
+  const CompetenceDesign assumed;
+  const AttemptDependence dependence =
+      estimated
+          ? estimated->dependence
+          : AttemptDependence{assumed.sessionCorrelation, assumed.lagCorrelation, assumed.runsPerSession};
+  design.sessionCorrelation = dependence.session;
+  design.lagCorrelation = dependence.lag;
+  design.runsPerSession = std::min(dependence.perSession, kMaxRunsPerSession);
+  design.dependenceRuns = estimated ? estimated->attempts : 0;
 }
 
 std::size_t fewestForAble(const CompetenceDesign& design) {
@@ -145,13 +232,12 @@ std::size_t fewestForAble(const CompetenceDesign& design) {
   return static_cast<std::size_t>(std::ceil(design.limit / success - 1e-9));
 }
 
-CompetenceVerdict judgeCompetence(const CompetenceDesign& design, const std::vector<bool>& failed) {
+CompetenceVerdict judgeAttempts(const CompetenceDesign& design, const std::vector<bool>& failed) {
   const LcCusumDesign cusum = cusumOf(design);
   CompetenceVerdict verdict;
   verdict.design = design;
   verdict.attempts = failed.size();
   verdict.failed = static_cast<std::size_t>(std::count(failed.begin(), failed.end(), true));
-  verdict.errors = competenceErrors(design, std::max<std::int64_t>(design.attempts, std::ssize(failed)));
   bool relapsed = false;
   auto from = failed.begin();
   while (from != failed.end()) {
@@ -188,6 +274,14 @@ CompetenceVerdict judgeCompetence(const CompetenceDesign& design, const std::vec
     verdict.level = SkillLevel::kNotShown;
     verdict.attemptsUntilLevel = fewest - failed.size();
   }
+  return verdict;
+}
+
+CompetenceVerdict judgeCompetence(const CompetenceDesign& design, const std::vector<bool>& failed) {
+  CompetenceVerdict verdict = judgeAttempts(design, failed);
+  verdict.errors = competenceErrors(design, std::ssize(failed));
+  verdict.made = competenceOdds(design, std::ssize(failed));
+  verdict.planned = competenceOdds(design, design.attempts);
   return verdict;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,24 +12,44 @@
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/run_verdict.h"
 #include "assessment/domain/study/curriculum.h"
+#include "assessment/statistics/run_dependence.h"
 
 namespace torsio {
 
-/// Properties of an LC-CUSUM with a design's limit within a number of attempts.
+/// Properties of a design's LC-CUSUM within a number of runs, for runs that depend on each other as the
+/// design says.
 struct CompetenceErrors {
   std::int64_t attempts = 0;
   double falsePass = 0.0;  ///< probability that a trainee with the inadequate failure rate is declared
                            ///< competent
-  double falseFail = 0.0;  ///< probability that a trainee with the adequate failure rate is not
+  double falseFail = 1.0;  ///< probability that a trainee with the adequate failure rate is not
   /// Probability that a trainee with the adequate rate, declared competent, loses it by a false alarm.
   double falseAlarm = 0.0;
   friend bool operator==(const CompetenceErrors&, const CompetenceErrors&) = default;
 };
 
-/// Computes the error rates exactly. `attempts` at least 1.
+/// Computes the error rates exactly. Without attempts nobody is declared competent.
 [[nodiscard]] CompetenceErrors competenceErrors(const CompetenceDesign& design, std::int64_t attempts);
 
+/// True failure rates for which every verdict states how probable it is to be declared competent.
+inline constexpr std::array kStatedFailureRates{0.10, 0.15, 0.20, 0.25, 0.30};
+/// Probabilities of being declared competent within a number of runs, one per stated failure rate.
+struct CompetenceOdds {
+  std::int64_t attempts = 0;
+  std::array<double, kStatedFailureRates.size()> declared{};
+  friend bool operator==(const CompetenceOdds&, const CompetenceOdds&) = default;
+};
+[[nodiscard]] CompetenceOdds competenceOdds(const CompetenceDesign& design, std::int64_t attempts);
+
+/// Probability that a trainee who fails this share of the runs is declared competent within `attempts` runs.
+[[nodiscard]] double competenceProbability(const CompetenceDesign& design, double failureRate,
+                                           std::int64_t attempts);
+
 inline constexpr std::int64_t kMaxCompetenceAttempts = 1'000;
+/// Returns the LC-CUSUM of a design.
+[[nodiscard]] LcCusumDesign cusumOf(const CompetenceDesign& design);
+/// Throws Error{kBadParameter} for NaN or values out of range, as plannedCompetence() does.
+void requireSoundNumbers(const CompetenceDesign& design);
 /// Checks a design's numbers and sets the smallest limit, in steps of 0.01, that meets its maximum false-pass
 /// rate within its attempts. Throws Error{kBadParameter} for NaN or values out of range (rates above 0 and
 /// below 1, inadequate above adequate, 1 to kMaxCompetenceAttempts attempts, a tolerance above 0 and at most
@@ -55,20 +76,29 @@ void requireFalseFailKept(const CompetenceDesign& design);
                                              const CompetenceDesign& shipped,
                                              std::optional<std::int64_t> firstAttemptUtc_us);
 
-/// One run that counts.
+/// One run at an exercise.
 struct CompetenceRun {
-  bool untwisting = false;
-  RunOutcome outcome = RunOutcome::kNotPassed;  ///< of an untwisting; a run that was not judged is not an
-                                                ///< attempt
-  bool withinLimits = true;                     ///< within the exercise's limits of force and torque
-  double tolerance_rad = 0.0;                   ///< with which `twists` were judged
-  std::vector<JudgedTwist> twists{};
+  RunOutcome outcome = RunOutcome::kNotPassed;
+  bool excused = false;  ///< for an interrupted run: somebody with the right excused it
+  std::int64_t startedUtc_us = 0;
+
+  /// Empty: no attempt. A run passes or fails as a whole; an interrupted one has failed unless it is excused.
+  [[nodiscard]] std::optional<bool> failed() const noexcept;
 };
 
-/// Splits runs, oldest first, into attempts; true: failed. All twists of a run beyond a limit count as
-/// failed.
-[[nodiscard]] std::vector<bool> failedAttempts(const CompetenceDesign& design,
-                                               std::span<const CompetenceRun> runs);
+/// Judges a run by the exercise's rules and the design's tolerance. `measured_rad`: the tolerance with which
+/// it was measured.
+[[nodiscard]] RunOutcome competenceOutcome(const CompetenceDesign& design, const AttemptRules& rules,
+                                           const AttemptMeasures& measures, double measured_rad);
+
+/// Returns the outcomes of the runs that are attempts, oldest first; true: failed.
+[[nodiscard]] std::vector<bool> failedAttempts(std::span<const CompetenceRun> runs);
+
+/// Splits a person's runs, oldest first, into sessions: a new one begins after a pause of six hours.
+[[nodiscard]] SessionOutcomes sessionsOf(std::span<const CompetenceRun> runs);
+
+/// Sets how the runs depend on each other, as estimated, or as assumed without an estimate.
+void setDependence(CompetenceDesign& design, const std::optional<EstimatedDependence>& estimated);
 
 enum class SkillLevel {
   kNotShown,  ///< fewer attempts than anybody needs to be shown competent
@@ -83,18 +113,19 @@ enum class SkillLevel {
   return level == SkillLevel::kSteady || level == SkillLevel::kWatch;
 }
 
-/// Conditions for success in an attempt and for competence.
+/// Conditions for success in a run and for competence.
 struct CompetenceRule {
   CompetenceDesign design{};
-  bool untwisting = false;               ///< an attempt is a whole untwisting
-  std::optional<double> forceLimit_N{};  ///< of the exercise; all twists of a run beyond it count as failed
-  std::optional<double> torqueLimit_Nm{};
+  bool untwisting = false;  ///< a run is an untwisting
+  AttemptRules run{};       ///< what a run needs to pass, with the exercise's tolerance
   friend bool operator==(const CompetenceRule&, const CompetenceRule&) = default;
 };
 
-/// Result of the rule for a trainee's attempts.
+/// Result of the rule for a trainee's runs.
 struct CompetenceVerdict : CompetenceRule {
-  CompetenceErrors errors{};  ///< within the design's attempts, or those made if there are more
+  CompetenceErrors errors{};  ///< within the runs made
+  CompetenceOdds made{};      ///< within the runs made
+  CompetenceOdds planned{};   ///< within the design's
   SkillLevel level = SkillLevel::kNotShown;
   std::size_t attempts = 0;
   std::size_t failed = 0;
@@ -108,7 +139,10 @@ struct CompetenceVerdict : CompetenceRule {
 /// Returns how many attempts without a failure prove competence.
 [[nodiscard]] std::size_t fewestForAble(const CompetenceDesign& design);
 
-/// Judges attempts, oldest first; true: failed.
+/// Judges attempts, oldest first; true: failed. Computes no probabilities.
+[[nodiscard]] CompetenceVerdict judgeAttempts(const CompetenceDesign& design,
+                                              const std::vector<bool>& failed);
+/// Like judgeAttempts(), with the probabilities of its errors.
 [[nodiscard]] CompetenceVerdict judgeCompetence(const CompetenceDesign& design,
                                                 const std::vector<bool>& failed);
 

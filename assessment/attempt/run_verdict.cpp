@@ -15,15 +15,17 @@ TargetCheck checkOf(const QuantityValues& values, std::optional<Quantity> quanti
   return check;
 }
 
-TargetCheck onTargetCheck(const QuantityValues& values, const AttemptRules& rules) {
-  const auto twists = static_cast<std::int64_t>(valueIn(values, Quantity::kCompletedTwists).value_or(0.0));
+TargetCheck onTargetCheck(const QuantityValues& values, const AttemptRules& rules, std::int64_t cutOff) {
+  const auto twists =
+      cutOff + static_cast<std::int64_t>(valueIn(values, Quantity::kCompletedTwists).value_or(0.0));
   TargetCheck check = checkOf(values, Quantity::kTargetsReached,
                               static_cast<double>(wantedOnTarget(twists, rules.leastTwists)));
   check.outOf = twists;
   return check;
 }
 
-std::vector<TargetCheck> checksOf(const QuantityValues& values, const AttemptRules& rules) {
+std::vector<TargetCheck> checksOf(const QuantityValues& values, const AttemptRules& rules,
+                                  std::int64_t cutOff) {
   std::vector<TargetCheck> checks;
   if (isUntwisting(values)) {
     checks.push_back(checkOf(values, Quantity::kUntwisted, 1.0));
@@ -31,7 +33,7 @@ std::vector<TargetCheck> checksOf(const QuantityValues& values, const AttemptRul
     if (rules.leastTwists > 1) {
       checks.push_back(checkOf(values, Quantity::kCompletedTwists, static_cast<double>(rules.leastTwists)));
     }
-    checks.push_back(onTargetCheck(values, rules));
+    checks.push_back(onTargetCheck(values, rules, cutOff));
     if (rules.hold_s > 0.0) {
       checks.push_back(checkOf(values, Quantity::kShortestHold, rules.hold_s));
     }
@@ -114,7 +116,7 @@ Text RunVerdict::sentence() const {
     case RunOutcome::kNotJudged:
       return Text::tr("Not judged: the computer was too busy");
     case RunOutcome::kInterrupted:
-      return Text::tr("Interrupted: kept, not counted");
+      return Text::tr("Interrupted: counts as failed unless it is excused");
     case RunOutcome::kRefused:
       break;
   }
@@ -136,14 +138,15 @@ Text RunVerdict::remedy() const {
   return torn ? Text(Text::tr("Close other programs at this station, then repeat the run.")) : Text();
 }
 
-RunVerdict judgeRun(const QuantityValues& values, const AttemptRules& rules, bool interrupted) {
+RunVerdict judgeRun(const QuantityValues& values, const AttemptRules& rules, bool interrupted,
+                    std::int64_t cutOff) {
   RunVerdict verdict;
   const std::optional<double> torn = valueIn(values, Quantity::kTornTwists);
   if (!torn) {
     return verdict;  // of a tracker
   }
   verdict.torn = *torn > 0.0;
-  verdict.checks = checksOf(values, rules);
+  verdict.checks = checksOf(values, rules, cutOff);
   const auto all = [&verdict](auto&& holds) {
     return std::all_of(verdict.checks.begin(), verdict.checks.end(), holds);
   };
@@ -154,6 +157,10 @@ RunVerdict judgeRun(const QuantityValues& values, const AttemptRules& rules, boo
                     : verdict.torn && !missed                                    ? RunOutcome::kNotJudged
                                                                                  : RunOutcome::kNotPassed;
   return verdict;
+}
+
+RunVerdict judgeRun(const AttemptMeasures& measures, const AttemptRules& rules, bool interrupted) {
+  return judgeRun(measures.values, rules, interrupted, measures.twistsCutOff());
 }
 
 }  // namespace torsio

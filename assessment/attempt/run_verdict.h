@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/measured_trial.h"
 #include "assessment/catalogue/quantity.h"
 #include "assessment/domain/study/protocol_terms.h"
@@ -20,7 +21,7 @@ struct TargetCheck {
   std::optional<double> value{};  ///< SI; empty: not measured in this run
   double wanted = 0.0;
   bool atLeast = true;           ///< value >= wanted passes; otherwise value <= wanted
-  std::int64_t outOf = 0;        ///< for kTargetsReached: completed twists
+  std::int64_t outOf = 0;        ///< for kTargetsReached: twists, those cut off included
   std::int64_t streak = 0;       ///< for a mastery rule: successive runs including this one
   std::int64_t consecutive = 0;  ///< for a mastery rule: required successive runs; 0: required in every run
 
@@ -46,7 +47,7 @@ inline constexpr std::array<Term<RunOutcome>, 5> kRunOutcomes{{
     {RunOutcome::kNotJudged, "not_judged", Text::tr("not judged"),
      "the computer lost samples, and nothing that was measured missed its target"},
     {RunOutcome::kInterrupted, "interrupted", Text::tr("interrupted"),
-     "the program or the machine went down: kept, not counted"},
+     "ended before its time: failed for competence unless excused"},
     {RunOutcome::kRefused, "refused", Text::tr("not judged (no targets)"),
      "nothing is asked of such a recording: a tracker made it"},
 }};
@@ -79,8 +80,10 @@ struct RunVerdict {
 
 /// Judges a run by its measures (AttemptMeasures::values): always the angle, or that the organ was untwisted;
 /// number of twists, hold and limits if the exercise sets them; and the mastery rules. Limits apply to
-/// everything done to the tissue.
+/// everything done to the tissue. `cutOff`: AttemptMeasures::twistsCutOff(), counted as missed.
 [[nodiscard]] RunVerdict judgeRun(const QuantityValues& values, const AttemptRules& rules,
+                                  bool interrupted = false, std::int64_t cutOff = 0);
+[[nodiscard]] RunVerdict judgeRun(const AttemptMeasures& measures, const AttemptRules& rules,
                                   bool interrupted = false);
 
 }  // namespace torsio

@@ -25,6 +25,9 @@ struct AnalysedCohort {
 /// Return the keys for the results of a run, of a trainee, and of inputs.competence[number].
 [[nodiscard]] ResultKey trialKey(const TrialSummaryRow& trial);
 [[nodiscard]] ResultKey traineeKey(const CohortTrainee& trainee);
+/// Returns the name of the statistic "probability of being declared competent at a stated failure rate",
+/// within the runs planned or made so far.
+[[nodiscard]] std::string declaredStatistic(std::size_t rate, bool planned);
 [[nodiscard]] ResultKey competenceKey(const CohortInputs& inputs, std::size_t number);
 
 /// Builds cohortReport(inputs) from analysedCohort(inputs). Throws like the former.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -300,6 +301,43 @@ ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t grou
   return cell;
 }
 
+/// Describes what competent means on the first page, and how often it is wrong after the runs made.
+Text standardNote(const CohortInputs& in) {
+  double falsePass = 0.0;
+  std::int64_t most = 0;
+  std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
+  std::map<std::string, double> missed;  // by trainee: one exercise is enough for not being competent at all
+  std::int64_t tooFew = 0;
+  for (const CohortCompetence& one : in.competence) {
+    falsePass = std::max(falsePass, one.falsePass);
+    most = std::max(most, one.attempts);
+    fewest = std::min(fewest, one.fewestAttempts);
+    tooFew += one.shown() ? 0 : 1;
+    if (one.required) {
+      missed[one.trainee] += one.falseFail + one.falseAlarm;
+    }
+  }
+  const Text rule = Text::tr(
+      "Competent now: at every exercise that the curriculum requires, tried or not, by the designs of the "
+      "section Competence.");
+  if (most < fewest) {
+    return Text::tr(
+        "%1 Nobody can have been shown competent yet: at least %2 {run|runs} at an exercise are needed, and "
+        "nobody made more than %3.",
+        rule, fewest, most);
+  }
+  double falseFail = 0.0;
+  for (const auto& [trainee, sum] : missed) {
+    falseFail = std::clamp(sum, falseFail, 1.0);
+  }
+  return Text::tr(
+      "%1 After the runs made, a trainee who is inadequate at one exercise is judged competent at it in at "
+      "most %2 % of cases; one who is adequate at all of them is not judged competent at one of them in at "
+      "most %3 %. %4 of %5 {verdict rests|verdicts rest} on too few runs to show anybody competent.",
+      rule, formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1), tooFew,
+      std::ssize(in.competence));
+}
+
 /// Returns per group the scores at the end, and how many were shown competent on the simulator.
 ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table =
@@ -309,18 +347,9 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
                    Text::tr("Competent on the simulator")};
   // Verdicts of the section Competence; none are computed here.
   std::map<std::string, bool> ableAtAll;
-  double falsePass = 0.0;
-  std::map<std::string, double>
-      missed;  // by trainee: one exercise is enough for not being competent at all of them
   for (const CohortCompetence& one : in.competence) {
-    const auto [known, first] = ableAtAll.try_emplace(one.trainee, one.able);
-    known->second = known->second && one.able;
-    falsePass = std::max(falsePass, one.falsePass);
-    missed[one.trainee] += one.falseFail + one.falseAlarm;
-  }
-  double falseFail = 0.0;
-  for (const auto& [trainee, sum] : missed) {
-    falseFail = std::clamp(sum, falseFail, 1.0);
+    const auto known = ableAtAll.try_emplace(one.trainee, true).first;
+    known->second = known->second && (one.able || !one.required);
   }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::vector<Text> able;
@@ -342,11 +371,7 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
   }
   table.provenance.n = std::ssize(in.trainees);
   if (!ableAtAll.empty()) {
-    table.notes = {Text::tr(
-        "Competent now: at every exercise that was tried, by the designs of the section Competence. Within "
-        "the attempts named there, a trainee who is inadequate at one exercise is judged competent in at "
-        "most %1 % of cases; one who is adequate at all of them is not judged competent in at most %2 %.",
-        formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1))};
+    table.notes = {standardNote(in)};
   }
   return table;
 }

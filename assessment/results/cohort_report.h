@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/competence.h"
 #include "assessment/attempt/run_verdict.h"
 #include "assessment/domain/ids.h"
 #include "assessment/results/report_model.h"
@@ -143,12 +145,19 @@ struct CohortCompetence {
   double limit = 1.0;
   double falsePass = 0.0;
   double falseFail = 0.0;
-  double falseAlarm = 0.0;
-  std::int64_t withinAttempts = 0;  ///< number of attempts for these rates
-  std::int64_t designVersion = 0;   ///< 0: shipped with the exercise
-  Text design;                      ///< as text
-  Text errors;                      ///< the rates as text, within the design's attempts
-  std::vector<TrialId> runs{};      ///< the attempts, oldest first
+  double falseAlarm = 0.0;                                                 ///< all three within the runs made
+  std::array<double, kStatedFailureRates.size()> declaredWithinMade{};     ///< by stated failure rate
+  std::array<double, kStatedFailureRates.size()> declaredWithinPlanned{};  ///< by stated failure rate
+  std::int64_t plannedAttempts = 0;
+  std::int64_t fewestAttempts = 0;  ///< with fewer nobody can be declared competent
+  bool required = true;             ///< by the curriculum, for being competent altogether
+
+  /// Returns whether there are enough runs for a verdict.
+  [[nodiscard]] bool shown() const noexcept { return attempts >= fewestAttempts; }
+  std::int64_t designVersion = 0;  ///< 0: shipped with the exercise
+  Text design;                     ///< as text
+  Text errors;                     ///< the rates as text, within the runs planned
+  std::vector<TrialId> runs{};     ///< the attempts, oldest first
 };
 
 /// A rater's signature of one mark.

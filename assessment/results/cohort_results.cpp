@@ -286,12 +286,23 @@ void addTrials(const CohortInputs& in, Ledger& ledger) {
 /// Adds per group how many are competent at each exercise, and at all that they tried.
 void addCompetenceOfGroups(const CohortInputs& in, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kCompetence}, commonFlags(in));
-  std::map<std::pair<std::string, std::size_t>, std::array<std::int64_t, 2>> cells;  // not able, able
-  std::map<std::pair<std::size_t, std::string>, bool> ableAtAll;
+  struct Counts {
+    std::int64_t able = 0;
+    std::int64_t notAble = 0;
+    std::int64_t notShown = 0;
+  };
+  struct Person {
+    bool able = true;
+    bool tried = false;
+  };
+  std::map<std::pair<std::string, std::size_t>, Counts> cells;
+  std::map<std::pair<std::size_t, std::string>, Person> people;
   for (const CohortCompetence& one : in.competence) {
-    ++cells[{one.exercise.str(), one.group}][one.able ? 1 : 0];
-    const auto known = ableAtAll.try_emplace({one.group, one.trainee}, true).first;
-    known->second = known->second && one.able;
+    Counts& counts = cells[{one.exercise.str(), one.group}];
+    ++(one.able ? counts.able : one.shown() ? counts.notAble : counts.notShown);
+    Person& person = people[{one.group, one.trainee}];
+    person.able = person.able && (one.able || !one.required);
+    person.tried = person.tried || one.attempts > 0;
   }
   for (const auto& [place, counts] : cells) {
     rows.place.index = place.first;
@@ -301,20 +312,24 @@ void addCompetenceOfGroups(const CohortInputs& in, Ledger& ledger) {
                                          .of = kEach,
                                          .group = place.second,
                                          .index = place.first}});
-    rows.put(
-        "competent_and_not",
-        countsText({{Text::tr("competent"), counts[1]}, {Text::tr("not competent"), counts[0]}}, in.identity),
-        counts[0] + counts[1]);
+    rows.put("competent_and_not",
+             countsText({{Text::tr("competent"), counts.able},
+                         {Text::tr("not competent"), counts.notAble},
+                         {Text::tr("not shown yet"), counts.notShown}},
+                        in.identity),
+             counts.able + counts.notAble + counts.notShown);
   }
   rows.place.index.clear();
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t judged = 0;
     std::int64_t able = 0;
-    for (const auto& [place, all] : ableAtAll) {
+    bool tried = false;
+    for (const auto& [place, person] : people) {
       judged += place.first == g ? 1 : 0;
-      able += place.first == g && all ? 1 : 0;
+      able += place.first == g && person.able ? 1 : 0;
+      tried = tried || (place.first == g && person.tried);
     }
-    if (judged > 0) {
+    if (tried) {
       rows.place.group = g;
       rows.madeOf =
           partsOf({ResultPattern{.section = kCompetence, .statistic = "able", .of = kEach, .group = g}});
@@ -341,10 +356,15 @@ void addCompetence(const CohortInputs& in, Ledger& ledger) {
     if (one.ableAt) {
       rows.addCount("able_at_attempt", *one.ableAt, one.attempts);
     }
-    rows.add("false_pass", one.falsePass, one.withinAttempts);
-    rows.add("false_fail", one.falseFail, one.withinAttempts);
-    rows.add("false_alarm", one.falseAlarm, one.withinAttempts);
-    rows.addCount("within_attempts", one.withinAttempts, one.attempts);
+    rows.add("false_pass", one.falsePass, one.attempts);
+    rows.add("false_fail", one.falseFail, one.attempts);
+    rows.add("false_alarm", one.falseAlarm, one.attempts);
+    for (std::size_t rate = 0; rate < kStatedFailureRates.size(); ++rate) {
+      rows.add(declaredStatistic(rate, false), one.declaredWithinMade[rate], one.attempts);
+      rows.add(declaredStatistic(rate, true), one.declaredWithinPlanned[rate], one.plannedAttempts);
+    }
+    rows.addCount("planned_attempts", one.plannedAttempts, one.attempts);
+    rows.addCount("fewest_attempts", one.fewestAttempts, one.attempts);
     rows.addCount("design_version", one.designVersion, one.attempts);
     for (const double sum : one.sums) {
       ++rows.place.number;

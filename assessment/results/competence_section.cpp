@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "assessment/results/analysed_cohort.h"
+#include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "sim/core/text.h"
@@ -55,7 +56,7 @@ ReportFigure sumsFigure(const CohortInputs& in, const Ledger& ledger) {
       competenceItem<ReportFigure>(in, "figure-lc-cusum", Text::tr("LC-CUSUM of every trainee and exercise"));
   figure.kind = FigureKind::kLines;
   figure.individual = true;
-  figure.xLabel = Text::tr("number of the attempt");
+  figure.xLabel = Text::tr("number of the run");
   figure.yLabel = Text::tr("cumulative sum, share of the limit");
   figure.yMin = 0.0;
   for (std::size_t i = 0; i < in.competence.size(); ++i) {
@@ -74,7 +75,7 @@ ReportFigure sumsFigure(const CohortInputs& in, const Ledger& ledger) {
   figure.notes = {
       Text::tr("A success raises the sum, a failure lowers it, never below zero. A line ends where it "
                "reaches the limit: "
-               "the trainee counts as competent from there on, with the error rates stated above.")};
+               "the trainee counts as competent from there on, with the probabilities stated above.")};
   return figure;
 }
 
@@ -85,13 +86,12 @@ ReportTable verdictsTable(const CohortInputs& in, const Ledger& ledger) {
                    {{Text::tr("Group")},
                     {Text::tr("Trainee")},
                     {Text::tr("Exercise")},
-                    {Text::tr("Attempts"), "level", kValues},
+                    {Text::tr("Runs"), "level", kValues},
                     {Text::tr("Failed"), "failed"},
                     {Text::tr("Level"), "level"},
-                    {Text::tr("False pass"), "false_pass", percent(1)},
-                    {Text::tr("False fail"), "false_fail", percent(1)},
-                    {Text::tr("False alarm"), "false_alarm", percent(1)},
-                    {Text::tr("Within attempts"), "within_attempts"},
+                    {Text::tr("False pass so far"), "false_pass", percent(1)},
+                    {Text::tr("False fail so far"), "false_fail", percent(1)},
+                    {Text::tr("Runs needed at least"), "fewest_attempts"},
                     {Text::tr("Design")}});
   for (std::size_t i = 0; i < in.competence.size(); ++i) {
     const CohortCompetence& one = in.competence[i];
@@ -100,6 +100,36 @@ ReportTable verdictsTable(const CohortInputs& in, const Ledger& ledger) {
                                     : Text::tr("shipped with the exercise")},
              competenceKey(in, i));
   }
+  return table;
+}
+
+/// Shows how probable it is to be declared competent, for each number of runs that somebody made.
+ReportTable oddsTable(const CohortInputs& in, const Ledger& ledger) {
+  auto table = competenceItem<ReportTable>(in, "table-competence-odds",
+                                           Text::tr("Probability of being declared competent within the runs "
+                                                    "made, by the share of runs that a trainee truly fails"));
+  std::vector<ResultColumn> columns{{Text::tr("Exercises")}, {Text::tr("Runs made"), "false_pass", kValues}};
+  for (std::size_t rate = 0; rate < kStatedFailureRates.size(); ++rate) {
+    columns.push_back({Text::verbatim("%1\u00A0%", formatFixed(100.0 * kStatedFailureRates[rate], 0)),
+                       declaredStatistic(rate, false), percent(1)});
+  }
+  ResultTable rows(ledger, table, std::move(columns));
+  std::map<std::pair<std::int64_t, std::string>, std::pair<std::size_t, std::vector<Text>>> made;
+  for (std::size_t i = 0; i < in.competence.size(); ++i) {
+    const CohortCompetence& one = in.competence[i];
+    if (one.attempts == 0) {
+      continue;
+    }
+    std::vector<Text>& exercises =
+        made.try_emplace({one.attempts, one.errors.str()}, i, std::vector<Text>{}).first->second.second;
+    if (std::find(exercises.begin(), exercises.end(), one.exercise) == exercises.end()) {
+      exercises.push_back(one.exercise);
+    }
+  }
+  for (const auto& [number, found] : made) {
+    rows.row({listed(found.second, Text::tr("%1; %2"))}, competenceKey(in, found.first));
+  }
+  table.notes = {Text::tr("Within the runs that were planned: see the sentences above.")};
   return table;
 }
 
@@ -112,7 +142,7 @@ ReportTable countsTable(const CohortInputs& in, const Ledger& ledger) {
   ResultTable rows(ledger, table,
                    {{Text::tr("Exercise")},
                     {Text::tr("Group")},
-                    {Text::tr("Competent and not yet competent, trainees"), "competent_and_not"}});
+                    {Text::tr("Competent, not competent, not shown yet: trainees"), "competent_and_not"}});
   for (const auto& [place, exercise] : exercises) {
     rows.row({exercise, in.groups[place.second].name},
              {.section = ResultSection::kCompetence, .group = place.second, .index = place.first});
@@ -121,6 +151,11 @@ ReportTable countsTable(const CohortInputs& in, const Ledger& ledger) {
 }
 
 }  // namespace
+
+std::string declaredStatistic(std::size_t rate, bool planned) {
+  return "declared_if_failing_" + formatFixed(100.0 * kStatedFailureRates[rate], 0) +
+         (planned ? "_planned" : "_so_far");
+}
 
 ResultKey competenceKey(const CohortInputs& in, std::size_t number) {
   const CohortCompetence& one = in.competence[number];
@@ -136,7 +171,7 @@ ReportSection competenceSection(const CohortInputs& in, const Ledger& ledger) {
   const std::vector<Text> designs = designSentences(in);
   section.paragraphs.assign(designs.begin(), designs.end());
   section.figures = {sumsFigure(in, ledger)};
-  section.tables = {countsTable(in, ledger), verdictsTable(in, ledger)};
+  section.tables = {countsTable(in, ledger), oddsTable(in, ledger), verdictsTable(in, ledger)};
   return section;
 }
 

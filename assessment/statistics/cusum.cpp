@@ -130,14 +130,33 @@ LcCusum lcCusum(const std::vector<bool>& failed, const LcCusumDesign& design) {
 
 namespace {
 
+/// Probabilities of the two outcomes before the next attempt.
+struct Share {
+  double afterUp = 0.0;
+  double afterDown = 0.0;
+  void add(const Share& other, double weight = 1.0) {
+    afterUp += weight * other.afterUp;
+    afterDown += weight * other.afterDown;
+  }
+  [[nodiscard]] double all() const { return afterUp + afterDown; }
+};
+
+/// Probability that an attempt takes the sum down, by the outcome of the attempt before.
+struct DownRate {
+  double afterUp = 0.0;
+  double afterDown = 0.0;
+  [[nodiscard]] double of(const Share& share) const {
+    return afterUp * share.afterUp + afterDown * share.afterDown;
+  }
+};
+
 /// Probabilities of the states of a sum with two possible steps, up and down, held at 0 from below, that has
 /// not reached its limit. A state is the number of steps up and down since the sum was last 0: integers, so
 /// equal sums merge. With f steps down, only a few numbers of steps up keep the sum between 0 and the limit.
 class SumStates {
  public:
-  /// Starts with probability 1 at 0 or, if `empty`, with none anywhere.
-  SumStates(double up, double down, double limit, std::size_t attempts, bool empty = false)
-      : atZero_(empty ? 0.0 : 1.0) {
+  /// Starts at 0 with the probabilities of `start`.
+  SumStates(double up, double down, double limit, std::size_t attempts, const Share& start) : atZero_(start) {
     const double largest = static_cast<double>(attempts) * up;
     for (double lost = 0.0; lost <= largest && rows_.size() <= attempts; lost += down) {
       Row row;
@@ -149,29 +168,51 @@ class SumStates {
     }
   }
 
-  void enter(double share) { atZero_ += share; }
+  void enter(const Share& share) { atZero_.add(share); }
 
-  /// Makes one attempt, down with probability `downRate`, and returns the probability of reaching the limit.
-  double attempt(double downRate) {
-    const double atStart = std::exchange(atZero_, atZero_ * downRate);
-    double declared = 0.0;
+  /// Makes one attempt and returns the probability of reaching the limit.
+  double attempt(const DownRate& rate) {
+    const Share atStart = std::exchange(atZero_, {});
+    const double fallen = rate.of(atStart);
+    atZero_.afterDown = fallen;
+    double reached = 0.0;
     std::size_t holding = 1;
     // In descending order, so that what has moved is not moved again.
     for (std::size_t f = used_; f-- > 0;) {
       Row& row = rows_[f];
       for (std::size_t i = row.states.size(); i-- > 0;) {
-        const double share = std::exchange(row.states[i], 0.0);
-        if (share < kNothing) {
+        const Share share = std::exchange(row.states[i], {});
+        if (share.all() < kNothing) {
           continue;
         }
         holding = std::max(holding, f + 2);
-        fall(f + 1, row.fewest + i, share * downRate);
-        (i + 1 < row.states.size() ? row.states[i + 1] : declared) += share * (1.0 - downRate);
+        const double down = rate.of(share);
+        fall(f + 1, row.fewest + i, down);
+        (i + 1 < row.states.size() ? row.states[i + 1].afterUp : reached) += share.all() - down;
       }
     }
     used_ = std::min(holding, rows_.size());
-    (rows_.front().states.empty() ? declared : rows_.front().states.front()) += atStart * (1.0 - downRate);
-    return declared;
+    (rows_.front().states.empty() ? reached : rows_.front().states.front().afterUp) += atStart.all() - fallen;
+    return reached;
+  }
+
+  /// Adds the probabilities of another sum with the same steps and limit.
+  void add(const SumStates& other, double weight) {
+    atZero_.add(other.atZero_, weight);
+    used_ = std::max(used_, other.used_);
+    for (std::size_t f = 0; f < other.used_; ++f) {
+      for (std::size_t i = 0; i < other.rows_[f].states.size(); ++i) {
+        rows_[f].states[i].add(other.rows_[f].states[i], weight);
+      }
+    }
+  }
+
+  void clear() {
+    atZero_ = {};
+    for (std::size_t f = 0; f < used_; ++f) {
+      std::fill(rows_[f].states.begin(), rows_[f].states.end(), Share{});
+    }
+    used_ = 1;
   }
 
  private:
@@ -179,50 +220,191 @@ class SumStates {
       1e-40;  // negligible probability: below rounding over any number of attempts
 
   struct Row {
-    std::size_t fewest = 0;      // minimum steps up that keep the sum above 0
-    std::vector<double> states;  // by number of steps up, from `fewest`
+    std::size_t fewest = 0;     // minimum steps up that keep the sum above 0
+    std::vector<Share> states;  // by number of steps up, from `fewest`
   };
 
   void fall(std::size_t down, std::size_t up, double share) {
     if (down < rows_.size() && up >= rows_[down].fewest) {
-      rows_[down].states[up - rows_[down].fewest] += share;
+      rows_[down].states[up - rows_[down].fewest].afterDown += share;
     } else {
-      atZero_ += share;
+      atZero_.afterDown += share;
     }
   }
 
   std::vector<Row> rows_;  // by number of steps down
   std::size_t used_ = 1;   // rows that may be nonzero
-  double atZero_ = 1.0;
+  Share atZero_;
 };
 
-SumStates lcCusumStates(const LcCusumDesign& design, std::size_t attempts) {
-  const LcWeights weights = weightsOf(design);
-  return {weights.success, -weights.failure, design.limit, attempts};
+/// A rate that a session may have, and its probability.
+struct SessionRate {
+  double failure = 0.0;
+  double weight = 1.0;
+};
+
+/// Returns nodes and weights of the beta distribution of a session's rate by Gauss-Jacobi quadrature (Golub
+/// and Welsch): exact for sessions of up to 2 kNodes - 1 attempts.
+std::vector<SessionRate> sessionRates(double failureRate, const AttemptDependence& dependence) {
+  if (dependence.session <= 0.0 || dependence.perSession <= 1 || failureRate <= 0.0 || failureRate >= 1.0) {
+    return {{failureRate, 1.0}};
+  }
+  constexpr int kNodes = 10;
+  const double precision = (1.0 - dependence.session) / dependence.session;
+  const double a = (1.0 - failureRate) * precision - 1.0;  // exponent of 1 - t
+  const double b = failureRate * precision - 1.0;          // exponent of 1 + t
+  Eigen::VectorXd diagonal(kNodes);
+  Eigen::VectorXd beside(kNodes - 1);
+  diagonal[0] = (b - a) / (a + b + 2.0);
+  for (int n = 1; n < kNodes; ++n) {
+    const double twice = 2.0 * n + a + b;
+    diagonal[n] = (b * b - a * a) / (twice * (twice + 2.0));
+    const double squared =
+        n == 1 ? 4.0 * (1.0 + a) * (1.0 + b) / (twice * twice * (twice + 1.0))
+               : 4.0 * n * (n + a) * (n + b) * (n + a + b) / (twice * twice * (twice + 1.0) * (twice - 1.0));
+    beside[n - 1] = std::sqrt(squared);
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, beside);
+  std::vector<SessionRate> rates;
+  for (int i = 0; i < kNodes; ++i) {
+    const double first = solver.eigenvectors()(0, i);
+    rates.push_back({std::clamp(0.5 * (1.0 + solver.eigenvalues()[i]), 0.0, 1.0), first * first});
+  }
+  return rates;
 }
 
+/// Everybody with one failure rate, attempt by attempt: how many have been declared competent, and how many
+/// count as competent now.
+class Course {
+ public:
+  Course(const LcCusumDesign& design, double failureRate, std::size_t attempts, bool watched)
+      : lag_(design.dependence.lag),
+        perSession_(std::max<std::int64_t>(1, design.dependence.perSession)),
+        rates_(sessionRates(failureRate, design.dependence)),
+        watched_(watched),
+        all_(startOf(design, failureRate, attempts, watched)) {
+    TORSIO_EXPECTS(lag_ >= 0.0 && lag_ < 1.0 && design.dependence.session >= 0.0 &&
+                   design.dependence.session < 1.0);
+    if (rates_.size() > 1) {
+      bySession_.assign(rates_.size(), all_);
+    }
+  }
+
+  void attempt() {
+    if (bySession_.empty()) {
+      advance(all_, rates_.front().failure);
+      return;
+    }
+    if (inSession_ == 0) {
+      for (State& state : bySession_) {
+        state.clear(watched_);
+        state.add(all_, 1.0, watched_);
+      }
+    }
+    inSession_ = (inSession_ + 1) % perSession_;
+    all_.clear(watched_);
+    for (std::size_t i = 0; i < rates_.size(); ++i) {
+      State& state = bySession_[i];
+      const double weight = rates_[i].weight;
+      advance(state, rates_[i].failure);
+      all_.now += weight * state.now;
+      if (inSession_ == 0) {
+        all_.add(state, weight, watched_);
+      } else {
+        all_.notAble += weight * state.notAble;
+      }
+    }
+  }
+
+  /// Probability of being declared competent at the last attempt.
+  [[nodiscard]] double declaredNow() const { return all_.now; }
+  /// Probability of not counting as competent after the last attempt.
+  [[nodiscard]] double notAble() const { return all_.notAble; }
+
+ private:
+  struct State {
+    SumStates learning;
+    SumStates watch;
+    double now = 0.0;
+    double notAble = 1.0;
+    void clear(bool watched) {
+      learning.clear();
+      if (watched) {
+        watch.clear();
+      }
+      now = 0.0;
+      notAble = 0.0;
+    }
+    void add(const State& other, double weight, bool watched) {
+      learning.add(other.learning, weight);
+      if (watched) {
+        watch.add(other.watch, weight);
+      }
+      notAble += weight * other.notAble;
+    }
+  };
+
+  static State startOf(const LcCusumDesign& design, double failureRate, std::size_t attempts, bool watched) {
+    const LcWeights weights = weightsOf(design);
+    return {.learning = {weights.success, -weights.failure, design.limit, attempts,
+                         Share{.afterUp = 1.0 - failureRate, .afterDown = failureRate}},
+            .watch = {-weights.failure, weights.success, design.limit, watched ? attempts : 0, Share{}}};
+  }
+
+  void advance(State& state, double failure) const {
+    const DownRate fails{.afterUp = (1.0 - lag_) * failure, .afterDown = (1.0 - lag_) * failure + lag_};
+    state.now = state.learning.attempt(fails);
+    state.notAble -= state.now;
+    if (watched_) {  // its steps down are the successes
+      const double success = 1.0 - failure;
+      const double alarmed = state.watch.attempt(
+          {.afterUp = (1.0 - lag_) * success, .afterDown = (1.0 - lag_) * success + lag_});
+      state.watch.enter({.afterDown = state.now});
+      state.learning.enter({.afterDown = alarmed});
+      state.notAble += alarmed;
+    }
+  }
+
+  double lag_;
+  std::int64_t perSession_;
+  std::vector<SessionRate> rates_;
+  bool watched_;
+  State all_;                     // between sessions; within one, only its two probabilities
+  std::vector<State> bySession_;  // one per rate; empty: all sessions have the same
+  std::int64_t inSession_ = 0;
+};
+
 /// Probability of reaching the limit within the attempts; above `enough` a lower bound. After some hundred
-/// attempts the rate of reaching the limit is constant to the last digit, and the rest follows in closed
-/// form.
+/// sessions the rate of reaching the limit is constant, and the rest follows in closed form.
 double reachedWithin(const LcCusumDesign& design, double failureRate, std::size_t attempts, double enough) {
-  constexpr double kConstant = 1e-14;
-  constexpr int kLong = 64;  // attempts over which the rate has stayed constant
-  SumStates states = lcCusumStates(design, attempts);
+  constexpr int kLong = 64;  // sessions over which the rate has stayed constant
+  const std::size_t perSession =
+      design.dependence.session > 0.0
+          ? static_cast<std::size_t>(std::max<std::int64_t>(1, design.dependence.perSession))
+          : 1;
+  const double constantWithin = perSession == 1 ? 1e-14 : 1e-12;
+  Course course(design, failureRate, attempts, false);
   double declared = 0.0;
   double left = 1.0;
+  double now = 0.0;
   double rate = 0.0;
   int constant = 0;
   for (std::size_t attempt = 1; attempt <= attempts; ++attempt) {
-    const double now = states.attempt(failureRate);
-    declared += now;
+    course.attempt();
+    now += course.declaredNow();
+    declared += course.declaredNow();
     if (declared > enough) {
       return declared;
     }
+    if (attempt % perSession != 0) {
+      continue;
+    }
     const double before = std::exchange(rate, left > 0.0 ? now / left : 0.0);
-    left -= now;
-    constant = rate > 0.0 && std::abs(rate - before) <= kConstant * rate ? constant + 1 : 0;
+    left -= std::exchange(now, 0.0);
+    constant = rate > 0.0 && std::abs(rate - before) <= constantWithin * rate ? constant + 1 : 0;
     if (constant == kLong) {
-      const double more = static_cast<double>(attempts - attempt);
+      const double more = static_cast<double>(attempts - attempt) / static_cast<double>(perSession);
       return declared - left * std::expm1(more * std::log1p(-rate));
     }
   }
@@ -240,29 +422,20 @@ double lcCusumNotAble(const LcCusumDesign& design, double failureRate, std::size
   TORSIO_EXPECTS(failureRate >= 0.0 && failureRate <= 1.0);
   constexpr double kConstant = 1e-15;
   constexpr int kLong = 64;  // attempts over which nothing has changed
-  const LcWeights weights = weightsOf(design);
-  SumStates learning = lcCusumStates(design, attempts);
-  SumStates watch(-weights.failure, weights.success, design.limit, attempts, true);
-  double notAble = 1.0;
+  Course course(design, failureRate, attempts, true);
+  bool begun = false;  // somebody can have reached the limit
   int constant = 0;
   for (std::size_t attempt = 1; attempt <= attempts && constant < kLong; ++attempt) {
-    const double declared = learning.attempt(failureRate);
-    const double alarmed = watch.attempt(1.0 - failureRate);
-    watch.enter(declared);
-    learning.enter(alarmed);
-    const double before = std::exchange(notAble, notAble - declared + alarmed);
-    constant = std::abs(notAble - before) <= kConstant ? constant + 1 : 0;
-    if (declared == 0.0 && alarmed == 0.0) {
-      constant = 0;  // nobody can have reached it yet
-    }
+    const double before = course.notAble();
+    course.attempt();
+    begun = begun || course.declaredNow() > 0.0;
+    constant = begun && std::abs(course.notAble() - before) <= kConstant ? constant + 1 : 0;
   }
-  return notAble;
+  return course.notAble();
 }
 
-std::optional<double> chooseLcCusumLimit(double adequate, double inadequate, std::size_t attempts,
-                                         double falsePass) {
+std::optional<double> chooseLcCusumLimit(LcCusumDesign design, std::size_t attempts, double falsePass) {
   TORSIO_EXPECTS(falsePass > 0.0 && falsePass < 1.0);
-  LcCusumDesign design{adequate, inadequate, 0.0};
   const double largest = weightsOf(design).success * static_cast<double>(attempts);
   // The probability falls as the limit rises: bisect over hundredths.
   int low = 0;
@@ -270,7 +443,7 @@ std::optional<double> chooseLcCusumLimit(double adequate, double inadequate, std
   const int most = static_cast<int>(std::floor(100.0 * largest));
   const auto passes = [&](int hundredths) {
     design.limit = hundredths / 100.0;
-    return reachedWithin(design, inadequate, attempts, falsePass);
+    return reachedWithin(design, design.inadequate, attempts, falsePass);
   };
   if (most < 1) {
     return std::nullopt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,12 +42,24 @@ struct BinaryCusum {
 [[nodiscard]] BinaryCusum binaryCusum(const std::vector<bool>& failed, double acceptable, double unacceptable,
                                       double alpha, double beta);
 
+/// How attempts of one person depend on each other: they come in sessions whose failure rates differ, and an
+/// attempt takes after the one before it. With probability `lag` an attempt repeats the outcome before it;
+/// otherwise it fails at the session's rate, which follows a beta distribution. The failure rate of all
+/// attempts is the mean of that distribution.
+struct AttemptDependence {
+  double session = 0.0;  ///< correlation of attempts of one session through its rate, at least 0, below 1
+  double lag = 0.0;      ///< of successive attempts, at least 0, below 1
+  std::int64_t perSession = 1;  ///< attempts of a session
+  friend bool operator==(const AttemptDependence&, const AttemptDependence&) = default;
+};
+
 /// LC-CUSUM (Biau and Porcher 2010): assumes that the trainee is not yet adequate and signals when that has
 /// become untenable. S = max(0, S + W).
 struct LcCusumDesign {
-  double adequate = 0.1;    ///< failure rate p0
-  double inadequate = 0.2;  ///< failure rate p1 > p0
-  double limit = 1.25;      ///< h
+  double adequate = 0.1;           ///< failure rate p0
+  double inadequate = 0.2;         ///< failure rate p1 > p0
+  double limit = 1.25;             ///< h
+  AttemptDependence dependence{};  ///< changes the probabilities, not the sum
 };
 struct LcCusum {
   double successWeight = 0.0;
@@ -66,9 +79,9 @@ struct LcCusum {
 [[nodiscard]] double lcCusumNotAble(const LcCusumDesign& design, double failureRate, std::size_t attempts);
 
 /// Returns the smallest limit, in steps of 0.01, at which an inadequate trainee passes with probability at
-/// most `falsePass`; empty if even the largest reachable sum would be too low.
-[[nodiscard]] std::optional<double> chooseLcCusumLimit(double adequate, double inadequate,
-                                                       std::size_t attempts, double falsePass);
+/// most `falsePass`; empty if even the largest reachable sum would be too low. Ignores `design.limit`.
+[[nodiscard]] std::optional<double> chooseLcCusumLimit(LcCusumDesign design, std::size_t attempts,
+                                                       double falsePass);
 
 /// Monitoring for relapse after competence: S = max(0, S + W') with reversed weights; an alarm means that the
 /// skill has decayed.

@@ -55,10 +55,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Competence not shown yet. %n successful attempt(s) in a row would show it.</source>
+        <source>Competence not shown yet. %n successful run(s) in a row would show it.</source>
         <translation>
-            <numerusform>Competence not shown yet. %n successful attempt would show it.</numerusform>
-            <numerusform>Competence not shown yet. %n successful attempts in a row would show it.</numerusform>
+            <numerusform>Competence not shown yet. %n successful run would show it.</numerusform>
+            <numerusform>Competence not shown yet. %n successful runs in a row would show it.</numerusform>
         </translation>
     </message>
 </context>

@@ -1484,27 +1484,13 @@
         <translation>此前按第 %1 版定义测得：最大力 %2，超出限值。该结果予以保留，但不再作数。</translation>
     </message>
     <message>
-        <source>Too few attempts to show competence.</source>
-        <translation>尝试次数太少，无法判定是否胜任。</translation>
-    </message>
-    <message>
         <source>Competent, and stable.</source>
         <translation>已胜任，并保持稳定。</translation>
-    </message>
-    <message>
-        <source>Previously competent; the latest attempts raise doubts.</source>
-        <translation>此前已胜任；最近几次尝试令人存疑。</translation>
     </message>
     <message numerus="yes">
         <source>%n day(s)</source>
         <translation>
             <numerusform>%n 天</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Competence not shown yet. %n successful attempt(s) in a row would show it.</source>
-        <translation>
-            <numerusform>尚未达到胜任标准。再连续成功 %n 次即可达到。</numerusform>
         </translation>
     </message>
     <message>
@@ -1518,6 +1504,20 @@
     <message>
         <source>Previously competent, but not now. Practise until you are competent again.</source>
         <translation>曾经胜任，但目前不再胜任。请练习，直到再次胜任。</translation>
+    </message>
+    <message>
+        <source>Too few runs to show competence.</source>
+        <translation>练习次数太少，无法判定是否胜任。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Competence not shown yet. %n successful run(s) in a row would show it.</source>
+        <translation>
+            <numerusform>尚未达到胜任标准。连续成功 %n 次练习即可达到。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Previously competent; the latest runs raise doubts.</source>
+        <translation>此前已胜任；最近几次练习令人存疑。</translation>
     </message>
 </context>
 <context>
@@ -10373,10 +10373,6 @@
         <translation>请保留练习的容差</translation>
     </message>
     <message>
-        <source>an untwisting that passes</source>
-        <translation>一次通过的复位</translation>
-    </message>
-    <message>
         <source>Competence design, version %1</source>
         <translation>胜任标准第 %1 版</translation>
     </message>
@@ -10387,18 +10383,6 @@
     <message>
         <source>learning</source>
         <translation>学习中</translation>
-    </message>
-    <message>
-        <source>competent since attempt %1</source>
-        <translation>自第 %1 次尝试起胜任</translation>
-    </message>
-    <message>
-        <source>competent since attempt %1; the latest attempts raise doubts</source>
-        <translation>自第 %1 次尝试起胜任；最近几次尝试令人存疑</translation>
-    </message>
-    <message>
-        <source>competent at attempt %1, but not now</source>
-        <translation>第 %1 次尝试时曾胜任，现已不再</translation>
     </message>
     <message>
         <source>must lie above 0 and below 1</source>
@@ -10437,10 +10421,6 @@
         <translation>必须在 1 到 %1 之间</translation>
     </message>
     <message>
-        <source>number of attempts</source>
-        <translation>尝试次数</translation>
-    </message>
-    <message>
         <source>Give as many as a trainee makes, such as 50</source>
         <translation>请给出学员会做的次数，例如 50</translation>
     </message>
@@ -10455,14 +10435,6 @@
     <message>
         <source>Give an angle in degrees</source>
         <translation>请以度给出角度</translation>
-    </message>
-    <message>
-        <source>no limit keeps the largest false pass within these attempts</source>
-        <translation>在这些尝试次数内，没有界限能保证最大误通过率</translation>
-    </message>
-    <message>
-        <source>Plan more attempts, or rates that lie farther apart</source>
-        <translation>请计划更多次尝试，或让两个失败率相差更大</translation>
     </message>
     <message>
         <source>Competence design registered</source>
@@ -10501,20 +10473,12 @@
         <translation>每名学员每个练习的 LC-CUSUM</translation>
     </message>
     <message>
-        <source>number of the attempt</source>
-        <translation>尝试序号</translation>
-    </message>
-    <message>
         <source>cumulative sum, share of the limit</source>
         <translation>累积和，占界限的比例</translation>
     </message>
     <message>
         <source>competent</source>
         <translation>胜任</translation>
-    </message>
-    <message>
-        <source>A success raises the sum, a failure lowers it, never below zero. A line ends where it reaches the limit: the trainee counts as competent from there on, with the error rates stated above.</source>
-        <translation>成功使累积和上升，失败使其下降，但不低于零。线在达到界限处结束：从那时起学员被认为胜任，错误率如上所述。</translation>
     </message>
     <message>
         <source>Competence of every trainee</source>
@@ -10525,28 +10489,12 @@
         <translation>练习</translation>
     </message>
     <message>
-        <source>Attempts</source>
-        <translation>尝试次数</translation>
-    </message>
-    <message>
         <source>Failed</source>
         <translation>失败</translation>
     </message>
     <message>
         <source>Level</source>
         <translation>水平</translation>
-    </message>
-    <message>
-        <source>False pass</source>
-        <translation>误通过</translation>
-    </message>
-    <message>
-        <source>False fail</source>
-        <translation>误判不通过</translation>
-    </message>
-    <message>
-        <source>Within attempts</source>
-        <translation>在多少次尝试内</translation>
     </message>
     <message>
         <source>Design</source>
@@ -10563,10 +10511,6 @@
     <message>
         <source>Competence by group</source>
         <translation>各组的胜任情况</translation>
-    </message>
-    <message>
-        <source>Competent and not yet competent, trainees</source>
-        <translation>目前胜任与未胜任的学员数</translation>
     </message>
     <message>
         <source>not competent</source>
@@ -11677,24 +11621,8 @@
         <translation>达到的等级</translation>
     </message>
     <message>
-        <source>Failed attempts</source>
-        <translation>未达标次数</translation>
-    </message>
-    <message>
         <source>Competent</source>
         <translation>胜任</translation>
-    </message>
-    <message>
-        <source>Competent at attempt</source>
-        <translation>达到胜任的次数</translation>
-    </message>
-    <message>
-        <source>Probability of a false pass</source>
-        <translation>误判通过的概率</translation>
-    </message>
-    <message>
-        <source>Probability of a false fail</source>
-        <translation>误判不通过的概率</translation>
     </message>
     <message>
         <source>Version of the design</source>
@@ -12071,18 +11999,6 @@ audit trail %3</source>
         <translation>该批次中有 %1 人在这个练习上有完成的操作；需要 %2 人</translation>
     </message>
     <message>
-        <source>a twist released within %1 {degree|degrees} (tolerance %2)</source>
-        <translation>松开时误差在 %1 度以内的一次扭转（容差%2）</translation>
-    </message>
-    <message>
-        <source>%1: success is %2; competent once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for %6 {attempt|attempts}.</source>
-        <translation>%1：成功指%2；失败率 %3 对 %4 的 LC‑CUSUM 达到 %5 即为胜任，按 %6 次尝试设计。</translation>
-    </message>
-    <message>
-        <source>not shown yet; %1 more {attempt|attempts} needed</source>
-        <translation>尚未显示；还需 %1 次尝试</translation>
-    </message>
-    <message>
         <source>no run has this id</source>
         <translation>没有此编号的操作</translation>
     </message>
@@ -12125,10 +12041,6 @@ audit trail %3</source>
     <message>
         <source>run</source>
         <translation>操作</translation>
-    </message>
-    <message>
-        <source>%1 of the adequate trainees would not pass within %2 {attempt|attempts}; at most %3 are wanted</source>
-        <translation>%1 的胜任者在 %2 次尝试内不会通过；最多允许 %3</translation>
     </message>
     <message>
         <source>Run begun</source>
@@ -12741,10 +12653,6 @@ audit trail %3</source>
     <message>
         <source>no target has a score by every rater</source>
         <translation>没有任何对象获得所有评分者的评分</translation>
-    </message>
-    <message>
-        <source>Attempts within which both hold</source>
-        <translation>两种错误率所对应的尝试次数</translation>
     </message>
     <message>
         <source>The missing marks could, at worst, leave open which group is better in %1 of %2 {comparison|comparisons}.</source>
@@ -15151,14 +15059,6 @@ audit trail %3</source>
         <translation>请由本中心的真实人员完成</translation>
     </message>
     <message>
-        <source>Probability of a false alarm</source>
-        <translation>误报警的概率</translation>
-    </message>
-    <message>
-        <source>Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged competent (false pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false alarm.</source>
-        <translation>在 %1 次尝试内，失败率为 %3 的学员中有 %2 会被误认为胜任（误通过），失败率仅为 %5 的学员中有 %4 不被认为胜任（误判不通过）；另有 %6 因误报警而不再被认为胜任。</translation>
-    </message>
-    <message>
         <source>Not shown to differ: %1.</source>
         <translation>未显示有差异：%1。</translation>
     </message>
@@ -15169,10 +15069,6 @@ audit trail %3</source>
     <message>
         <source>A single trainee has a score at both occasions in: %1. Its differences rest on one person; how much trainees of a group vary is taken from the other groups.</source>
         <translation>以下各组只有一名学员在两个评分时点都有得分：%1。其差异仅取决于一个人；组内学员的变异取自其他组。</translation>
-    </message>
-    <message>
-        <source>False alarm</source>
-        <translation>误报警</translation>
     </message>
     <message>
         <source>the centre has set no mail server</source>
@@ -16389,10 +16285,6 @@ audit trail %3</source>
     <message>
         <source>Give a lowest mark below the highest, and 1 to 1000 steps a point</source>
         <translation>最低分须低于最高分，每分 1 至 1000 级</translation>
-    </message>
-    <message>
-        <source>Competent now: at every exercise that was tried, by the designs of the section Competence. Within the attempts named there, a trainee who is inadequate at one exercise is judged competent in at most %1 % of cases; one who is adequate at all of them is not judged competent in at most %2 %.</source>
-        <translation>目前胜任：按“胜任”一节的标准，在所有尝试过的练习中均被认为胜任。在该节所列的尝试次数内，对其中某项能力不足者被误判为胜任的概率至多为 %1 %，对各项能力均足够者未被判为胜任的概率至多为 %2 %。</translation>
     </message>
     <message>
         <source>a program that was ended left a change half done</source>
@@ -18243,18 +18135,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>实物手臂</translation>
     </message>
     <message>
-        <source>%1, with a force of at most %2</source>
-        <translation>%1，且力不超过 %2</translation>
-    </message>
-    <message>
-        <source>%1, with a torque of at most %2</source>
-        <translation>%1，且扭矩不超过 %2</translation>
-    </message>
-    <message>
-        <source>%1, in a run that was finished</source>
-        <translation>%1，且该次操作已完成</translation>
-    </message>
-    <message>
         <source>not untwisted, ischaemic dose %1</source>
         <translation>未复位，缺血剂量 %1</translation>
     </message>
@@ -18385,10 +18265,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Not judged: the computer was too busy</source>
         <translation>未作评判：计算机当时过于繁忙</translation>
-    </message>
-    <message>
-        <source>Interrupted: kept, not counted</source>
-        <translation>已中断：已保存，不计次数</translation>
     </message>
     <message>
         <source>Not judged: such a recording has no requirements</source>
@@ -18941,6 +18817,210 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>First group minus second group, scores at the end alone: the adjusted difference can be clear where this one is not. Intervals are not adjusted for the number of pairs.</source>
         <translation>第一组减第二组，仅比较结束时的分数：调整后的差异可能明确，而这里并不明确。区间未按对数校正。</translation>
+    </message>
+    <message>
+        <source>Failed runs</source>
+        <translation>失败的练习次数</translation>
+    </message>
+    <message>
+        <source>Competent at run</source>
+        <translation>胜任时的练习序号</translation>
+    </message>
+    <message>
+        <source>Probability of a false pass within the runs made</source>
+        <translation>在已完成的练习次数内误判通过的概率</translation>
+    </message>
+    <message>
+        <source>Probability of a false fail within the runs made</source>
+        <translation>在已完成的练习次数内误判不通过的概率</translation>
+    </message>
+    <message>
+        <source>Probability of a false alarm within the runs made</source>
+        <translation>在已完成的练习次数内误报警的概率</translation>
+    </message>
+    <message>
+        <source>Probability of being declared competent within the runs planned, failing %1 %</source>
+        <translation>失败率为 %1 % 者在计划的练习次数内被判为胜任的概率</translation>
+    </message>
+    <message>
+        <source>Probability of being declared competent within the runs made, failing %1 %</source>
+        <translation>失败率为 %1 % 者在已完成的练习次数内被判为胜任的概率</translation>
+    </message>
+    <message>
+        <source>Runs planned</source>
+        <translation>计划的练习次数</translation>
+    </message>
+    <message>
+        <source>Fewest runs that can show competence</source>
+        <translation>能够证明胜任的最少练习次数</translation>
+    </message>
+    <message>
+        <source>the organ untwisted</source>
+        <translation>器官已复位</translation>
+    </message>
+    <message>
+        <source>at least %1 {twist|twists}, four in five of all twists released within %2 {degree|degrees} (tolerance %3)</source>
+        <translation>至少 %1 次扭转，所有扭转中五分之四在 %2 度以内松开（容差%3）</translation>
+    </message>
+    <message>
+        <source>%1, each held for %2</source>
+        <translation>%1，每次保持 %2</translation>
+    </message>
+    <message>
+        <source>%1, a force of at most %2</source>
+        <translation>%1，力至多 %2</translation>
+    </message>
+    <message>
+        <source>%1, a torque of at most %2</source>
+        <translation>%1，扭矩至多 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3, %4 and %5&#xa0;%</source>
+        <translation>%1、%2、%3、%4 和 %5&#xa0;%</translation>
+    </message>
+    <message>
+        <source>estimated from %1 {run|runs} of this centre</source>
+        <translation>由本中心的 %1 次练习估计</translation>
+    </message>
+    <message>
+        <source>assumed, until a design is registered after %1 {run|runs} of %2 {person|people}</source>
+        <translation>为假定值，直到有 %2 人共 %1 次练习之后登记了新标准</translation>
+    </message>
+    <message>
+        <source>This holds for a failure rate that does not change, with correlations of %1 among the runs of one session of %2 and %3 between successive runs (%4).</source>
+        <translation>前提是失败率不变，同一时段（%2 次）内各次练习之间的相关为 %1，相邻两次练习之间的相关为 %3（%4）。</translation>
+    </message>
+    <message>
+        <source>%1. A run succeeds with: %2. A twist still held when the run ends counts as missed; an interrupted run counts as failed. Competent once the LC-CUSUM of the runs, for failure rates of %3 against %4, reaches %5, planned for %6 {run|runs}; fewer than %7 can never show it.</source>
+        <translation>%1。一次练习成功的条件：%2。练习结束时仍夹持着的扭转计为未达标；中断的练习计为失败。各次练习的 LC-CUSUM（失败率 %3 对 %4）达到 %5 即为胜任，按 %6 次练习设计；少于 %7 次则无法证明胜任。</translation>
+    </message>
+    <message>
+        <source>Of trainees who truly fail %1 of their runs, %2 are declared competent within the %3 {run|runs} planned; of those who fail only %4, %5 are not, and another %6 lose it through a false alarm. %7</source>
+        <translation>真实失败率为 %1 的学员中，在计划的 %3 次练习内分别有 %2 被判为胜任；失败率仅为 %4 者中有 %5 未被判为胜任，另有 %6 因误报警而不再被认为胜任。%7</translation>
+    </message>
+    <message>
+        <source>%1 Within the %2 {run|runs} made nobody can be declared competent.</source>
+        <translation>%1在已完成的 %2 次练习内，任何人都不可能被判为胜任。</translation>
+    </message>
+    <message>
+        <source>%1 Within the %2 {run|runs} made it is %3.</source>
+        <translation>%1在已完成的 %2 次练习内，分别为 %3。</translation>
+    </message>
+    <message>
+        <source>not shown yet; %1 more {run|runs} needed</source>
+        <translation>尚未证明；还需 %1 次练习</translation>
+    </message>
+    <message>
+        <source>competent since run %1</source>
+        <translation>自第 %1 次练习起胜任</translation>
+    </message>
+    <message>
+        <source>competent since run %1; the latest runs raise doubts</source>
+        <translation>自第 %1 次练习起胜任；最近几次练习令人存疑</translation>
+    </message>
+    <message>
+        <source>competent at run %1, but not now</source>
+        <translation>第 %1 次练习时曾胜任，现已不再</translation>
+    </message>
+    <message>
+        <source>must lie between 0 and 0.9</source>
+        <translation>必须在 0 与 0.9 之间</translation>
+    </message>
+    <message>
+        <source>Give a correlation such as 0.1; 0 for independent runs</source>
+        <translation>请给出相关系数，例如 0.1；各次练习互不相关时为 0</translation>
+    </message>
+    <message>
+        <source>number of runs</source>
+        <translation>练习次数</translation>
+    </message>
+    <message>
+        <source>correlation of the runs of a session</source>
+        <translation>同一时段内各次练习的相关</translation>
+    </message>
+    <message>
+        <source>correlation of successive runs</source>
+        <translation>相邻两次练习的相关</translation>
+    </message>
+    <message>
+        <source>runs of a session</source>
+        <translation>一个时段内的练习次数</translation>
+    </message>
+    <message>
+        <source>Give as many as a trainee makes in a day</source>
+        <translation>请给出学员一天内的练习次数</translation>
+    </message>
+    <message>
+        <source>no limit keeps the largest false pass within these runs</source>
+        <translation>在这些练习次数内，没有界限能保证最大误通过率</translation>
+    </message>
+    <message>
+        <source>Plan more runs, or rates that lie farther apart</source>
+        <translation>请计划更多练习次数，或选择相差更大的失败率</translation>
+    </message>
+    <message>
+        <source>%1 of the adequate trainees would not pass within %2 {run|runs}; at most %3 are wanted</source>
+        <translation>%1 的胜任者在 %2 次练习内不会通过；最多允许 %3</translation>
+    </message>
+    <message>
+        <source>Interrupted: counts as failed unless it is excused</source>
+        <translation>已中断：除非获准免计，否则计为失败</translation>
+    </message>
+    <message>
+        <source>Competent now: at every exercise that the curriculum requires, tried or not, by the designs of the section Competence.</source>
+        <translation>目前胜任：按“胜任”一节的标准，在课程要求的所有练习项目中均胜任，无论是否尝试过。</translation>
+    </message>
+    <message>
+        <source>%1 Nobody can have been shown competent yet: at least %2 {run|runs} at an exercise are needed, and nobody made more than %3.</source>
+        <translation>%1目前任何人都还不可能被证明胜任：每个项目至少需要 %2 次练习，而最多者只完成了 %3 次。</translation>
+    </message>
+    <message>
+        <source>%1 After the runs made, a trainee who is inadequate at one exercise is judged competent at it in at most %2 % of cases; one who is adequate at all of them is not judged competent at one of them in at most %3 %. %4 of %5 {verdict rests|verdicts rest} on too few runs to show anybody competent.</source>
+        <translation>%1按已完成的练习次数，对某一项目能力不足者被误判为在该项目胜任的概率至多为 %2 %；对各项目能力均足够者在其中某一项目未被判为胜任的概率至多为 %3 %。%5 项判定中有 %4 项的练习次数太少，无法证明任何人胜任。</translation>
+    </message>
+    <message>
+        <source>not shown yet</source>
+        <translation>尚未证明</translation>
+    </message>
+    <message>
+        <source>number of the run</source>
+        <translation>练习序号</translation>
+    </message>
+    <message>
+        <source>A success raises the sum, a failure lowers it, never below zero. A line ends where it reaches the limit: the trainee counts as competent from there on, with the probabilities stated above.</source>
+        <translation>成功使累积和上升，失败使其下降，但不低于零。线在达到界限处结束：从那时起学员被认为胜任，概率如上所述。</translation>
+    </message>
+    <message>
+        <source>False pass so far</source>
+        <translation>目前的误通过率</translation>
+    </message>
+    <message>
+        <source>False fail so far</source>
+        <translation>目前的误判不通过率</translation>
+    </message>
+    <message>
+        <source>Runs needed at least</source>
+        <translation>至少需要的练习次数</translation>
+    </message>
+    <message>
+        <source>Probability of being declared competent within the runs made, by the share of runs that a trainee truly fails</source>
+        <translation>在已完成的练习次数内被判为胜任的概率（按学员的真实失败率）</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>练习项目</translation>
+    </message>
+    <message>
+        <source>Runs made</source>
+        <translation>已完成的练习次数</translation>
+    </message>
+    <message>
+        <source>Within the runs that were planned: see the sentences above.</source>
+        <translation>在计划的练习次数内的概率见上文。</translation>
+    </message>
+    <message>
+        <source>Competent, not competent, not shown yet: trainees</source>
+        <translation>胜任、未胜任、尚未证明的学员数</translation>
     </message>
 </context>
 <context>
@@ -20969,10 +21049,6 @@ MSM = 质点弹簧</translation>
         <translation>未胜任者的失败率(&amp;N)</translation>
     </message>
     <message>
-        <source>Attempts &amp;planned</source>
-        <translation>计划的尝试次数(&amp;P)</translation>
-    </message>
-    <message>
         <source>&amp;Wrong passes, at most</source>
         <translation>最多误通过(&amp;W)</translation>
     </message>
@@ -20989,20 +21065,12 @@ MSM = 质点弹簧</translation>
         <translation>效果</translation>
     </message>
     <message>
-        <source>An attempt is a completed twist or an untwisting. A registered design never changes; a new one applies to trainees who begin after its registration.</source>
-        <translation>一次尝试指一次完成的扭转或一次复位。标准登记后不再更改；新标准对登记之后才开始的学员有效。</translation>
-    </message>
-    <message>
         <source>Register</source>
         <translation>登记</translation>
     </message>
     <message>
         <source>Limit %1. %2</source>
         <translation>界限 %1。%2</translation>
-    </message>
-    <message>
-        <source>Too many would fail wrongly: plan more attempts, or choose rates further apart.</source>
-        <translation>误判不通过的人太多：请计划更多次尝试，或让两个失败率相差更大。</translation>
     </message>
     <message>
         <source>A tolerance chosen by hand needs a reason.</source>
@@ -21021,6 +21089,18 @@ MSM = 质点弹簧</translation>
         <translation>
             <numerusform>%n 名专家：平均误差 %1°，均值加一个标准差 %2°，涵盖十分之九专家的上限 %3°。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Runs &amp;planned</source>
+        <translation>计划的练习次数(&amp;P)</translation>
+    </message>
+    <message>
+        <source>A run passes or fails as a whole. A registered design never changes; a new one applies to trainees who begin after its registration.</source>
+        <translation>一次练习整体通过或失败。已登记的标准不再更改；新标准适用于登记之后开始的学员。</translation>
+    </message>
+    <message>
+        <source>Too many would fail wrongly: plan more runs, or choose rates further apart.</source>
+        <translation>误判不通过者太多：请计划更多练习次数，或选择相差更大的失败率。</translation>
     </message>
 </context>
 <context>

@@ -120,6 +120,7 @@ TEST(CohortReport, NamesOnTheFirstPageWhoReachedTheStandard) {
   CohortCompetence able;
   able.trainee = "x101";
   able.able = true;
+  able.attempts = 30;
   CohortCompetence notYet;
   notYet.trainee = "x102";
   in.competence = {able, notYet};

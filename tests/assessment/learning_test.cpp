@@ -6,7 +6,9 @@
 
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/cusum.h"
+#include "assessment/statistics/run_dependence.h"
 #include "assessment/statistics/standard_setting.h"
+#include "sim/core/random.h"
 #include "tests/assessment/reference_case.h"
 
 namespace torsio {
@@ -213,15 +215,91 @@ TEST(LcCusumProbability, AgreesWithTheExactTable) {
   EXPECT_EQ(compared, 72);
 }
 
+/// Pass rate of a person whose attempts depend on the one before, by summing over all courses.
+double byEnumeration(const LcCusumDesign& design, double failureRate, int attempts) {
+  double passed = 0.0;
+  for (unsigned course = 0; course < 1U << static_cast<unsigned>(attempts); ++course) {
+    std::vector<bool> failed;
+    double probability = 1.0;
+    for (int i = 0; i < attempts; ++i) {
+      const bool now = (course >> static_cast<unsigned>(i) & 1U) != 0;
+      const double lag = design.dependence.lag;
+      const double fails = i == 0 ? failureRate : (1.0 - lag) * failureRate + (failed.back() ? lag : 0.0);
+      probability *= now ? fails : 1.0 - fails;
+      failed.push_back(now);
+    }
+    passed += lcCusum(failed, design).competentAt ? probability : 0.0;
+  }
+  return passed;
+}
+
+TEST(LcCusumProbability, OfSuccessiveAttemptsThatCorrelate) {
+  const LcCusumDesign design{0.1, 0.3, 1.2, {.lag = 0.4}};
+  EXPECT_NEAR(lcCusumProbability(design, 0.3, 14), byEnumeration(design, 0.3, 14), 1e-12);
+  const LcCusumDesign alone{0.1, 0.3, 1.2};
+  EXPECT_NEAR(lcCusumProbability(alone, 0.3, 14), byEnumeration(alone, 0.3, 14), 1e-12);
+}
+
+TEST(LcCusumProbability, OfSessionsWithRatesOfTheirOwn) {
+  // Two sessions of three attempts, all of which must succeed: the square of E[(1 - p)^3] of a beta
+  // distribution.
+  const LcCusumDesign design{0.1, 0.3, 6.0 * std::log(0.9 / 0.7), {.session = 0.25, .perSession = 3}};
+  const double a = 0.3 * 3.0;
+  const double b = 0.7 * 3.0;
+  const double three = b / (a + b) * (b + 1.0) / (a + b + 1.0) * (b + 2.0) / (a + b + 2.0);
+  EXPECT_NEAR(lcCusumProbability(design, 0.3, 6), three * three, 1e-13);
+  // A long course in closed form, against one step by step.
+  const LcCusumDesign many{0.1, 0.3, 6.0, {.session = 0.2, .lag = 0.1, .perSession = 4}};
+  const double some = 1.0 - lcCusumProbability(many, 0.3, 1000);
+  const double more = 1.0 - lcCusumProbability(many, 0.3, 1500);
+  const double most = 1.0 - lcCusumProbability(many, 0.3, 2000);
+  EXPECT_NEAR(more / some, most / more, 1e-9);
+}
+
+TEST(EstimateDependence, FindsWhatSimulatedPeopleWereMadeWith) {
+  for (const AttemptDependence& made :
+       {AttemptDependence{0.0, 0.0, 5}, AttemptDependence{0.3, 0.0, 5}, AttemptDependence{0.0, 0.4, 5},
+        AttemptDependence{0.2, 0.2, 4}, AttemptDependence{0.0, 0.3, 1}}) {
+    Random random(20261129);
+    std::vector<SessionOutcomes> people;
+    for (int person = 0; person < 1000; ++person) {
+      const double rate = 0.3 + 0.2 * (person % 5) / 4.0;  // people differ
+      SessionOutcomes sessions;
+      bool failed = random.uniform() < rate;
+      for (int session = 0; session < 10; ++session) {
+        // Two rates with the mean and the variance asked for.
+        const double apart = std::sqrt(made.session * rate * (1.0 - rate));
+        const double own = random.uniform() < 0.5 ? rate + apart : rate - apart;
+        sessions.emplace_back();
+        for (std::int64_t i = 0; i < made.perSession; ++i) {
+          failed = random.uniform() < made.lag ? failed : random.uniform() < own;
+          sessions.back().push_back(failed);
+        }
+      }
+      people.push_back(sessions);
+    }
+    const std::optional<EstimatedDependence> got = estimateDependence(people);
+    ASSERT_TRUE(got);
+    EXPECT_NEAR(got->dependence.session, made.session, 0.05) << made.session << " " << made.lag;
+    EXPECT_NEAR(got->dependence.lag, made.lag, 0.05) << made.session << " " << made.lag;
+    EXPECT_EQ(got->dependence.perSession, made.perSession);
+    EXPECT_EQ(got->people, 1000);
+    EXPECT_EQ(got->attempts, 10'000 * made.perSession);
+    people.resize(9);
+    EXPECT_FALSE(estimateDependence(people));  // too few people
+  }
+  EXPECT_FALSE(estimateDependence(std::vector<SessionOutcomes>(100, SessionOutcomes{{false, false, false}})));
+}
+
 TEST(ChooseLcCusumLimit, KeepsTheFalsePassRate) {
-  const std::optional<double> limit = chooseLcCusumLimit(0.1, 0.2, 50, 0.05);
+  const std::optional<double> limit = chooseLcCusumLimit({0.1, 0.2}, 50, 0.05);
   ASSERT_TRUE(limit.has_value());
   // At h = 3 the rate is 0.036 (exact table); the chosen limit is the smallest that keeps 0.05.
   EXPECT_LE(*limit, 3.0);
   EXPECT_LE(lcCusumProbability({0.1, 0.2, *limit}, 0.2, 50), 0.05);
   EXPECT_GT(lcCusumProbability({0.1, 0.2, *limit - 0.01}, 0.2, 50), 0.05);
-  EXPECT_FALSE(chooseLcCusumLimit(0.1, 0.2, 3, 0.05).has_value());
-  const std::optional<double> ofMany = chooseLcCusumLimit(0.1, 0.2, 10'000, 0.05);
+  EXPECT_FALSE(chooseLcCusumLimit({0.1, 0.2}, 3, 0.05).has_value());
+  const std::optional<double> ofMany = chooseLcCusumLimit({0.1, 0.2}, 10'000, 0.05);
   ASSERT_TRUE(ofMany.has_value());
   EXPECT_LE(lcCusumProbability({0.1, 0.2, *ofMany}, 0.2, 10'000), 0.05);
   EXPECT_GT(lcCusumProbability({0.1, 0.2, *ofMany - 0.01}, 0.2, 10'000), 0.05);

@@ -229,7 +229,9 @@ CohortCompetence verdictOf(const CohortInputs& in, std::size_t trainee, bool abl
   one.falsePass = 0.049;
   one.falseFail = 0.094;
   one.falseAlarm = 0.014;
-  one.withinAttempts = 50;
+  one.declaredWithinMade = {0.5, 0.3, 0.2, 0.1, 0.049};
+  one.plannedAttempts = 50;
+  one.fewestAttempts = 2;
   one.design = Text::verbatim("Design.");
   one.errors = Text::verbatim("Errors.");
   return one;
@@ -245,9 +247,14 @@ TEST(CompetenceSection, PrintsTheErrorRatesBesideEveryLevel) {
   EXPECT_EQ(table->rows.at(0).at(5), "competent, since attempt 2");
   EXPECT_EQ(table->rows.at(0).at(6), "4.9 %");
   EXPECT_EQ(table->rows.at(1).at(7), "9.4 %");
-  EXPECT_EQ(table->rows.at(1).at(8), "1.4 %");
-  EXPECT_EQ(table->rows.at(1).at(9), "50");
-  EXPECT_EQ(table->rows.at(1).at(10), "shipped with the exercise");
+  EXPECT_EQ(table->rows.at(1).at(8), "2");
+  EXPECT_EQ(table->rows.at(1).at(9), "shipped with the exercise");
+  const ReportTable* odds = tableIn(report, "table-competence-odds");
+  ASSERT_NE(odds, nullptr);
+  ASSERT_EQ(odds->rows.size(), 1U);
+  EXPECT_EQ(odds->rows.at(0).at(1), "3");
+  EXPECT_EQ(odds->columns.at(6), "30\u00A0%");
+  EXPECT_EQ(odds->rows.at(0).at(6), "4.9 %");
   EXPECT_THAT(saidBy(in), HasSubstr("Quarter turn. Design. Errors."));
   std::int64_t rates = 0;
   for (const CohortCsvRow& row : cohortCsvRows(in)) {
@@ -292,11 +299,44 @@ TEST(CompetenceSection, TheFirstPageUsesItsVerdictsOnly) {
   ASSERT_NE(table, nullptr);
   EXPECT_EQ(table->rows.at(0).at(3), "1 of 3: x101") << "one is competent at all that was tried";
   ASSERT_EQ(table->notes.size(), 1U);
-  EXPECT_THAT(table->notes[0].str(), HasSubstr("competent in at most 12.0 % of cases; one who is adequate at "
-                                               "all of them is not judged competent in at most 21.6 %"))
+  EXPECT_THAT(
+      table->notes[0].str(),
+      HasSubstr("competent at it in at most 12.0 % of cases; one who is adequate at all of them is not "
+                "judged competent at one of them in at most 21.6 %"))
       << "one of the two exercises is enough not to be competent at both";
+  in.competence[3].required = false;
+  EXPECT_EQ(tableIn(cohortReport(in), "table-standard")->rows.at(0).at(3), "2 of 3: x101, x102");
   in.competence.clear();
   EXPECT_TRUE(tableIn(cohortReport(in), "table-standard")->notes.empty());
+}
+// "At most 10.8 %" stood beside "0 of 10" people with 10 attempts, where 17 were the fewest that can pass.
+TEST(CompetenceSection, TooFewRunsAreNoVerdict) {
+  CohortInputs in = demonstrationCohort();
+  in.competence = {verdictOf(in, 0, false), verdictOf(in, 1, false)};
+  for (CohortCompetence& one : in.competence) {
+    one.fewestAttempts = 25;
+    one.level = Text::verbatim("not shown yet");
+    one.falsePass = 0.0;
+    one.falseFail = 1.0;
+    one.falseAlarm = 0.0;
+  }
+  const ReportModel report = cohortReport(in);
+  const ReportTable* table = tableIn(report, "table-standard");
+  ASSERT_NE(table, nullptr);
+  EXPECT_THAT(
+      table->notes.at(0).str(),
+      HasSubstr("Nobody can have been shown competent yet: at least 25 runs at an exercise are needed, "
+                "and nobody made more than 3."));
+  EXPECT_THAT(table->notes.at(0).str(), Not(HasSubstr("at most")));
+  const ReportTable* counts = tableIn(report, "table-competence-groups");
+  ASSERT_NE(counts, nullptr);
+  EXPECT_EQ(counts->rows.at(0).at(2), "competent 0, not competent 0, not shown yet 2");
+  // A required exercise that nobody tried counts against competence.
+  in.competence = {verdictOf(in, 0, true), verdictOf(in, 0, false)};
+  in.competence[1].exercise = Text::verbatim("Never tried");
+  in.competence[1].attempts = 0;
+  in.competence[1].sums.clear();
+  EXPECT_THAT(tableIn(cohortReport(in), "table-standard")->rows.at(0).at(3).str(), HasSubstr("0 of 1"));
 }
 
 }  // namespace

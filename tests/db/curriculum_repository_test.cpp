@@ -129,6 +129,10 @@ TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsPermanently) {
                           .attempts = 100,
                           .falsePassMost = 0.01,
                           .falseFailMost = 0.2,
+                          .sessionCorrelation = 0.2,
+                          .lagCorrelation = 0.0,
+                          .runsPerSession = 3,
+                          .dependenceRuns = 512,
                           .limit = 4.79,
                           .reason = "as our experts do"};
 
@@ -138,6 +142,16 @@ TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsPermanently) {
   design.version = 2;
   EXPECT_EQ(designs.ofModule(design.moduleId).at(1), design);
   EXPECT_TRUE(designs.ofModule(version.modules[1].id).empty());
+  // Of schema 1: it keeps its limit, and the dependence of runs is assumed.
+  connection().executeVerbatim(
+      "INSERT INTO competence_design SELECT module_id, 3, registered_utc_us, tolerance_rad, tolerance_source,"
+      " experts, adequate, inadequate, attempts, false_pass_most, false_fail_most, sum_limit, reason,"
+      " NULL, NULL, NULL, NULL FROM competence_design WHERE version = 2");
+  const CompetenceDesign old = designs.ofModule(design.moduleId).at(2);
+  EXPECT_EQ(old.limit, design.limit);
+  EXPECT_EQ(old.runsPerSession, CompetenceDesign{}.runsPerSession);
+  EXPECT_EQ(old.lagCorrelation, CompetenceDesign{}.lagCorrelation);
+  EXPECT_EQ(old.dependenceRuns, 0);
   EXPECT_EQ(faultFrom([&] { connection().execute("UPDATE competence_design SET attempts = 10"); }),
             DbFault::kAppendOnly);
   EXPECT_EQ(faultFrom([&] { connection().execute("DELETE FROM competence_design"); }), DbFault::kAppendOnly);

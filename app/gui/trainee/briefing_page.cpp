@@ -299,8 +299,8 @@ void BriefingPage::fill() {
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
   able_->setTitle(tr("When you count as competent"));
-  able_->setVisible(competence_.errors.attempts > 0);
-  if (competence_.errors.attempts > 0) {
+  able_->setVisible(competence_.planned.attempts > 0);
+  if (competence_.planned.attempts > 0) {
     design_->setText(StationLabels::competenceRule(competence_));
     errors_->setText(StationLabels::competenceErrors(competence_));
   }

@@ -341,7 +341,7 @@ void DebriefPage::fill() {
   const bool undone = debrief_.detorsion.has_value();
   inThree_->setVisible(any && haveReplay_);
   untwisting_->setVisible(any && undone);
-  competence_->setVisible(any && debrief_.competence.errors.attempts > 0);
+  competence_->setVisible(any && debrief_.competence.planned.attempts > 0);
   for (QWidget* ofTwists : std::initializer_list<QWidget*>{good_, better_, trace_}) {
     ofTwists->setVisible(any && !undone);
   }
@@ -355,7 +355,7 @@ void DebriefPage::fill() {
   verdict_->setText(toQString(verdict.sentence()));
   setLook(verdict_, "good", verdict.passed());
   setLook(verdict_, "caution", !verdict.passed());
-  if (const CompetenceVerdict& all = debrief_.competence; all.errors.attempts > 0) {
+  if (const CompetenceVerdict& all = debrief_.competence; all.planned.attempts > 0) {
     competence_->setText(tr("Your level (all runs): %1. %2")
                              .arg(toQString(competenceLevelText(all)), StationLabels::competenceErrors(all)));
   }

@@ -115,14 +115,14 @@ QString StationLabels::level(const CompetenceVerdict& verdict) {
 QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
   switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return tr("Too few attempts to show competence.");
+      return tr("Too few runs to show competence.");
     case SkillLevel::kLearning:
-      return tr("Competence not shown yet. %n successful attempt(s) in a row would show it.", nullptr,
+      return tr("Competence not shown yet. %n successful run(s) in a row would show it.", nullptr,
                 static_cast<int>(fewestForAble(verdict.design)));
     case SkillLevel::kSteady:
       return tr("Competent, and stable.");
     case SkillLevel::kWatch:
-      return tr("Previously competent; the latest attempts raise doubts.");
+      return tr("Previously competent; the latest runs raise doubts.");
     case SkillLevel::kRelapsed:
       return tr("Previously competent, but not now. Practise until you are competent again.");
   }
@@ -134,7 +134,7 @@ QString StationLabels::competenceRule(const CompetenceVerdict& verdict) {
 }
 
 QString StationLabels::competenceErrors(const CompetenceVerdict& verdict) {
-  return toQString(competenceErrorText(verdict.design, verdict.errors));
+  return toQString(competenceErrorText(verdict));
 }
 
 QString StationLabels::readiness(const ReadinessFinding& finding) {

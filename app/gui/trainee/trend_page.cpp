@@ -175,8 +175,8 @@ void TrendPage::fill() {
   setLook(levelName_, "caution",
           verdict.level == SkillLevel::kWatch || verdict.level == SkillLevel::kRelapsed);
   levelMeaning_->setText(StationLabels::levelMeaning(verdict));
-  competence_->setVisible(verdict.errors.attempts > 0);
-  if (verdict.errors.attempts > 0) {
+  competence_->setVisible(verdict.planned.attempts > 0);
+  if (verdict.planned.attempts > 0) {
     competence_->setText(StationLabels::competenceRule(verdict) + QLatin1Char('\n') +
                          StationLabels::competenceErrors(verdict));
   }

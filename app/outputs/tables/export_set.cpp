@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "assessment/catalogue/quantity.h"
+#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
+#include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 
 namespace torsio {
@@ -381,15 +383,28 @@ class Tables {
   }
 
   [[nodiscard]] ExportTable competence() const {
-    static const std::array<ExportColumn, 8> kNumbers = {
-        number("failed", Text::tr("Failed attempts")),
+    std::vector<ExportColumn> numbers = {
+        number("failed", Text::tr("Failed runs")),
         yesNo("able", Text::tr("Competent")),
-        number("able_at_attempt", Text::tr("Competent at attempt")),
-        number("false_pass", Text::tr("Probability of a false pass")),
-        number("false_fail", Text::tr("Probability of a false fail")),
-        number("false_alarm", Text::tr("Probability of a false alarm")),
-        number("within_attempts", Text::tr("Attempts within which both hold")),
-        number("design_version", Text::tr("Version of the design"))};
+        number("able_at_attempt", Text::tr("Competent at run")),
+        number("false_pass", Text::tr("Probability of a false pass within the runs made")),
+        number("false_fail", Text::tr("Probability of a false fail within the runs made")),
+        number("false_alarm", Text::tr("Probability of a false alarm within the runs made"))};
+    for (const bool planned : {false, true}) {
+      for (std::size_t rate = 0; rate < kStatedFailureRates.size(); ++rate) {
+        const std::string share = formatFixed(100.0 * kStatedFailureRates[rate], 0);
+        numbers.push_back(number(
+            declaredStatistic(rate, planned),
+            planned
+                ? Text::tr("Probability of being declared competent within the runs planned, failing %1 %",
+                           share)
+                : Text::tr("Probability of being declared competent within the runs made, failing %1 %",
+                           share)));
+      }
+    }
+    numbers.push_back(number("planned_attempts", Text::tr("Runs planned")));
+    numbers.push_back(number("fewest_attempts", Text::tr("Fewest runs that can show competence")));
+    numbers.push_back(number("design_version", Text::tr("Version of the design")));
     ExportTable table{"competence",
                       Text::tr("Competence"),
                       Text::tr("Verdict of the registered competence design, with both error rates"),
@@ -397,14 +412,14 @@ class Tables {
                        groupColumn(),
                        {"exercise", Text::tr("Exercise")},
                        {"level", Text::tr("Level reached")},
-                       number("attempts", Text::tr("Attempts"))},
+                       number("attempts", Text::tr("Runs"))},
                       {}};
-    table.columns.insert(table.columns.end(), kNumbers.begin(), kNumbers.end());
+    table.columns.insert(table.columns.end(), numbers.begin(), numbers.end());
     for (const Result* level :
          ledger_.select({.section = ResultSection::kCompetence, .statistic = "level", .of = kEach})) {
       ResultKey key = level->key;
       Cells row{key.of, groupOf(*key.group), textOf(key.index), wordOf(*level), valuesOf(*level)};
-      for (const ExportColumn& column : kNumbers) {
+      for (const ExportColumn& column : numbers) {
         key.statistic = column.name;
         row.push_back(numberOf(ledger_.find(key)));
       }

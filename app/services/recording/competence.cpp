@@ -2,6 +2,8 @@
 #include "app/services/recording/competence.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -21,20 +23,29 @@ namespace {
 
 constexpr std::int64_t kMaxRuns = 10'000;
 
-CompetenceRun runOf(const TrainingModule& module, const TrialDigest& digest) {
-  const AttemptMeasures& measures = digest.measures;
-  CompetenceRun run;
-  run.untwisting = isUntwisting(measures.values);
-  run.outcome = judgeRun(measures.values, rulesOf(module)).outcome;
-  run.withinLimits = withinLimits(
-      measures.values, {.forceLimit_N = digest.forceLimit_N, .torqueLimit_Nm = digest.torqueLimit_Nm});
-  run.tolerance_rad = digest.tolerance_rad;
-  run.twists = measures.twists;
-  return run;
+/// Returns the runs of a trainee at a module that ended, oldest first.
+std::vector<TrialListing> endedRuns(Connection& connection, const std::string& traineeCode,
+                                    const TrainingModule& module, std::int64_t lastUtc_us) {
+  TrialFilter filter;
+  filter.traineeCode = traineeCode;
+  filter.moduleId = module.id;
+  filter.limit = kMaxRuns;
+  std::vector<TrialListing> trials = TrialRepository(connection).list(filter);
+  std::reverse(trials.begin(), trials.end());
+  std::erase_if(trials, [&](const TrialListing& trial) {
+    return !trial.summary || !countsAt(module, trial.attemptMode) || trial.startedUtc_us > lastUtc_us;
+  });
+  return trials;
 }
 
-bool isFinished(const TrialListing& trial) {
-  return trial.summary && trial.summary->outcome != TrialOutcome::kInterrupted;
+CompetenceRun runOf(Connection& connection, const TrialListing& trial, const CompetenceDesign& design,
+                    const AttemptRules& required, ExerciseRules& rules, std::int64_t now_us) {
+  CompetenceRun run{.outcome = RunOutcome::kInterrupted, .startedUtc_us = trial.startedUtc_us};
+  if (trial.summary->outcome != TrialOutcome::kInterrupted) {
+    const TrialDigest digest = digestOf(connection, trial, rules, now_us);
+    run.outcome = competenceOutcome(design, required, digest.measures, digest.tolerance_rad);
+  }
+  return run;
 }
 
 }  // namespace
@@ -46,45 +57,65 @@ bool asksForUntwisting(const TrainingModule& module) {
   });
 }
 
+bool isRequired(const CurriculumVersion& version, const TrainingModule& module) {
+  const auto graded = [](const TrainingModule& one) { return one.mode == AttemptMode::kGraded; };
+  return graded(module) || std::none_of(version.modules.begin(), version.modules.end(), graded);
+}
+
 bool countsAt(const TrainingModule& module, std::optional<AttemptMode> mode) noexcept {
   return mode == AttemptMode::kGraded || module.mode == AttemptMode::kPractice;
 }
 
 CompetenceRule ruleOf(const TrainingModule& module, const CompetenceDesign& design) {
-  return {.design = design,
-          .untwisting = asksForUntwisting(module),
-          .forceLimit_N = module.maxForce_N,
-          .torqueLimit_Nm = module.maxTorque_Nm};
+  CompetenceRule rule{.design = design, .untwisting = asksForUntwisting(module), .run = rulesOf(module)};
+  rule.run.tolerance_rad = design.tolerance_rad;
+  return rule;
 }
 
 CompetenceVerdict competenceOf(Connection& connection, const std::string& traineeCode,
                                const TrainingModule& module, ExerciseRules& rules, std::int64_t now_us,
                                std::int64_t lastUtc_us) {
-  TrialFilter filter;
-  filter.traineeCode = traineeCode;
-  filter.moduleId = module.id;
-  filter.limit = kMaxRuns;
-  std::vector<TrialListing> trials = TrialRepository(connection).list(filter);
-  std::reverse(trials.begin(), trials.end());  // oldest first
+  const std::vector<TrialListing> trials = endedRuns(connection, traineeCode, module, lastUtc_us);
+  const CompetenceDesign design =
+      designInForce(CompetenceRepository(connection).ofModule(module.id),
+                    shippedCompetence(module.id, module.tolerance_rad),
+                    trials.empty() ? std::nullopt : std::optional(trials.front().startedUtc_us));
+  const CompetenceRule rule = ruleOf(module, design);
   std::vector<CompetenceRun> runs;
   std::vector<TrialId> ids;
-  std::optional<std::int64_t> began_us;
   for (const TrialListing& trial : trials) {
-    if (!isFinished(trial) || !countsAt(module, trial.attemptMode) || trial.startedUtc_us > lastUtc_us) {
-      continue;
+    runs.push_back(runOf(connection, trial, design, rule.run, rules, now_us));
+    if (runs.back().failed()) {
+      ids.push_back(trial.trialId);
     }
-    began_us = began_us.value_or(trial.startedUtc_us);
-    runs.push_back(runOf(module, digestOf(connection, trial, rules, now_us)));
-    ids.push_back(trial.trialId);
   }
-  const CompetenceDesign design = designInForce(CompetenceRepository(connection).ofModule(module.id),
-                                                shippedCompetence(module.id, module.tolerance_rad), began_us);
-  CompetenceVerdict verdict = judgeCompetence(design, failedAttempts(design, runs));
+  CompetenceVerdict verdict = judgeCompetence(design, failedAttempts(runs));
   verdict.runs = std::move(ids);
-  static_cast<CompetenceRule&>(verdict) = ruleOf(module, design);
-  verdict.untwisting |=
-      std::any_of(runs.begin(), runs.end(), [](const CompetenceRun& r) { return r.untwisting; });
+  static_cast<CompetenceRule&>(verdict) = rule;
   return verdict;
+}
+
+std::optional<EstimatedDependence> centreDependence(Connection& connection, const TrainingModule& module,
+                                                    ExerciseRules& rules, std::int64_t now_us) {
+  TrialFilter filter;
+  filter.moduleId = module.id;
+  filter.limit = kMaxRuns;
+  std::set<std::string> trainees;
+  for (const TrialListing& trial : TrialRepository(connection).list(filter)) {
+    trainees.insert(trial.traineeCode);
+  }
+  const CompetenceDesign design = shippedCompetence(module.id, module.tolerance_rad);
+  const AttemptRules required = rulesOf(module);
+  std::vector<SessionOutcomes> people;
+  for (const std::string& trainee : trainees) {
+    std::vector<CompetenceRun> runs;
+    for (const TrialListing& trial :
+         endedRuns(connection, trainee, module, std::numeric_limits<std::int64_t>::max())) {
+      runs.push_back(runOf(connection, trial, design, required, rules, now_us));
+    }
+    people.push_back(sessionsOf(runs));
+  }
+  return estimateDependence(people);
 }
 
 std::vector<CohortCompetence> competenceOfCohort(Connection& connection, const CurriculumVersionId& versionId,
@@ -99,29 +130,32 @@ std::vector<CohortCompetence> competenceOfCohort(Connection& connection, const C
   for (const TrainingModule& module : version->modules) {
     for (const CohortTrainee& trainee : trainees) {
       const CompetenceVerdict verdict = competenceOf(connection, trainee.code, module, rules, now_us);
-      if (verdict.attempts == 0) {
+      if (verdict.attempts == 0 && !isRequired(*version, module)) {
         continue;
       }
       CohortCompetence one;
       one.trainee = trainee.code;
       one.group = trainee.group;
       one.exercise = module.title;
-      one.attempts = std::ssize(verdict.sums);
+      one.attempts = static_cast<std::int64_t>(verdict.attempts);
       one.failed = static_cast<std::int64_t>(verdict.failed);
       one.level = competenceLevelText(verdict);
       one.ableAt = verdict.ableAt ? std::optional(static_cast<std::int64_t>(*verdict.ableAt)) : std::nullopt;
       one.able = isAble(verdict.level);
+      one.required = isRequired(*version, module);
       one.sums = verdict.sums;
       one.runs = verdict.runs;
       one.limit = verdict.design.limit;
       one.falsePass = verdict.errors.falsePass;
       one.falseFail = verdict.errors.falseFail;
       one.falseAlarm = verdict.errors.falseAlarm;
-      one.withinAttempts = verdict.errors.attempts;
+      one.declaredWithinMade = verdict.made.declared;
+      one.declaredWithinPlanned = verdict.planned.declared;
+      one.plannedAttempts = verdict.design.attempts;
+      one.fewestAttempts = static_cast<std::int64_t>(fewestForAble(verdict.design));
       one.designVersion = verdict.design.version;
       one.design = competenceRuleText(verdict);
-      one.errors =
-          competenceErrorText(verdict.design, competenceErrors(verdict.design, verdict.design.attempts));
+      one.errors = competenceErrorText(verdict.design);
       all.push_back(std::move(one));
     }
   }
@@ -136,23 +170,57 @@ std::string percentText(double share) {
 
 namespace {
 
-/// Describes a success: "a twist released within 10.0 degrees (tolerance of the exercise), with a force of at
-/// most 3.30 N, in a run that was finished".
+/// Describes what a run needs to pass: "at least 5 twists, four in five of them released within 10.0 degrees
+/// (tolerance of the exercise), a force of at most 3.30 N".
 Text successText(const CompetenceRule& rule) {
   const CompetenceDesign& design = rule.design;
-  Text success = rule.untwisting
-                     ? Text(Text::tr("an untwisting that passes"))
-                     : Text::tr("a twist released within %1 {degree|degrees} (tolerance %2)",
-                                formatFixed(degrees(design.tolerance_rad), 1), Text(labelOf(design.source)));
-  if (rule.forceLimit_N) {
-    success = Text::tr("%1, with a force of at most %2", success,
-                       shownValue(Quantity::kPeakForce, *rule.forceLimit_N));
+  const AttemptRules& run = rule.run;
+  Text needs = Text::tr("the organ untwisted");
+  if (!rule.untwisting) {
+    needs = Text::tr(
+        "at least %1 {twist|twists}, four in five of all twists released within %2 "
+        "{degree|degrees} (tolerance %3)",
+        run.leastTwists, formatFixed(degrees(design.tolerance_rad), 1), Text(labelOf(design.source)));
+    if (run.hold_s > 0.0) {
+      needs = Text::tr("%1, each held for %2", needs, shownValue(Quantity::kShortestHold, run.hold_s));
+    }
   }
-  if (rule.torqueLimit_Nm) {
-    success = Text::tr("%1, with a torque of at most %2", success,
-                       shownValue(Quantity::kPeakTorque, *rule.torqueLimit_Nm));
+  if (run.forceLimit_N) {
+    needs = Text::tr("%1, a force of at most %2", needs, shownValue(Quantity::kPeakForce, *run.forceLimit_N));
   }
-  return Text::tr("%1, in a run that was finished", success);
+  if (run.torqueLimit_Nm) {
+    needs =
+        Text::tr("%1, a torque of at most %2", needs, shownValue(Quantity::kPeakTorque, *run.torqueLimit_Nm));
+  }
+  for (const MasteryRule& mastery : run.mastery) {
+    if (mastery.quantity != Quantity::kUntwisted) {
+      needs = Text::tr("%1; %2", needs, mastery.text());
+    }
+  }
+  return needs;
+}
+
+/// Formats one number per stated failure rate: "10, 15, 20, 25 and 30 %".
+Text fiveShares(const std::array<double, kStatedFailureRates.size()>& shares, int decimals) {
+  std::array<std::string, kStatedFailureRates.size()> shown;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    shown[i] = formatFixed(100.0 * shares[i], decimals);
+  }
+  return Text::tr("%1, %2, %3, %4 and %5\u00A0%", shown[0], shown[1], shown[2], shown[3], shown[4]);
+}
+
+/// Describes what the probabilities of a design assume.
+Text assumptionText(const CompetenceDesign& design) {
+  const Text origin =
+      design.dependenceRuns > 0
+          ? Text::tr("estimated from %1 {run|runs} of this centre", design.dependenceRuns)
+          : Text::tr("assumed, until a design is registered after %1 {run|runs} of %2 {person|people}",
+                     kMinDependenceAttempts, kMinDependencePeople);
+  return Text::tr(
+      "This holds for a failure rate that does not change, with correlations of %1 among the runs of one "
+      "session of %2 and %3 between successive runs (%4).",
+      formatFixed(design.sessionCorrelation, 2), design.runsPerSession, formatFixed(design.lagCorrelation, 2),
+      origin);
 }
 
 }  // namespace
@@ -165,36 +233,48 @@ Text competenceRuleText(const CompetenceRule& rule) {
           : Text::tr(
                 "Competence design shipped with the exercise (none was registered before the first attempt)");
   return Text::tr(
-      "%1: success is %2; competent once the LC-CUSUM of failure rates %3 against %4 reaches %5, planned for "
-      "%6 "
-      "{attempt|attempts}.",
+      "%1. A run succeeds with: %2. A twist still held when the run ends counts as missed; an interrupted "
+      "run "
+      "counts as failed. Competent once the LC-CUSUM of the runs, for failure rates of %3 against %4, "
+      "reaches "
+      "%5, planned for %6 {run|runs}; fewer than %7 can never show it.",
       which, successText(rule), percentText(design.adequate), percentText(design.inadequate),
-      formatFixed(design.limit, 2), design.attempts);
+      formatFixed(design.limit, 2), design.attempts, fewestForAble(design));
 }
 
-Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors) {
+Text competenceErrorText(const CompetenceDesign& design) {
+  const CompetenceErrors errors = competenceErrors(design, design.attempts);
   return Text::tr(
-      "Within %1 {attempt|attempts}, %2 of trainees who fail %3 of their attempts are judged competent "
-      "(false "
-      "pass), and %4 of those who fail only %5 are not (false fail); another %6 lose it through a false "
-      "alarm.",
-      errors.attempts, percentText(errors.falsePass), percentText(design.inadequate),
-      percentText(errors.falseFail), percentText(design.adequate), percentText(errors.falseAlarm));
+      "Of trainees who truly fail %1 of their runs, %2 are declared competent within the %3 {run|runs} "
+      "planned; of those who fail only %4, %5 are not, and another %6 lose it through a false alarm. %7",
+      fiveShares(kStatedFailureRates, 0), fiveShares(competenceOdds(design, design.attempts).declared, 1),
+      design.attempts, percentText(design.adequate), percentText(errors.falseFail),
+      percentText(errors.falseAlarm), assumptionText(design));
+}
+
+Text competenceErrorText(const CompetenceVerdict& verdict) {
+  const Text planned = competenceErrorText(verdict.design);
+  const std::size_t fewest = fewestForAble(verdict.design);
+  if (verdict.attempts < fewest) {
+    return Text::tr("%1 Within the %2 {run|runs} made nobody can be declared competent.", planned,
+                    verdict.attempts);
+  }
+  return Text::tr("%1 Within the %2 {run|runs} made it is %3.", planned, verdict.attempts,
+                  fiveShares(verdict.made.declared, 1));
 }
 
 Text competenceLevelText(const CompetenceVerdict& verdict) {
   switch (verdict.level) {
     case SkillLevel::kNotShown:
-      return Text::tr("not shown yet; %1 more {attempt|attempts} needed", verdict.attemptsUntilLevel);
+      return Text::tr("not shown yet; %1 more {run|runs} needed", verdict.attemptsUntilLevel);
     case SkillLevel::kLearning:
       return Text::tr("learning");
     case SkillLevel::kSteady:
-      return Text::tr("competent since attempt %1", verdict.ableAt.value_or(0));
+      return Text::tr("competent since run %1", verdict.ableAt.value_or(0));
     case SkillLevel::kWatch:
-      return Text::tr("competent since attempt %1; the latest attempts raise doubts",
-                      verdict.ableAt.value_or(0));
+      return Text::tr("competent since run %1; the latest runs raise doubts", verdict.ableAt.value_or(0));
     case SkillLevel::kRelapsed:
-      return Text::tr("competent at attempt %1, but not now", verdict.ableAt.value_or(0));
+      return Text::tr("competent at run %1, but not now", verdict.ableAt.value_or(0));
   }
   return {};
 }

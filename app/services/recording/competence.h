@@ -24,11 +24,14 @@ class Connection;
 /// Returns whether the rules of a module are about untwisting.
 [[nodiscard]] bool asksForUntwisting(const TrainingModule& module);
 
+/// Returns whether a trainee must be competent at a module to be competent altogether: the graded modules of
+/// a curriculum, or all if none is graded.
+[[nodiscard]] bool isRequired(const CurriculumVersion& version, const TrainingModule& module);
+
 /// Returns whether a run in this mode counts for a module: graded, or any mode in a practice module.
 [[nodiscard]] bool countsAt(const TrainingModule& module, std::optional<AttemptMode> mode) noexcept;
 
-/// Returns a module's rule of competence for a design, and whether it is about untwisting, judging by its
-/// rules.
+/// Returns a module's rule of competence for a design.
 [[nodiscard]] CompetenceRule ruleOf(const TrainingModule& module, const CompetenceDesign& design);
 
 /// Returns the verdict on a trainee at one module: the design in use, its error rates, the level. Trainee's
@@ -39,8 +42,13 @@ class Connection;
     ExerciseRules& rules, std::int64_t now_us,
     std::int64_t lastUtc_us = std::numeric_limits<std::int64_t>::max());
 
-/// Returns the verdicts on everybody at every attempted module of a curriculum version, for the report. Empty
-/// without a version.
+/// Estimates how the runs of one trainee at a module depend on each other; empty with too few runs.
+[[nodiscard]] std::optional<EstimatedDependence> centreDependence(Connection& connection,
+                                                                  const TrainingModule& module,
+                                                                  ExerciseRules& rules, std::int64_t now_us);
+
+/// Returns the verdicts on everybody at every required or attempted module of a curriculum version, for the
+/// report. Empty without a version.
 [[nodiscard]] std::vector<CohortCompetence> competenceOfCohort(Connection& connection,
                                                                const CurriculumVersionId& versionId,
                                                                const std::vector<CohortTrainee>& trainees,
@@ -51,10 +59,13 @@ class Connection;
 /// Returns "4.9 %"; "below 0.1 %" for less than a twentieth of a percent.
 [[nodiscard]] std::string percentText(double share);
 
-/// Describes the whole rule: design, success, failure rates, attempts.
+/// Describes the whole rule: design, what a run needs to pass, failure rates, runs.
 [[nodiscard]] Text competenceRuleText(const CompetenceRule& rule);
-/// Describes the rates of false passes, false fails and false alarms, and within how many attempts.
-[[nodiscard]] Text competenceErrorText(const CompetenceDesign& design, const CompetenceErrors& errors);
+/// Describes how probable it is to be declared competent within the runs planned, by the true failure rate,
+/// and what this assumes.
+[[nodiscard]] Text competenceErrorText(const CompetenceDesign& design);
+/// The same, and within the runs made.
+[[nodiscard]] Text competenceErrorText(const CompetenceVerdict& verdict);
 /// Names the level, and the number of attempts that it is based on.
 [[nodiscard]] Text competenceLevelText(const CompetenceVerdict& verdict);
 

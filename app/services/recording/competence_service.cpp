@@ -73,6 +73,10 @@ nlohmann::ordered_json designJson(const CompetenceDesign& design) {
   json["attempts"] = design.attempts;
   json["false_pass_most"] = design.falsePassMost;
   json["false_fail_most"] = design.falseFailMost;
+  json["session_correlation"] = design.sessionCorrelation;
+  json["lag_correlation"] = design.lagCorrelation;
+  json["runs_per_session"] = design.runsPerSession;
+  json["dependence_runs"] = design.dependenceRuns;
   json["limit"] = design.limit;
   return json;
 }
@@ -109,8 +113,7 @@ std::vector<ExerciseDesigns> competenceDesigns(SessionContext& session,
 
 CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDesign& design) {
   session.require(Operation::kCurriculumEdit);
-  CompetenceDesign planned = plannedCompetence(design);
-  requireFalseFailKept(planned);
+  CompetenceDesign planned = design;
   if (planned.source == ToleranceSource::kChosen && planned.reason.empty()) {
     refuseParameter(Text::tr("a tolerance chosen by hand needs a reason"), Text::tr("competence design"),
                     Text::tr("Write why, in a few words"));
@@ -120,12 +123,22 @@ CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDes
   if (planned.source == ToleranceSource::kExercise) {
     planned.tolerance_rad = module.tolerance_rad;
   }
+  setDependence(planned, dependenceOfRuns(session, planned.moduleId));
+  planned = plannedCompetence(planned);
+  requireFalseFailKept(planned);
   planned.registeredUtc_us = session.now_us();
   planned = CompetenceRepository(session.connection()).add(std::move(planned));
   session.note(AuditAction::kCompetenceRegister, AuditObject::kCompetenceDesign, planned.moduleId,
                designJson(planned), planned.reason);
   transaction.commit();
   return planned;
+}
+
+std::optional<EstimatedDependence> dependenceOfRuns(SessionContext& session, const ModuleId& moduleId) {
+  session.require(Operation::kCurriculumEdit);
+  ExerciseRules rules;
+  return centreDependence(session.connection(), publishedModule(session.connection(), moduleId), rules,
+                          session.now_us());
 }
 
 ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId& moduleId,

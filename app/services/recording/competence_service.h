@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,11 +30,16 @@ struct ExerciseDesigns {
 [[nodiscard]] std::vector<ExerciseDesigns> competenceDesigns(SessionContext& session,
                                                              const CurriculumVersionId& versionId = {});
 
-/// Registers a design for an exercise: chooses the limit so that both error rates are met. Applies to
-/// trainees who start later. Audited. Returns the stored design. kCurriculumEdit. Throws Error{kBadParameter}
-/// (plannedCompetence, requireFalseFailKept; a tolerance set by hand without a reason), {kBadData} for an
-/// unknown exercise.
+/// Registers a design for an exercise: estimates how runs depend on each other from the exercise's runs, or
+/// assumes it, and chooses the limit so that both error rates are met. Applies to trainees who start later.
+/// Audited. Returns the stored design. kCurriculumEdit. Throws Error{kBadParameter} (plannedCompetence,
+/// requireFalseFailKept; a tolerance set by hand without a reason), {kBadData} for an unknown exercise.
 CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDesign& design);
+
+/// Returns how the runs of one trainee at an exercise depend on each other, as a design registered now would
+/// use it; empty with too few runs. kCurriculumEdit. Throws Error{kBadData} for an unknown exercise.
+[[nodiscard]] std::optional<EstimatedDependence> dependenceOfRuns(SessionContext& session,
+                                                                  const ModuleId& moduleId);
 
 /// Minimum number of experts for a meaningful threshold.
 inline constexpr std::size_t kMinExperts = 8;

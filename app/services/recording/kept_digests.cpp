@@ -118,7 +118,7 @@ const TrialDigest* findDigest(std::span<const TrialDigest> kept, const std::stri
 
 RunVerdict verdictOn(const TrialSummary& summary, const AttemptMeasures& measures,
                      const AttemptRules& rules) {
-  return judgeRun(measures.values, rules, summary.outcome == TrialOutcome::kInterrupted);
+  return judgeRun(measures, rules, summary.outcome == TrialOutcome::kInterrupted);
 }
 
 TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& digest,

@@ -186,7 +186,7 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
     out.grips_s.push_back(twist->start_s);
   }
   out.unfinishedTwists = measured.unfinished();
-  out.verdict = judgeRun(measureAttempt(measured).values, rules);
+  out.verdict = judgeRun(measureAttempt(measured), rules);
   out.deviceForce_N = measured.loads.deviceForce_N;
   if (measured.detorsion && rules.detorsion) {
     out.detorsion = detorsionStory(samples, line.times_us, *rules.detorsion, measured.detorsion->metrics);

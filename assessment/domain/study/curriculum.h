@@ -102,22 +102,27 @@ static_assert(isWholeTable(kToleranceSources, ToleranceSource{3}));
   return kToleranceSources;
 }
 
-/// Criterion by which a trainee counts as competent in one exercise version: an LC-CUSUM over attempts. An
-/// attempt is a completed twist released within the tolerance, or an untwisting that passes. Immutable once
-/// registered.
+/// Criterion by which a trainee counts as competent in one exercise version: an LC-CUSUM over runs, which
+/// pass or fail as a whole. Immutable once registered.
 struct CompetenceDesign {
   ModuleId moduleId{};
   std::int64_t version = 0;  ///< 0: the design shipped with every exercise; registered ones count from 1
   std::int64_t registeredUtc_us = 0;
   double tolerance_rad = 0.1;  ///< of the angle at release; unused for an untwisting
   ToleranceSource source = ToleranceSource::kExercise;
-  std::int64_t experts = 0;     ///< number of experts for kExperts; otherwise 0
-  double adequate = 0.1;        ///< failure rate of a competent trainee
-  double inadequate = 0.3;      ///< failure rate of a trainee who is not competent; greater than `adequate`
-  std::int64_t attempts = 50;   ///< number of attempts for which the two error rates hold
-  double falsePassMost = 0.05;  ///< alpha: largest probability that an inadequate trainee passes
-  double falseFailMost = 0.10;  ///< beta: largest probability that an adequate trainee does not pass
-  double limit = 4.09;   ///< of the sum; follows from the other numbers (assessment/attempt/competence.h)
+  std::int64_t experts = 0;      ///< number of experts for kExperts; otherwise 0
+  double adequate = 0.05;        ///< share of runs that a competent trainee fails
+  double inadequate = 0.3;       ///< share that a trainee who is not competent fails; greater than `adequate`
+  std::int64_t attempts = 50;    ///< number of runs for which the two error rates hold
+  double falsePassMost = 0.025;  ///< alpha: largest probability that an inadequate trainee passes
+  double falseFailMost = 0.10;   ///< beta: largest probability that an adequate trainee does not pass
+  // How a trainee's runs depend on each other (assessment/statistics/cusum.h). The values here are assumed
+  // until the centre has enough runs.
+  double sessionCorrelation = 0.15;
+  double lagCorrelation = 0.1;
+  std::int64_t runsPerSession = 5;
+  std::int64_t dependenceRuns = 0;  ///< number of runs from which they were estimated; 0: assumed
+  double limit = 7.33;   ///< of the sum; follows from the other numbers (assessment/attempt/competence.h)
   std::string reason{};  ///< required for kChosen; optional otherwise
   friend bool operator==(const CompetenceDesign&, const CompetenceDesign&) = default;
 };

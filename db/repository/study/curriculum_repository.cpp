@@ -328,10 +328,12 @@ using Design = CompetenceDesign;
 constexpr auto kDesign = rowColumns<Design>(
     "competence_design",
     "module_id, version, registered_utc_us, tolerance_rad, tolerance_source, experts, adequate, inadequate,"
-    " attempts, false_pass_most, false_fail_most, sum_limit, reason",
+    " attempts, false_pass_most, false_fail_most, sum_limit, reason, session_correlation, lag_correlation,"
+    " runs_per_session, dependence_runs",
     &Design::moduleId, &Design::version, &Design::registeredUtc_us, &Design::tolerance_rad, &Design::source,
     &Design::experts, &Design::adequate, &Design::inadequate, &Design::attempts, &Design::falsePassMost,
-    &Design::falseFailMost, &Design::limit, &Design::reason);
+    &Design::falseFailMost, &Design::limit, &Design::reason, &Design::sessionCorrelation,
+    &Design::lagCorrelation, &Design::runsPerSession, &Design::dependenceRuns);
 
 }  // namespace
 
@@ -345,9 +347,18 @@ CompetenceDesign CompetenceRepository::add(CompetenceDesign design) {
 }
 
 std::vector<CompetenceDesign> CompetenceRepository::ofModule(const ModuleId& moduleId) const {
-  return selectAll(connection_,
-                   kDesign.select("d") + " FROM competence_design d WHERE d.module_id = ? ORDER BY d.version",
-                   {moduleId}, kDesign);
+  std::vector<CompetenceDesign> designs = selectAll(
+      connection_, kDesign.select("d") + " FROM competence_design d WHERE d.module_id = ? ORDER BY d.version",
+      {moduleId}, kDesign);
+  for (CompetenceDesign& design : designs) {
+    if (design.runsPerSession == 0) {  // registered before schema 2
+      const CompetenceDesign assumed;
+      design.sessionCorrelation = assumed.sessionCorrelation;
+      design.lagCorrelation = assumed.lagCorrelation;
+      design.runsPerSession = assumed.runsPerSession;
+    }
+  }
+  return designs;
 }
 
 }  // namespace torsio

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -328,7 +330,7 @@ TEST_F(AssessmentCommands, LearningOfPassAndFailComputesCusums) {
     text.append("P01,").append(std::to_string(t)).append(t == 3 ? ",fail\n" : ",pass\n");
   }
   const std::string file = write("outcomes.csv", text);
-  const json out = answer("learning --limit 1.25 " + file);
+  const json out = answer("learning --adequate 0.1 --inadequate 0.2 --false-pass 0.1 --limit 1.25 " + file);
   EXPECT_EQ(out["kind"], "pass/fail");
   const json& lc = out["subjects"][0]["lc_cusum"];
   EXPECT_NEAR(lc["success_weight"].get<double>(), 0.117783036, kPublished);
@@ -337,7 +339,13 @@ TEST_F(AssessmentCommands, LearningOfPassAndFailComputesCusums) {
   EXPECT_NEAR(out["subjects"][0]["cusum"]["h0"].get<double>(), 2.709511291, kPublished);
   const json chosen = answer("learning " + file)["design"];
   EXPECT_TRUE(chosen["limit_chosen"].get<bool>());
-  EXPECT_LE(chosen["pass_if_inadequate"].get<double>(), 0.1);
+  // The same numbers as a competence design.
+  const json plan = answer("competence plan");
+  EXPECT_EQ(chosen["adequate"], plan["adequate"]);
+  EXPECT_EQ(chosen["inadequate"], plan["inadequate"]);
+  EXPECT_EQ(chosen["session_correlation"], plan["session_correlation"]);
+  EXPECT_EQ(chosen["lag_correlation"], plan["lag_correlation"]);
+  EXPECT_LE(chosen["pass_if_inadequate"].get<double>(), 0.025);
 }
 
 TEST_F(AssessmentCommands, LearningRejectsGapsDuplicatesAndMixtures) {
@@ -351,17 +359,43 @@ TEST_F(AssessmentCommands, LearningRejectsGapsDuplicatesAndMixtures) {
 
 TEST_F(AssessmentCommands, CompetencePlansTheLimitAndPrintsBothErrorRates) {
   const json shipped = answer("competence plan");
-  EXPECT_EQ(shipped["limit"], 4.09);
-  EXPECT_NEAR(shipped["false_pass"].get<double>(), 0.0491, 5e-5);
+  EXPECT_EQ(shipped["limit"], 7.33);
+  EXPECT_NEAR(shipped["false_pass"].get<double>(), 0.0229, 5e-5);
+  ASSERT_EQ(shipped["declared_if_failing"].size(), 5U);
+  EXPECT_EQ(shipped["declared_if_failing"][4]["declared"], shipped["false_pass"]);
   EXPECT_TRUE(shipped["false_fail_kept"].get<bool>());
-  EXPECT_NEAR(shipped["false_alarm"].get<double>(), 0.0136, 5e-5);
-  const json old = answer("competence plan --adequate 0.1 --inadequate 0.2");
+  EXPECT_NEAR(shipped["false_alarm"].get<double>(), 0.0120, 5e-5);
+  const json old = answer(
+      "competence plan --adequate 0.1 --inadequate 0.2 --false-pass 0.05 --session-correlation 0 "
+      "--lag-correlation 0");
   EXPECT_EQ(old["limit"], 2.85);
   EXPECT_FALSE(old["false_fail_kept"].get<bool>());
   const ProgramRun nobody =
       runTorsio("competence show --login admin --database " + (folder_ / "none.sqlite").string(), folder_);
   EXPECT_EQ(nobody.code, static_cast<int>(ErrorCode::kFileMissing));
   EXPECT_FALSE(fs::exists(folder_ / "none.sqlite"));
+}
+
+TEST_F(AssessmentCommands, CompetenceSimulatesTheRuleBesideThePrintedRates) {
+  const json out = answer("competence simulate --trainees 2000 --seed 4 --json");
+  std::set<std::string> names;
+  for (const json& scenario : out["scenarios"]) {
+    names.insert(scenario["name"]);
+    EXPECT_NEAR(scenario["declared"].get<double>(), scenario["printed"].get<double>(), 0.01) << scenario;
+    EXPECT_GT(scenario["printed"].get<double>(), 0.01) << scenario;
+  }
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"independent", "force_limit", "session_effect", "lag_0.2",
+                                              "lag_0.4", "cut_at_second_miss"}));
+  EXPECT_EQ(out, answer("competence simulate --trainees 2000 --seed 4 --json"));
+  // A limit of one's own is kept, and what is printed follows it.
+  const json own = answer("competence simulate --trainees 500 --json --design " +
+                          write("design.json", R"({"adequate": 0.05, "inadequate": 0.3, "limit": 3})"));
+  for (const json& scenario : own["scenarios"]) {
+    EXPECT_EQ(scenario["limit"], 3);
+    EXPECT_GT(scenario["printed"].get<double>(), 0.1) << scenario;
+  }
+  expectRefused("competence simulate --design " + write("bad.json", "[]"), {"not a JSON object"});
+  expectRefused("competence simulate --design " + write("zero.json", R"({"limit": 0})"), {"limit"});
 }
 
 Scene shippedScene(const std::string& id) {

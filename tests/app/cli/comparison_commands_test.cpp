@@ -300,7 +300,8 @@ TEST_F(PlanningCommands, LearningReportsTheAttemptOfProficiency) {
   for (int t = 1; t <= 1000; ++t) {
     addRow(thousand, {"P01", std::to_string(t), "50"});
   }
-  const json certain = answer("learning --threshold 40 " + write("thousand.csv", thousand))["subjects"][0];
+  const json certain =
+      answer("learning --inadequate 0.2 --threshold 40 " + write("thousand.csv", thousand))["subjects"][0];
   EXPECT_EQ(certain["proficient_if_inadequate"], 1.0);  // rounding must not exceed it
   EXPECT_LT(answer(command + " --further 1 --inadequate 0.5")["subjects"][0]["proficient_if_inadequate"]
                 .get<double>(),

@@ -198,7 +198,7 @@ class Faces : public ::testing::Test {
       const AttemptRules rules = recordedRules(exercises.of(centre.connection(), stored.header.sceneId,
                                                             stored.header.patternId, centre.module(module)),
                                                stored.header);
-      truth[id] = judgeRun(measureAttempt(stored.header, decodeTrial(stored), rules).values, rules,
+      truth[id] = judgeRun(measureAttempt(stored.header, decodeTrial(stored), rules), rules,
                            stored.summary.outcome == TrialOutcome::kInterrupted);
       order.push_back(id);
     }

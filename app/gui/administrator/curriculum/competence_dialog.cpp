@@ -89,7 +89,7 @@ void CompetenceDialog::build() {
   form_->addRow(QString(), standard_);
   form_->addRow(tr("Failure rate when &competent"), adequate_);
   form_->addRow(tr("Failure rate when &not competent"), inadequate_);
-  form_->addRow(tr("Attempts &planned"), attempts_);
+  form_->addRow(tr("Runs &planned"), attempts_);
   form_->addRow(tr("&Wrong passes, at most"), falsePass_);
   form_->addRow(tr("Wrong &fails, at most"), falseFail_);
   form_->addRow(tr("&Reason"), reason_);
@@ -97,7 +97,7 @@ void CompetenceDialog::build() {
   QVBoxLayout* column = columnOf(this, {3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace});
   auto* rule = sentence(this);
   rule->setText(
-      tr("An attempt is a completed twist or an untwisting. A registered design never changes; a new one "
+      tr("A run passes or fails as a whole. A registered design never changes; a new one "
          "applies to trainees who begin after its registration."));
   column->addWidget(rule);
   column->addLayout(form_);
@@ -142,9 +142,12 @@ void CompetenceDialog::showExercise() {
   }
   const CompetenceDesign& newest = exercise->inForce.design;
   inForce_->setText(toQString(competenceRuleText(exercise->inForce)) + QLatin1Char('\n') +
-                    toQString(competenceErrorText(newest, competenceErrors(newest, newest.attempts))));
+                    toQString(competenceErrorText(newest)));
   filling_ = true;
   experts_ = newest.experts;
+  dependence_ = shell_.may(Operation::kCurriculumEdit)
+                    ? dependenceOfRuns(shell_.session(), exercise->moduleId)
+                    : std::nullopt;
   source_->setCurrentIndex(source_->findData(static_cast<int>(newest.source)));
   tolerance_->setValue(degrees(newest.tolerance_rad));
   adequate_->setValue(100.0 * newest.adequate);
@@ -173,6 +176,7 @@ CompetenceDesign CompetenceDialog::entered() const {
   design.falsePassMost = falsePass_->value() / 100.0;
   design.falseFailMost = falseFail_->value() / 100.0;
   design.reason = reason_->text().trimmed().toStdString();
+  setDependence(design, dependence_);
   return design;
 }
 
@@ -191,11 +195,11 @@ void CompetenceDialog::showPreview() {
     const CompetencePreview preview = previewOfCompetence(design);
     said = tr("Limit %1. %2")
                .arg(preview.design.limit, 0, 'f', 2)
-               .arg(toQString(competenceErrorText(preview.design, preview.errors)));
+               .arg(toQString(competenceErrorText(preview.design)));
     if (!preview.falseFailKept) {
       ready = false;
       said += QLatin1Char('\n') +
-              tr("Too many would fail wrongly: plan more attempts, or choose rates further apart.");
+              tr("Too many would fail wrongly: plan more runs, or choose rates further apart.");
     }
   } catch (const Error& error) {
     ready = false;

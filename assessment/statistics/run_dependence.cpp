@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/statistics/run_dependence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace torsio {
+
+namespace {
+
+constexpr double kMostCorrelation = 0.9;
+
+/// One attempt of a person.
+struct Placed {
+  bool failed = false;
+  std::size_t session = 0;
+};
+
+/// Pairs of attempts of one kind, over all people.
+struct Pairs {
+  double excess = 0.0;  ///< of pairs that both failed, above what pairs of different sessions give
+  double spread = 0.0;  ///< variance that each pair would have
+  [[nodiscard]] double correlation() const { return spread > 0.0 ? excess / spread : 0.0; }
+};
+
+/// How many pairs of a person there are, and how many both failed.
+struct Count {
+  double pairs = 0.0;
+  double both = 0.0;
+  double differ = 0.0;
+  void add(const Placed& a, const Placed& b) {
+    pairs += 1.0;
+    both += a.failed && b.failed ? 1.0 : 0.0;
+    differ += a.failed != b.failed ? 1.0 : 0.0;
+  }
+};
+
+struct Totals {
+  Pairs successive;  ///< of one session; those of two sessions if there are none
+  Pairs between;     ///< successive, of two sessions
+  Pairs apart;       ///< of one session, not successive
+  double apartPairs = 0.0;
+  std::vector<double> apartBy{};  ///< pairs of `apart` by distance
+};
+
+std::vector<Placed> placed(const SessionOutcomes& sessions) {
+  std::vector<Placed> all;
+  for (std::size_t session = 0; session < sessions.size(); ++session) {
+    for (const bool failed : sessions[session]) {
+      all.push_back({failed, session});
+    }
+  }
+  return all;
+}
+
+void addPerson(const SessionOutcomes& sessions, Totals& totals) {
+  const std::vector<Placed> all = placed(sessions);
+  Count different;
+  Count successive;
+  Count between;
+  Count apart;
+  std::vector<double> distances(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      const bool same = all[i].session == all[j].session;
+      Count& count = j == i + 1 ? (same ? successive : between) : (same ? apart : different);
+      count.add(all[i], all[j]);
+      distances[j - i] += same && j > i + 1 ? 1.0 : 0.0;
+    }
+  }
+  if (different.pairs == 0.0) {
+    return;  // one session tells nothing about sessions
+  }
+  const double square = different.both / different.pairs;          // of the person's failure rate
+  const double spread = 0.5 * different.differ / different.pairs;  // rate times 1 - rate
+  const auto add = [&](const Count& count, Pairs& pairs) {
+    pairs.excess += count.both - count.pairs * square;
+    pairs.spread += count.pairs * spread;
+  };
+  add(successive, totals.successive);
+  add(between, totals.between);
+  add(apart, totals.apart);
+  totals.apartBy.resize(std::max(totals.apartBy.size(), distances.size()));
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    totals.apartBy[k] += distances[k];
+    totals.apartPairs += distances[k];
+  }
+}
+
+double bounded(double correlation) {
+  return std::clamp(correlation, 0.0, kMostCorrelation);
+}
+
+/// Solves for both correlations: that of attempts at distance k of a session is session + (1 - session)
+/// lag^k.
+AttemptDependence solved(const Totals& totals, std::int64_t perSession) {
+  AttemptDependence out{.perSession = perSession};
+  if (totals.apartPairs == 0.0) {
+    out.lag = bounded((totals.successive.spread > 0.0 ? totals.successive : totals.between).correlation());
+    return out;
+  }
+  constexpr int kRounds = 200;
+  for (int round = 0; round < kRounds; ++round) {
+    out.lag = bounded((totals.successive.correlation() - out.session) / (1.0 - out.session));
+    double carried = 0.0;  // mean of lag^k
+    for (std::size_t k = 2; k < totals.apartBy.size(); ++k) {
+      carried += totals.apartBy[k] / totals.apartPairs * std::pow(out.lag, static_cast<double>(k));
+    }
+    const double session = bounded((totals.apart.correlation() - carried) / (1.0 - carried));
+    out.session += 0.5 * (session - out.session);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<EstimatedDependence> estimateDependence(std::span<const SessionOutcomes> people) {
+  EstimatedDependence out;
+  Totals totals;
+  std::int64_t sessions = 0;
+  for (const SessionOutcomes& person : people) {
+    std::int64_t own = 0;
+    for (const std::vector<bool>& session : person) {
+      own += std::ssize(session);
+      sessions += session.empty() ? 0 : 1;
+    }
+    out.attempts += own;
+    out.people += own > 0 ? 1 : 0;
+    addPerson(person, totals);
+  }
+  if (out.attempts < kMinDependenceAttempts || out.people < kMinDependencePeople ||
+      totals.successive.spread + totals.between.spread <= 0.0) {
+    return std::nullopt;
+  }
+  out.dependence = solved(totals, (out.attempts + sessions - 1) / sessions);
+  return out;
+}
+
+}  // namespace torsio
