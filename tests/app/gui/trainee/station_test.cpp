@@ -137,7 +137,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   station.open(PageId::kNextStep);
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Master first: Quarter turn, second")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Mastered")));
-  EXPECT_TRUE(station.allText().contains(QStringLiteral("are judged competent (false pass)")));  // beside it
+  EXPECT_TRUE(station.allText().contains(QStringLiteral("are declared competent within the")));  // beside it
   station.page->applyTheme(theme(ThemeKind::kDark));                           // rebuilds the buttons
   EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));  // Enter starts
   station.press("begin");
@@ -171,7 +171,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_TRUE(station
                   .find<QLabel>("competence")  // no verdict without its error rates
                   ->text()
-                  .contains(QStringLiteral("are judged competent (false pass)")));
+                  .contains(QStringLiteral("are declared competent within the")));
   station.press("trend");
 
   ASSERT_EQ(station.pageId, PageId::kTrend);
@@ -179,7 +179,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_TRUE(station.find<QLabel>("level")->text().startsWith(QStringLiteral("Not shown yet; ")));
   EXPECT_TRUE(station.find<QLabel>("competence")
                   ->text()
-                  .contains(QStringLiteral("are judged competent (false pass)")));
+                  .contains(QStringLiteral("are declared competent within the")));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
@@ -657,7 +657,7 @@ TEST(StationPages, TheTranscriptExplainsOnceHowCompetenceIsJudged) {
 
   const QString all = station.page->findChild<QTextBrowser*>()->toPlainText();
 
-  EXPECT_EQ(all.count(QStringLiteral("are judged competent (false pass)")), 1) << all.toStdString();
+  EXPECT_EQ(all.count(QStringLiteral("are declared competent within the")), 1) << all.toStdString();
   EXPECT_GE(all.count(QStringLiteral("Competence is judged as in \u201c")), 1) << all.toStdString();
 }
 
