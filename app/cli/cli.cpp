@@ -2,6 +2,7 @@
 #include "app/cli/cli.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
@@ -42,16 +43,25 @@ std::string noFiniteNumber(const std::string& text) {
   return end == text.c_str() || std::isfinite(value) ? "" : text + " is not a finite number";
 }
 
-/// Rejects NaN, which passes range checks: it is neither below one end nor above the other.
-void refuseNoNumbers(CLI::App& command) {
+/// Options that name something of an organ: an empty word is none of its names, and not the default.
+constexpr std::array kNamingOptions{"--organ",   "--material", "--pattern", "--anatomy",
+                                    "--markers", "--measured", "--out",     "--series"};
+
+/// Rejects NaN, which passes range checks: it is neither below one end nor above the other; and empty names.
+void refuseNoValues(CLI::App& command) {
   for (CLI::Option* option : command.get_options({})) {
+    if (std::find(kNamingOptions.begin(), kNamingOptions.end(), option->get_name()) != kNamingOptions.end()) {
+      option->check([](const std::string& text) {
+        return std::string(text.empty() ? "an empty word is not a name" : "");
+      });
+    }
     const std::string type = option->get_type_name();
     if (type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT")) {
       option->check(noFiniteNumber);
     }
   }
   for (CLI::App* below : command.get_subcommands([](CLI::App*) { return true; })) {
-    refuseNoNumbers(*below);
+    refuseNoValues(*below);
   }
 }
 
@@ -130,7 +140,7 @@ int reportFailure() noexcept {
 }
 
 int parse(CLI::App& program, int argc, char** argv) {
-  refuseNoNumbers(program);
+  refuseNoValues(program);
   try {
     requireKnownCommand(program, argc > 1 ? argv[1] : "");
     program.parse(argc, argv);

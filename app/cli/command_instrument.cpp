@@ -13,6 +13,7 @@
 #include "app/cli/progress_line.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
+#include "sim/geometry/mesh/mesh_file_check.h"
 #include "sim/geometry/mesh/mesh_space.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "sim/imaging/surface/scan_surface.h"
@@ -75,7 +76,7 @@ nlohmann::ordered_json instrumentJson(const ToolSurface& tool, const std::string
 
 /// Checks the output name and converts the positions, given in units of `unit_mm` and the file's axes.
 void takePlaces(InstrumentArguments& arguments, double unit_mm, const MeshSpace& space = {}) {
-  if (!arguments.out.ends_with(".json")) {
+  if (lowerExtension(arguments.out) != "json") {
     refuseUsage("an instrument's file ends with .json", "--out " + arguments.out, "Name it so");
   }
   arguments.tool.seed_mm = placeOf(arguments.seed);

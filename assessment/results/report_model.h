@@ -13,6 +13,7 @@
 
 #include "assessment/results/ledger.h"
 #include "sim/core/text.h"
+#include "sim/core/vec3.h"
 
 namespace torsio {
 
@@ -82,6 +83,11 @@ enum class FigureKind {
 
 /// A place in a picture: x to the right, y up, z towards the reader, any unit.
 using ReliefPlace = std::array<float, 3>;
+
+/// Where a place of the patient is seen from the front: x to the left of the patient, which is to the right.
+[[nodiscard]] inline ReliefPlace seenFromFront(const Vec3& place_m) {
+  return {static_cast<float>(place_m.x), static_cast<float>(place_m.z), static_cast<float>(-place_m.y)};
+}
 
 /// A closed surface to be drawn as a solid body.
 struct ReportRelief {

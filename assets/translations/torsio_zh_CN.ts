@@ -19022,6 +19022,14 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Competent, not competent, not shown yet: trainees</source>
         <translation>胜任、未胜任、尚未证明的学员数</translation>
     </message>
+    <message>
+        <source>N08 a voxel has the number %1; whole numbers up to %2 are read</source>
+        <translation>N08 某体素的数值为 %1；只读取不超过 %2 的整数</translation>
+    </message>
+    <message>
+        <source>Number the labels of the mask anew, from 1 on</source>
+        <translation>请将掩模的标签从 1 起重新编号</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -25780,6 +25788,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>Import an organ: once checked, a mesh, a scan or a person&apos;s measurements become an organ that can be twisted.</source>
         <translation>导入器官：网格、扫描或个人尺寸经检验后，即成为可扭转的器官。</translation>
     </message>
+    <message>
+        <source>Patterns</source>
+        <translation>扭转模式</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::OwnRecordCard</name>
@@ -25960,6 +25972,29 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Repeat p&amp;assword</source>
         <translation>重复密码(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::PatternPictures</name>
+    <message>
+        <source>at rest</source>
+        <translation>静止时</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1: offered</source>
+        <translation>%1：可用</translation>
+    </message>
+    <message>
+        <source>%1: left out</source>
+        <translation>%1：不可用</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
     </message>
 </context>
 <context>

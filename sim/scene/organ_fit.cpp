@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <future>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -27,10 +26,9 @@ namespace {
 
 constexpr std::size_t kTriedTriangles = 25'000;
 constexpr std::array kRootShares{0.5, 0.6, 0.4, 0.7, 0.2, 0.0};  // of a branch's width, into the organ
-constexpr std::array kRootTurns{0.8, 1.0, 1.2};  // from along the branch to away from the organ
-constexpr std::array kCutShares{0.03, 0.1};      // of the length, from an end
-constexpr double kMostBehindCuts = 0.25;         // of the surface
-constexpr std::size_t kAllPatterns = std::numeric_limits<std::size_t>::max();
+constexpr std::array kRootTurns{0.8, 1.0, 1.2};     // from along the branch to away from the organ
+constexpr std::array kCutShares{0.03, 0.1};         // of the length, from an end
+constexpr double kMostBehindCuts = 0.25;            // of the surface
 constexpr std::array kCapShares{0.04, 0.06, 0.08};  // radius of a disc, of the organ's largest side
 
 bool refusedAmong(const std::vector<OrganFinding>& findings) {
@@ -102,8 +100,8 @@ std::array<Vec3, 2> stalkAndTop_m(const TriangleMesh& mesh) {
 /// An organ on its way to a judgement: a surface that is thin enough for many tries.
 class Fitting {
  public:
-  Fitting(const OrganFile& organ, const std::filesystem::path& assets)
-      : organ_(organ), assets_(assets), wrung_(wrungShare(assets, organ.anatomy)) {}
+  Fitting(const OrganFile& organ, const std::filesystem::path& assets, const TriangleMesh* drawn)
+      : organ_(organ), assets_(assets), drawn_(drawn), wrung_(wrungShare(assets, organ.anatomy)) {}
 
   [[nodiscard]] FittedOrgan fit() const {
     FittedOrgan asNamed = with(organ_.ends);
@@ -129,7 +127,7 @@ class Fitting {
     if (!fitted.refused()) {
       OrganFile organ = organ_;
       organ.ends = ends;
-      fitted.patterns = judgePatterns(assets_, organ, patterns);
+      fitted.patterns = judgePatterns(assets_, organ, patterns, drawn_);
       replaceBroken(fitted.patterns, fitted.judgement.findings);
     }
     return fitted;
@@ -178,7 +176,7 @@ class Fitting {
     if (fewer.mesh.triangles.size() > kTriedTriangles) {
       fewer.mesh = thinned(fewer.mesh, kTriedTriangles);
     }
-    const Fitting trial{fewer, assets_};
+    const Fitting trial{fewer, assets_, nullptr};
     // The fillet at its root belongs to it as well, and how the cut lies decides how the sections run beside
     // it: the first cut that leaves nothing to say, else the best.
     std::optional<OrganEnds> best;
@@ -269,6 +267,7 @@ class Fitting {
 
   const OrganFile& organ_;
   const std::filesystem::path& assets_;
+  const TriangleMesh* drawn_;
   double wrung_ = 1.0;
 };
 
@@ -278,19 +277,20 @@ bool FittedOrgan::refused() const {
   return refusedAmong(judgement.findings);
 }
 
-FittedOrgan fitOrgan(const OrganFile& organ, const std::filesystem::path& assets) {
+FittedOrgan fitOrgan(const OrganFile& organ, const std::filesystem::path& assets,
+                     const CoarserSurfaces& other) {
   if (organ.mesh.triangles.size() <= kJudgedTriangles) {
-    return Fitting(organ, assets).fit();
+    return Fitting(organ, assets, other.drawn).fit();
   }
   // Its shape and what is tried: of a thinned surface. The patterns: of the whole, which has the last word.
   OrganFile whole = organ;
-  const auto judgeWhole = [&whole, &assets](FittedOrgan& fitted) {
+  const auto judgeWhole = [&](FittedOrgan& fitted) {
     whole.ends = fitted.ends;
-    fitted.patterns = judgePatterns(assets, whole);
+    fitted.patterns = judgePatterns(assets, whole, kAllPatterns, other.drawn);
     replaceBroken(fitted.patterns, fitted.judgement.findings);
   };
   OrganFile fewer = organ;
-  fewer.mesh = thinned(organ.mesh, kJudgedTriangles);
+  fewer.mesh = other.judged != nullptr ? *other.judged : thinned(organ.mesh, kJudgedTriangles);
   const double wrung = wrungShare(assets, organ.anatomy);
   FittedOrgan fitted{organ.ends, judgeOrgan(fewer.mesh, latticeFor(organ.ends), wrung), {}, false};
   if (fitted.judgement.findings.empty()) {
@@ -299,7 +299,7 @@ FittedOrgan fitOrgan(const OrganFile& organ, const std::filesystem::path& assets
       return fitted;
     }
   }
-  fitted = Fitting(fewer, assets).fit();
+  fitted = Fitting(fewer, assets, other.drawn).fit();
   if (!fitted.refused()) {
     judgeWhole(fitted);
   }

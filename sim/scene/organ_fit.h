@@ -24,13 +24,21 @@ struct FittedOrgan {
   [[nodiscard]] bool refused() const;
 };
 
+/// Coarser surfaces of an organ; null: none.
+struct CoarserSurfaces {
+  const TriangleMesh* judged = nullptr;  ///< of kJudgedTriangles, if the organ has more and it exists already
+  const TriangleMesh* drawn = nullptr;   ///< whose shapes the patterns keep (judgePattern())
+};
+
 /// Judges an organ as its scenes move it: its shape (judgeOrgan), and each pattern of its anatomy
 /// (judgePatterns). It is refused if its shape is or if no pattern leaves it whole. Then the ends are taken
 /// another way: of an organ on a stalk, that which is narrower is held, with discs in place of rounded tips;
 /// of one whose ends are named, a branch on its side is taken for none of its sections, with a warning; of
 /// any other, cuts across its ends. Where something is to be said of one that is cut, and nothing with planes
 /// for sections, those are taken. Throws as readSceneFile().
-[[nodiscard]] FittedOrgan fitOrgan(const OrganFile& organ, const std::filesystem::path& assets);
+/// `other`: coarser surfaces of the same organ.
+[[nodiscard]] FittedOrgan fitOrgan(const OrganFile& organ, const std::filesystem::path& assets,
+                                   const CoarserSurfaces& other = {});
 
 /// Returns the lattice's options for an organ with these ends.
 [[nodiscard]] LatticeOptions latticeFor(const OrganEnds& ends);

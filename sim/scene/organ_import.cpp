@@ -16,6 +16,7 @@
 #include "sim/geometry/mesh/mesh_holes.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/geometry/mesh/mesh_space.h"
+#include "sim/geometry/mesh/mesh_thinning.h"
 #include "sim/imaging/apart/scan_process.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_file.h"
@@ -26,6 +27,7 @@ namespace {
 
 constexpr double kThinnestWall_m = 1e-4;
 constexpr double kThickestWall_m = 0.05;
+constexpr std::size_t kDrawnTriangles = 12'000;  // of a picture the size of a thumb
 
 /// Volumes of organs of living people, generously; docs/organs.md names the sources.
 struct UsualVolume {
@@ -205,7 +207,16 @@ void judgeMesh(const OrganImportRequest& request, RawMesh raw, OrganImport& impo
   addRepairs(import.repairs, import.findings);
   addIgnored(raw.ignored, import.findings);
   addVolume(request, *import.volume_ml, import.findings);
-  FittedOrgan fitted = fitOrgan(import.organ, request.assets);
+  CoarserSurfaces coarser;
+  if (request.pictures) {
+    const auto ofAtMost = [](const TriangleMesh& mesh, std::size_t most) {
+      return std::make_shared<const TriangleMesh>(thinned(mesh, most));
+    };
+    import.shown = ofAtMost(import.organ.mesh, kJudgedTriangles);
+    import.drawn = ofAtMost(*import.shown, kDrawnTriangles);
+    coarser = {import.shown.get(), import.drawn.get()};
+  }
+  FittedOrgan fitted = fitOrgan(import.organ, request.assets, coarser);
   import.organ.ends = fitted.ends;
   import.measures = fitted.judgement.measures;
   import.patterns = std::move(fitted.patterns);
@@ -261,7 +272,7 @@ void addScan(const ScanSurface& surface, const std::filesystem::path& assets, Or
   std::vector<OrganFinding> found;
   addWallMap(surface, import, found);
   if (import.organ.wallMap) {  // it is the wall that is wrung
-    import.patterns = judgePatterns(assets, import.organ);
+    import.patterns = judgePatterns(assets, import.organ, kAllPatterns, import.drawn.get());
     replaceBroken(import.patterns, import.findings);
   }
   for (const ScanRemark& remark : surface.remarks) {

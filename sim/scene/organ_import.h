@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ struct OrganImportRequest {
   std::optional<double> wall_m;  ///< 0.1 to 50 mm
   bool closeHoles = false;       ///< close gaps and the ends of an open tube; told, and warned of when large
   MeshReadLimits reading;
-  bool ofScan = false;  ///< the surface was drawn from a scan
+  bool ofScan = false;    ///< the surface was drawn from a scan
+  bool pictures = false;  ///< keep surfaces to be drawn, and the shapes of one in every pattern
 };
 
 /// What became of it.
@@ -37,8 +39,10 @@ struct OrganImport {
   std::vector<OrganFinding> findings;  ///< refusals first, then warnings, then notes
   MeshRepairs repairs;
   OrganMeasures measures;
-  std::vector<PatternJudgement> patterns;  ///< of its anatomy; none: it was not twisted
-  std::optional<double> volume_ml;         ///< none: the surface encloses nothing
+  std::vector<PatternJudgement> patterns;     ///< of its anatomy; none: it was not twisted
+  std::shared_ptr<const TriangleMesh> shown;  ///< of at most kJudgedTriangles; null: no pictures
+  std::shared_ptr<const TriangleMesh> drawn;  ///< coarse, whose shapes the patterns have; null: no pictures
+  std::optional<double> volume_ml;            ///< none: the surface encloses nothing
 };
 
 /// Reads a mesh file in a process of its own, welds, checks, repairs and judges it. A mesh that is refused is

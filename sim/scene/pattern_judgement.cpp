@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <future>
+#include <iterator>
 #include <utility>
 
 #include "sim/core/angle.h"
@@ -90,6 +91,40 @@ class Turning {
   PatternJudgement& judgement_;
 };
 
+/// Calls `use` with the map from a place at rest to where it lies.
+template <typename Use>
+auto withMap(const Scene& scene, const OrganState& state, const Use& use) {
+  if (scene.hollow) {
+    const HollowMap map(scene.lattice(), *scene.hollow, state);
+    return use([&map](const Vec3& rest_m) { return map.forward(rest_m); });
+  }
+  if (scene.rod && state.pose.count > 0) {
+    const RodCurve curve = scene.rod->skin().curveOf(state.pose);
+    return use([&](const Vec3& rest_m) { return scene.rod->skin().toDeformed_m(rest_m, curve); });
+  }
+  return use([&](const Vec3& rest_m) { return scene.toDeformed_m(rest_m, state); });
+}
+
+/// How a surface of the organ lies half as far as the organ stays whole, and there.
+std::vector<TurnedShape> shapesOf(const Scene& scene, const PatternJudgement& judgement,
+                                  const TriangleMesh& drawn) {
+  double whole_rad = judgement.wholeShare * scene.pattern.targetAngle_rad;
+  if (scene.hollow) {
+    const InitialTwist& start = scene.hollow->detorsion().start;
+    whole_rad = judgement.wholeShare * start.sign * start.most_rad;
+  }
+  std::vector<TurnedShape> shapes;
+  for (const double angle_rad : {0.5 * whole_rad, whole_rad}) {
+    TurnedShape shape{angle_rad, {}};
+    withMap(scene, scene.stateAt(angle_rad), [&](const auto& map) {
+      std::transform(drawn.vertices_m.begin(), drawn.vertices_m.end(), std::back_inserter(shape.places_m),
+                     map);
+    });
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
 double valueOf(const PatternJudgement& pattern) {
   return pattern.code == "M23"   ? pattern.leastDeterminant
          : pattern.code == "M24" ? static_cast<double>(pattern.crossings)
@@ -154,16 +189,7 @@ std::optional<Scene> builtFor(const std::filesystem::path& assets, const OrganFi
 FoldReport foldOf(const Scene& scene, const FoldCheck& check, const OrganState& state) {
   std::vector<Vec3> turned = scene.mesh.vertices_m;
   scene.deform(state, turned);
-  if (scene.hollow) {
-    const HollowMap map(scene.lattice(), *scene.hollow, state);
-    return check.judge(turned, [&map](const Vec3& rest_m) { return map.forward(rest_m); });
-  }
-  if (scene.rod && state.pose.count > 0) {
-    const RodCurve curve = scene.rod->skin().curveOf(state.pose);
-    return check.judge(turned,
-                       [&](const Vec3& rest_m) { return scene.rod->skin().toDeformed_m(rest_m, curve); });
-  }
-  return check.judge(turned, [&](const Vec3& rest_m) { return scene.toDeformed_m(rest_m, state); });
+  return withMap(scene, state, [&](const auto& map) { return check.judge(turned, map); });
 }
 
 BrokenLimit brokenLimit(const Scene& scene, const FoldReport& fold) {
@@ -196,7 +222,7 @@ Text turnEndsAt(double angle_rad, TurnEnd end) {
   return Text::tr("the turn ends at %1 degrees: beyond it the organ finds no balance", at_deg);
 }
 
-PatternJudgement judgePattern(const Scene& scene) {
+PatternJudgement judgePattern(const Scene& scene, const TriangleMesh* drawn) {
   PatternJudgement judgement;
   judgement.id = scene.pattern.id;
   if (!graspPoint(scene)) {
@@ -205,11 +231,14 @@ PatternJudgement judgePattern(const Scene& scene) {
     return judgement;
   }
   scene.hollow ? judgeHollow(scene, judgement) : judgeTurn(scene, judgement);
+  if (drawn != nullptr) {
+    judgement.shapes = shapesOf(scene, judgement, *drawn);
+  }
   return judgement;
 }
 
 std::vector<PatternJudgement> judgePatterns(const std::filesystem::path& assets, const OrganFile& organ,
-                                            std::size_t most) {
+                                            std::size_t most, const TriangleMesh* drawn) {
   std::vector<std::string> ids = patternIds(assets, organ.anatomy.empty() ? kOwnOrganScene : organ.anatomy);
   ids.resize(std::min(ids.size(), most));
   std::vector<PatternJudgement> judgements(ids.size());
@@ -221,10 +250,10 @@ std::vector<PatternJudgement> judgePatterns(const std::filesystem::path& assets,
   const auto everySecond = [&](std::size_t from) {
     for (std::size_t i = from; i < ids.size(); i += 2) {
       if (i == 0 && first) {
-        judgements[i] = judgePattern(*first);
+        judgements[i] = judgePattern(*first, drawn);
       } else if (i > 0) {
         const std::optional<Scene> scene = builtFor(assets, organ, judgements[i], first ? &*first : nullptr);
-        judgements[i] = scene ? judgePattern(*scene) : judgements[i];
+        judgements[i] = scene ? judgePattern(*scene, drawn) : judgements[i];
       }
     }
   };

@@ -17,6 +17,12 @@
 
 namespace torsio {
 
+/// How a surface lies when the organ is turned.
+struct TurnedShape {
+  double angle_rad = 0.0;
+  std::vector<Vec3> places_m;  ///< of its vertices
+};
+
 /// What a pattern does to an organ on the way to its target.
 struct PatternJudgement {
   std::string id;
@@ -29,6 +35,7 @@ struct PatternJudgement {
   Text reason;                         ///< why, one sentence without a full stop; empty: accepted
   std::optional<double> brokenAt_rad;  ///< turn at which it breaks; none: accepted, or it cannot be started
   double wholeShare = 0.0;             ///< of the way to the target, along which the organ stays whole
+  std::vector<TurnedShape> shapes;     ///< of the surface to draw: half as far as it stays whole, and there
 };
 
 /// Measures how the organ of a scene lies: `check` of its mesh and lattice.
@@ -48,15 +55,19 @@ struct BrokenLimit {
 [[nodiscard]] Text turnEndsAt(double angle_rad, TurnEnd end);
 
 /// Turns the organ of a scene by its pattern to the target in steps, or through all twists with which it may
-/// come, and judges whether it stays whole.
-[[nodiscard]] PatternJudgement judgePattern(const Scene& scene);
+/// come, and judges whether it stays whole. `drawn`: the same organ's surface of which shapes are to be kept;
+/// null: none are.
+[[nodiscard]] PatternJudgement judgePattern(const Scene& scene, const TriangleMesh* drawn = nullptr);
+
+inline constexpr std::size_t kAllPatterns = std::numeric_limits<std::size_t>::max();
 
 /// Builds the scene of each pattern that the anatomy of an organ offers, as sceneOfOrgan() does, and judges
 /// it; in their order, the first `most`. A scene that cannot be built is a pattern that is refused. Uses two
-/// threads.
-[[nodiscard]] std::vector<PatternJudgement> judgePatterns(
-    const std::filesystem::path& assets, const OrganFile& organ,
-    std::size_t most = std::numeric_limits<std::size_t>::max());
+/// threads. `drawn`: see judgePattern().
+[[nodiscard]] std::vector<PatternJudgement> judgePatterns(const std::filesystem::path& assets,
+                                                          const OrganFile& organ,
+                                                          std::size_t most = kAllPatterns,
+                                                          const TriangleMesh* drawn = nullptr);
 
 /// Returns the ids of the patterns that leave the organ whole.
 [[nodiscard]] std::vector<std::string> acceptedAmong(const std::vector<PatternJudgement>& patterns);

@@ -2,6 +2,7 @@
 #include "sim/scene/scene.h"
 
 #include <algorithm>
+#include <future>
 #include <system_error>
 #include <utility>
 
@@ -326,6 +327,10 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
                  const Scene* same) {
   applyWishes(description, request);
   TriangleMesh mesh = std::move(own.file.mesh);
+  std::future<CollisionMesh> cutting;  // needs nothing of the lattice: at the same time
+  if (same == nullptr) {
+    cutting = std::async(std::launch::async, [&mesh] { return CollisionMesh(mesh); });
+  }
   const SectionLattice lattice = same ? same->lattice() : SectionLattice(mesh, description.lattice);
   std::vector<TwistPattern> patterns;
   for (const PatternDescription& pattern : description.patterns) {
@@ -338,7 +343,7 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
   options.ends = pattern.ends;
   applyChoice(description.model, lattice.sections(), options, description.material);
   TwistModel model(mesh, lattice, description.material, options);
-  CollisionMesh collision = same ? same->collision : CollisionMesh(mesh);
+  CollisionMesh collision = same ? same->collision : cutting.get();
   std::shared_ptr<const RodOrgan> rod;
   const bool bar = request.noRod || description.model.ofBar() || runsAsync(request.tissue);
   if (pattern.task && !bar && description.formulation != Formulation::kPaper) {

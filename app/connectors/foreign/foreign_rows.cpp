@@ -269,7 +269,8 @@ class PerkTutorRows final : public RowReaderBase {
       refuse(Text::tr("Perk Tutor has matrices of 16 numbers"), map.name,
              Text::tr("Name their form: matrix rows or matrix columns"));
     }
-    if (this->name().ends_with(".sqbr") || this->name().ends_with(".mrb")) {
+    const std::string file = lowerCase(this->name());
+    if (file.ends_with(".sqbr") || file.ends_with(".mrb")) {
       refuse(Text::tr("sequences of Slicer are not read"), this->name(),
              Text::tr("Save the transforms as XML in Perk Tutor"));
     }

@@ -56,6 +56,7 @@ OrganSettings::OrganSettings(const std::filesystem::path& assets, QWidget* paren
   auto* column = bareLayout<QVBoxLayout>(this);
   auto* mesh = bareLayout<QVBoxLayout>(ofMesh_);
   unit_ = narrowBox();
+  unit_->setObjectName(QStringLiteral("organUnit"));
   unit_->addItems({QString(), QString(), QString(), QString(), QString()});
   unitLabel_ = addField(mesh, unit_);
   scale_ = lengthBox(1e-6, 1e6, 6);

@@ -98,7 +98,7 @@ OrganTrial trialOf(OrganImport import, const std::filesystem::path& assets) {
   if (whole.triangles.empty()) {
     return trial;
   }
-  TriangleMesh shown = whole.triangles.size() > kJudgedTriangles ? thinned(whole, kJudgedTriangles) : whole;
+  TriangleMesh shown = trial.import.shown ? *trial.import.shown : thinned(whole, kJudgedTriangles);
   trial.scene = ownAxisScene(trial.import, shown, assets);
   if (trial.scene == nullptr) {
     trial.view = staticView(shown, trial.import.organ.anatomy);

@@ -16,6 +16,7 @@
 #include "app/gui/organ/organ_picture.h"
 #include "app/gui/organ/organ_settings.h"
 #include "app/gui/organ/organ_sources.h"
+#include "app/gui/organ/pattern_pictures.h"
 #include "app/gui/organ/scan_panel.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
@@ -102,6 +103,10 @@ QWidget* OrganWizard::createJudgingPage() {
   findings_ = new OrganFindings(findingsCard_);
   findingsCard_->content()->addWidget(findings_);
   column->addWidget(findingsCard_);
+  patternsCard_ = new Card(QString(), panel);
+  patterns_ = new PatternPictures(shell_.assets(), patternsCard_);
+  patternsCard_->content()->addWidget(patterns_);
+  column->addWidget(patternsCard_);
   settingsCard_ = new Card(QString(), panel);
   settings_ = new OrganSettings(shell_.assets(), settingsCard_);
   settingsCard_->content()->addWidget(settings_);
@@ -157,6 +162,7 @@ bool OrganWizard::mayWork() {
 
 OrganImportRequest OrganWizard::request() const {
   OrganImportRequest request;
+  request.pictures = true;
   request.assets = shell_.assets();
   request.file = source_;
   settings_->apply(request);
@@ -292,6 +298,7 @@ void OrganWizard::adopt(OrganTrial trial) {
   changed_ = false;
   picture_->setTrial(*trial_);
   findings_->show(trial_->import);
+  patternsCard_->setVisible(patterns_->show(trial_->import));
   settingsCard_->setVisible(!ofMeasures_);  // nothing to ask about a generated arm
   pages_->setCurrentIndex(kJudgingPage);
   showButtons();
@@ -348,6 +355,7 @@ void OrganWizard::retranslate() {
   instrument_->retranslate();
   pictureCard_->setTitle(tr("Findings"));
   findingsCard_->setTitle(tr("Check"));
+  patternsCard_->setTitle(tr("Patterns"));
   settingsCard_->setTitle(tr("Known details"));
   back_->setText(tr("Back"));
   again_->setText(tr("Check again"));
@@ -357,11 +365,13 @@ void OrganWizard::retranslate() {
   open_->setToolTip(tr("Saves the organ first, so that recordings made on it can be replayed"));
   picture_->retranslate();
   findings_->retranslate();
+  patterns_->retranslate();
   settings_->retranslate();
 }
 
 void OrganWizard::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
+  patterns_->setTheme(theme);
   scan_->setTheme(theme);
   instrument_->setTheme(theme);
 }
@@ -430,7 +440,7 @@ void OrganWizard::chooseInstrumentName() {
   if (file.isEmpty()) {
     return;
   }
-  if (!file.endsWith(QStringLiteral(".json"))) {
+  if (!file.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive)) {
     file += QStringLiteral(".json");
   }
   attempt(shell_, [&] {

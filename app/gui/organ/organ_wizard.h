@@ -26,6 +26,7 @@ class OrganPicture;
 class OrganSettings;
 class OrganSources;
 class PageHeading;
+class PatternPictures;
 class ScanPanel;
 class ShellContext;
 
@@ -113,6 +114,8 @@ class OrganWizard : public QWidget {
   OrganPicture* picture_ = nullptr;
   Card* findingsCard_ = nullptr;
   OrganFindings* findings_ = nullptr;
+  PatternPictures* patterns_ = nullptr;
+  Card* patternsCard_ = nullptr;
   Card* settingsCard_ = nullptr;
   OrganSettings* settings_ = nullptr;
   QPushButton* back_ = nullptr;

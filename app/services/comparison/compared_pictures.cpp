@@ -17,13 +17,8 @@ namespace {
 constexpr int kLinesAlong = 9;  // ridges drawn, so that a twist can be seen on a smooth organ
 constexpr std::size_t kAtEndPerRow = 3;
 
-/// x to the patient's left, y up, z towards the reader.
-ReliefPlace fromFront(const Vec3& place_m) {
-  return {static_cast<float>(place_m.x), static_cast<float>(place_m.z), static_cast<float>(-place_m.y)};
-}
-
 ReliefPlace fromBehind(const Vec3& place_m) {
-  const auto [x, y, z] = fromFront(place_m);
+  const auto [x, y, z] = seenFromFront(place_m);
   return {-x, y, -z};
 }
 
@@ -51,12 +46,12 @@ class Painter {
     result_.body->skin.deform(pose.places, held ? std::optional(pose.angle_rad) : std::nullopt, places_m_);
     ReportRelief relief{caption, triangles_, {}};
     for (const Vec3& place_m : places_m_) {
-      relief.places.push_back(fromFront(place_m));
+      relief.places.push_back(seenFromFront(place_m));
     }
     for (int i = 0; i < kLinesAlong; ++i) {
       std::vector<ReliefPlace> line;
       for (int section = 0; section < pose.places.sections; ++section) {
-        line.push_back(fromFront(pose.places.at(section, i * pose.places.ridges / kLinesAlong)));
+        line.push_back(seenFromFront(pose.places.at(section, i * pose.places.ridges / kLinesAlong)));
       }
       relief.lines.push_back(std::move(line));
     }
@@ -85,7 +80,7 @@ ReportFigure picturesOf(const std::string& id, const Text& title) {
 ReportFigure markerPicture(const ComparisonResult& result, const Painter& painter) {
   ReportFigure figure = picturesOf("figure-11", Text::tr("The markers (Fig. 11)"));
   FigureSeries row;
-  row.reliefs.push_back(painter.marked(Text::tr("from the front"), fromFront));
+  row.reliefs.push_back(painter.marked(Text::tr("from the front"), seenFromFront));
   row.reliefs.push_back(painter.marked(Text::tr("from behind"), fromBehind));
   figure.series.push_back(std::move(row));
   std::string names;

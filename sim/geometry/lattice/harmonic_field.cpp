@@ -47,13 +47,7 @@ class SideLaplacian {
  public:
   SideLaplacian(const TriangleMesh& mesh, const SurfaceTopology& topology, std::span<const LatticePart> parts)
       : mesh_(mesh), topology_(topology), parts_(parts), unknown_(mesh.vertices_m.size(), kNone) {
-    for (Index v = 0; v < parts_.size(); ++v) {
-      if (parts_[v] != LatticePart::kSide) {
-        continue;
-      }
-      unknown_[v] = static_cast<Index>(vertexOf_.size());
-      vertexOf_.push_back(v);
-    }
+    numberUnknowns();
     computeWeights();
     factorise();
   }
@@ -103,6 +97,27 @@ class SideLaplacian {
   }
 
  private:
+  /// In the order of the vertices; those of a fine surface by their way from one of them, because an order
+  /// without neighbourhood, as files have it, makes the factors half as large again and takes twice as long.
+  void numberUnknowns() {
+    constexpr std::size_t kFineVertices = 50'000;
+    const auto take = [this](Index v) {
+      if (parts_[v] == LatticePart::kSide && unknown_[v] == kNone) {
+        unknown_[v] = static_cast<Index>(vertexOf_.size());
+        vertexOf_.push_back(v);
+      }
+    };
+    const bool fine = parts_.size() > kFineVertices;
+    for (Index v = 0; v < parts_.size(); ++v) {
+      take(v);
+      for (std::size_t i = vertexOf_.size() - 1; fine && i < vertexOf_.size(); ++i) {
+        for (const Index half : topology_.outgoing(vertexOf_[i])) {
+          take(topology_.target(half));
+        }
+      }
+    }
+  }
+
   void computeWeights() {
     weights_.assign(topology_.halfEdges(), 0.0);
     for (Index half = 0; half < topology_.halfEdges(); ++half) {

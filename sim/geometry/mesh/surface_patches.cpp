@@ -66,6 +66,9 @@ class RoundPieces {
         continue;
       }
       for (const std::uint32_t other : next_[at]) {
+        if (!(way < way_m_[other])) {
+          continue;  // nearer already, whatever the step
+        }
         const double longer = way + norm(places_m_[other] - places_m_[at]);
         if (!(longer < way_m_[other])) {
           continue;

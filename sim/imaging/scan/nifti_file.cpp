@@ -322,6 +322,8 @@ class ZippedFile {
   gzFile file_ = nullptr;
 };
 
+constexpr double kMostWhole = 32767.0;  // that a volume holds
+
 template <typename Number>
 double numberAt(const unsigned char* place, bool swapped) {
   std::array<unsigned char, sizeof(Number)> raw{};
@@ -359,6 +361,21 @@ NumberReader readerOf(std::int16_t datatype) {
   }
 }
 
+/// Refuses a whole number that does not fit: cut off, the labels of a mask would become one.
+void requireFits(double value, const NiftiHeader& header, const std::string& where) {
+  constexpr std::int16_t kFloat = 16;
+  constexpr std::int16_t kDouble = 64;
+  const bool whole = header.datatype != kFloat && header.datatype != kDouble && header.slope == 1.0 &&
+                     header.intercept == 0.0;
+  if (whole && value > kMostWhole) {
+    throw Error(ErrorCode::kFileUnreadable,
+                Text::tr("N08 a voxel has the number %1; whole numbers up to %2 are read",
+                         std::to_string(static_cast<std::int64_t>(std::min(value, 9e15))),
+                         std::to_string(static_cast<int>(kMostWhole))),
+                where, Text::tr("Number the labels of the mask anew, from 1 on"));
+  }
+}
+
 /// Reads the voxels; returns how many were no numbers.
 std::size_t readVoxels(ZippedFile& file, const NiftiHeader& header, const std::string& where,
                        std::vector<std::int16_t>& values) {
@@ -381,9 +398,12 @@ std::size_t readVoxels(ZippedFile& file, const NiftiHeader& header, const std::s
       const double value =
           number(bytes.data() + i * header.voxelBytes, header.swapped) * header.slope + header.intercept;
       none += std::isnan(value) ? 1 : 0;
+      if (value > kMostWhole) {
+        requireFits(value, header, where);
+      }
       values.push_back(std::isnan(value)
                            ? kOutsideScan_HU
-                           : static_cast<std::int16_t>(std::lround(std::clamp(value, -32768.0, 32767.0))));
+                           : static_cast<std::int16_t>(std::lround(std::clamp(value, -32768.0, kMostWhole))));
     }
   }
   return none;

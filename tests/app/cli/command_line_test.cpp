@@ -118,6 +118,10 @@ TEST_F(BadInput, NonFiniteOptionsAreRejected) {
                              "twist --organ forearm --sections", "organ import none.obj --scale"}) {
     expectRefused(std::string(option) + " ''", ErrorCode::kUsage, "an empty word is not a number");
   }
+  for (const char* option : {"twist --organ forearm --material", "twist --organ forearm --pattern",
+                             "twist --organ", "organ import none.obj --anatomy", "compare --out"}) {
+    expectRefused(std::string(option) + " ''", ErrorCode::kUsage, "an empty word is not a name");
+  }
   for (const char* none : {"-nan", "inf", "-inf", "1e999"}) {
     expectRefused(std::string("power --test t --n 10 --effect ") + none, ErrorCode::kUsage, "--effect");
   }

@@ -122,6 +122,22 @@ TEST(NiftiFile, ScalesItsValues) {
   EXPECT_EQ(readBytes(plain).volume.values, countedScan().values);
 }
 
+TEST(NiftiFile, RefusesWholeNumbersThatItCannotHoldAndBoundsMeasuredOnes) {
+  // Unsigned 16 bits with the sign bit set: 32768 and more.
+  ScanVolume large = countedScan();
+  large.values[5] = -1;
+  EXPECT_THAT(refusalOf(niftiBytes(large, {.datatype = 512}), "label.nii"), StartsWith("N08"));
+  EXPECT_THAT(refusalOf(niftiBytes(large, {.datatype = 512}), "label.nii"), HasSubstr("65535"));
+  ScanVolume negative = countedScan();
+  negative.values[5] = -1;
+  EXPECT_EQ(readBytes(niftiBytes(negative, {.datatype = 4})).volume.values, negative.values);
+  // A scale makes a measurement of it, which is bounded.
+  const NiftiStyle scaled{.datatype = 512, .slope = 2.0F};
+  ScanVolume bright = countedScan();
+  bright.values[5] = 32767;
+  EXPECT_GE(readBytes(niftiBytes(bright, scaled)).volume.values[5], 32766);
+}
+
 TEST(NiftiFile, PlacesBySformThenQformThenSpacing) {
   const ScanVolume written = countedScan();
   expectPlaced(readBytes(niftiBytes(written, {.sform = false, .qform = true})).volume, written);

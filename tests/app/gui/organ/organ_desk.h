@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <unistd.h>
 
 #include <QLabel>
@@ -15,8 +16,23 @@
 
 namespace torsio::gui::testing {
 
+/// A folder of this program, removed when it ends.
+struct WizardFolder {
+  std::filesystem::path path =
+      std::filesystem::path(::testing::TempDir()) / ("wizard-" + std::to_string(getpid()));
+  WizardFolder() { std::filesystem::create_directories(path); }
+  WizardFolder(const WizardFolder&) = delete;
+  WizardFolder& operator=(const WizardFolder&) = delete;
+  ~WizardFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+/// Returns a file in that folder.
 inline std::filesystem::path wizardFile(const std::string& name) {
-  return std::filesystem::path(::testing::TempDir()) / ("wizard-" + std::to_string(getpid()) + "-" + name);
+  static const WizardFolder kFolder;
+  return kFolder.path / name;
 }
 
 /// Returns all visible text of the wizard.

@@ -45,6 +45,7 @@
 #include "sim/scene/organ_file.h"
 #include "sim/scene/scene.h"
 #include "tests/app/gui/organ/organ_desk.h"
+#include "tests/support/mesh_formats.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/scan_files.h"
 
@@ -105,6 +106,83 @@ TEST(OrganWizard, ShowsItsSourcesSideBySideAndCentredOnAWideScreen) {
     EXPECT_NEAR(right - leftEnd, 2 * kSpace, 1) << width;
     EXPECT_NEAR(left, width - rightEnd, 3 * kSpace) << width;
   }
+}
+
+/// The pictures of all patterns, in their order.
+std::vector<QImage> patternPictures(const OrganWizard& wizard) {
+  std::vector<QImage> pictures;
+  for (const QLabel* label : wizard.findChildren<QLabel*>(QStringLiteral("patternPicture"))) {
+    pictures.push_back(label->pixmap().toImage());
+  }
+  return pictures;
+}
+
+TEST(OrganWizard, ShowsEveryPatternAtRestHalfWayAndAtItsTarget) {
+  OrganDesk desk;
+  desk.judge(barFile());
+
+  const std::vector<PatternJudgement>& patterns = desk.wizard.trial()->import.patterns;
+  ASSERT_FALSE(patterns.empty());
+  const std::vector<QImage> pictures = patternPictures(desk.wizard);
+  ASSERT_EQ(pictures.size(), 3 * patterns.size());
+  EXPECT_EQ(desk.wizard.findChildren<QLabel*>(QStringLiteral("patternHead")).size(),
+            static_cast<qsizetype>(patterns.size()));
+  EXPECT_THAT(readable(desk.wizard), HasSubstr("offered"));
+  EXPECT_THAT(readable(desk.wizard), HasSubstr("at rest"));
+  for (std::size_t i = 0; i < pictures.size(); i += 3) {
+    ASSERT_FALSE(pictures[i].isNull());
+    EXPECT_EQ(pictures[i].size(), pictures[i + 2].size());
+    EXPECT_NE(pictures[i].pixelColor(pictures[i].rect().center()), pictures[i].pixelColor(0, 0));
+  }
+}
+
+TEST(OrganWizard, JudgesAMeshAgainInAnotherUnit) {
+  OrganDesk desk;
+  desk.judge(barFile());
+  const double volume_ml = *desk.wizard.trial()->import.volume_ml;
+  auto& unit = child<QComboBox>(desk.wizard, "organUnit");
+  ASSERT_EQ(unit.count(), 5);
+  EXPECT_TRUE(unit.isEnabled());
+
+  unit.setCurrentIndex(1);  // centimetres
+  Q_EMIT unit.activated(1);
+  desk.again();
+
+  EXPECT_NEAR(*desk.wizard.trial()->import.volume_ml / volume_ml, 1000.0, 0.01);
+}
+
+TEST(OrganWizard, TakesTheUnitThatAFileStatesAndOffersNoOther) {
+  OrganDesk desk;
+  const std::filesystem::path file = wizardFile("bar.dae");
+  std::string text = torsio::testing::daeText(torsio::testing::capsule(0.02, 0.14, 32, 40));
+  const std::string millimetres = "meter=\"0.001\"";
+  writeFileAtomically(file, text.replace(text.find(millimetres), millimetres.size(), "meter=\"0.01\""));
+  desk.judge(file);
+
+  const auto& unit = child<QComboBox>(desk.wizard, "organUnit");
+  EXPECT_FALSE(unit.isEnabled());
+  EXPECT_EQ(unit.currentText(), QStringLiteral("centimetres"));
+  EXPECT_GT(*desk.wizard.trial()->import.volume_ml, 100'000.0);
+  EXPECT_LT(*desk.wizard.trial()->import.volume_ml, 300'000.0);
+}
+
+TEST(OrganWizard, SaysWhyAPatternIsLeftOutAndHowFarItGoes) {
+  OrganDesk desk;
+  const std::filesystem::path file = wizardFile("arch.ply");
+  writePly(file, torsio::testing::bentTube(0.03, 0.045, 2.6, 40, 60));  // bends so sharply that turns fold it
+  desk.judge(file);
+
+  const OrganImport& import = desk.wizard.trial()->import;
+  int out = 0;
+  for (const PatternJudgement& pattern : import.patterns) {
+    out += pattern.accepted ? 0 : 1;
+    if (!pattern.accepted) {
+      EXPECT_THAT(readable(desk.wizard), HasSubstr(pattern.reason.str().substr(1)));
+      EXPECT_EQ(pattern.shapes.size(), 2U);
+    }
+  }
+  EXPECT_GT(out, 0);
+  EXPECT_THAT(readable(desk.wizard), HasSubstr("left out"));
 }
 
 TEST(OrganWizard, TurnsAPackedBowelOnItsStalkInATrialTwist) {
