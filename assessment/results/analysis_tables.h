@@ -60,6 +60,21 @@ struct ModelOrder {
 /// Returns the order of the models; empty for fewer than two.
 [[nodiscard]] std::optional<ModelOrder> modelOrder(const CohortInputs& inputs);
 
+/// How much higher the raters score one model than another: each rater's difference, by class weight.
+struct ModelDifference {
+  std::size_t first = 0;  ///< index in CohortInputs::evaluations
+  std::size_t second = 0;
+  std::int64_t raters = 0;  ///< with every mark of both
+  Outcome<TTest> test = Outcome<TTest>::undefined(Text::tr("not computed"));
+  double pHolm = 1.0;
+  Interval asHolm;  ///< excludes 0 exactly if pHolm < 5 %
+};
+/// Returns every pair of models.
+[[nodiscard]] std::vector<ModelDifference> modelDifferences(const CohortInputs& inputs);
+/// Returns the key of a pair of models.
+[[nodiscard]] ResultKey modelPairKey(const CohortInputs& inputs, const ModelDifference& pair);
+[[nodiscard]] std::optional<ReportTable> modelDifferencesTable(const CohortInputs& inputs, const Ledger& ledger);
+
 /// Names groups without anybody scored at both ends, "Group 3 (n = 0)"; empty: all are compared.
 [[nodiscard]] std::vector<Text> groupsNotCompared(const CohortInputs& inputs, const StudyAnalysis& study);
 /// Describes which raters scored only some groups; empty: none.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assessment/results/analysis_tables.h"
+#include "assessment/results/record_sentences.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/results/study_analysis.h"
@@ -163,6 +164,19 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
         Text::tr("The record has changed since it was frozen as \"%1\": these results are computed from the "
                  "record as it is now, not from the frozen data.",
                  in.freeze->name));
+  }
+  if (in.freeze && in.freeze->interim()) {
+    out.emplace_back(
+        Text::tr("Interim: these data were frozen when %1 of %2 sheets were in (%3). Looking at results "
+                 "before the end of a "
+                 "study makes false findings more likely.",
+                 in.freeze->sheetsSubmitted, in.freeze->sheetsAsked, in.freeze->whyIncomplete));
+  }
+  if (in.imported) {
+    out.emplace_back(
+        Text::tr("This study was imported: %1. How its marks were given and its groups were made is not in "
+                 "this record.",
+                 importSentence(*in.imported)));
   }
   addWithdrawn(ledger, out);
   const bool compared = study.primaryMethod() != PrimaryMethod::kNone;

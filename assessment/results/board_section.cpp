@@ -30,8 +30,9 @@ constexpr int kPointDecimals = 1;  // appropriate for a mean of ten marks in hal
 constexpr double kSignificant = 0.05;
 constexpr std::size_t kSignatures = 3;
 constexpr std::size_t kNamedAtMost = 10;  // people in one cell
-constexpr std::size_t kRoomyGroups = 3;   // more of them fill the page
-constexpr std::size_t kPairsAtMost = 3;   // not shown to differ, but still named
+constexpr std::size_t kRoomyGroups = 3;   // more of them, or of sentences, fill the page
+constexpr std::size_t kRoomyParagraphs = 6;
+constexpr std::size_t kPairsAtMost = 3;  // not shown to differ, but still named
 
 /// A difference of the primary comparison as the ledger has it.
 struct AnsweredPair {
@@ -406,7 +407,7 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study, c
   if (std::optional<ReportFigure> figure = answerFigure(in, study, pairs)) {
     section.figures.push_back(std::move(*figure));
   }
-  const bool roomy = in.groups.size() <= kRoomyGroups;
+  const bool roomy = in.groups.size() <= kRoomyGroups && section.paragraphs.size() <= kRoomyParagraphs;
   section.tables = {standardTable(in, ledger), signatureTable(roomy)};
   return section;
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/results/cohort_report.h"
 
+#include <algorithm>
+#include <array>
 #include <future>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +15,7 @@
 #include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/number_format.h"
+#include "assessment/results/record_sentences.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/results/shown_inputs.h"
 #include "assessment/results/study_analysis.h"
@@ -78,10 +83,17 @@ void checkInputs(const CohortInputs& in) {
 }  // namespace
 
 std::vector<Text> commonFlags(const CohortInputs& in) {
+  std::vector<Text> flags;
   if (in.demonstration) {
-    return {Text::tr("demonstration data")};
+    flags.push_back(Text::tr("demonstration data"));
   }
-  return {};
+  if (in.freeze && in.freeze->interim()) {
+    flags.push_back(Text::tr("interim"));
+  }
+  if (in.imported) {
+    flags.push_back(Text::tr("imported data"));
+  }
+  return flags;
 }
 
 namespace {
@@ -117,6 +129,9 @@ void addCover(const CohortInputs& in, ReportModel& report) {
                        {Text::tr("Recorded runs"), std::to_string(in.trials.size())},
                        {Text::tr("Evaluated models"), std::to_string(in.evaluations.size())}});
   report.facts.insert(report.facts.end(), in.facts.begin(), in.facts.end());
+  if (in.imported) {
+    report.facts.emplace_back(Text::tr("Imported"), importSentence(*in.imported));
+  }
   if (!in.auditHead.empty()) {
     report.facts.emplace_back(Text::tr("Audit trail"), Text::tr("%1 {entry|entries} at %2", in.auditEntries,
                                                                 formatUtc(in.createdUtc_us)));
@@ -183,6 +198,62 @@ ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>&
   return report;
 }
 
+/// Tables and figures that a reviewer looks up: ids, or with a hyphen at the end their beginnings.
+constexpr std::array<std::string_view, 24> kAnnex{"figure-classes",
+                                                  "figure-courses-",
+                                                  "figure-qq",
+                                                  "figure-residuals",
+                                                  "table-agreement-groups",
+                                                  "table-allocation",
+                                                  "table-chain",
+                                                  "table-competence",
+                                                  "table-criteria-trainees-",
+                                                  "table-deviations",
+                                                  "table-foreign-learning",
+                                                  "table-friedman",
+                                                  "table-indices-",
+                                                  "table-kappa",
+                                                  "table-learning",
+                                                  "table-mark-signatures",
+                                                  "table-missing",
+                                                  "table-provenance",
+                                                  "table-rasch",
+                                                  "table-sheet-",
+                                                  "table-sources",
+                                                  "table-training-scores",
+                                                  "table-training-summary",
+                                                  "table-trial-hashes"};
+
+bool isAnnex(const std::string& id) {
+  return std::any_of(kAnnex.begin(), kAnnex.end(), [&](std::string_view annex) {
+    return annex.ends_with('-') ? id.starts_with(annex) : id == annex;
+  });
+}
+
+/// Moves what only a reviewer looks up behind the report, in the order of its sections.
+void moveToAnnex(ReportModel& report) {
+  std::vector<ReportSection> annex;
+  for (ReportSection& section : report.sections) {
+    ReportSection rest{"annex-" + section.id, Text::tr("Annex: %1", section.title)};
+    const auto move = [](auto& from, auto& to) {
+      const auto kept =
+          std::stable_partition(from.begin(), from.end(), [](const auto& item) { return !isAnnex(item.id); });
+      to.assign(std::make_move_iterator(kept), std::make_move_iterator(from.end()));
+      from.erase(kept, from.end());
+    };
+    move(section.figures, rest.figures);
+    move(section.tables, rest.tables);
+    if (!rest.figures.empty() || !rest.tables.empty()) {
+      annex.push_back(std::move(rest));
+    }
+  }
+  std::erase_if(report.sections, [](const ReportSection& section) {
+    return section.paragraphs.empty() && section.figures.empty() && section.tables.empty();
+  });
+  report.sections.insert(report.sections.end(), std::make_move_iterator(annex.begin()),
+                         std::make_move_iterator(annex.end()));
+}
+
 std::string hashOf(const Ledger& ledger) {
   Digest digest;
   digest.update(cohortCsvText(ledger));
@@ -226,6 +297,7 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
     const bool board = !report.sections.empty() && report.sections.front().onFirstPage;
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
+  moveToAnnex(report);
   report.names = analysed.ledger.names();
   addReference(inputs, numbersHash.get(), report);
   return report;

@@ -76,6 +76,19 @@ struct CohortFreeze {
   std::int64_t frozenUtc_us = 0;
   std::string frozenBy;
   bool unchanged = true;  ///< the current data still have that hash
+  std::int64_t sheetsAsked = 0;      ///< of raters, when it was frozen; 0: not known
+  std::int64_t sheetsSubmitted = 0;
+  std::string whyIncomplete{};
+  [[nodiscard]] bool interim() const noexcept { return sheetsSubmitted < sheetsAsked; }
+};
+
+/// Where a cohort came from that was not made in this record.
+struct CohortOrigin {
+  std::string layout;  ///< "Torsio", "JIGSAWS"
+  std::string source;  ///< as the data name it
+  std::string contentHash;
+  std::string importedBy;  ///< sign-in name, or id
+  std::int64_t importedUtc_us = 0;
 };
 
 /// A deviation from the protocol.
@@ -231,6 +244,7 @@ struct CohortInputs {
   std::int64_t auditEntries = 0;  ///< length of the audit trail at that time
   std::string auditHead;          ///< hash of its latest entry; empty: no entries
   bool demonstration = false;
+  std::optional<CohortOrigin> imported;  ///< empty: made in this record
   std::vector<Text> simulated;           ///< which data are simulated, and by which rule
   Facts facts;                           ///< additional lines of the cover
   std::int64_t trainingTimeDivisor = 1;  ///< 60: one simulated minute represents one hour of training

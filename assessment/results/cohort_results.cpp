@@ -13,6 +13,7 @@
 #include "assessment/results/result_writer.h"
 #include "assessment/results/shown_inputs.h"
 #include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/distributions.h"
 #include "assessment/statistics/quantiles.h"
 #include "sim/core/text.h"
 
@@ -60,6 +61,11 @@ void addComposites(const ModelEvaluation& model, ResultWriter& rows) {
   const auto& statistics = model.compositeStatistics;
   rows.add("composite_M", statistics ? std::optional(statistics->m) : std::nullopt, n);
   rows.add("composite_se_of_M", statistics ? statistics->standardError : std::nullopt, n);
+  if (statistics && statistics->standardError && statistics->standardErrorDf) {
+    const double reach = tQuantile(0.5 * (1.0 + kDefaultConfidence), *statistics->standardErrorDf) *
+                         *statistics->standardError;
+    rows.put("composite_M_95", Interval{statistics->m - reach, statistics->m + reach}, n);
+  }
   if (const std::optional<BoxNumbers> box = boxNumbers(scores)) {
     rows.add("composite_lowest", box->min, n);
     rows.add("composite_lower_whisker", box->whiskerLow, n);
@@ -118,6 +124,24 @@ void addModelOrder(const CohortInputs& in, Ledger& ledger) {
   for (std::size_t k = 0; k < order->meanRanks.size(); ++k) {
     rows.place.model = in.evaluations[k].model;
     rows.add("mean_rank", order->meanRanks[k], n);
+  }
+}
+
+/// Adds the differences between the models.
+void addModelDifferences(const CohortInputs& in, Ledger& ledger) {
+  for (const ModelDifference& pair : modelDifferences(in)) {
+    ResultWriter rows(ledger, modelPairKey(in, pair), commonFlags(in));
+    std::vector<ResultPart> parts{RecordRef{RecordKind::kCampaign}};
+    for (const std::size_t of : {pair.first, pair.second}) {
+      parts.emplace_back(ResultPattern{
+          .section = kEvaluation, .statistic = "composite", .of = kEach, .model = in.evaluations[of].model});
+    }
+    rows.madeOf = partsOf(std::move(parts));
+    rows.add("composite_difference", pair.test, &TTest::difference, pair.raters);
+    if (pair.test) {
+      rows.put("composite_difference_holm_95", pair.asHolm, pair.raters);
+      rows.add("composite_difference_p_holm", pair.pHolm, pair.raters);
+    }
   }
 }
 
@@ -181,6 +205,7 @@ void addEvaluation(const CohortInputs& in, Ledger& ledger) {
     addMarks(in, in.ratings[k], rows);
   }
   addModelOrder(in, ledger);
+  addModelDifferences(in, ledger);
 }
 
 std::int64_t marksAt(const CohortInputs& in, std::size_t group, std::size_t occasion) {

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "assessment/results/analysis_tables.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
@@ -235,6 +236,7 @@ ReportTable comprehensiveTable(const CohortInputs& in, const Ledger& ledger) {
                     column(Text::tr("N (Eq. 27)"), "N_eq27"),
                     {Text::tr("Raters with all marks"), "raters_with_all_marks"},
                     column(Text::tr("Mean of raters, by class weight"), "composite_M"),
+                    {Text::tr("[95 %]"), "composite_M_95", intervalWith(2), ""},
                     column(Text::tr("SE"), "composite_se_of_M"),
                     column(Text::tr("Lowest"), "composite_lowest"),
                     column(Text::tr("Lower quartile"), "composite_lower_quartile"),
@@ -319,17 +321,34 @@ ReportSection evaluationSection(const CohortInputs& in, const Ledger& ledger) {
                               "is|marks are} missing. "
                               "Raters: %5.",
                               in.instrument.indices.size(), lo, hi, missing, listed(classes)));
+  ReportParagraph ranked;
   std::vector<Text> ranking;
   for (const ModelEvaluation& model : in.evaluations) {
-    ranking.push_back(Text::verbatim("%1 %2", model.model, formatFixed(model.n27, kScoreDecimals)));
+    const ResultsAt at(ledger, {.section = ResultSection::kEvaluation, .model = model.model});
+    const ReportCell n = at("N_eq27", fixed(kReadableDecimals));
+    const ReportCell interval = at("composite_M_95", intervalWith(kReadableDecimals), "");
+    // With marks missing, N is not the mean of the raters' own scores, whose interval this is.
+    const bool same = missing == 0 && interval.key != nullptr;
+    ranking.push_back(same ? Text::verbatim("%1 %2 %3", model.model, n.words(), interval.words())
+                           : Text::verbatim("%1 %2", model.model, n.words()));
+    ranked.keys.push_back(n.key);
+    if (same) {
+      ranked.keys.push_back(interval.key);
+    }
   }
-  section.paragraphs.push_back(Text::tr("Comprehensive score N: %1.", listed(ranking, Text::tr("%1; %2"))));
+  static_cast<Text&>(ranked) =
+      Text::tr("Comprehensive score N, with 95 % intervals where no mark is missing: %1.",
+               listed(ranking, Text::tr("%1; %2")));
+  section.paragraphs.push_back(std::move(ranked));
   section.paragraphs.push_back(Text::tr(
       "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
       "the tables do not depend on the order of the raters."));
   section.figures = {rangesFigure(in, ledger), barsFigure(in, ledger, false), barsFigure(in, ledger, true),
                      chiefsFigure(in, ledger), boxesFigure(in, ledger),       classesFigure(in, ledger)};
   section.tables.push_back(comprehensiveTable(in, ledger));
+  if (std::optional<ReportTable> differences = modelDifferencesTable(in, ledger)) {
+    section.tables.push_back(std::move(*differences));
+  }
   for (const ModelEvaluation& model : in.evaluations) {
     section.tables.push_back(indexTable(in, model, ledger));
   }

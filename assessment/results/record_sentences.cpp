@@ -17,8 +17,14 @@ namespace torsio {
 
 namespace {
 
-Text waysSentence(const MarkWays& ways) {
+constexpr std::size_t kPrintedHash = 16;
+
+Text waysSentence(const MarkWays& ways, bool imported) {
   const std::int64_t all = ways.blinded + ways.live + ways.entered;
+  if (imported && ways.entered == all) {
+    return Text::tr(
+        "Nothing shows that raters were blinded: all marks of the training study (%1) were imported.", all);
+  }
   if (ways.blinded == all) {
     return Text::tr(
         "Raters were blinded: all marks of the training study (%1) were given on recordings under a case "
@@ -49,7 +55,7 @@ Text waysSentence(const MarkWays& ways) {
 std::vector<Text> blindingSentences(const CohortInputs& in) {
   std::vector<Text> sentences;
   if (in.markWays.blinded + in.markWays.live + in.markWays.entered > 0) {
-    sentences.push_back(waysSentence(in.markWays));
+    sentences.push_back(waysSentence(in.markWays, in.imported.has_value()));
   }
   if (in.evaluations.empty()) {
     return sentences;
@@ -100,6 +106,25 @@ ReportParagraph detectableSentence(const CohortInputs& in, const StudyAnalysis& 
                "number of pairs), and misses smaller ones more often. %3",
                size, formatFixed(kWantedPower, 2), rest),
       {least->second, most->second}};
+}
+
+Text importSentence(const CohortOrigin& origin) {
+  return Text::tr("from %1 (%2, hash %3) by %4 on %5",
+                  origin.source.empty() ? Text(Text::tr("a file without a name")) : Text(origin.source),
+                  origin.layout, origin.contentHash.substr(0, kPrintedHash), origin.importedBy,
+                  formatUtc(origin.importedUtc_us));
+}
+
+std::vector<Text> originSentences(const CohortInputs& in) {
+  std::vector<Text> out;
+  if (in.demonstration) {
+    out.push_back(
+        Text::tr("Simulated: people, movements and marks. Nothing in it is a result about real people."));
+  }
+  if (in.imported) {
+    out.push_back(Text::tr("Imported %1.", importSentence(*in.imported)));
+  }
+  return out;
 }
 
 Text commitmentSentence(const CohortAllocation& drawn) {

@@ -15,6 +15,10 @@ namespace torsio {
 /// States which difference the comparison detects, and what it cannot show.
 [[nodiscard]] ReportParagraph detectableSentence(const CohortInputs& inputs, const StudyAnalysis& study,
                                                  const Ledger& ledger);
+/// States that the cohort is simulated, or imported from where; empty: neither.
+[[nodiscard]] std::vector<Text> originSentences(const CohortInputs& inputs);
+/// States where the cohort came from, by whom and when.
+[[nodiscard]] Text importSentence(const CohortOrigin& origin);
 /// States when the seed was committed, relative to enrolment and allocation.
 [[nodiscard]] Text commitmentSentence(const CohortAllocation& allocation);
 /// States whether the allocation was replayed from its seed, and the result.

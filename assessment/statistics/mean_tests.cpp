@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
@@ -105,6 +106,38 @@ Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, dou
     return Outcome<TTest>::undefined(Text::tr("the differences do not vary"));
   }
   return finished(meanOf(differences), std::sqrt(variance / countOf(x)), countOf(x) - 1.0, confidence);
+}
+
+Outcome<TTest> stratifiedMean(const Groups& strata, std::span<const double> weights, double confidence) {
+  TORSIO_EXPECTS(strata.size() == weights.size());
+  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
+  TTest out;
+  double variance = 0.0;
+  double denominator = 0.0;
+  for (std::size_t c = 0; c < strata.size(); ++c) {
+    if (weights[c] == 0.0) {
+      continue;
+    }
+    if (strata[c].size() < 2) {
+      return Outcome<TTest>::undefined(Text::tr("a class has fewer than two raters"));
+    }
+    const double n = static_cast<double>(strata[c].size());
+    const double share = weights[c] / all;
+    const double part = share * share * sumOfSquares(strata[c]) / (n - 1.0) / n;
+    out.difference += share * meanOf(strata[c]);
+    variance += part;
+    denominator += part * part / (n - 1.0);
+  }
+  if (!(variance > 0.0)) {
+    return Outcome<TTest>::undefined(kNoSpread);
+  }
+  out.error = std::sqrt(variance);
+  out.df = variance * variance / denominator;
+  out.t = out.difference / out.error;
+  out.p = tTwoSided(out.t, out.df);
+  const double reach = tQuantile(0.5 * (1.0 + confidence), out.df) * out.error;
+  out.interval = {out.difference - reach, out.difference + reach};
+  return out;
 }
 
 std::optional<Interval> meanInterval(std::span<const double> values, double confidence) {

@@ -40,6 +40,13 @@ struct TTest {
 [[nodiscard]] Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y,
                                      double confidence = kDefaultConfidence);
 
+/// Estimates the weighted mean of strata that vary independently, and tests it against 0: `difference` is
+/// that mean, its error sums the squares of share x standard error, degrees of freedom after Welch and
+/// Satterthwaite. `weights`: one per stratum; strata of weight 0 do not count. Undefined if a weighted
+/// stratum has fewer than two values, or none of them varies.
+[[nodiscard]] Outcome<TTest> stratifiedMean(const Groups& strata, std::span<const double> weights,
+                                            double confidence = kDefaultConfidence);
+
 /// Returns Student's t interval of a mean; empty for fewer than two values. The squares must not overflow.
 [[nodiscard]] std::optional<Interval> meanInterval(std::span<const double> values,
                                                    double confidence = kDefaultConfidence);

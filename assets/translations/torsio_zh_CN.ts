@@ -5997,10 +5997,6 @@
         <translation>各模型的综合得分 N</translation>
     </message>
     <message>
-        <source>Comprehensive score N: %1.</source>
-        <translation>综合得分 N：%1。</translation>
-    </message>
-    <message>
         <source>Comprehensive score of each rater of the class %1</source>
         <translation>%1类各评分者的综合得分</translation>
     </message>
@@ -8957,10 +8953,6 @@
         <translation>请选择保存时所用的器官</translation>
     </message>
     <message>
-        <source>The %1 values drawn are too many to print here.</source>
-        <translation>图中共有 %1 个数值，无法在此全部印出。</translation>
-    </message>
-    <message>
         <source>The program shows them under Results.</source>
         <translation>程序在“结果”中显示这些数值。</translation>
     </message>
@@ -11451,14 +11443,6 @@
     <message>
         <source>Torsio</source>
         <translation>Torsio</translation>
-    </message>
-    <message>
-        <source>Demonstration</source>
-        <translation>演示数据</translation>
-    </message>
-    <message>
-        <source>People, movements and marks are simulated.</source>
-        <translation>人员、动作和评分均为模拟数据。</translation>
     </message>
     <message>
         <source>Times</source>
@@ -19029,6 +19013,106 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Number the labels of the mask anew, from 1 on</source>
         <translation>请将掩模的标签从 1 起重新编号</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Annex: values of the figures</source>
+        <translation>附录：各图的数值</translation>
+    </message>
+    <message>
+        <source>The values of these figures are too many to print:</source>
+        <translation>以下各图的数值太多，无法印出：</translation>
+    </message>
+    <message>
+        <source>Training against the plan of the group</source>
+        <translation>与所在组计划相比的训练</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {sheet|sheets} that raters were asked for {is|are} in</source>
+        <translation>要求评分者提交的 %2 份评分表中已收到 %1 份</translation>
+    </message>
+    <message>
+        <source>Wait for the others, or say why an interim state is frozen: every report of it says so</source>
+        <translation>请等待其余评分表，或说明为何冻结中期状态：每份相关报告都会注明</translation>
+    </message>
+    <message>
+        <source>Interim: these data were frozen when %1 of %2 sheets were in (%3). Looking at results before the end of a study makes false findings more likely.</source>
+        <translation>中期：这些数据在收到 %2 份评分表中的 %1 份时被冻结（%3）。在研究结束前查看结果会增加错误发现的可能。</translation>
+    </message>
+    <message>
+        <source>This study was imported: %1. How its marks were given and its groups were made is not in this record.</source>
+        <translation>本研究为导入：%1。分数如何给出、分组如何形成，不在本记录中。</translation>
+    </message>
+    <message>
+        <source>interim</source>
+        <translation>中期</translation>
+    </message>
+    <message>
+        <source>imported data</source>
+        <translation>导入的数据</translation>
+    </message>
+    <message>
+        <source>Imported</source>
+        <translation>已导入</translation>
+    </message>
+    <message>
+        <source>Annex: %1</source>
+        <translation>附录：%1</translation>
+    </message>
+    <message>
+        <source>[95 %]</source>
+        <translation>[95 %]</translation>
+    </message>
+    <message>
+        <source>Comprehensive score N, with 95 % intervals where no mark is missing: %1.</source>
+        <translation>综合得分 N（无缺失分数时附 95 % 区间）：%1。</translation>
+    </message>
+    <message>
+        <source>Differences between the models</source>
+        <translation>模型之间的差异</translation>
+    </message>
+    <message>
+        <source>each rater&apos;s difference, mean by class weight</source>
+        <translation>每位评分者的差值，按类别权重取平均</translation>
+    </message>
+    <message>
+        <source>[95 %, after Holm]</source>
+        <translation>[95 %，经 Holm 校正]</translation>
+    </message>
+    <message>
+        <source>Every rater is compared with himself or herself: raters who gave every mark of both models. Intervals are adjusted for the number of pairs, as the p values are.</source>
+        <translation>每位评分者与自己比较：仅限对两个模型给出全部分数的评分者。区间与 p 值一样已按对数校正。</translation>
+    </message>
+    <message>
+        <source>Nothing shows that raters were blinded: all marks of the training study (%1) were imported.</source>
+        <translation>无法证明评分者处于盲态：训练研究的全部分数（%1 个）均为导入。</translation>
+    </message>
+    <message>
+        <source>from %1 (%2, hash %3) by %4 on %5</source>
+        <translation>来自 %1（%2，哈希 %3），由 %4 于 %5 导入</translation>
+    </message>
+    <message>
+        <source>a file without a name</source>
+        <translation>无名文件</translation>
+    </message>
+    <message>
+        <source>Simulated: people, movements and marks. Nothing in it is a result about real people.</source>
+        <translation>模拟：人员、动作和分数均为模拟。其中没有关于真实人员的结果。</translation>
+    </message>
+    <message>
+        <source>Imported %1.</source>
+        <translation>导入：%1。</translation>
+    </message>
+    <message>
+        <source>a class has fewer than two raters</source>
+        <translation>有一类评分者少于两人</translation>
+    </message>
+    <message>
+        <source>Origin: recorded, simulated or imported</source>
+        <translation>来源：记录、模拟或导入</translation>
     </message>
 </context>
 <context>
@@ -27749,6 +27833,14 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Workbook, tables for SPSS and R, data sets, scores for a learning system; pseudonymised if wanted</source>
         <translation>工作簿、SPSS 与 R 表格、数据集、学习系统成绩；可按需假名化</translation>
+    </message>
+    <message>
+        <source>Freeze an interim state</source>
+        <translation>冻结中期状态</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sheets are in. Looking at results before the end of a study makes false findings more likely; every report of this data set will say that it is interim, and why:</source>
+        <translation>%2 份评分表中已收到 %1 份。在研究结束前查看结果会增加错误发现的可能；此数据集的每份报告都会注明其为中期数据及原因：</translation>
     </message>
 </context>
 <context>

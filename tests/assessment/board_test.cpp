@@ -163,69 +163,85 @@ std::vector<Strange> trainings() {
 }
 
 std::vector<Strange> people() {
-  return {{"all withdrew",
-           with([](CohortInputs& in) {
-             for (CohortTrainee& trainee : in.trainees) {
-               trainee.withdrew = true;
-             }
-           }),
-           {"Everybody withdrew", "30 of them withdrew"}},
-          {"a third withdrew",
-           with([](CohortInputs& in) {
-             for (std::size_t i = 0; i < 10; ++i) {
-               in.trainees[i].withdrew = true;
-             }
-           }),
-           {"10 of 30 trainees withdrew: the answer may hold only for people like those who stayed"},
-           {"Everybody withdrew"}},
-          {"one withdrew",
-           with([](CohortInputs& in) { in.trainees[0].withdrew = true; }),
-           {"1 of them withdrew"},
-           {"may hold only"}},
-          {"entered twice",
-           with([](CohortInputs& in) {
-             std::map<std::pair<std::string, std::size_t>, std::int64_t> first;
-             for (const TrainingMark& mark : in.trainingMarks) {
-               if (mark.trainee == "x101") {
-                 first[{mark.rater, mark.occasion}] = mark.steps;
-               }
-             }
-             for (TrainingMark& mark : in.trainingMarks) {
-               if (mark.trainee == "z110") {
-                 mark.steps = first.at({mark.rater, mark.occasion});
-               }
-             }
-             in = scored(std::move(in));
-           }),
-           {"x101 and z110 have the same mark from every rater at every occasion: check whether somebody was "
-            "entered "
-            "twice."}},
-          {"everything equal",
-           withMarks([](TrainingMark& mark) { mark.steps = 70; }),
-           {"Answer: none"},
-           {"entered twice", "Answer, adjusted"}},
-          {"a group of one",
-           without([](const TrainingMark& mark) { return mark.group == 0 && mark.trainee != "x103"; }),
-           {"A single trainee has a score at both occasions in: Group 1"}},
-          {"an arm drops out",
-           without([](const TrainingMark& mark) { return mark.group == 2 && mark.occasion > 0; }),
-           {"Group 3 (n = 0)"},
-           {"Group 1 - Group 3"}},
-          {"one group only",
-           without([](const TrainingMark& mark) { return mark.group > 0; }),
-           {"Answer: none"},
-           {"Answer, adjusted"}},
-          {"changed after the freeze",
-           with([](CohortInputs& in) {
-             in.freeze = CohortFreeze{"final", "b", 1, "admin", false};
-           }),
-           {"has changed since it was frozen as \"final\""}},
-          {"as frozen",
-           with([](CohortInputs& in) {
-             in.freeze = CohortFreeze{"final", "b", 1, "admin", true};
-           }),
-           {},
-           {"has changed since"}}};
+  return {
+      {"all withdrew",
+       with([](CohortInputs& in) {
+         for (CohortTrainee& trainee : in.trainees) {
+           trainee.withdrew = true;
+         }
+       }),
+       {"Everybody withdrew", "30 of them withdrew"}},
+      {"a third withdrew",
+       with([](CohortInputs& in) {
+         for (std::size_t i = 0; i < 10; ++i) {
+           in.trainees[i].withdrew = true;
+         }
+       }),
+       {"10 of 30 trainees withdrew: the answer may hold only for people like those who stayed"},
+       {"Everybody withdrew"}},
+      {"one withdrew",
+       with([](CohortInputs& in) { in.trainees[0].withdrew = true; }),
+       {"1 of them withdrew"},
+       {"may hold only"}},
+      {"entered twice",
+       with([](CohortInputs& in) {
+         std::map<std::pair<std::string, std::size_t>, std::int64_t> first;
+         for (const TrainingMark& mark : in.trainingMarks) {
+           if (mark.trainee == "x101") {
+             first[{mark.rater, mark.occasion}] = mark.steps;
+           }
+         }
+         for (TrainingMark& mark : in.trainingMarks) {
+           if (mark.trainee == "z110") {
+             mark.steps = first.at({mark.rater, mark.occasion});
+           }
+         }
+         in = scored(std::move(in));
+       }),
+       {"x101 and z110 have the same mark from every rater at every occasion: check whether somebody was "
+        "entered "
+        "twice."}},
+      {"everything equal",
+       withMarks([](TrainingMark& mark) { mark.steps = 70; }),
+       {"Answer: none"},
+       {"entered twice", "Answer, adjusted"}},
+      {"a group of one",
+       without([](const TrainingMark& mark) { return mark.group == 0 && mark.trainee != "x103"; }),
+       {"A single trainee has a score at both occasions in: Group 1"}},
+      {"an arm drops out",
+       without([](const TrainingMark& mark) { return mark.group == 2 && mark.occasion > 0; }),
+       {"Group 3 (n = 0)"},
+       {"Group 1 - Group 3"}},
+      {"one group only",
+       without([](const TrainingMark& mark) { return mark.group > 0; }),
+       {"Answer: none"},
+       {"Answer, adjusted"}},
+      {"changed after the freeze",
+       with([](CohortInputs& in) {
+         in.freeze = CohortFreeze{"final", "b", 1, "admin", false};
+       }),
+       {"has changed since it was frozen as \"final\""}},
+      {"frozen with sheets missing",
+       with([](CohortInputs& in) {
+         in.freeze = CohortFreeze{"first look", "b", 1, "admin", true, 900, 2, "the board meets"};
+       }),
+       {"Interim: these data were frozen when 2 of 900 sheets were in (the board meets)"}},
+      {"imported",
+       with([](CohortInputs& in) {
+         in.imported = CohortOrigin{"Torsio", "set", std::string(64, 'c'), "admin", 1'767'600'000'000'000};
+       }),
+       {"This study was imported: from set (Torsio, hash cccccccccccccccc) by admin on 2026-01-05 08:00 "
+        "UTC"}},
+      {"simulated",
+       with([](CohortInputs& in) { in.demonstration = true; }),
+       {kAsPlanned},
+       {"This study was imported"}},
+      {"as frozen",
+       with([](CohortInputs& in) {
+         in.freeze = CohortFreeze{"final", "b", 1, "admin", true};
+       }),
+       {},
+       {"has changed since"}}};
 }
 
 std::vector<Strange> marks() {

@@ -383,6 +383,22 @@ TEST(GainScores, AreRankedOnExactDecimals) {
   EXPECT_NEAR(kruskalWallis(noisy)->h, 21.297724, 1e-5);
 }
 
+// R: m <- sum(w * means); p <- w^2 * var / n; v <- sum(p); df <- v^2 / sum(p^2 / (n - 1)).
+TEST(StratifiedMean, WeighsTheClassesAndTheirErrors) {
+  const Groups strata{{8.1, 7.4, 8.8, 9.0}, {6.9, 7.7, 8.2}, {1.0}};
+  const double weights[] = {3.0, 7.0, 0.0};
+  const TTest found = stratifiedMean(strata, weights).value();
+  EXPECT_NEAR(found.difference, 7.817499999999999, 1e-12);
+  EXPECT_NEAR(found.error, 0.286600040707138, 1e-12);
+  EXPECT_NEAR(found.df, 2.684148215222205, 1e-12);
+  EXPECT_NEAR(found.p, 0.000233275071391699, 1e-12);
+  EXPECT_NEAR(found.interval.lower, 6.841581608023162, 1e-9);
+  EXPECT_NEAR(found.interval.upper, 8.793418391976836, 1e-9);
+  const double other[] = {3.0, 7.0, 1.0};
+  EXPECT_FALSE(stratifiedMean(strata, other)) << "a class of one";
+  EXPECT_FALSE(stratifiedMean({{2.0, 2.0}, {3.0, 3.0}}, std::vector<double>{1.0, 1.0})) << "no spread";
+}
+
 }  // namespace
 
 }  // namespace torsio

@@ -195,6 +195,7 @@ DatasetOutcome importDataset(SessionContext& session, const std::filesystem::pat
   tellProgress(progress, Text::tr("Reading %1", folder.filename().string()), 0.0);
   LandedStudy study = readDatasetStudy(folder);
   study.assets = assets;
+  study.markComment = folder.filename().string();
   DatasetOutcome outcome;
   outcome.trials = study.trials.size();
   outcome.marks = study.marks.size();
@@ -204,9 +205,14 @@ DatasetOutcome importDataset(SessionContext& session, const std::filesystem::pat
     digest.update(landed.trial.summary.contentHash);
   }
   outcome.contentHash = digest.hex();
-  const nlohmann::ordered_json what{
-      {"layout", "torsio"},           {"people", study.people.size()}, {"raters", study.raters.size()},
-      {"recordings", outcome.trials}, {"marks", outcome.marks},        {"hash", outcome.contentHash}};
+  const nlohmann::ordered_json what{{"layout", "Torsio"},
+                                    {"source", study.markComment},
+                                    {"simulated", study.cohort.demonstration},
+                                    {"people", study.people.size()},
+                                    {"raters", study.raters.size()},
+                                    {"recordings", outcome.trials},
+                                    {"marks", outcome.marks},
+                                    {"hash", outcome.contentHash}};
   outcome.landed =
       landStudy(session, std::move(study), {what.dump(), reason}, partOf(progress, kReadingDataset, 1.0));
   return outcome;

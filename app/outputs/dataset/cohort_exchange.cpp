@@ -15,6 +15,7 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/results/cohort_csv.h"
+#include "assessment/results/record_sentences.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
@@ -77,9 +78,8 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
   contents.title = report.title;
   contents.facts = report.facts;
   contents.facts.emplace_back(Text::tr("Torsio"), report.softwareVersion);
-  if (report.demonstration) {
-    contents.facts.emplace_back(Text::tr("Demonstration"),
-                                Text::tr("People, movements and marks are simulated."));
+  for (const Text& sentence : originSentences(data.inputs)) {
+    contents.facts.emplace_back(Text::tr("Origin"), sentence);
   }
   contents.facts.emplace_back(Text::tr("Times"), Text::tr("All times are UTC."));
   for (const Text& sentence : pseudonymSentences(data)) {
@@ -187,6 +187,9 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
   contents.tables = tablesOf(data.set);
   contents.every = kRecordedRate_Hz / request.rate_Hz;
   contents.softwareVersion = softwareVersion();
+  for (const Text& sentence : originSentences(data.inputs)) {
+    contents.origin.push_back(sentence.str());
+  }
   contents.progress = progress;
   Connection& connection = session.connection();
   TrialLoader recordings(connection);

@@ -237,6 +237,9 @@ class DatasetWriter {
     if (!about.description.empty()) {
       text += about.description + "\n\n";
     }
+    for (const std::string& sentence : contents_.origin) {
+      text += "**" + sentence + "**\n\n";
+    }
     text += "Licence: " + about.licence + "\n";
     if (!about.citation.empty()) {
       text += "\nPlease cite: " + about.citation + "\n";
@@ -273,6 +276,9 @@ class DatasetWriter {
                  {"created", cellText(about.madeUtc_us)},
                  {"licenses", {{{"name", about.licence}}}},
                  {"resources", resources_}};
+    if (!contents_.origin.empty()) {
+      package["origin"] = contents_.origin;
+    }
     if (!about.creator.empty()) {
       package["contributors"] = {{{"title", about.creator}, {"role", "author"}}};
     }
@@ -305,6 +311,9 @@ class DatasetWriter {
                      {"@type", "CreativeWork"},
                      {"about", {{"@id", "./"}}},
                      {"conformsTo", {{"@id", "https://w3id.org/ro/crate/1.1"}}}});
+    if (!contents_.origin.empty()) {
+      root["abstract"] = contents_.origin;
+    }
     if (!about.creator.empty()) {
       root["author"] = {{"@id", "#creator"}};
     }

@@ -51,6 +51,7 @@ struct DatasetContents {
   std::int64_t every = 10;       ///< samples per trajectory row
   std::string curriculumJson{};  ///< empty: the cohort has none
   std::string softwareVersion;
+  std::vector<std::string> origin{};  ///< sentences: simulated, imported from where
   ProgressCallback progress{};  ///< called before each recording; may throw to cancel
   std::string studyJson{};      ///< dataset_study.h; if not empty, complete recordings are written too
 };

@@ -143,6 +143,9 @@ std::string descriptionJson(const DatasetContents& contents) {
             {"DatasetType", "raw"},
             {"License", about.licence},
             {"GeneratedBy", {{{"Name", "Torsio"}, {"Version", contents.softwareVersion}}}}};
+  if (!contents.origin.empty()) {
+    json["Keywords"] = contents.origin;
+  }
   if (!about.creator.empty()) {
     json["Authors"] = {about.creator};
   }
@@ -152,8 +155,13 @@ std::string descriptionJson(const DatasetContents& contents) {
   return json.dump(2) + "\n";
 }
 
-std::string readme(const DatasetAbout& about) {
-  return about.title + "\n\n" + (about.description.empty() ? "" : about.description + "\n\n") +
+std::string readme(const DatasetContents& contents) {
+  const DatasetAbout& about = contents.about;
+  std::string origin;
+  for (const std::string& sentence : contents.origin) {
+    origin += sentence + "\n\n";
+  }
+  return about.title + "\n\n" + origin + (about.description.empty() ? "" : about.description + "\n\n") +
          "Licence: " + about.licence + "\n" +
          (about.citation.empty() ? "" : "\nPlease cite: " + about.citation + "\n") +
          "\nMotion of the instrument, twist of the organ and forces: sub-*/motion, in the frame LPS (x to "
@@ -213,7 +221,7 @@ std::vector<fs::path> writeBids(const DatasetContents& contents, const fs::path&
   write("participants.json",
         Json{{"code", {{"Description", "Name of the person in derivatives/torsio"}}}}.dump(2) + "\n");
   write("dataset_description.json", descriptionJson(contents));
-  write("README", readme(contents.about));
+  write("README", readme(contents));
   return files;
 }
 

@@ -172,6 +172,7 @@ class StudyReader {
     const Study& cohort = json.at("cohort");
     study_.cohort.name = textIn(cohort, "name");
     study_.cohort.description = textIn(cohort, "description");
+    study_.cohort.demonstration = cohort.value("simulated", false);
     if (cohort.contains("equivalence_margin")) {
       study_.cohort.equivalenceMargin = cohort.at("equivalence_margin").get<double>();
     }
@@ -270,7 +271,10 @@ std::string datasetStudyJson(Connection& connection, const ExchangeData& data) {
   const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
   const CurriculumPlaces places(version);
   Study json{{"format", kStudyFormat},
-             {"cohort", {{"name", cohort.name}, {"description", cohort.description}}}};
+             {"cohort",
+              {{"name", cohort.name},
+               {"description", cohort.description},
+               {"simulated", data.inputs.demonstration}}}};
   if (cohort.equivalenceMargin) {
     json["cohort"]["equivalence_margin"] = *cohort.equivalenceMargin;
   }

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kPageWidth_mm = 210.0;
 constexpr double kPageHeight_mm = 297.0;
+constexpr double kBetweenColumns_mm = 6.0;
 constexpr double kReference_pt = 5.5;  // fits a hash in each of two lines
 constexpr int kTextFlags = Qt::AlignLeft | Qt::TextWordWrap;
 const QColor kInk(0x26, 0x32, 0x38);
@@ -32,7 +33,29 @@ PageFlow::PageFlow(QPdfWriter& writer, Style style)
 }
 
 double PageFlow::width_mm() const {
-  return kPageWidth_mm - 2.0 * style_.marginSide_mm;
+  return columns_ ? columnWidth_mm() : kPageWidth_mm - 2.0 * style_.marginSide_mm;
+}
+
+double PageFlow::columnWidth_mm() const {
+  return 0.5 * (kPageWidth_mm - 2.0 * style_.marginSide_mm - kBetweenColumns_mm);
+}
+
+void PageFlow::beginColumns(double height_mm) {
+  if (cursor_mm_ + height_mm > bottom_mm()) {
+    newPage();
+  }
+  columns_ = Columns{false, cursor_mm_, cursor_mm_};
+}
+
+void PageFlow::nextColumn() {
+  columns_->lowest_mm = cursor_mm_;
+  columns_->right = true;
+  cursor_mm_ = columns_->top_mm;
+}
+
+void PageFlow::endColumns() {
+  cursor_mm_ = std::max(columns_->lowest_mm, cursor_mm_);
+  columns_.reset();
 }
 
 double PageFlow::bottom_mm() const {
@@ -55,10 +78,12 @@ void PageFlow::newPage() {
 }
 
 void PageFlow::add(double height_mm, Draw draw, double keepWithNext_mm, PdfPart part) {
-  if (cursor_mm_ + height_mm + keepWithNext_mm > bottom_mm()) {
+  if (!columns_ && cursor_mm_ + height_mm + keepWithNext_mm > bottom_mm()) {
     newPage();
   }
-  pages_.back().push_back({cursor_mm_, height_mm, std::move(draw), std::move(part)});
+  const double left_mm =
+      style_.marginSide_mm + (columns_ && columns_->right ? columnWidth_mm() + kBetweenColumns_mm : 0.0);
+  pages_.back().push_back({left_mm, width_mm(), cursor_mm_, height_mm, std::move(draw), std::move(part)});
   cursor_mm_ += height_mm;
 }
 
@@ -76,9 +101,9 @@ void PageFlow::space(double height_mm) {
   }
 }
 
-double PageFlow::textHeight_mm(const QString& content, double points, bool bold) const {
+double PageFlow::textHeight_mm(const QString& content, double points, bool bold, double width_mm) const {
   const QFontMetricsF metrics(font(points, bold), &writer_);
-  const QRectF room(0, 0, width_mm() * unit_, 1e9);
+  const QRectF room(0, 0, width_mm * unit_, 1e9);
   return metrics.boundingRect(room, kTextFlags, content).height() / unit_ + 0.6;
 }
 
@@ -199,7 +224,7 @@ void PageFlow::render(QPainter& painter,
       begin(painter, block.part);
       painter.save();
       block.draw(painter,
-                 QRectF(style_.marginSide_mm * unit_, block.top_mm * unit_, width_mm() * unit_,
+                 QRectF(block.left_mm * unit_, block.top_mm * unit_, block.width_mm * unit_,
                         block.height_mm * unit_),
                  unit_);
       painter.restore();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <QColor>
@@ -37,8 +38,15 @@ class PageFlow {
 
   PageFlow(QPdfWriter& writer, Style style);
 
-  /// Usable width.
+  /// Usable width, of the column if there are two.
   [[nodiscard]] double width_mm() const;
+  /// Returns the width of each of two columns.
+  [[nodiscard]] double columnWidth_mm() const;
+  /// Places what follows in the left of two columns, until nextColumn() and endColumns(). `height_mm`: of the
+  /// taller column, which must fit on a page; moves to the next page if it does not fit on this one.
+  void beginColumns(double height_mm);
+  void nextColumn();
+  void endColumns();
   /// Draws within a rectangle of the page (device units); `unit`: device units per millimetre.
   using Draw = std::function<void(QPainter&, const QRectF& area, double unit)>;
 
@@ -58,7 +66,10 @@ class PageFlow {
   void bookmark(const QString& title, int level);
   [[nodiscard]] const std::vector<PdfBookmark>& bookmarks() const noexcept { return bookmarks_; }
   /// Returns the height that text() will need.
-  [[nodiscard]] double textHeight_mm(const QString& content, double points, bool bold = false) const;
+  [[nodiscard]] double textHeight_mm(const QString& content, double points, bool bold = false) const {
+    return textHeight_mm(content, points, bold, width_mm());
+  }
+  [[nodiscard]] double textHeight_mm(const QString& content, double points, bool bold, double width_mm) const;
   /// Adds a table with repeated header; column widths and font size follow the contents.
   void table(const PlainTable& table);
   /// `keepWithLast_mm`: room required below the last row (for its notes).
@@ -73,6 +84,8 @@ class PageFlow {
 
  private:
   struct Block {
+    double left_mm;
+    double width_mm;
     double top_mm;
     double height_mm;
     Draw draw;
@@ -88,6 +101,13 @@ class PageFlow {
   Style style_;
   double unit_;  // device units per millimetre
   double cursor_mm_;
+  /// The two columns, while they are filled.
+  struct Columns {
+    bool right = false;
+    double top_mm = 0.0;
+    double lowest_mm = 0.0;
+  };
+  std::optional<Columns> columns_;
   std::vector<std::vector<Block>> pages_;
   std::vector<PdfBookmark> bookmarks_;
   std::vector<PdfPart> parts_;

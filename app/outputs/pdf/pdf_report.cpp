@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include <QCoreApplication>
 #include <QGraphicsScene>
 #include <QGraphicsWidget>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QStringList>
 
 #include "app/outputs/charts/chart_builder.h"
 #include "app/outputs/charts/relief_item.h"
@@ -28,18 +30,26 @@ namespace torsio {
 namespace {
 
 constexpr int kResolution_dpi = 600;
-constexpr double kChartHeight_mm = 61.0;
+constexpr double kChartHeight_mm = 64.0;
 constexpr double kCloudHeight_mm = 84.0;  // flatter, the shape of a cloud would be lost; thirty values fit
                                           // below
 constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
+constexpr double kAnswerRow_mm = 4.5;     // of the first page's forest
 constexpr double kFrame_mm = 24.0;        // axis, labels and legend around the rows
 constexpr double kTallestChart_mm = 170.0;
 constexpr double kTallestPictures_mm = 225.0;
 constexpr int kTableDecimals = 4;
-constexpr std::size_t kLongestTwin = 40;  // rows; longer tables would swamp the report
-constexpr std::size_t kWidestTwin = 12;   // columns that fit on a page
+constexpr std::size_t kLongestTwin = 100;  // rows; longer tables would swamp the annex
+constexpr std::size_t kWidestTwin = 12;    // columns that fit on a page
+constexpr double kHalfRatio = 1.45;        // width over height of a figure in a column
+// Labels that can be read in a column: rows of a forest, characters of one, and of all below an axis.
+constexpr qsizetype kNarrowRows = 12;
+constexpr qsizetype kNarrowLabel = 24;
+constexpr qsizetype kNarrowLabels = 56;
+constexpr double kColumnScale = 1.3;  // chart fonts in a column appear at about 7 points
+constexpr double kTitle_pt = 9.5;
 constexpr double kSectionStart_mm =
-    130.0;  // a section begins on the page of the previous one if half of it is free
+    80.0;  // a section begins on the page of the previous one if so much is free
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels per inch: chart fonts appear at about 9 points
 constexpr double kNote_pt = 7.5;
 constexpr double kHeading_mm = 8.0;
@@ -58,7 +68,22 @@ double heightOf(const ReportFigure& figure, double width_mm) {
   if (rows == 0) {
     return figure.kind == FigureKind::kScatter ? kCloudHeight_mm : kChartHeight_mm;
   }
-  return std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
+  const double row_mm = figure.valuesInLabels ? kAnswerRow_mm : kRowHeight_mm;
+  return std::min(kTallestChart_mm, kFrame_mm + row_mm * static_cast<double>(rows));
+}
+
+/// Returns whether a figure and its labels can be read in a column.
+bool isNarrow(const ReportFigure& figure, const Wording& say) {
+  if (figure.kind == FigureKind::kHeatMap || figure.kind == FigureKind::kReliefs || figure.valuesInLabels) {
+    return false;
+  }
+  qsizetype longest = 0;
+  for (const Text& category : figure.categories) {
+    longest = std::max(longest, say(category).size());
+  }
+  const auto labels = static_cast<qsizetype>(figure.categories.size());
+  return figure.kind == FigureKind::kForest ? labels <= kNarrowRows && longest <= kNarrowLabel
+                                            : labels * longest <= kNarrowLabels;
 }
 
 /// Lays out a report on pages in one language.
@@ -101,20 +126,58 @@ class Composer {
   }
 
   void section(const ReportSection& section) {
-    const double gap_mm = section.onFirstPage ? 1.2 : 2.0;
+    const double gap_mm = section.onFirstPage ? 0.8 : 2.0;
     flow_.text(say_(section.title), section.onFirstPage ? 13.0 : 16.0, true, kAccent, 20.0);
     flow_.bookmark(say_(section.title), 0);
     flow_.space(gap_mm);
     for (const Text& paragraph : section.paragraphs) {
-      flow_.text(say_(paragraph), 9.5);
+      flow_.text(say_(paragraph), section.onFirstPage ? 9.0 : 9.5);
       flow_.space(gap_mm);
     }
     flow_.space(gap_mm);
-    for (const ReportFigure& figure : section.figures) {
-      addFigure(figure);
-    }
+    addFigures(section.figures);
     for (const ReportTable& table : section.tables) {
       addTable(table);
+    }
+  }
+
+  /// Adds the values of all figures, those that fit as tables.
+  void values(const ReportModel& model) {
+    bool begun = false;
+    std::vector<QString> unprinted;
+    QString where;
+    for (const ReportSection& section : model.sections) {
+      for (const ReportFigure& figure : section.figures) {
+        ReportTable twin = figureTable(figure, kTableDecimals);
+        if (figure.valuesInLabels || twin.rows.empty()) {
+          continue;
+        }
+        if (!begun) {
+          flow_.newPage();
+          flow_.text(say_(Text::tr("Annex: values of the figures")), 16.0, true, kAccent, 20.0);
+          flow_.bookmark(say_(Text::tr("Annex: values of the figures")), 0);
+          flow_.space(2.0);
+          begun = true;
+        }
+        if (twin.rows.size() > kLongestTwin || twin.columns.size() > kWidestTwin) {
+          unprinted.push_back(say_(figure.title));
+          where = figure.valuesStand.empty() ? where : say_(figure.valuesStand);
+          continue;
+        }
+        twin.title = figure.title;
+        twin.notes.clear();
+        twin.provenance = {};
+        addTable(twin);
+      }
+    }
+    if (!unprinted.empty()) {
+      flow_.text(
+          joinedSentences({say_(Text::tr("The values of these figures are too many to print:")),
+                           unprinted.size() == 1
+                               ? unprinted.front()
+                               : QStringList(unprinted.begin(), unprinted.end()).join(QStringLiteral("; ")),
+                           where}),
+          kNote_pt, false, kQuietInk);
     }
   }
 
@@ -137,47 +200,93 @@ class Composer {
   }
 
   void addFigure(const ReportFigure& figure) {
-    const ReportTable twin = figureTable(figure, kTableDecimals);
-    const bool printed =
-        !figure.valuesInLabels && twin.rows.size() <= kLongestTwin && twin.columns.size() <= kWidestTwin;
-    const PlainTable values = printed ? plain(twin) : PlainTable{};
-    const TableLayout layout = printed ? flow_.layOut(values) : TableLayout{};
     const double height_mm = heightOf(figure, flow_.width_mm());
-    // A figure and its values share a page if they fit on one.
-    const double together_mm =
-        height_mm + layout.height_mm() + notesHeight_mm(figure.notes, figure.provenance);
-    flow_.text(say_(figure.title), 9.5, true, kAccent,
-               together_mm < flow_.page_mm() - kHeading_mm ? together_mm : height_mm + kHeading_mm);
+    flow_.text(say_(figure.title), kTitle_pt, true, kAccent, height_mm + kHeading_mm);
     flow_.bookmark(say_(figure.title), 1);
-    const double width_mm = flow_.width_mm();
-    flow_.add(height_mm,
-              [&figure, say = say_, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
-                QGraphicsScene scene;
-                QGraphicsWidget* chart = buildFigure(figure, {}, say).release();  // the scene takes ownership
-                scene.addItem(chart);
-                chart->resize(width_mm * kChartPixelsPerMm, height_mm * kChartPixelsPerMm);
-                scene.setSceneRect(chart->geometry());
-                scene.render(&painter, area, scene.sceneRect());
-              },
-              0.0, {PdfRole::kFigure, say_(figure.title)});
-    if (printed) {
-      flow_.table(values, layout, notesHeight_mm(figure.notes, figure.provenance));
-      flow_.space(1.0);
-    } else if (!figure.valuesInLabels) {
-      QString line = say_(Text::tr("The %1 values drawn are too many to print here.",
-                                   twin.rows.size() * (twin.columns.size() - 1)));
-      if (!figure.valuesStand.empty()) {
-        line = joinedSentences({line, say_(figure.valuesStand)});
-      }
-      flow_.text(line, kNote_pt, false, kQuietInk);
-    }
+    addChart(figure, height_mm);
     addNotes(figure.notes, figure.provenance);
+  }
+
+  /// Adds figures, two beside each other where both can be read in a column; wide ones keep their place.
+  void addFigures(const std::vector<ReportFigure>& figures) {
+    const ReportFigure* waiting = nullptr;
+    for (const ReportFigure& figure : figures) {
+      if (!isNarrow(figure, say_)) {
+        addFigure(figure);
+      } else if (waiting == nullptr) {
+        waiting = &figure;
+      } else {
+        addPair(*waiting, figure);
+        waiting = nullptr;
+      }
+    }
+    if (waiting != nullptr) {
+      addAlone(*waiting);
+    }
+  }
+
+  [[nodiscard]] double halfHeight_mm() const { return flow_.columnWidth_mm() / kHalfRatio; }
+
+  /// Places two figures beside each other.
+  void addPair(const ReportFigure& left, const ReportFigure& right) {
+    const double width_mm = flow_.columnWidth_mm();
+    const auto title_mm = [&](const ReportFigure& figure) {
+      return flow_.textHeight_mm(say_(figure.title), kTitle_pt, true, width_mm);
+    };
+    const double titles_mm = std::max(title_mm(left), title_mm(right));
+    flow_.beginColumns(titles_mm + halfHeight_mm() +
+                       std::max(notesHeight_mm(left.notes, left.provenance, width_mm),
+                                notesHeight_mm(right.notes, right.provenance, width_mm)));
+    for (const ReportFigure* figure : {&left, &right}) {
+      if (figure == &right) {
+        flow_.nextColumn();
+      }
+      flow_.text(say_(figure->title), kTitle_pt, true, kAccent);
+      flow_.bookmark(say_(figure->title), 1);
+      flow_.space(titles_mm - title_mm(*figure));
+      addChart(*figure, halfHeight_mm(), kColumnScale);
+      addNotes(figure->notes, figure->provenance);
+    }
+    flow_.endColumns();
+  }
+
+  /// Places one figure in a column, and its notes beside it.
+  void addAlone(const ReportFigure& figure) {
+    const double width_mm = flow_.columnWidth_mm();
+    flow_.beginColumns(
+        std::max(halfHeight_mm() + flow_.textHeight_mm(say_(figure.title), kTitle_pt, true, width_mm),
+                 notesHeight_mm(figure.notes, figure.provenance, width_mm)));
+    flow_.text(say_(figure.title), kTitle_pt, true, kAccent);
+    flow_.bookmark(say_(figure.title), 1);
+    addChart(figure, halfHeight_mm(), kColumnScale);
+    flow_.nextColumn();
+    flow_.space(kHeading_mm);
+    addNotes(figure.notes, figure.provenance);
+    flow_.endColumns();
+    flow_.space(3.0);
+  }
+
+  /// `scale`: pixels of the chart for each one that it has over the whole width.
+  void addChart(const ReportFigure& figure, double height_mm, double scale = 1.0) {
+    const double width_mm = flow_.width_mm();
+    const double pixels = scale * kChartPixelsPerMm;
+    flow_.add(
+        height_mm,
+        [&figure, say = say_, width_mm, height_mm, pixels](QPainter& painter, const QRectF& area, double) {
+          QGraphicsScene scene;
+          QGraphicsWidget* chart = buildFigure(figure, {}, say).release();  // the scene takes ownership
+          scene.addItem(chart);
+          chart->resize(width_mm * pixels, height_mm * pixels);
+          scene.setSceneRect(chart->geometry());
+          scene.render(&painter, area, scene.sceneRect());
+        },
+        0.0, {PdfRole::kFigure, say_(figure.title)});
   }
 
   void addTable(const ReportTable& table) {
     const PlainTable cells = plain(table);
     const TableLayout layout = flow_.layOut(cells);
-    const double notes_mm = notesHeight_mm(table.notes, table.provenance);
+    const double notes_mm = notesHeight_mm(table.notes, table.provenance, flow_.width_mm());
     // Keep a title with the header and the first rows, or with the whole of a short table.
     double begin_mm = kHeading_mm + layout.header_mm;
     for (std::size_t r = 0; r < std::min(kRowsWithTitle, layout.rows_mm.size()); ++r) {
@@ -186,7 +295,7 @@ class Composer {
     if (layout.height_mm() + notes_mm < kShortTable_mm) {
       begin_mm = kHeading_mm + layout.height_mm() + notes_mm;
     }
-    flow_.text(say_(table.title), 9.5, true, kAccent, begin_mm);
+    flow_.text(say_(table.title), kTitle_pt, true, kAccent, begin_mm);
     flow_.bookmark(say_(table.title), 1);
     flow_.space(1.0);
     flow_.table(cells, layout, notes_mm);
@@ -194,13 +303,14 @@ class Composer {
     addNotes(table.notes, table.provenance);
   }
 
-  [[nodiscard]] double notesHeight_mm(const std::vector<ReportParagraph>& notes, const Provenance& from) const {
+  [[nodiscard]] double notesHeight_mm(const std::vector<ReportParagraph>& notes, const Provenance& from,
+                                      double width_mm) const {
     double height_mm = 1.0;
     for (const Text& note : notes) {
-      height_mm += flow_.textHeight_mm(say_(note), kNote_pt);
+      height_mm += flow_.textHeight_mm(say_(note), kNote_pt, false, width_mm);
     }
     const Text line = provenanceLine(from);
-    return line.empty() ? height_mm : height_mm + flow_.textHeight_mm(say_(line), kNote_pt);
+    return line.empty() ? height_mm : height_mm + flow_.textHeight_mm(say_(line), kNote_pt, false, width_mm);
   }
 
   void addNotes(const std::vector<ReportParagraph>& notes, const Provenance& from) {
@@ -226,19 +336,19 @@ void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
   composer.title(model, !board);
   if (board) {
     composer.section(*next++);
-    flow.newPage();
+    flow.space(4.0);
   }
   composer.facts(model);
   for (auto at = next; at != model.sections.end(); ++at) {
     const ReportSection& section = *at;
-    const bool first = at == next;
-    if (first || flow.room_mm() < kSectionStart_mm) {
+    if (flow.room_mm() < kSectionStart_mm) {
       flow.newPage();
     } else {
       flow.space(6.0);
     }
     composer.section(section);
   }
+  composer.values(model);
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ void addFreeze(SessionContext& session, const ReportRequest& request, CohortInpu
     if (row.id != request.frozenId) {
       continue;
     }
-    CohortFreeze freeze{row.name, row.contentHash, row.createdUtc_us, row.createdBy, true};
+    CohortFreeze freeze{row.name, row.contentHash,  row.createdUtc_us,    row.createdBy,
+                        true,     row.sheets.asked, row.sheets.submitted, row.whyIncomplete};
     const FrozenCheck check = compareWithFrozen(session, row.id);
     freeze.unchanged = check.same;
     inputs.freeze = std::move(freeze);

@@ -201,14 +201,20 @@ class Tables {
                        {"withdrew_utc", Text::tr("Withdrew (UTC)"), ColumnKind::kTime},
                        number("virtual_min", Text::tr("Trained on the simulator"), "min"),
                        number("real_min", Text::tr("Trained at the real arm"), "min"),
-                       number("rest_min", Text::tr("Rested"), "min")},
+                       number("rest_min", Text::tr("Rested"), "min"),
+                       {"received", Text::tr("Training against the plan of the group")},
+                       {"origin", Text::tr("Origin: recorded, simulated or imported")}},
                       {}};
+    const ExportCell origin = textOf(std::string(in_.demonstration ? "simulated" : "recorded") +
+                                     (in_.imported ? ", imported" : ""));
     for (const CohortTrainee& one : in_.trainees) {
       const ResultsAt at(ledger_, traineeKey(one));
       table.rows.push_back({one.code, numberOfGroup(one.group), groupOf(one.group), textOf(one.sex),
                             textOf(one.level), timeOf(one.enrolledUtc_us), numberOf(at.find("withdrew")),
                             timeOf(one.withdrewUtc_us), numberOf(at.find("noted_virtual_min")),
-                            numberOf(at.find("noted_real_min")), numberOf(at.find("noted_rest_min"))});
+                            numberOf(at.find("noted_real_min")), numberOf(at.find("noted_rest_min")),
+                            at.find("received") == nullptr ? ExportCell() : wordOf(*at.find("received")),
+                            origin});
     }
     return table;
   }

@@ -9,9 +9,14 @@
 #include <set>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "app/services/base/build_info.h"
 #include "app/services/scoring/stored_allocation.h"
 #include "assessment/domain/ids.h"
+#include "assessment/domain/people/account.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/domain/people/audit_terms.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
@@ -22,6 +27,7 @@
 #include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/rating/rubric_repository.h"
@@ -68,6 +74,33 @@ CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohor
 
   shown.replayed = repeatedDraw(study, stored, stored.seed, stored.salt).sound;
   return shown;
+}
+
+/// Returns where an imported cohort came from, as the audit trail says; empty: it was made here.
+std::optional<CohortOrigin> originOf(Connection& connection, const CohortId& cohortId) {
+  const std::vector<AuditEntry> entries =
+      AuditRepository(connection).entries({.objectKind = AuditObject::kCohort, .objectId = cohortId.text()});
+  const auto found = std::find_if(entries.begin(), entries.end(), [](const AuditEntry& entry) {
+    return entry.action == storedText(AuditAction::kTrialImport);
+  });
+  if (found == entries.end()) {
+    return std::nullopt;
+  }
+  const nlohmann::json what = nlohmann::json::parse(found->newJson, nullptr, false);
+  CohortOrigin origin;
+  origin.importedBy = found->actor;
+  origin.importedUtc_us = found->atUtc_us;
+  if (what.is_object()) {
+    origin.layout = what.value("layout", "");
+    origin.source = what.value("source", "");
+    origin.contentHash = what.value("hash", "");
+  }
+  for (const UserAccount& user : AccessRepository(connection).users()) {
+    if (user.id.text() == found->actor) {
+      origin.importedBy = user.login;
+    }
+  }
+  return origin;
 }
 
 /// Returns the planned minutes in phases of one kind.
@@ -241,6 +274,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   if (const auto centre = study.centre()) {
     inputs.centre = centre->name;
   }
+  inputs.imported = originOf(connection, cohortId);
   inputs.softwareVersion = softwareVersion();
   inputs.programHash = programHash();
   inputs.equivalenceMargin = study.cohort(cohortId).equivalenceMargin;

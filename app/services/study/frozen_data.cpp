@@ -11,6 +11,7 @@
 #include "app/services/access/signing.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
+#include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/cohort.h"
@@ -21,6 +22,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/freeze_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/core/digest.h"
@@ -140,8 +142,14 @@ Manifest manifestOf(SessionContext& session, const CohortId& cohortId,
   return manifest;
 }
 
-json manifestJson(const Manifest& manifest) {
-  return {{"format", kFrozenFormat}, {"rows", manifest}};
+json manifestJson(const Manifest& manifest, const SheetCount& sheets, const std::string& whyIncomplete) {
+  json out{{"format", kFrozenFormat},
+           {"rows", manifest},
+           {"sheets", {{"asked", sheets.asked}, {"submitted", sheets.submitted}}}};
+  if (!whyIncomplete.empty()) {
+    out["why_incomplete"] = whyIncomplete;
+  }
+  return out;
 }
 
 std::string hashOfText(const std::string& text) {
@@ -150,9 +158,22 @@ std::string hashOfText(const std::string& text) {
   return digest.hex();
 }
 
-Manifest manifestFrom(const DataFreeze& stored) {
+/// Parts of a stored manifest.
+struct Frozen {
+  Manifest rows;
+  SheetCount sheets;
+  std::string whyIncomplete;
+};
+
+Frozen frozenFrom(const DataFreeze& stored) {
   try {
-    return json::parse(stored.manifestJson).at("rows").get<Manifest>();
+    const json all = json::parse(stored.manifestJson);
+    Frozen out{all.at("rows").get<Manifest>(), {}, all.value("why_incomplete", "")};
+    if (all.contains("sheets")) {
+      out.sheets = {all.at("sheets").at("asked").get<std::int64_t>(),
+                    all.at("sheets").at("submitted").get<std::int64_t>()};
+    }
+    return out;
   } catch (const json::exception& problem) {
     refuse(Text::tr("the manifest cannot be read: %1", problem.what()), stored.name,
            Text::tr("Verify the database"));
@@ -160,9 +181,10 @@ Manifest manifestFrom(const DataFreeze& stored) {
 }
 
 FrozenRow rowOf(const DataFreeze& stored, const std::string& createdBy) {
-  Manifest manifest = manifestFrom(stored);
-  FrozenRow row{stored.id, stored.cohortId,      stored.name, stored.contentHash,
-                {},        stored.createdUtc_us, createdBy};
+  Frozen frozen = frozenFrom(stored);
+  Manifest& manifest = frozen.rows;
+  FrozenRow row{stored.id, stored.cohortId, stored.name,         stored.contentHash, {}, stored.createdUtc_us,
+                createdBy, frozen.sheets,   frozen.whyIncomplete};
   row.counts = {.enrolments = manifest["enrolment"].size(),
                 .allocations = manifest["allocation"].size(),
                 .exposures = manifest["exposure"].size(),
@@ -211,8 +233,20 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
 
 }  // namespace
 
+SheetCount sheetCount(SessionContext& session, const CohortId& cohortId) {
+  session.require(Operation::kResultsCompute);
+  SheetCount count;
+  for (const AssignmentStatus& sheet : SheetRepository(session.connection()).assignments(cohortId)) {
+    if (sheet.state != SheetState::kWithdrawn) {
+      ++count.asked;
+      count.submitted += sheet.state == SheetState::kSubmitted ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const std::string& name,
-                     const std::vector<CampaignId>& campaignIds) {
+                     const std::vector<CampaignId>& campaignIds, const std::string& whyIncomplete) {
   session.require(Operation::kResultsCompute);
   if (name.empty()) {
     refuseParameter(Text::tr("the data set has no name"), Text::tr("name"), Text::tr("Enter one"));
@@ -224,11 +258,20 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
                     Text::tr("Choose another name; frozen data stay as they are"));
   }
   const Cohort cohort = StudyRepository(session.connection()).cohort(cohortId);
+  const SheetCount sheets = sheetCount(session, cohortId);
+  if (!sheets.complete() && whyIncomplete.empty()) {
+    refuse(
+        Text::tr("%1 of %2 {sheet|sheets} that raters were asked for {is|are} in", sheets.submitted,
+                 sheets.asked),
+        cohort.name,
+        Text::tr("Wait for the others, or say why an interim state is frozen: every report of it says so"));
+  }
   DataFreeze freeze;
   freeze.id = session.ids().newUuid();
   freeze.cohortId = cohortId;
   freeze.name = name;
-  freeze.manifestJson = manifestJson(manifestOf(session, cohortId, campaignIds)).dump();
+  freeze.manifestJson =
+      manifestJson(manifestOf(session, cohortId, campaignIds), sheets, whyIncomplete).dump();
   freeze.contentHash = hashOfText(freeze.manifestJson);
   freeze.createdBy = session.actor().userId;
   freeze.createdUtc_us = session.now_us();
@@ -270,7 +313,7 @@ FrozenCheck compareWithFrozen(SessionContext& session, const FreezeId& frozenId)
         Text::tr("the manifest does not fit its hash: the database was tampered with"));
     return check;
   }
-  const Manifest then = manifestFrom(*stored);
+  const Manifest then = frozenFrom(*stored).rows;
   std::vector<CampaignId> campaignIds;
   if (const auto campaigns = then.find("evaluation_campaign"); campaigns != then.end()) {
     for (const auto& [id, hash] : campaigns->second) {

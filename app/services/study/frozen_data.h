@@ -23,6 +23,12 @@ struct FrozenCounts {
   std::size_t evaluationMarks = 0;
 };
 
+/// Sheets that raters were asked for in a cohort, without withdrawn ones.
+struct SheetCount {
+  std::int64_t asked = 0;
+  std::int64_t submitted = 0;
+  [[nodiscard]] bool complete() const noexcept { return submitted >= asked; }
+};
 /// A named state of a cohort's data: its rows with their hashes.
 struct FrozenRow {
   FreezeId id{};
@@ -32,13 +38,20 @@ struct FrozenRow {
   FrozenCounts counts{};
   std::int64_t createdUtc_us = 0;
   std::string createdBy{};  ///< sign-in name
+  SheetCount sheets{};      ///< when it was frozen; of older ones not known: 0
+  std::string whyIncomplete{};
 };
+
+/// Counts the sheets of a cohort. kResultsCompute.
+[[nodiscard]] SheetCount sheetCount(SessionContext& session, const CohortId& cohortId);
 
 /// Stores a named manifest of everything that a report of the cohort (and of `campaignIds`) is based on.
 /// Copies and locks nothing: the hashes show later whether the data changed. Audited. kResultsCompute. Throws
-/// Error{kBadParameter} for an empty or used name, an unknown cohort or campaign.
+/// Error{kBadParameter} for an empty or used name, an unknown cohort or campaign; {kBadData} if sheets are
+/// missing (sheetCount()) and `whyIncomplete` is empty: means of a few marks are an interim look at the
+/// study.
 FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const std::string& name,
-                     const std::vector<CampaignId>& campaignIds = {});
+                     const std::vector<CampaignId>& campaignIds = {}, const std::string& whyIncomplete = {});
 /// Oldest first. kResultsCompute.
 [[nodiscard]] std::vector<FrozenRow> frozenData(SessionContext& session, const CohortId& cohortId);
 

@@ -73,6 +73,7 @@ class Landing {
     person.id = session_.ids().newUuid();
     person.code = codeFor(wanted, prefix);
     person.createdUtc_us = session_.now_us();
+    person.demonstration = study_.cohort.demonstration;
     outcome_.codes[name] = person.code;
     idOf_[name] = person.id;
     return person;
@@ -127,6 +128,7 @@ class Landing {
       enrolment.traineeId = idOf_.at(one.name);
       enrolment.state = one.state;
       enrolment.enrolledUtc_us = session_.now_us();
+      enrolment.demonstration = study_.cohort.demonstration;
       if (!one.group.empty()) {
         enrolment.groupId = groups.at(one.group);
         enrolment.numberInGroup = ++numbers[one.group];
@@ -199,7 +201,8 @@ class Landing {
                            .kind = landed.kind,
                            .startedUtc_us = landed.startedUtc_us,
                            .duration_us = landed.duration_us,
-                           .recordedBy = session_.actor().login});
+                           .recordedBy = session_.actor().login,
+                           .demonstration = study_.cohort.demonstration});
     }
     study.addExposures(exposures);
     for (const LandedDeviation& landed : study_.deviations) {
@@ -211,7 +214,8 @@ class Landing {
            .description = landed.description,
            .happenedUtc_us = landed.happenedUtc_us,
            .reportedBy = session_.actor().login,
-           .reportedUtc_us = session_.now_us()});
+           .reportedUtc_us = session_.now_us(),
+           .demonstration = study_.cohort.demonstration});
     }
   }
 
@@ -249,6 +253,7 @@ class Landing {
       mark.scale = study_.scale;
       mark.comment = study_.markComment;
       mark.submittedUtc_us = session_.now_us();
+      mark.demonstration = study_.cohort.demonstration;
       if (landed.trial) {
         mark.trialId = study_.trials.at(*landed.trial).trial.header.trialId;
       }
@@ -281,6 +286,11 @@ void requireLanding(SessionContext& session) {
 LandedOutcome landStudy(SessionContext& session, LandedStudy study, const LandingNote& note,
                         const ProgressCallback& progress) {
   requireLanding(session);
+  // The header of a recording is part of its hash: what was simulated stays so, whatever the study says.
+  study.cohort.demonstration =
+      study.cohort.demonstration ||
+      std::any_of(study.trials.begin(), study.trials.end(),
+                  [](const LandedTrial& landed) { return landed.trial.header.demonstration; });
   Transaction transaction(session.connection());
   LandedOutcome outcome = Landing(session, study).land(progress);
   session.note(

@@ -224,11 +224,34 @@ void ReportsPage::askFreeze() {
       tr("Name of the data set. It keeps a list of everything the report is made of, with hashes."),
       QLineEdit::Normal, QString(), &given);
   if (given && !name.trimmed().isEmpty()) {
-    freeze(name.trimmed().toStdString());
+    attempt(shell(), [&] {
+      if (const std::optional<std::string> why = askWhyIncomplete()) {
+        freeze(name.trimmed().toStdString(), *why);
+      }
+    });
   }
 }
 
-bool ReportsPage::freeze(const std::string& name) {
+std::optional<std::string> ReportsPage::askWhyIncomplete() {
+  const SheetCount sheets = sheetCount(shell().session(), chosenId(cohort_));
+  if (sheets.complete()) {
+    return std::string();
+  }
+  bool given = false;
+  const QString why = QInputDialog::getText(
+      this, tr("Freeze an interim state"),
+      tr("%1 of %2 sheets are in. Looking at results before the end of a study makes false findings more "
+         "likely; every report of this data set will say that it is interim, and why:")
+          .arg(sheets.submitted)
+          .arg(sheets.asked),
+      QLineEdit::Normal, QString(), &given);
+  if (!given || why.trimmed().isEmpty()) {
+    return std::nullopt;
+  }
+  return why.trimmed().toStdString();
+}
+
+bool ReportsPage::freeze(const std::string& name, const std::string& whyIncomplete) {
   if (!readyToSign(this, shell(), SignatureMeaning::kFroze)) {
     return false;
   }
@@ -237,7 +260,7 @@ bool ReportsPage::freeze(const std::string& name) {
     if (const CampaignId campaign = chosenId(campaign_); !campaign.empty()) {
       campaigns.push_back(campaign);
     }
-    const FrozenRow row = freezeData(shell().session(), chosenId(cohort_), name, campaigns);
+    const FrozenRow row = freezeData(shell().session(), chosenId(cohort_), name, campaigns, whyIncomplete);
     fillFrozen();
     chooseId(frozen_, row.id);
     shell().notify(tr("Frozen as \u201C%1\u201D").arg(toQString(row.name)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/gui/base/page.h"
 #include "app/outputs/report/report_export.h"
@@ -28,7 +29,7 @@ class ReportsPage : public Page {
   void retranslate() override;
 
   /// Freezes the data of the chosen cohort and evaluation as a named set, and selects it.
-  bool freeze(const std::string& name);
+  bool freeze(const std::string& name, const std::string& whyIncomplete = {});
   /// Writes the file. False: cancelled or failed; the user has been told.
   bool exportTo(ReportFormat format, const std::filesystem::path& file, const CsvStyle& look = {});
   /// Writes recordings and individual marks of the chosen cohort with codes into a new folder, as far as the
@@ -47,6 +48,8 @@ class ReportsPage : public Page {
   void compute();
   void showReport();
   void askFreeze();
+  /// Asks why a state with missing sheets is frozen; "" if none is missing, empty if nothing was said.
+  std::optional<std::string> askWhyIncomplete();
   void askExport(ReportFormat format);
   void askTables();
   void askOther();

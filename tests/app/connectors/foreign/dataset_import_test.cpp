@@ -13,6 +13,7 @@
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/study/curriculum.h"
+#include "assessment/results/cohort_report.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/study/curriculum_repository.h"
@@ -34,7 +35,8 @@ namespace fs = std::filesystem;
 using testing::OwnFolder;
 
 /// Two seconds: grip, turn to 30 degrees, release.
-Trial twistedTrial(std::size_t number, const std::string& trainee, const TrainingModule& module) {
+Trial twistedTrial(std::size_t number, const std::string& trainee, const TrainingModule& module,
+                   bool simulated) {
   std::vector<Sample> samples(2'000);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double t = static_cast<double>(i) / 1'000.0;
@@ -62,6 +64,7 @@ Trial twistedTrial(std::size_t number, const std::string& trainee, const Trainin
   header.parametersJson = "{\"shear_modulus_Pa\": 3000}";
   header.deviceModel = "scripted hand";
   header.softwareVersion = "0.1";
+  header.demonstration = simulated;
   header.phaseLabel = "virtual 0-20 min";
   header.targetAngle_rad = radians(22.0);
   header.startedUtc_us = kStudyTime_us + static_cast<std::int64_t>(number) * 1'000'000;
@@ -73,13 +76,14 @@ Trial twistedTrial(std::size_t number, const std::string& trainee, const Trainin
 }
 
 /// A study with everything that a data set can restore.
-CohortId studyIn(StudyCentre& centre) {
+CohortId studyIn(StudyCentre& centre, bool simulated = false) {
   const std::vector<TraineeId> trainees = centre.addTrainees(6);
   const std::vector<RaterId> raters = centre.addChiefs(2);
   const std::string version = centre.runPaperCurriculum();
-  const CohortId cohort =
-      addCohort(centre.session(),
-                {.name = "Study, \"first\"", .description = "of\ntwo lines", .curriculumVersionId = version});
+  const CohortId cohort = addCohort(centre.session(), {.name = "Study, \"first\"",
+                                                       .description = "of\ntwo lines",
+                                                       .curriculumVersionId = version,
+                                                       .demonstration = simulated});
   enrolTrainees(centre.session(), cohort, trainees);
   centre.allocate(cohort);
   centre.as("administrator");
@@ -115,7 +119,7 @@ CohortId studyIn(StudyCentre& centre) {
     context.moduleId = curriculum->modules.front().id;
     context.attemptMode = AttemptMode::kGraded;
     TrialRepository(centre.connection(), context)
-        .import(twistedTrial(i, enrolment.traineeCode, curriculum->modules.front()));
+        .import(twistedTrial(i, enrolment.traineeCode, curriculum->modules.front(), simulated));
   }
   return cohort;
 }
@@ -172,13 +176,71 @@ TEST(DatasetImport, RestoresTheSameFiles) {
   EXPECT_EQ(entry.action, "trial.import");
   EXPECT_EQ(entry.reason, "moved house");
   const ExchangeFiles again = exportWhole(second, done.landed.cohortId, own.path() / "second");
-  // These describe the record itself: head of its trail, times of enrolment and of marks.
+  // These describe the record itself: head of its trail, times of enrolment and of marks, where it came from.
   EXPECT_THAT(differing(own.path() / "first", own.path() / "second"),
-              ::testing::AllOf(
-                  ::testing::Contains("data/numbers.csv"),
-                  ::testing::IsSubsetOf({"data/marks.csv", "data/numbers.csv", "data/participants.csv"})));
+              ::testing::AllOf(::testing::Contains("data/numbers.csv"),
+                               ::testing::IsSubsetOf({"README.md", "data/agreement.csv", "data/comparison.csv", "data/marks.csv", "data/numbers.csv",
+                                                      "data/participants.csv", "datapackage.json"})));
+  EXPECT_THAT(readFile(own.path() / "second" / "README.md"),
+              ::testing::HasSubstr("Imported from first (Torsio, hash "));
+  EXPECT_THAT(readFile(own.path() / "first" / "README.md"), ::testing::Not(::testing::HasSubstr("Imported")));
   EXPECT_EQ(out.files.size(), again.files.size());
   EXPECT_TRUE(verifyAuditTrail(second.connection()).empty());
+}
+
+CohortInputs reportOf(StudyCentre& centre, const CohortId& cohort) {
+  TrialDigests digests(centre.assets());
+  return reportInputs(asOwner(centre), {.cohortId = cohort}, digests);
+}
+
+TEST(DatasetImport, AnImportedStudyIsCalledImported) {
+  const OwnFolder own;
+  StudyCentre first;
+  const CohortId cohort = studyIn(first);
+  exportWhole(first, cohort, own.path() / "set");
+  EXPECT_FALSE(reportOf(first, cohort).imported.has_value());
+  StudyCentre second;
+  const DatasetOutcome done =
+      importDataset(second.as("administrator"), own.path() / "set", second.assets(), "");
+  const CohortInputs in = reportOf(second, done.landed.cohortId);
+  ASSERT_TRUE(in.imported.has_value());
+  EXPECT_EQ(in.imported->layout, "Torsio");
+  EXPECT_EQ(in.imported->source, "set");
+  EXPECT_EQ(in.imported->contentHash, done.contentHash);
+  EXPECT_EQ(in.imported->importedBy, "administrator");
+  EXPECT_FALSE(in.demonstration);
+  const ReportModel report = cohortReport(in);
+  std::string said;
+  for (const ReportParagraph& paragraph : report.sections.front().paragraphs) {
+    said += paragraph.str() + "\n";
+  }
+  EXPECT_THAT(said, ::testing::HasSubstr("This study was imported: from set (Torsio, hash "));
+}
+
+TEST(DatasetImport, ASimulatedStudyStaysSimulated) {
+  const OwnFolder own;
+  StudyCentre first;
+  const CohortId cohort = studyIn(first, true);
+  exportWhole(first, cohort, own.path() / "set");
+  EXPECT_THAT(readFile(own.path() / "set" / "README.md"), ::testing::HasSubstr("**Simulated: people"));
+  // Not even a study that denies it is believed: the recordings say so in what their hashes cover.
+  const fs::path file = own.path() / "set" / "study.json";
+  std::string study = readFile(file);
+  const std::size_t at = study.find("\"simulated\": true");
+  ASSERT_NE(at, std::string::npos);
+  writeFileAtomically(file, study.replace(at, 17, "\"simulated\": false"));
+  StudyCentre second;
+  const DatasetOutcome done =
+      importDataset(second.as("administrator"), own.path() / "set", second.assets(), "");
+  const CohortInputs in = reportOf(second, done.landed.cohortId);
+  EXPECT_TRUE(in.demonstration);
+  EXPECT_TRUE(cohortReport(in).demonstration);
+  for (const SubmittedMark& mark : RatingRepository(second.connection()).marks(done.landed.cohortId)) {
+    EXPECT_TRUE(mark.demonstration);
+  }
+  for (const Enrolment& one : StudyRepository(second.connection()).enrolments(done.landed.cohortId)) {
+    EXPECT_TRUE(one.demonstration);
+  }
 }
 
 TEST(DatasetImport, RejectsExistingChangedAndForeignData) {

@@ -121,12 +121,23 @@ TEST(FrozenData, ShowsLaterDifferences) {
   createAssignments(session, study.plan());
   study.submitAll("pre");
 
-  const FrozenRow frozen = freezeData(session, study.cohortId, "interim");
+  EXPECT_EQ(sheetCount(session, study.cohortId).submitted, 18);
+  try {
+    freezeData(session, study.cohortId, "interim");
+    ADD_FAILURE() << "18 of 54 sheets were frozen without a word";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.happened(), "18 of 54 sheets that raters were asked for are in");
+  }
+  const FrozenRow frozen = freezeData(session, study.cohortId, "interim", {}, "the board meets");
+  EXPECT_EQ(frozen.sheets.asked, 54);
+  EXPECT_EQ(frozen.sheets.submitted, 18);
+  EXPECT_EQ(frozen.whyIncomplete, "the board meets");
+  EXPECT_EQ(frozenData(session, study.cohortId).front().sheets.submitted, 18);
   EXPECT_EQ(frozen.counts.enrolments, 6U);
   EXPECT_EQ(frozen.counts.allocations, 6U);
   EXPECT_EQ(frozen.counts.marks, 18U);
   EXPECT_TRUE(compareWithFrozen(session, frozen.id).same);
-  EXPECT_THROW(freezeData(session, study.cohortId, "interim"), Error);
+  EXPECT_THROW(freezeData(session, study.cohortId, "interim", {}, "again"), Error);
   study.submitAll("mid");
 
   const FrozenCheck later = compareWithFrozen(session, frozen.id);
