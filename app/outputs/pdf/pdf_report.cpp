@@ -34,7 +34,7 @@ constexpr double kChartHeight_mm = 64.0;
 constexpr double kCloudHeight_mm = 84.0;  // flatter, the shape of a cloud would be lost; thirty values fit
                                           // below
 constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
-constexpr double kAnswerRow_mm = 4.5;     // of the first page's forest
+constexpr double kAnswerRow_mm = 6.0;     // of the first page's forest
 constexpr double kFrame_mm = 24.0;        // axis, labels and legend around the rows
 constexpr double kTallestChart_mm = 170.0;
 constexpr double kTallestPictures_mm = 225.0;
