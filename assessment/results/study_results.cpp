@@ -158,7 +158,7 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& le
     ResultWriter rows(ledger, {.section = kAgreement, .occasion = t}, commonFlags(in),
                       flagIf(at.missing > 0, "marks missing"));
     rows.madeOf = partsOf({marksAt(t)});
-    addCoefficients(rows, at.icc, at.completeTrainees, at.n);
+    addCoefficients(rows, at.icc, at.completeTrainees, at.completeTrainees);
     addPoints(rows, at.points);
     rows.add("krippendorff_alpha_interval", at.alpha, &KrippendorffResult::alpha, at.n);
     if (at.missing > 0) {

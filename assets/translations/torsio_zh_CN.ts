@@ -19114,6 +19114,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Origin: recorded, simulated or imported</source>
         <translation>来源：记录、模拟或导入</translation>
     </message>
+    <message>
+        <source>Warning: a report with scores under the centre&apos;s codes was saved on %1. Whoever has it and these files can tell people by their scores: do not give both away.</source>
+        <translation>警告：%1 保存过一份带有中心代码和分数的报告。同时拥有它和这些文件的人可以凭分数辨认人员：请勿将两者都交出。</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

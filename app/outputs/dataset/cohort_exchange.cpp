@@ -15,8 +15,10 @@
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/results/cohort_csv.h"
+#include "assessment/results/number_format.h"
 #include "assessment/results/record_sentences.h"
 #include "db/connection/connection.h"
+#include "db/repository/base/audit_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -35,6 +37,22 @@ constexpr std::int64_t kRecordedRate_Hz = kSecond_us / kTickPeriod_us;
 /// The owner of the record's file can read all of it anyway.
 bool mayTakeCodes(const SessionContext& session) {
   return !session.actor().systemAccount.empty() || session.may(Operation::kPersonViewIdentity);
+}
+
+/// Returns when a report with lines about single people of the cohort was last saved; 0: never.
+std::int64_t reportSaved_us(Connection& connection, const CohortId& cohortId) {
+  for (const AuditEntry& entry :
+       AuditRepository(connection)
+           .entries({.objectKind = AuditObject::kCohort, .objectId = cohortId.text()})) {
+    const bool report = entry.action == storedText(AuditAction::kReportExportCoded) ||
+                        entry.action == storedText(AuditAction::kReportExportNamed);
+    const nlohmann::json what = nlohmann::json::parse(entry.newJson, nullptr, false);
+    if (report && what.is_object() && what.value("identity", "") != "aggregated" &&
+        what.value("identity", "") != "pseudonymised") {
+      return entry.atUtc_us;
+    }
+  }
+  return 0;
 }
 
 ExchangeFiles noted(SessionContext& session, const ExchangeRequest& request, const std::string& format,
@@ -112,7 +130,7 @@ void nameRequest(SessionContext& session, const std::string& cohort, const std::
 ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
                           const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
-  ExchangeData data{request, {}, {}, {}, {}, {}};
+  ExchangeData data{request, {}, {}, {}, {}, {}, 0};
   data.inputs =
       reportInputs(session, {request.cohortId, request.campaignId, request.frozenId, ReportIdentity::kCoded},
                    digests, progress);
@@ -124,6 +142,7 @@ ExchangeData exchangeData(SessionContext& session, const ExchangeRequest& reques
       data.recordings[TrialId(names.of("T", trial.trialId.text()))] = trial.trialId;
     }
     data.inputs = pseudonymised(std::move(data.inputs), starts, names, request.withFreeText, report);
+    data.reportSavedUtc_us = reportSaved_us(session.connection(), request.cohortId);
     data.pseudonyms = report;
   } else {
     for (const TrialSummaryRow& trial : data.inputs.trials) {
@@ -140,13 +159,20 @@ std::vector<Text> pseudonymSentences(const ExchangeData& data) {
     return {};
   }
   const PseudonymReport& done = *data.pseudonyms;
-  return {
+  std::vector<Text> sentences{
       Text::tr("Names of people and recordings are opaque; times of each person are moved by whole days."),
       Text::tr("Group, sex and level are shared by at least %1 people (%2 before).", done.smallestAfter,
                done.smallestBefore),
       Text::tr("Left out: level of %1 {person|people}, sex of %2, free text of %3 {entry|entries}, "
                "person of %4 {deviation|deviations}.",
                done.levelsHidden, done.sexesHidden, done.textsLeftOut, done.deviationsUnlinked)};
+  if (data.reportSavedUtc_us > 0) {
+    sentences.push_back(
+        Text::tr("Warning: a report with scores under the centre's codes was saved on %1. Whoever has it and "
+                 "these files can tell people by their scores: do not give both away.",
+                 formatUtc(data.reportSavedUtc_us)));
+  }
+  return sentences;
 }
 
 ExchangeFiles exportWorkbook(SessionContext& session, const ExchangeData& data, const ExportWording& say,
@@ -189,6 +215,9 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
   contents.softwareVersion = softwareVersion();
   for (const Text& sentence : originSentences(data.inputs)) {
     contents.origin.push_back(sentence.str());
+  }
+  for (const CohortTrainee& trainee : data.inputs.trainees) {
+    contents.participants.emplace_back(trainee.code, data.inputs.groups[trainee.group].name.str());
   }
   contents.progress = progress;
   Connection& connection = session.connection();

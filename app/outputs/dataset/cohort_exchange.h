@@ -37,6 +37,7 @@ struct ExchangeData {
   std::optional<PseudonymReport> pseudonyms;  ///< empty: data under the centre's codes
   std::map<TrialId, TrialId> recordings;      ///< record id by the recording's name in `inputs`
   AnalysedCohort analysed;                    ///< of `inputs`
+  std::int64_t reportSavedUtc_us = 0;  ///< latest report with single people; 0: none, or data under codes
 };
 
 /// Exported files.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/outputs/tables/export_table.h"
@@ -51,9 +52,10 @@ struct DatasetContents {
   std::int64_t every = 10;       ///< samples per trajectory row
   std::string curriculumJson{};  ///< empty: the cohort has none
   std::string softwareVersion;
+  std::vector<std::pair<std::string, std::string>> participants{};  ///< every trainee with the group's name
   std::vector<std::string> origin{};  ///< sentences: simulated, imported from where
-  ProgressCallback progress{};  ///< called before each recording; may throw to cancel
-  std::string studyJson{};      ///< dataset_study.h; if not empty, complete recordings are written too
+  ProgressCallback progress{};        ///< called before each recording; may throw to cancel
+  std::string studyJson{};            ///< dataset_study.h; if not empty, complete recordings are written too
 };
 
 /// Reports that a recording is about to be written.

@@ -213,13 +213,22 @@ std::vector<fs::path> writeBids(const DatasetContents& contents, const fs::path&
     write(fs::path("sub-" + subject) / ("sub-" + subject + "_scans.tsv"), kScansHead + lines);
   }
   write("scans.json", scansJson());
-  std::string people = "participant_id\tcode\n";
+  // Everybody takes part, recorded or not.
+  std::map<std::string, std::string> groups;
+  for (const auto& [trainee, group] : contents.participants) {
+    (void)subjects.of(trainee);
+    groups[trainee] = group;
+  }
+  std::string people = "participant_id\tcode\tgroup\n";
   for (const auto& [trainee, label] : subjects.all()) {
-    people += "sub-" + label + "\t" + trainee + "\n";
+    people +=
+        "sub-" + label + "\t" + trainee + "\t" + (groups[trainee].empty() ? "n/a" : groups[trainee]) + "\n";
   }
   write("participants.tsv", people);
-  write("participants.json",
-        Json{{"code", {{"Description", "Name of the person in derivatives/torsio"}}}}.dump(2) + "\n");
+  write("participants.json", Json{{"code", {{"Description", "Name of the person in derivatives/torsio"}}},
+                                  {"group", {{"Description", "Group of the cohort"}}}}
+                                     .dump(2) +
+                                 "\n");
   write("dataset_description.json", descriptionJson(contents));
   write("README", readme(contents));
   return files;

@@ -70,12 +70,6 @@ ExportCell wayOf(MarkWay way) {
   return {};
 }
 
-ExportColumn groupColumn() {
-  return {"group_name", Text::tr("Group")};
-}
-ExportColumn occasionColumn() {
-  return {"occasion", Text::tr("Occasion")};
-}
 ExportColumn number(std::string name, Text title, std::string unit = {}) {
   return {std::move(name), std::move(title), ColumnKind::kNumber, std::move(unit)};
 }
@@ -142,6 +136,18 @@ class Tables {
   }
 
  private:
+  [[nodiscard]] ExportColumn groupColumn() const {
+    ExportColumn column{"group_name", Text::tr("Group")};
+    for (const CohortGroup& group : in_.groups) {
+      column.order.push_back(group.name);
+    }
+    return column;
+  }
+  [[nodiscard]] ExportColumn occasionColumn() const {
+    ExportColumn column{"occasion", Text::tr("Occasion")};
+    column.order = in_.occasions;
+    return column;
+  }
   [[nodiscard]] ExportColumn occasionNumber() const {
     ExportColumn column = number("occasion_number", Text::tr("Number of the occasion"));
     for (std::size_t t = 0; t < in_.occasions.size(); ++t) {
@@ -437,10 +443,10 @@ class Tables {
   /// Returns the columns of a row of cohort.csv, from its subject to its flags.
   static std::vector<ExportColumn> lineColumns() {
     return {{"item", Text::tr("Trainee, rater or all")},
-            groupColumn(),
+            {"group_name", Text::tr("Group")},  // or a pair of groups
             {"model", Text::tr("Tissue model")},
             {"index_name", Text::tr("Index")},
-            occasionColumn(),
+            {"occasion", Text::tr("Occasion")},
             {"statistic", Text::tr("Statistic")},
             number("value", Text::tr("Value")),
             {"value_text", Text::tr("Value as text")},

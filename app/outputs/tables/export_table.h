@@ -27,6 +27,7 @@ struct ExportColumn {
   ColumnKind kind = ColumnKind::kText;
   std::string unit{};                             ///< "N m"; empty: none
   std::vector<std::pair<double, Text>> labels{};  ///< meaning of particular values
+  std::vector<Text> order{};  ///< of a text column: its values in their order; empty: none
 };
 
 /// monostate: no value.

@@ -105,6 +105,15 @@ std::string factorLine(const std::string& column, const ExportColumn& from) {
   return column + " <- factor(" + column + ", levels = c(" + values + "), labels = c(" + labels + "))\n";
 }
 
+/// Converts a column of words to a factor whose levels have their order, not that of the alphabet.
+std::string orderLine(const std::string& column, const ExportColumn& from) {
+  std::string levels;
+  for (const Text& level : from.order) {
+    levels += (levels.empty() ? "" : ", ") + quoted(level.str());
+  }
+  return column + " <- factor(" + column + ", levels = c(" + levels + "))\n";
+}
+
 std::string codebookText(const std::vector<const ExportTable*>& tables) {
   std::string text(kByteOrderMark);
   text += csvLine({"table", "column", "meaning", "unit", "type", "values", "source"});
@@ -120,7 +129,13 @@ std::string codebookText(const std::vector<const ExportTable*>& tables) {
 /// Uses base R only; read.csv() keeps names and full precision.
 std::string readerScript(const std::vector<const ExportTable*>& tables) {
   std::string text =
-      "# Reads the tables of this folder. Run R in a UTF-8 locale, in this folder or with setwd() to it.\n";
+      "# Reads the tables of this script's folder, from wherever it is run or sourced, in a UTF-8 locale.\n"
+      "folder <- local({\n"
+      "  sourced <- Filter(Negate(is.null), lapply(sys.frames(), function(frame) frame$ofile))\n"
+      "  run <- sub(\"^--file=\", \"\", grep(\"^--file=\", commandArgs(FALSE), value = TRUE))\n"
+      "  file <- c(rev(sourced), run)\n"
+      "  if (length(file) == 0) \".\" else dirname(file[[1]])\n"
+      "})\n";
   for (const ExportTable* table : tables) {
     std::string classes;
     std::string after;
@@ -134,10 +149,13 @@ std::string readerScript(const std::vector<const ExportTable*>& tables) {
       if (!column.labels.empty()) {
         after += factorLine(table->name + "$" + column.name, column);
       }
+      if (!column.order.empty()) {
+        after += orderLine(table->name + "$" + column.name, column);
+      }
     }
     text +=
-        table->name + " <- read.csv(\"" + table->name +
-        ".csv\", fileEncoding = \"UTF-8-BOM\", check.names = FALSE, na.strings = \"\",\n  colClasses = c(" +
+        table->name + " <- read.csv(file.path(folder, \"" + table->name +
+        ".csv\"), fileEncoding = \"UTF-8-BOM\", check.names = FALSE, na.strings = \"\",\n  colClasses = c(" +
         classes + "))\n" + after;
   }
   return text;

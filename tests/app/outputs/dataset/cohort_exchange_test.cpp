@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/outputs/report/report_export.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/frozen_data.h"
 #include "assessment/domain/people/audit_entry.h"
@@ -91,6 +92,16 @@ TEST(CohortExchange, IsPseudonymisedForThoseWhoMayNotSeeNames) {
   EXPECT_GT(done.files.size(), 9U);
   EXPECT_THAT(study.newest().newJson, HasSubstr("pseudonymised"));
   EXPECT_EQ(pseudonymSentences(data).size(), 3U);
+
+  // Scores under codes beside scores under pseudonyms tell who is who.
+  const ReportRequest coded{.cohortId = study.request.cohortId};
+  SessionContext& administrator = study.centre.as("administrator");
+  exportReport(administrator, coded, reportInputs(administrator, coded, study.digests), ReportFormat::kCsv,
+               study.centre.folder() / "cohort.csv");
+  const ExchangeData later = exchangeData(study.centre.as("statistician"), study.request, study.digests);
+  ASSERT_EQ(pseudonymSentences(later).size(), 4U);
+  EXPECT_THAT(pseudonymSentences(later)[3].str(),
+              HasSubstr("Warning: a report with scores under the centre's codes"));
 }
 
 TEST(CohortExchange, APseudonymisedWorkbookContainsNoPeopleCentreOrFreeText) {

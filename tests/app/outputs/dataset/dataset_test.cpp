@@ -192,9 +192,13 @@ TEST(Dataset, OfBidsHasAColumnForEachChannelAndALabelForEachPerson) {
   DatasetContents contents = wholeContents(set);
   contents.recordings[1].trainee = "P-a.a";  // the same letters as the first
   contents.recordings.push_back({"T-0003", "P-aa", [] { return movedTrial(); }});
+  contents.participants = {{"P-aa", "Group 1"}, {"P-zz", "Group 2"}};
   writeDataset(contents, DatasetLayout::kBids, folder);
 
-  EXPECT_EQ(readFile(folder / "participants.tsv"), "participant_id\tcode\nsub-Paan2\tP-a.a\nsub-Paa\tP-aa\n");
+  EXPECT_EQ(readFile(folder / "participants.tsv"),
+            "participant_id\tcode\tgroup\nsub-Paan2\tP-a.a\tn/a\nsub-Paa\tP-aa\tGroup 1\n"
+            "sub-Pzz\tP-zz\tGroup 2\n")
+      << "with somebody who was never recorded";
   for (const char* name : {"sub-Paa/motion/sub-Paa_task-organoaxial_tracksys-torsio_run-01",
                            "sub-Paa/motion/sub-Paa_task-organoaxial_tracksys-torsio_run-02",
                            "sub-Paan2/motion/sub-Paan2_task-organoaxial_tracksys-torsio_run-01"}) {

@@ -348,11 +348,11 @@ TEST(Tables, AreReadByRInFullPrecision) {
   Written written;
   const std::filesystem::path folder = written.folder.path() / "r";
   writeTables(tablesOf(written.set), TableFormat::kR, folder);
-  const std::string said = outputOf(
-      "cd '" + folder.string() +
-          "' && LC_ALL=C.UTF-8 Rscript -e 'source(\"read_tables.R\"); cat(nrow(scores), class(scores$score), "
-          "sprintf(\"%.17g\", sum(scores$score)), deviations$description[1], levels(scores$group_number))'",
-      written.folder.path());
+  const std::string said = outputOf("cd / && LC_ALL=C.UTF-8 Rscript -e 'source(\"" + folder.string() +
+                                        "/read_tables.R\"); cat(nrow(scores), class(scores$score), "
+                                        "sprintf(\"%.17g\", sum(scores$score)), deviations$description[1], "
+                                        "levels(scores$group_number), levels(scores$occasion))'",
+                                    written.folder.path());
   double sum = 0.0;
   for (const auto& row : written.set.scores.rows) {
     sum += std::get<double>(row[6]);
@@ -367,6 +367,7 @@ TEST(Tables, AreReadByRInFullPrecision) {
   EXPECT_NEAR(read, sum, 1e-9);
   EXPECT_THAT(said, HasSubstr("=1+1"));
   EXPECT_THAT(said, HasSubstr("Group 3: 40 min real arm"));
+  EXPECT_THAT(said, HasSubstr("before after 20 min after 40 min")) << "in the order of time";
 }
 
 TEST(Tables, HaveACodebookThatNamesEveryColumn) {
