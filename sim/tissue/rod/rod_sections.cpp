@@ -13,6 +13,8 @@
 #include "sim/core/index.h"
 #include "sim/core/short_number.h"
 #include "sim/tissue/rod/rod_warping.h"
+#include "sim/tissue/twist/held_warping.h"
+#include "sim/tissue/twist/section_fields.h"
 #include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
@@ -41,12 +43,6 @@ constexpr std::array<double, 4> kArcPoints{0.069431844202973712, 0.3300094782075
                                            0.93056815579702629};
 constexpr std::array<double, 4> kArcWeights{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
                                             0.17392742256872693};
-constexpr std::array<double, 6> kRayPoints{0.033765242898423986, 0.16939530676686774, 0.38069040695840155,
-                                           0.61930959304159845,  0.83060469323313226, 0.96623475710157601};
-constexpr std::array<double, 6> kRayWeights{0.085662246189585172, 0.18038078652406930, 0.23395696728634552,
-                                            0.23395696728634552,  0.18038078652406930, 0.085662246189585172};
-constexpr std::array<double, 3> kEdgePoints{0.11270166537925831, 0.5, 0.88729833462074169};
-constexpr std::array<double, 3> kEdgeWeights{0.27777777777777778, 0.44444444444444444, 0.27777777777777778};
 
 // Stiffness or compliance of a section: stretch 1-3, curvature 1-3; symmetric, row after row.
 using Matrix6 = std::array<double, 36>;
@@ -182,8 +178,8 @@ class RodMaker {
   // Equal steps of kArcShare of the length and the rest of the compliance: a thin end, which takes most of a
   // twist, gets shorter elements, because an element turns by less than half a turn.
   void divide(double first_m, double last_m) {
-    const std::vector<double> compliances = sectionCompliances(
-        sections_.profile(), kDivisionPlaces, lattice_.length_m(), shear_Pa_, EndCondition::kClampedFree);
+    const std::vector<double> compliances =
+        sectionCompliances(sections_.profile(), kDivisionPlaces, lattice_.length_m(), shear_Pa_);
     const HermiteTable compliance(0.0, lattice_.length_m() / (kDivisionPlaces - 1), compliances, true);
     const double from = compliance.value(first_m);
     const double rise = compliance.value(last_m) - from;
@@ -281,7 +277,7 @@ class RodMaker {
     double shiftX = m.x_m3 - m.area_m2 * cx;
     double shiftY = m.y_m3 - m.area_m2 * cy;
     double torsion_m4 = straight_m4 * polar(m) / polar(plain);
-    RodWarping::Place warping;
+    HeldWarping::Place warping;
     if (warping_) {
       warping = warping_->at(arc_m);
       const BentTorsion bent = bentTorsion(outline, bend[0], bend[1]);
@@ -434,30 +430,11 @@ class RodMaker {
   EndCondition ends_;
   RodDivision division_;
   int count_;
-  std::optional<RodWarping> warping_;
+  std::optional<HeldWarping> warping_;
   OrganRod rod_;
 };
 
 }  // namespace
-
-std::vector<SectionPoint> pointsOf(std::span<const Point2> outline_m) {
-  std::vector<SectionPoint> points;
-  points.reserve(outline_m.size() * kEdgePoints.size() * kRayPoints.size());
-  for (std::size_t i = 0; i < outline_m.size(); ++i) {
-    const Point2& a = outline_m[i];
-    const Point2& b = outline_m[i + 1 < outline_m.size() ? i + 1 : 0];
-    const double twice = a[0] * b[1] - a[1] * b[0];
-    for (std::size_t e = 0; e < kEdgePoints.size(); ++e) {
-      const double px = a[0] + kEdgePoints[e] * (b[0] - a[0]);
-      const double py = a[1] + kEdgePoints[e] * (b[1] - a[1]);
-      for (std::size_t r = 0; r < kRayPoints.size(); ++r) {
-        points.push_back({{kRayPoints[r] * px, kRayPoints[r] * py},
-                          twice * kEdgeWeights[e] * kRayWeights[r] * kRayPoints[r]});
-      }
-    }
-  }
-  return points;
-}
 
 double restFibre(const Point2& point_m, double kappa1_per_m, double kappa2_per_m) {
   return std::max(kLeastRestFibre, 1.0 + kappa1_per_m * point_m[1] - kappa2_per_m * point_m[0]);

@@ -18,7 +18,7 @@ struct RodMaterial {
   double shearModulus_Pa = 0.0;  ///< G > 0
   double poisson = 0.5;          ///< nu, 0 to 0.5: E = 2 G (1 + nu); 0.5 is incompressible, E = 3 G
   WallMap wall = {};             ///< of a hollow organ, along the lattice; empty: filled
-  /// `restrainedEnds`: sections warp as RodWarping says, not at all at a held end. Not for walls.
+  /// `restrainedEnds`: not for walls
   TorsionCorrections corrections = {};
   EndCondition ends = EndCondition::kClampedFree;  ///< which ends are held, for the corrections
 };
@@ -53,14 +53,6 @@ struct RodDivision {
 /// no simple section.
 [[nodiscard]] OrganRod rodOfOrgan(const SectionLattice& lattice, const SolvedSections& sections,
                                   const RodMaterial& material, const RodDivision& division = {});
-
-/// A point inside an outline and the area that it stands for (of either sign, so that they add up to it).
-struct SectionPoint {
-  Point2 place_m{};
-  double weight_m2 = 0.0;
-};
-/// Returns the points of a quadrature over an outline that is exact for polynomials up to degree 5.
-[[nodiscard]] std::vector<SectionPoint> pointsOf(std::span<const Point2> outline_m);
 
 /// Returns j0 of a point of a section bent at rest, not below 0.25: a section that reaches the centre of its
 /// bend is cut off there.

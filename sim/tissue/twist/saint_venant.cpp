@@ -11,6 +11,7 @@
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/portable_math.h"
+#include "sim/tissue/twist/held_warping.h"
 
 namespace torsio {
 
@@ -44,9 +45,7 @@ double slopePerStep(const std::vector<double>& y, std::size_t i) {
   return (2.0 * y[i + 1] + 3.0 * y[i] - 6.0 * y[i - 1] + y[i - 2]) / 6.0;
 }
 
-constexpr double kRestrainedShortening = 0.1;  // of the radius, per clamped non-circular end
-constexpr double kCircularTolerance = 0.005;   // 1 - J / Ip below which an end counts as circular
-constexpr int kMinIntegrationIntervals = 96;   // along the whole organ
+constexpr int kMinIntegrationIntervals = 96;  // along the whole organ
 constexpr int kMinFineIntervals = 256;
 constexpr int kFineIntervalsPerSection = 4;
 constexpr double kSmallestRiseShare = 1e-12;  // of the whole compliance, between two nodes
@@ -193,8 +192,7 @@ double taperCompliance(const SectionProfile& profile, double arc_m, double lengt
 }
 
 std::vector<double> sectionCompliances(const SectionProfile& profile, int places, double length_m,
-                                       double shearModulus_Pa, EndCondition ends,
-                                       const TorsionCorrections& corrections) {
+                                       double shearModulus_Pa, bool taper, const HeldWarping* held) {
   TORSIO_EXPECTS(places >= 2);
   if (!positive(shearModulus_Pa)) {
     refuseParameter(
@@ -208,24 +206,13 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int places
   }
   const int perPlace = (kMinIntegrationIntervals + places - 2) / (places - 1);
   const double step = length_m / static_cast<double>((places - 1) * perPlace);
-  const auto shortening = [&](double end) {
-    const TorsionSection s = profile.at(end);
-    const bool flat = 1.0 - s.torsionConstant_m4 / s.polarMoment_m4 > kCircularTolerance;
-    return corrections.restrainedEnds && flat ? kRestrainedShortening * profile.radius_m(end) : 0.0;
-  };
-  const double fixedDecay = shortening(0.0);
-  const double otherDecay = ends == EndCondition::kBothHeld ? shortening(length_m) : 0.0;
   const auto density = [&](double s) {
     double c = 1.0 / (shearModulus_Pa * profile.at(s).torsionConstant_m4);
-    if (corrections.taper) {
+    if (taper) {
       c *= taperCompliance(profile, s, length_m, step);
     }
-    // Restraint dies away from the clamp; the exponential takes just the shortening off the whole length.
-    if (fixedDecay > 0.0) {
-      c *= 1.0 - portableExp(-s / fixedDecay);
-    }
-    if (otherDecay > 0.0) {
-      c *= 1.0 - portableExp(-(length_m - s) / otherDecay);
+    if (held != nullptr) {
+      c *= held->at(s).compliance;
     }
     return c;
   };

@@ -54,13 +54,14 @@ struct TorsionSection {
   double area_m2 = 0.0;
 };
 
+class HeldWarping;
+
 /// Corrections to 1 / (G J), all off unless asked for.
 struct TorsionCorrections {
   /// Whether 1 / (G J) is multiplied by 1 + (2/3) r'^2, r the radius of the circle of equal area: the mean
   /// turn of a flat section of an exact cone (1.0206 against 1.0207 at 10 degrees half-angle).
   bool taper = false;
-  /// Whether a clamped end keeps a non-circular section flat, which stiffens the bar as if it were about
-  /// 0.1 R shorter.
+  /// Whether a held end keeps its section flat: sections warp as HeldWarping says, not at all there.
   bool restrainedEnds = false;
 };
 
@@ -92,11 +93,11 @@ class SectionProfile {
 
 /// Computes the compliance coordinate C(s_j) = integral from 0 to s_j of ds / (G J), rad/(N m), at places
 /// s_j = j length / (places - 1), by Gauss's rule on the profile: exact to 1e-9 for tapers, whatever the
-/// number of places. Throws Error{kBadParameter}: G or length not positive and finite.
+/// number of places. `taper`: see TorsionCorrections; `held`: how held ends keep the sections from warping,
+/// null: they do not. Throws Error{kBadParameter}: G or length not positive and finite.
 [[nodiscard]] std::vector<double> sectionCompliances(const SectionProfile& profile, int places,
                                                      double length_m, double shearModulus_Pa,
-                                                     EndCondition ends,
-                                                     const TorsionCorrections& corrections = {});
+                                                     bool taper = false, const HeldWarping* held = nullptr);
 
 /// Computes what the paper's formulation interpolates between the sections: kriged from the M values onto a
 /// fine grid of nodes that contains the sections, at least 257 nodes.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "sim/core/index.h"
 #include "sim/core/portable_math.h"
 #include "sim/core/short_number.h"
+#include "sim/tissue/twist/held_warping.h"
 #include "sim/tissue/twist/twist_model_map.h"
 #include "sim/tissue/twist/twist_model_sections.h"
 
@@ -157,8 +159,13 @@ void TableMaker::makeTwist() {
     tables_.spacing_m = twist.spacing_m;
     tables_.lift = HermiteTable(0.0, step(), krigedNodes(twist.lift_m2, length(), options_.kriging), false);
   } else {
+    constexpr double kYoungOverShear = 3.0;  // incompressible
+    std::optional<HeldWarping> held;
+    if (options_.corrections.restrainedEnds) {
+      held.emplace(lattice_, solved_, 0.0, length(), kYoungOverShear, options_.ends);
+    }
     nodes = sectionCompliances(solved_.profile(), intervals() + 1, length(), material_.shearModulus_Pa,
-                               options_.ends, options_.corrections);
+                               options_.corrections.taper, held ? &*held : nullptr);
     compliance_ = HermiteTable(0.0, step(), nodes, true);
   }
   tables_.twist = TorsionTable(0.0, step(), std::move(nodes), options_.ends,

@@ -76,8 +76,7 @@ TEST(SectionCompliances, FollowTheClosedFormOfATaper) {
     for (const auto& [ratio, expected] : table) {
       const SectionProfile profile(evenArcs(sections), taperedSections(sections, 1.0, ratio), {});
 
-      const std::vector<double> c =
-          sectionCompliances(profile, sections, kBarLength, kShear, EndCondition::kClampedFree);
+      const std::vector<double> c = sectionCompliances(profile, sections, kBarLength, kShear);
 
       ASSERT_EQ(c.size(), static_cast<std::size_t>(sections));
       EXPECT_EQ(c.front(), 0.0);
@@ -95,8 +94,7 @@ TEST(SectionCompliances, KrigedBetweenTheSectionsStayWithinAMillionthFromFiftySe
   };
   for (const int sections : {50, 360}) {
     const SectionProfile profile(evenArcs(sections), taperedSections(sections, 1.0, r1), {});
-    const std::vector<double> c =
-        sectionCompliances(profile, sections, kBarLength, 1.0, EndCondition::kClampedFree);
+    const std::vector<double> c = sectionCompliances(profile, sections, kBarLength, 1.0);
 
     const std::vector<double> nodes = krigedNodes(c, kBarLength, {});
 
@@ -120,8 +118,8 @@ TEST(SectionCompliances, KrigedBetweenTheSectionsStayWithinAMillionthFromFiftySe
 TEST(SectionCompliances, RefuseSectionsAndModuliWithoutMeaning) {
   std::vector<TorsionSection> sections = taperedSections(4, 1.0, 0.5);
   const SectionProfile profile(evenArcs(4), sections, {});
-  EXPECT_THROW((void)sectionCompliances(profile, 4, kBarLength, 0.0, EndCondition::kClampedFree), Error);
-  EXPECT_THROW((void)sectionCompliances(profile, 4, 0.0, 1.0, EndCondition::kClampedFree), Error);
+  EXPECT_THROW((void)sectionCompliances(profile, 4, kBarLength, 0.0), Error);
+  EXPECT_THROW((void)sectionCompliances(profile, 4, 0.0, 1.0), Error);
   sections[2].torsionConstant_m4 = 0.0;
   EXPECT_THROW((void)SectionProfile(evenArcs(4), sections, {}), Error);
 }
@@ -166,7 +164,7 @@ TEST(HermiteTable, KeepsItsEndValuesOutside) {
 }
 
 TEST(TorsionTable, AClampedBarTurnsByTheSmallerComplianceAndTheKinkIsExact) {
-  const TorsionTable bar = table(softeningCompliance(), EndCondition::kClampedFree);
+  const TorsionTable bar = table(softeningCompliance());
   const auto c = [](double s) { return s + 0.7 * s * s * s; };
 
   for (const double g : {0.5, 1.234567, 2.0}) {
@@ -244,7 +242,7 @@ TEST(TorsionTable, AFoundationWithBothEndsHeldIsSymmetricToo) {
 
 TEST(TorsionTable, AVeryLongFoundationLengthIsNoFoundation) {
   const TorsionTable with = table(softeningCompliance(), EndCondition::kClampedFree, 1e4);
-  const TorsionTable without = table(softeningCompliance(), EndCondition::kClampedFree);
+  const TorsionTable without = table(softeningCompliance());
 
   for (double x = 0.0; x <= kBarLength; x += 0.1) {
     EXPECT_NEAR(with.share(x, 1.3).value, without.share(x, 1.3).value, 1e-7);

@@ -20,6 +20,7 @@
 #include "sim/tissue/rod/rod.h"
 #include "sim/tissue/rod/rod_solve.h"
 #include "sim/tissue/rod/rod_warping.h"
+#include "sim/tissue/twist/held_warping.h"
 #include "tests/support/procedural_mesh.h"
 #include "tests/support/refusal.h"
 
@@ -79,8 +80,7 @@ TEST(RodOfOrgan, AStraightTaperHasTheComplianceOfItsIntegral) {
   const TriangleMesh bar = testing::prism(testing::ellipseOutline(0.030, 0.018, 96), kLength_m, 48, 0.5);
   const SectionLattice lattice = latticeOf(bar);
   const SolvedSections sections = SolvedSections::solve(lattice, {});
-  const std::vector<double> integral =
-      sectionCompliances(sections.profile(), 1001, lattice.length_m(), 1e4, EndCondition::kClampedFree);
+  const std::vector<double> integral = sectionCompliances(sections.profile(), 1001, lattice.length_m(), 1e4);
 
   const OrganRod rod = rodOfOrgan(lattice, sections, {1e4, 0.45});
 
@@ -255,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
                               }}),
     [](const ::testing::TestParamInfo<HeldBar>& bar) { return bar.param.name; });
 
-TEST(RodWarping, LeavesARoundBarAsItIs) {
+TEST(HeldWarping, LeavesARoundBarAsItIs) {
   const TriangleMesh bar = testing::prism(testing::circleOutline(0.025, 96), 0.24, 48);
 
   const double plain_Nm = turnedByOneDegree(rodOf(bar, false)).torque_Nm;
@@ -263,7 +263,7 @@ TEST(RodWarping, LeavesARoundBarAsItIs) {
   EXPECT_NEAR(turnedByOneDegree(rodOf(bar, true)).torque_Nm / plain_Nm, 1.0, 1e-6);
 }
 
-TEST(RodWarping, ShortensAnEllipseByItsClosedForm) {
+TEST(HeldWarping, ShortensAnEllipseByItsClosedForm) {
   // psi = -k x y, k = (a^2 - b^2) / (a^2 + b^2): Iw = k^2 A a^2 b^2 / 24; each held end takes
   // sqrt((1 - J / Ip) E Iw / (G J)) off the length that twists.
   const double a = 0.033;
@@ -280,7 +280,7 @@ TEST(RodWarping, ShortensAnEllipseByItsClosedForm) {
   const SolvedSections sections = SolvedSections::solve(lattice, {});
 
   for (const EndCondition ends : {EndCondition::kClampedFree, EndCondition::kBothHeld}) {
-    const RodWarping warp(lattice, sections, 0.0, lattice.length_m(), young, ends);
+    const HeldWarping warp(lattice, sections, 0.0, lattice.length_m(), young, ends);
     double taken_m = 0.0;
     constexpr int kPlaces = 4000;
     for (int i = 0; i < kPlaces; ++i) {
