@@ -26084,6 +26084,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>%1.</source>
         <translation>%1。</translation>
     </message>
+    <message>
+        <source>Breaks at %1°: %2.</source>
+        <translation>在 %1° 时破坏：%2。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::PeopleDialog</name>

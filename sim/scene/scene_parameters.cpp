@@ -122,7 +122,9 @@ Json toJson(const ModelChoice& model) {
   put("beta", model.beta);
   say("clamp_lift", model.clampLift);
   say("poynting", model.poynting);
-  say("restrained_ends", model.restrainedEnds);
+  if (model.restrainedEnds) {  // formerly true: each end as if a tenth of its radius shorter
+    json["restrained_ends"] = "warping";
+  }
   say("taper", model.taper);
   say("shear_centre", model.shearCentre);
   put("foundation", model.foundationLengths);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "app/services/comparison/comparison_run.h"
@@ -50,7 +51,7 @@ int run() {
 
   const MachineFacts machine = machineFacts();
   std::printf("%s, %d cores, load %.2f, view %s, %s\n", machine.processor.c_str(), machine.cores,
-              machine.loadAverage, machine.instructionSet.c_str(), machine.flags.c_str());
+              machine.loadAverage, std::string(isaName(bestIsa())).c_str(), machine.flags.c_str());
   std::printf("lattice update %.2f us, view of %zu vertices %.1f us, elements %.1f ms, springs %.1f ms\n",
               1e6 * lattice_s, scene.mesh.vertices_m.size(), 1e6 * view_s, 1e3 * elements_s, 1e3 * springs_s);
   const auto tell = [](const char* name, double ratio, double target) {

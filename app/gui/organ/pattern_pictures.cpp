@@ -101,7 +101,11 @@ void PatternPictures::addPattern(const PatternJudgement& pattern) {
   add(head);
   if (!pattern.reason.empty()) {
     QLabel* why = sentence(this, true);
-    why->setText(tr("%1.").arg(capitalised(toQString(pattern.reason))));
+    const QString reason = toQString(pattern.reason);
+    why->setText(
+        pattern.brokenAt_rad && pattern.code != "M27"
+            ? tr("Breaks at %1\u00b0: %2.").arg(numberText(degrees(*pattern.brokenAt_rad), 0), reason)
+            : tr("%1.").arg(capitalised(reason)));
     add(why);
   }
   if (drawn_ != nullptr && !pattern.shapes.empty()) {
