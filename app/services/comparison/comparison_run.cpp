@@ -302,17 +302,31 @@ void runRod(const ComparedOrgan& organ, const TwistModel& twist, const Compariso
   result.models.push_back(std::move(run));
 }
 
+/// Makes the springs; those that find no equilibrium to be calibrated by are calibrated by their energy.
+std::unique_ptr<TwistSimulation> springsOf(const ComparedOrgan& organ, const TwistModel& twist,
+                                           ComparisonOptions& options) {
+  try {
+    return massSpringSimulation(organ, twist, options.rings, options.springs);
+  } catch (const Error& none) {
+    if (none.code() != ErrorCode::kBadParameter || options.springs.calibration == Calibration::kAffine) {
+      throw;
+    }
+    options.springs.calibration = Calibration::kAffine;
+    return massSpringSimulation(organ, twist, options.rings, options.springs);
+  }
+}
+
 /// Runs finite elements and springs: frames one after the other for undisturbed timing, then both equilibria
 /// in parallel.
 void runMovingModels(const ComparedOrgan& organ, const TwistModel& twist, const ComparisonBench& bench,
                      ComparisonResult& result, Heartbeat& heart) {
-  const ComparisonOptions& options = result.options;
+  ComparisonOptions& options = result.options;
   auto start = RunClock::now();
   const auto elements = finiteElementSimulation(organ, options.rings);
   ModelResult fem = bench.runFrames("fem", Text::tr("FEM (corotational linear tetrahedra)"), organ, *elements,
                                     start, heart.part(0.15, 0.45));
   start = RunClock::now();
-  const auto springs = massSpringSimulation(organ, twist, options.rings, options.springs);
+  const auto springs = springsOf(organ, twist, options);
   ModelResult msm =
       bench.runFrames("msm", Text::tr("MSM (springs, XPBD)"), organ, *springs, start, heart.part(0.45, 0.6));
   heart.tell(Text::tr("Equilibrium of elements and springs"), 0.6);
