@@ -57,7 +57,8 @@ Scale scaleOf(const RatingGrid& grid, const AgreementOptions& options) {
 
 constexpr std::array kStatuses{"estimated", "extreme low", "extreme high", "no ratings"};
 
-Json estimatesJson(const RatingGrid& grid, const Scale& scale, const RaschResult& result) {
+Json estimatesJson(const RatingGrid& grid, const Scale& scale, const RaschResult& result,
+                   const std::vector<std::optional<CorrectedSeverity>>& corrected) {
   const std::string aside = "set aside: see the status";
   Json out;
   out["persons"] = Json::array();
@@ -79,6 +80,11 @@ Json estimatesJson(const RatingGrid& grid, const Scale& scale, const RaschResult
     Json entry{{"rater", grid.raters[r]}, {"status", wordOf(rater.status, kStatuses)}};
     entry["severity"] = numberJson(rater.severity, aside);
     entry["error"] = numberJson(rater.error, aside);
+    if (const std::optional<CorrectedSeverity>& own = corrected[r]) {
+      entry["corrected_severity"] = own->severity;
+      entry["corrected_error"] = own->error;
+      entry["corrected_95"] = {own->interval.lower, own->interval.upper};
+    }
     entry["infit"] = numberJson(rater.infit, aside);
     entry["outfit"] = numberJson(rater.outfit, aside);
     out["raters"].push_back(std::move(entry));
@@ -191,8 +197,11 @@ Json raschJson(const RatingGrid& grid, const AgreementOptions& options) {
       }
     }
   }
-  out["rasch"] = outcomeJson(manyFacetRasch(categories, static_cast<int>(scale.highest - scale.lowest)),
-                             [&](const RaschResult& result) { return estimatesJson(grid, scale, result); });
+  out["rasch"] =
+      outcomeJson(manyFacetRasch(categories, static_cast<int>(scale.highest - scale.lowest)),
+                  [&](const RaschResult& result) {
+                    return estimatesJson(grid, scale, result, correctedSeverities(categories, result));
+                  });
   out["scale"] = {{"lowest", scale.lowest}, {"highest", scale.highest}};
   return out;
 }

@@ -88,7 +88,7 @@ RatersNeeded ratersNeeded(const StudyAnalysis& study, std::size_t groups) {
 }
 
 /// Uses the marks that occur, in order, as categories without gaps.
-Outcome<RaschResult> onOneScale(const OccasionMarks& last) {
+void putOnOneScale(const OccasionMarks& last, StudyAnalysis& out) {
   std::set<double> used;
   for (const auto& row : last.marks) {
     for (const std::optional<double>& mark : row) {
@@ -98,7 +98,8 @@ Outcome<RaschResult> onOneScale(const OccasionMarks& last) {
     }
   }
   if (used.size() < 2) {
-    return Outcome<RaschResult>::undefined(Text::tr("every rating is the same"));
+    out.rasch = Outcome<RaschResult>::undefined(Text::tr("every rating is the same"));
+    return;
   }
   CategoryRatings ratings;
   for (const auto& row : last.marks) {
@@ -109,7 +110,10 @@ Outcome<RaschResult> onOneScale(const OccasionMarks& last) {
                : std::nullopt);
     }
   }
-  return manyFacetRasch(ratings, static_cast<int>(used.size()) - 1);
+  out.rasch = manyFacetRasch(ratings, static_cast<int>(used.size()) - 1);
+  if (out.rasch) {
+    out.onOneScale = correctedSeverities(ratings, *out.rasch);
+  }
 }
 
 }  // namespace
@@ -119,7 +123,7 @@ void addRaterModels(std::size_t groups, StudyAnalysis& study) {
     occasion.points = agreementInPoints(occasion);
   }
   study.needed = ratersNeeded(study, groups);
-  study.rasch = onOneScale(study.occasions.back());
+  putOnOneScale(study.occasions.back(), study);
 }
 
 namespace {

@@ -84,8 +84,8 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study, const
   auto table = itemOf<ReportTable>(in, "table-rasch", Text::tr("Raters on one scale, last occasion"),
                                    Text::tr("many-facet Rasch model, joint maximum likelihood"));
   table.individual = true;
-  table.columns = {Text::tr("Rater"), Text::tr("Severity (logits)"), Text::tr("Standard error"),
-                   Text::tr("Infit"), Text::tr("Outfit")};
+  table.columns = {Text::tr("Rater"), Text::tr("Severity, corrected (logits) [95 %]"),
+                   Text::tr("Joint estimate"), Text::tr("Infit"), Text::tr("Outfit")};
   table.provenance.n = study.occasions.back().n;
   table.provenance.missing = study.occasions.back().missing;
   const Outcome<RaschResult>& found = study.rasch;
@@ -100,15 +100,16 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study, const
     const ResultsAt cell(
         ledger,
         {.section = ResultSection::kAgreement, .of = study.raters[r], .occasion = in.occasions.size() - 1});
-    table.rows.push_back({study.raters[r], cell("rasch_severity", fixed(2), none),
-                          cell("rasch_error", fixed(2), none), cell("rasch_infit", fixed(2), none),
+    table.rows.push_back({study.raters[r], cell("rasch_severity_corrected", kWithInterval, none),
+                          cell("rasch_severity", fixed(2), none), cell("rasch_infit", fixed(2), none),
                           cell("rasch_outfit", fixed(2), none)});
   }
   table.notes = {Text::tr(
       "Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater's marks follow "
       "the "
-      "model; the marks that occur, in their order, are its categories. Joint estimates lie somewhat too far "
-      "apart.")};
+      "model; the marks that occur, in their order, are its categories. Joint estimates lie too far apart; "
+      "the "
+      "corrected ones allow for it, and their intervals come from leaving out trainees.")};
   return table;
 }
 

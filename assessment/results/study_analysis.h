@@ -163,6 +163,7 @@ struct StudyAnalysis {
   std::optional<GainAnalysis> gains;         ///< empty: too many different numbers of marks
   RatersNeeded needed;
   Outcome<RaschResult> rasch = Outcome<RaschResult>::undefined(Text::tr("not computed"));  ///< last occasion
+  std::vector<std::optional<CorrectedSeverity>> onOneScale;  ///< by rater, from `rasch`; empty without it
   bool sameRaters = true;  ///< at the last occasion, every trainee with marks has one by each rater present
 
   [[nodiscard]] PrimaryMethod primaryMethod() const noexcept;

@@ -146,6 +146,9 @@ void addRasch(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger
         std::count_if(marks.begin(), marks.end(), [r](const auto& row) { return row[r].has_value(); });
     rows.add("rasch_severity", rater.severity, n);
     rows.add("rasch_error", rater.error, n);
+    if (const std::optional<CorrectedSeverity>& own = study.onOneScale[r]) {
+      rows.addInterval("rasch_severity_corrected", own->severity, own->interval, n);
+    }
     rows.add("rasch_infit", rater.infit, n);
     rows.add("rasch_outfit", rater.outfit, n);
   }

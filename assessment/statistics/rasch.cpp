@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include <Eigen/Dense>
 
+#include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/distributions.h"
 #include "assessment/statistics/rating_plan.h"
 #include "assessment/statistics/rating_scale.h"
 #include "sim/core/error.h"
@@ -376,6 +380,111 @@ Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest)
     out.raters.back().status = status;
   }
   report(model, plan, *found, out);
+  return out;
+}
+
+namespace {
+
+constexpr std::size_t kJackknifeGroups = 50;
+constexpr std::size_t kJackknifeRatings = 5'000;
+constexpr std::size_t kFewestGroups = 3;
+
+/// Returns the severities without the persons of one group, or none if the rest has no estimate for
+/// everybody; categories that only they used are left out.
+std::vector<double> severitiesWithout(const CategoryRatings& ratings, std::size_t group, std::size_t groups) {
+  CategoryRatings kept;
+  std::map<int, int> places;
+  for (std::size_t i = 0; i < ratings.size(); ++i) {
+    if (i % groups != group) {
+      kept.push_back(ratings[i]);
+      for (const std::optional<int>& rating : kept.back()) {
+        if (rating) {
+          places[*rating] = 0;
+        }
+      }
+    }
+  }
+  int next = 0;
+  for (auto& [category, place] : places) {
+    place = next++;
+  }
+  for (auto& row : kept) {
+    for (std::optional<int>& rating : row) {
+      rating = rating ? std::optional(places.at(*rating)) : std::nullopt;
+    }
+  }
+  std::vector<double> out;
+  if (next < 2) {
+    return out;
+  }
+  if (const Outcome<RaschResult> found = manyFacetRasch(kept, next - 1)) {
+    for (const RaschRater& rater : found->raters) {
+      if (!rater.severity) {
+        return {};
+      }
+      out.push_back(*rater.severity);
+    }
+  }
+  return out;
+}
+
+/// Returns the severities of each jackknife sample: samples x raters.
+std::vector<std::vector<double>> jackknife(const CategoryRatings& ratings, std::size_t groups) {
+  std::vector<std::vector<double>> out;
+  for (std::size_t g = 0; g < groups; ++g) {
+    if (std::vector<double> sample = severitiesWithout(ratings, g, groups); !sample.empty()) {
+      out.push_back(std::move(sample));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::optional<CorrectedSeverity>> correctedSeverities(const CategoryRatings& ratings,
+                                                                  const RaschResult& result,
+                                                                  double confidence) {
+  std::size_t given = 0;
+  std::size_t persons = 0;
+  for (std::size_t i = 0; i < ratings.size(); ++i) {
+    if (result.persons[i].ability) {
+      ++persons;
+      given += static_cast<std::size_t>(std::count_if(ratings[i].begin(), ratings[i].end(),
+                                                      [](const auto& rating) { return rating.has_value(); }));
+    }
+  }
+  std::vector<std::optional<CorrectedSeverity>> out(result.raters.size());
+  const double each = persons > 0 ? static_cast<double>(given) / static_cast<double>(persons) : 0.0;
+  if (each <= 1.0) {
+    return out;
+  }
+  const double factor = (each - 1.0) / each;
+  const bool resampled = given <= kJackknifeRatings;
+  const std::vector<std::vector<double>> samples =
+      resampled ? jackknife(ratings, std::min(kJackknifeGroups, ratings.size()))
+                : std::vector<std::vector<double>>{};
+  if (resampled && samples.size() < kFewestGroups) {
+    return out;
+  }
+  const double n = static_cast<double>(samples.size());
+  const double quantile =
+      resampled ? tQuantile(0.5 * (1.0 + confidence), n - 1.0) : normalQuantile(0.5 * (1.0 + confidence));
+  for (std::size_t r = 0; r < out.size(); ++r) {
+    const RaschRater& rater = result.raters[r];
+    if (!rater.severity || !rater.error) {
+      continue;
+    }
+    CorrectedSeverity own{*rater.severity * factor, *rater.error * std::sqrt(factor), {}};
+    if (resampled) {
+      std::vector<double> of;
+      for (const std::vector<double>& sample : samples) {
+        of.push_back(factor * sample[r]);
+      }
+      own.error = std::sqrt((n - 1.0) / n * sumOfSquares(of));
+    }
+    own.interval = {own.severity - quantile * own.error, own.severity + quantile * own.error};
+    out[r] = own;
+  }
   return out;
 }
 

@@ -10597,14 +10597,6 @@
         <translation>多面 Rasch 模型，联合极大似然</translation>
     </message>
     <message>
-        <source>Severity (logits)</source>
-        <translation>严格程度（对数单位）</translation>
-    </message>
-    <message>
-        <source>Standard error</source>
-        <translation>标准误</translation>
-    </message>
-    <message>
         <source>Infit</source>
         <translation>加权拟合</translation>
     </message>
@@ -10615,10 +10607,6 @@
     <message>
         <source>only extreme marks</source>
         <translation>只有极端评分</translation>
-    </message>
-    <message>
-        <source>Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater&apos;s marks follow the model; the marks that occur, in their order, are its categories. Joint estimates lie somewhat too far apart.</source>
-        <translation>正值：更严格。严格程度之和为零。评分符合模型时，两种拟合值约为 1；出现过的评分按次序作为类别。联合估计值之间的距离略偏大。</translation>
     </message>
     <message>
         <source>What each group gained by itself</source>
@@ -19117,6 +19105,18 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Warning: a report with scores under the centre&apos;s codes was saved on %1. Whoever has it and these files can tell people by their scores: do not give both away.</source>
         <translation>警告：%1 保存过一份带有中心代码和分数的报告。同时拥有它和这些文件的人可以凭分数辨认人员：请勿将两者都交出。</translation>
+    </message>
+    <message>
+        <source>Severity, corrected (logits) [95 %]</source>
+        <translation>严厉度，已校正（logit）[95 %]</translation>
+    </message>
+    <message>
+        <source>Joint estimate</source>
+        <translation>联合估计</translation>
+    </message>
+    <message>
+        <source>Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater&apos;s marks follow the model; the marks that occur, in their order, are its categories. Joint estimates lie too far apart; the corrected ones allow for it, and their intervals come from leaving out trainees.</source>
+        <translation>正值：更严格。严厉度之和为零。评分者的分数符合模型时，Infit 和 outfit 约为 1；实际出现的分数按顺序作为其类别。联合估计值彼此相距过大；校正值对此作了调整，其区间由逐一剔除学员得出。</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -337,6 +338,61 @@ TEST(ManyFacetRasch, NamesUnboundedRaters) {
 
   ASSERT_FALSE(got);
   EXPECT_THAT(got.reason().str(), ::testing::HasSubstr("bounds rater 3 and rater 4"));
+}
+
+TEST(Rasch, CorrectedSeveritiesAreLessFarApartAndTheirIntervalsHoldTheTruth) {
+  // Thirty persons, three raters whose severities are -0.7, 0.1 and 0.6, five categories.
+  const double severity[] = {-0.7, 0.1, 0.6};
+  std::uint64_t state = 11;
+  const auto uniform = [&] {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<double>(state >> 11U) / 9007199254740992.0;
+  };
+  int held = 0;
+  int all = 0;
+  double along = 0.0;
+  double joint = 0.0;
+  for (int set = 0; set < 60; ++set) {
+    CategoryRatings ratings;
+    for (int i = 0; i < 30; ++i) {
+      const double ability = 1.2 * (uniform() + uniform() + uniform() - 1.5) * 2.0;
+      ratings.emplace_back();
+      for (const double strict : severity) {
+        double weights[5] = {1.0};
+        double sum = 1.0;
+        for (int k = 1; k < 5; ++k) {
+          weights[k] = weights[k - 1] * std::exp(ability - strict + 2.0 - 4.0 * (k - 1) / 3.0);
+          sum += weights[k];
+        }
+        double at = uniform() * sum;
+        int k = 0;
+        while (k < 4 && (at -= weights[k]) > 0.0) {
+          ++k;
+        }
+        ratings.back().emplace_back(k);
+      }
+    }
+    const Outcome<RaschResult> found = manyFacetRasch(ratings, 4);
+    if (!found) {
+      continue;
+    }
+    const auto corrected = correctedSeverities(ratings, *found);
+    for (std::size_t r = 0; r < 3; ++r) {
+      if (!corrected[r]) {
+        continue;
+      }
+      ++all;
+      held +=
+          corrected[r]->interval.lower <= severity[r] && severity[r] <= corrected[r]->interval.upper ? 1 : 0;
+      along += severity[r] * corrected[r]->severity;
+      joint += severity[r] * *found->raters[r].severity;
+    }
+  }
+  const double squares = static_cast<double>(all) / 3.0 * (0.49 + 0.01 + 0.36);
+  ASSERT_GT(all, 150);
+  EXPECT_GT(joint / squares, 1.4);   // joint estimates are half as far apart again
+  EXPECT_LT(along / squares, 1.25);  // corrected ones are nearly right
+  EXPECT_GE(held, all * 92 / 100);
 }
 
 }  // namespace

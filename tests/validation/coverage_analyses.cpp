@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,7 @@
 #include "assessment/statistics/categorical_agreement.h"
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/rank_tests.h"
+#include "assessment/statistics/rasch.h"
 #include "assessment/statistics/reliability.h"
 #include "assessment/statistics/resampling.h"
 #include "tests/validation/coverage_cases.h"
@@ -52,6 +54,29 @@ NumberTable ratings(Random& random, Shape shape, std::size_t targets, std::size_
   }
   return out;
 }
+
+namespace {
+
+/// Draws one of ten categories of a rating scale with thresholds from -2 to 2.
+int rated(Random& random, double level) {
+  constexpr int kHighest = 9;
+  std::array<double, kHighest + 1> weights{1.0};
+  double sum = 1.0;
+  double exponent = 0.0;
+  for (int k = 1; k <= kHighest; ++k) {
+    exponent += level + 2.0 - 4.0 * (k - 1) / (kHighest - 1);
+    weights[static_cast<std::size_t>(k)] = std::exp(exponent);
+    sum += weights[static_cast<std::size_t>(k)];
+  }
+  double at = random.uniform() * sum;
+  int category = 0;
+  while (category < kHighest && (at -= weights[static_cast<std::size_t>(category)]) > 0.0) {
+    ++category;
+  }
+  return category;
+}
+
+}  // namespace
 
 Study study(Random& random, Shape shape, int n, double more) {
   Study out;
@@ -252,6 +277,36 @@ void addRaterCases(std::vector<Case>& all) {
                      }
                      return holds(*meanInterval(offsets), truth);
                    }});
+  }
+  for (const std::size_t k : {3U, 5U, 10U}) {
+    all.push_back({"severity of a rater, Rasch, corrected", "30 x " + std::to_string(k),
+                   [k](Random& random, Shape shape) {
+                     std::vector<double> severity = sample(random, shape, static_cast<int>(k), 0.0, 0.6);
+                     const double middle = meanOf(severity);
+                     CategoryRatings given;
+                     std::map<int, int> used;
+                     for (std::size_t i = 0; i < 30; ++i) {
+                       const double ability = 1.2 * draw(random, shape);
+                       given.emplace_back();
+                       for (std::size_t r = 0; r < k; ++r) {
+                         given.back().emplace_back(rated(random, ability - severity[r] + middle));
+                         used[*given.back().back()] = 0;
+                       }
+                     }
+                     int highest = -1;
+                     for (auto& [category, place] : used) {
+                       place = ++highest;
+                     }
+                     for (auto& row : given) {
+                       for (std::optional<int>& rating : row) {
+                         rating = used.at(*rating);
+                       }
+                     }
+                     const auto found = manyFacetRasch(given, highest);
+                     const auto own = found ? correctedSeverities(given, *found).front() : std::nullopt;
+                     return own ? holds(own->interval, severity[0] - middle) : -1;
+                   },
+                   true});
   }
   for (const int n : {30, 100}) {
     for (const auto& [name, weights] :
