@@ -9649,14 +9649,6 @@
         <translation>请选择另一扭转类型，或去掉另一模型。</translation>
     </message>
     <message>
-        <source>is not allowed for an organ that comes twisted</source>
-        <translation>初始即扭转的器官不允许此项</translation>
-    </message>
-    <message>
-        <source>Leave out &apos;task&apos; and give &apos;angle_deg&apos; 0.</source>
-        <translation>请省略 &apos;task&apos;，并将 &apos;angle_deg&apos; 设为 0。</translation>
-    </message>
-    <message>
         <source>Small-bowel loop, twisted</source>
         <translation>小肠袢扭转</translation>
     </message>
@@ -19117,6 +19109,66 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater&apos;s marks follow the model; the marks that occur, in their order, are its categories. Joint estimates lie too far apart; the corrected ones allow for it, and their intervals come from leaving out trainees.</source>
         <translation>正值：更严格。严厉度之和为零。评分者的分数符合模型时，Infit 和 outfit 约为 1；实际出现的分数按顺序作为其类别。联合估计值彼此相距过大；校正值对此作了调整，其区间由逐一剔除学员得出。</translation>
+    </message>
+    <message>
+        <source>field &apos;most_deg&apos;</source>
+        <translation>字段 'most_deg'</translation>
+    </message>
+    <message>
+        <source>Twist less far.</source>
+        <translation>请减小扭转角度。</translation>
+    </message>
+    <message>
+        <source>beyond a twist of %1 degrees the waist is packed with wall: the torque is that of a rope, its order of size only</source>
+        <translation>扭转超过 %1 度时，腰部被壁填满：扭矩如同绳索，仅量级可信</translation>
+    </message>
+    <message>
+        <source>pressure times radius over stiffness times wall is %1; the law of the wall is checked up to %2</source>
+        <translation>压力乘半径除以刚度与壁厚之积为 %1；壁的定律验证至 %2</translation>
+    </message>
+    <message>
+        <source>the wall is up to %1 of its radius thick; its law is checked up to %2</source>
+        <translation>壁厚达半径的 %1；其定律验证至 %2</translation>
+    </message>
+    <message>
+        <source>the wrung stretch is %1 times as long as its radius; its law is checked for %2 to %3</source>
+        <translation>被绞拧的一段长度为其半径的 %1 倍；其定律的验证范围为 %2 至 %3</translation>
+    </message>
+    <message>
+        <source>is not 0, but the organ comes twisted</source>
+        <translation>不是 0，但器官一开始就是扭转的</translation>
+    </message>
+    <message>
+        <source>Give &apos;angle_deg&apos; 0.</source>
+        <translation>请将 'angle_deg' 设为 0。</translation>
+    </message>
+    <message>
+        <source>turns an organ that comes twisted otherwise than about a line</source>
+        <translation>使一开始就扭转的器官不绕直线转动</translation>
+    </message>
+    <message>
+        <source>Give &apos;axis&apos; line, and leave out &apos;measured&apos;.</source>
+        <translation>请将 'axis' 设为 line，并去掉 'measured'。</translation>
+    </message>
+    <message>
+        <source>A closed loop of small bowel, 26 mm wide, on a narrow mesenteric root. It turns about the axis of its mesentery, from between its feet to between its limbs: both limbs cross and wind round each other, as in a patient; the mesentery is drawn for the eye only, and the pressure of the limbs on each other is not modelled. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 103 mm long on a mean radius of 12 mm (8.4) with a wall over radius of 0.085 to 0.105: inside, the narrowest places 5 % beyond. Pressure times radius over stiffness times wall is 0.9, held against a second computation up to 0.5 only. The lumen shuts near 214 degrees, later than the 180 of surgeons. Wall, pressure, stiffness of the wall, friction and the length of the vessels are assumed; the limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>一段宽 26 mm 的小肠闭袢，系膜根狭窄。肠袢绕系膜轴转动，该轴从两足之间通向两支之间：如同患者体内，两支相互交叉、缠绕；系膜仅为示意，两支之间的压力未建模。肠壁定律的验证范围为长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1。两支长 103 mm，平均半径 12 mm（8.4），壁厚与半径之比 0.085 至 0.105：在范围之内，最窄处超出 5 %。压力乘半径除以刚度与壁厚之积为 0.9，仅在 0.5 以内与第二种计算比较过。肠腔在约 214 度时闭塞，晚于外科医生所说的 180 度。壁厚、压力、肠壁刚度、摩擦和血管长度为假设；钳口的限度和失活时间有文献来源（猪空肠）。血流随角度的变化仅在睾丸上测量过，在此移用。颜色不能证明存活。用于训练手法和步骤顺序；不能说明任何一位患者的情况。</translation>
+    </message>
+    <message>
+        <source>A loop of small bowel is twisted about its mesentery by half a turn or more, either way, and its two limbs cross. Find out which way: turned wrongly, the torque rises and the bowel darkens. Surgeons turn the loop back gently, let it rest under warm cloths and look for colour, pulse and movement before they judge it. Hard jaws bruise ischaemic bowel at half the pressure.</source>
+        <translation>一段小肠袢绕其系膜扭转半圈或更多，方向不定，两支相互交叉。请找出方向：转错方向时，扭矩升高，肠管变暗。外科医生轻柔地将肠袢转回，用温纱布覆盖让其休息，观察颜色、搏动和蠕动后再作判断。缺血肠管在一半的压力下就会被硬钳口压伤。</translation>
+    </message>
+    <message>
+        <source>The stomach has turned over by half a turn about the line from pylorus to cardia: its greater curvature lies on top. Surgeons first let the gas out through a tube, then bring the greater curvature forward and down again. Hold it with the clip while you re-grip: let go beyond a quarter turn, it rolls back. Pulling tears the wall.</source>
+        <translation>胃绕幽门与贲门的连线翻转了半圈：胃大弯位于上方。外科医生先经胃管排气，再把胃大弯向前、向下转回原位。换手时用夹固定：在四分之一圈以外松手，胃会转回去。牵拉会撕裂胃壁。</translation>
+    </message>
+    <message>
+        <source>The stomach of the task &apos;organo-axial&apos; with a wall: it swings about the straight line from pylorus to cardia, the greater curvature forward and over that line, as in a patient. It is a rod whose antrum has the torque of its wall; the shape belongs to the pressure at the start, and only the torque of the antrum changes when gas is let out. Bends do not narrow the lumen, and the oesophagus is not wrung: patency stays near 1, although in a patient cardia and pylorus are shut. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1; the antrum is 63 mm long on a mean radius of 20 mm (3.2) with a wall over radius of 0.19 to 0.4: the thick antrum lies outside. Pressure times radius over stiffness times wall is 1 there, held against a second computation up to 0.5 only. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, what holds pylorus and cardia, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>即任务“organo-axial”中的胃，带有胃壁：如同患者体内，它绕幽门与贲门的直线摆动，胃大弯向前并越过这条线。胃是一根杆，其胃窦具有胃壁的扭矩；形状对应开始时的压力，排气时只有胃窦的扭矩改变。弯曲不会使胃腔变窄，食管不被绞拧：通畅度保持接近 1，而患者的贲门和幽门是闭塞的。胃壁定律的验证范围为长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1；胃窦长 63 mm，平均半径 20 mm（3.2），壁厚与半径之比 0.19 至 0.4：厚的胃窦在范围之外。此处压力乘半径除以刚度与壁厚之积为 1，仅在 0.5 以内与第二种计算比较过。壁厚和空腹胃的压力有文献来源；扭转时的压力、胃壁刚度、幽门和贲门的固定、摩擦和血管为假设。血流随角度的变化仅在睾丸上测量过，在此移用。颜色不能证明存活。用于训练手法和步骤顺序；不能说明任何一位患者的情况。</translation>
+    </message>
+    <message>
+        <source>The whole pack of small bowel turns on the stalk of its vessels, and the jejunal limb is wound round the stalk, as the whirl that ultrasound and CT show. The pack lies to the right of the stalk, as malrotated bowel does, and swings round it. The stalk is solid, of radius 8 mm and 60 mm long with an assumed shear modulus of 10 kPa (1.1 N mm a radian); the limb adds no torque and does not shut: patency stays 1. Beyond a whole turn the limb is drawn thinner than it would be. The coils are relief on one body that turns as a whole. Stalk, friction and vessels are assumed; limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>整团小肠绕血管蒂转动，空肠支缠绕在蒂上，即超声和 CT 所见的漩涡。肠团位于蒂的右侧，如同旋转不良的肠管，并绕蒂摆动。蒂为实心，半径 8 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 1.1 N mm）；空肠支不增加扭矩，也不闭塞：通畅度保持为 1。超过一整圈后，空肠支画得比实际细。肠袢是同一物体上的浮雕，整体转动。蒂、摩擦和血管为假设；钳口的限度和失活时间有文献来源（猪空肠）。血流随角度的变化仅在睾丸上测量过，在此移用。颜色不能证明存活。用于训练手法和步骤顺序；不能说明任何一位患者的情况。</translation>
     </message>
 </context>
 <context>

@@ -202,6 +202,7 @@ std::vector<ShippedFile> shippedFiles() {
   const TubeOrgan intestine = makeIntestine();
   const TubeOrgan testis = makeTestis();
   const TubeOrgan sigmoid = makeSigmoid();
+  const TubeOrgan bowelLoop = makeBowelLoop();
   const TubeOrgan midgut = makeMidgut();
   const std::string grasperSize = "a usual 5 mm laparoscopic grasper";
   return {
@@ -235,8 +236,14 @@ std::vector<ShippedFile> shippedFiles() {
                                  "limbs 200 mm long on a root of 40 mm, 60 to 80 mm wide; assumed")},
       {"organs/sigmoid_markers.json",
        markersJson(sigmoid, "sigmoid.ply", "from the taenia libera, opposite the mesenteric border")},
-      {"organs/midgut.ply", ply(midgut, "pack of small-bowel coils on its stalk",
+      {"organs/bowel_loop.ply", ply(bowelLoop, "closed loop of small intestine on a narrow root",
+                                    "345 mm long, 26 mm wide, feet 32 mm apart; assumed")},
+      {"organs/bowel_loop_markers.json",
+       markersJson(bowelLoop, "bowel_loop.ply", "from the antimesenteric border")},
+      {"organs/midgut.ply", ply(midgut, "pack of small-bowel coils and jejunal limb on their stalk",
                                 "pack 124 x 70 x 104 mm, stalk 60 mm long, 16 mm wide; assumed")},
+      {"organs/former/midgut.ply", ply(makeFormerMidgut(), "pack of small-bowel coils on its stalk",
+                                       "pack 124 x 70 x 104 mm, stalk 60 mm long, 16 mm wide; assumed")},
       {"organs/midgut_markers.json",
        markersJson(midgut, "midgut.ply", "from the patient's left over the head's side and the right")},
       {"instruments/grasper.json", grasperJson(grasper)},
@@ -257,6 +264,7 @@ std::vector<ShippedFile> fineOrgans() {
           {"intestine.ply", ply(makeIntestine(0.446), "loop of small intestine", dimensions)},
           {"testis.ply", ply(makeTestis(0.46), "left testis on its cord", dimensions)},
           {"sigmoid.ply", ply(makeSigmoid(0.465), "omega loop of sigmoid colon", dimensions)},
+          {"bowel_loop.ply", ply(makeBowelLoop(0.45), "loop of small intestine", dimensions)},
           {"midgut.ply", ply(makeMidgut(0.433), "pack of small-bowel coils", dimensions)}};
 }
 

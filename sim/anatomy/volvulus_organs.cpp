@@ -9,8 +9,11 @@
 
 #include "sim/anatomy/curves.h"
 #include "sim/anatomy/remesh.h"
+#include "sim/anatomy/round_cone.h"
 #include "sim/anatomy/tube.h"
+#include "sim/core/angle.h"
 #include "sim/core/portable_math.h"
+#include "sim/geometry/query/collision_mesh.h"
 
 namespace torsio {
 
@@ -58,11 +61,10 @@ double roundedMaximum(double a, double b, double round) {
 
 // How far the coils of small bowel stand back behind the outline of the pack at a point: tubes between the
 // lines where a wave that meanders over the pack, with a few others, is 0.
-double coils_mm(const Vec3& p) {
+double coils_mm(const Vec3& p, double depth_mm) {
   constexpr double kWave_mm = 48.0;  // two coils
-  constexpr double kDepth_mm = 6.0;
-  constexpr double kTop = 3.0;    // of the sum, where a coil is highest
-  constexpr double kRound = 1.5;  // of the groove between two
+  constexpr double kTop = 3.0;       // of the sum, where a coil is highest
+  constexpr double kRound = 1.5;     // of the groove between two
   constexpr int kOthers = 8;
   constexpr double kGolden_rad = 2.39996322972865332;
   const auto sine = [](double way_mm, double wave_mm, double phase) {
@@ -79,7 +81,7 @@ double coils_mm(const Vec3& p) {
   }
   const double away = std::sqrt(sum * sum + kRound * kRound) - kRound;
   const double low = 1.0 - std::min(away / kTop, 1.0);
-  return -kDepth_mm * low * low;
+  return -depth_mm * low * low;
 }
 
 }  // namespace
@@ -174,19 +176,68 @@ TubeOrgan makeSigmoid(double edges) {
                      {"foot towards the rectum, mesenteric border", 0.95, 180.0}});
 }
 
-TubeOrgan makeMidgut(double edges) {
+TubeOrgan makeBowelLoop(double edges) {
+  // From the patient's left foot of the loop over its top to the right one, bowed to the front; mm, LPS.
+  const SplineCurve centreline({{16, 0, 0},
+                                {18, -6, 24},
+                                {25, -18, 54},
+                                {34, -24, 86},
+                                {36, -15, 116},
+                                {24, 0, 140},
+                                {0, 6, 149},
+                                {-24, 0, 140},
+                                {-36, -15, 116},
+                                {-34, -24, 86},
+                                {-25, -18, 54},
+                                {-18, -6, 24},
+                                {-16, 0, 0}});
+  constexpr double kRadius_mm = 13.0;
+  constexpr double kWaveHeight_mm = 0.9;
+  constexpr double kWaves = 17.0;  // circular folds seen from outside, 20 mm apart
+  constexpr std::size_t kRings = 300;
+  constexpr std::size_t kAround = 64;
+  constexpr Domes kDomes{.first = 0.35, .last = 0.35};
+  constexpr double kEdge_mm = 1.75;
+
+  std::vector<CurveFrame> frames = framesAlong(centreline, kRings, {1, 0, 0});
+  for (CurveFrame& frame : frames) {  // the bow would turn them about the curve: e1 stays outside of the loop
+    const Vec3 out = frame.centre - Vec3{0, -12, 75};
+    frame.e1 = normalized(out - dot(out, frame.tangent) * frame.tangent);
+    frame.e2 = cross(frame.tangent, frame.e1);
+  }
+  const auto size = [](double) { return SectionSize{kRadius_mm, 0.94 * kRadius_mm}; };
+  const auto bump = [](double share, double) {
+    const double ends = rise(share, 0.01, 0.06) * (1.0 - rise(share, 0.94, 0.99));
+    return ends * kWaveHeight_mm * portableSinCos(2.0 * kPi * kWaves * share).cos;
+  };
+  return organAlong(closedTube(frames, kAround, kDomes, size, bump), edges * kEdge_mm, frames,
+                    {{"first foot, antimesenteric border", 0.05, 0.0},
+                     {"first foot, mesenteric border", 0.05, 180.0},
+                     {"first limb, antimesenteric border", 0.24, 0.0},
+                     {"first limb, mesenteric border", 0.24, 180.0},
+                     {"top, antimesenteric border", 0.5, 0.0},
+                     {"top, mesenteric border", 0.5, 180.0},
+                     {"second limb, antimesenteric border", 0.76, 0.0},
+                     {"second limb, mesenteric border", 0.76, 180.0},
+                     {"second foot, antimesenteric border", 0.95, 0.0},
+                     {"second foot, mesenteric border", 0.95, 180.0}});
+}
+
+namespace {
+
+// How the midgut was drawn first: stalk along y, towards the front.
+constexpr double kMidgutRoot_mm = 70.0;
+constexpr double kMidgutLength_mm = 130.0;
+
+/// Stalk and pack of coils, which lies `aside` of the stalk's line from where the stalk ends; mm.
+TriangleMesh packOnStalk(const std::vector<CurveFrame>& frames, double coil_mm, const Vec3& aside) {
   constexpr double kStalk_mm = 8.0;
-  constexpr double kLength_mm = 130.0;
-  constexpr double kPole = 60.0 / kLength_mm;
+  constexpr double kPole = 60.0 / kMidgutLength_mm;
   constexpr double kHalfWidth_mm = 62.0;
   constexpr double kHalfHeight_mm = 52.0;
   constexpr double kHalfDepth_mm = 35.0;
-  constexpr std::size_t kRings = 300;
   constexpr std::size_t kAround = 240;
   constexpr Domes kDomes{.first = 0.5, .last = 0.5};
-  constexpr double kEdge_mm = 2.0;
-
-  const std::vector<CurveFrame> frames = straightFrames({0, 70, 0}, {0, -60, 0}, {1, 0, 0}, kRings);
   const auto half = [](double share, double widest_mm) {
     const double fades = 1.0 - rise(share, 0.6, 0.9);
     const double stalk = kStalk_mm * kStalk_mm * fades;
@@ -204,9 +255,59 @@ TubeOrgan makeMidgut(double edges) {
         normalized(Vec3{from.x / (kHalfWidth_mm * kHalfWidth_mm), from.y / (kHalfDepth_mm * kHalfDepth_mm),
                         from.z / (kHalfHeight_mm * kHalfHeight_mm)});
     // Not on the stalk, and fading in where the pack begins.
-    const double share = (70.0 - v.y) / kLength_mm;
-    v += outwards * (rise(share, kPole + 0.02, kPole + 0.12) * coils_mm(v));
+    const double share = (kMidgutRoot_mm - v.y) / kMidgutLength_mm;
+    v += outwards * (rise(share, kPole + 0.02, kPole + 0.12) * coils_mm(v, coil_mm)) +
+         rise(share, kPole + 0.02, kPole + 0.3) * aside;
   }
+  return fine;
+}
+
+}  // namespace
+
+TubeOrgan makeFormerMidgut() {
+  constexpr std::size_t kRings = 300;
+  constexpr double kEdge_mm = 2.0;
+  const std::vector<CurveFrame> frames = straightFrames({0, 70, 0}, {0, -60, 0}, {1, 0, 0}, kRings);
+  // 0 left, 90 up, 180 right, 270 down.
+  return organAlong(packOnStalk(frames, 6.0, {}), kEdge_mm, frames, {});
+}
+
+TubeOrgan makeMidgut(double edges) {
+  constexpr std::size_t kRings = 200;
+  constexpr double kEdge_mm = 2.1;
+  constexpr double kDrawnEdge_mm = 2.0;
+  constexpr double kCoil_mm = 7.0;
+  constexpr double kVoxel_mm = 1.9;
+  constexpr double kSlope = 1.3;
+  constexpr double kShoulder_mm = 6.0;  // where the limb leaves the pack
+  // Right of the stalk, as in malrotated bowel.
+  const Vec3 aside{-14, 0, -5};
+  // The jejunal limb, from the pack beside the stalk up to its root.
+  const std::vector<RoundCone> limb{{{-40, -14, 12}, {-33, 12, 12}, 9.0, 8.0},
+                                    {{-33, 12, 12}, {-24, 34, 6}, 8.0, 7.5},
+                                    {{-24, 34, 6}, {-21, 56, 2}, 7.5, 7.5},
+                                    {{-21, 56, 2}, {-21, 80, 0}, 7.5, 7.0}};
+  const std::vector<CurveFrame> drawn = straightFrames({0, 70, 0}, {0, -60, 0}, {1, 0, 0}, kRings);
+  const CollisionMesh pack(
+      remeshed(packOnStalk(drawn, kCoil_mm, aside), [](const Vec3&) { return kDrawnEdge_mm; }));
+  SampleGrid grid;
+  grid.step = kVoxel_mm;
+  grid.origin = {-92.3, -72.1, -72.7};
+  const auto points = [](double length) { return static_cast<std::size_t>(length / kVoxel_mm) + 2; };
+  grid.count = {points(160.0), points(176.0), points(140.0)};
+  TriangleMesh fine = zeroSurface(grid, kSlope, [&](const Vec3& p) {
+    return joined(pack.closest(p).distance_m, joinedChain(limb, p, 3.0), kShoulder_mm);
+  });
+  // Hung up: the stalk comes down from behind the colon and forward.
+  const SinCos tilt = portableSinCos(radians(44.0));
+  const auto hung = [&tilt](const Vec3& p) {
+    return Vec3{p.x, tilt.cos * p.y - tilt.sin * p.z, tilt.sin * p.y + tilt.cos * p.z};
+  };
+  std::vector<CurveFrame> frames = drawn;
+  for (CurveFrame& frame : frames) {
+    frame = {frame.arc, hung(frame.centre), hung(frame.tangent), hung(frame.e1), hung(frame.e2)};
+  }
+  std::transform(fine.vertices_m.begin(), fine.vertices_m.end(), fine.vertices_m.begin(), hung);
   // 0 left, 90 up, 180 right, 270 down.
   return organAlong(fine, edges * kEdge_mm, frames,
                     {{"stalk, root, left", 0.1, 0.0},

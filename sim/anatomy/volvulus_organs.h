@@ -15,8 +15,16 @@ namespace torsio {
 /// assumed. The fixed end is the foot towards the descending colon.
 [[nodiscard]] TubeOrgan makeSigmoid(double edges = 1.0);
 
-/// Draws a pack of small-bowel coils, as relief on one body of 124 x 70 x 104 mm, on a stalk of 60 mm length
-/// and 16 mm width that comes forward from the back. Sizes assumed. The fixed end is the root of the stalk.
+/// Draws a loop of small bowel, 26 mm wide and about 350 mm long, whose feet lie side by side on a narrow
+/// root, as of a closed loop; it is bowed to the front. Sizes assumed. The fixed end is its left foot.
+[[nodiscard]] TubeOrgan makeBowelLoop(double edges = 1.0);
+
+/// Draws a pack of small-bowel coils, as relief on one body of 124 x 70 x 104 mm, to the right of a stalk of
+/// 60 mm length and 16 mm width that comes down and forward, and beside the stalk the jejunal limb, from the
+/// pack up to the root. Sizes assumed. The fixed end is the root of the stalk.
 [[nodiscard]] TubeOrgan makeMidgut(double edges = 1.0);
+
+/// The same as it was drawn before: without the limb, on a stalk that comes straight forward.
+[[nodiscard]] TubeOrgan makeFormerMidgut();
 
 }  // namespace torsio

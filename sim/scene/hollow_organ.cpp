@@ -22,6 +22,7 @@ namespace {
 constexpr std::uint64_t kStartStream = 41;
 constexpr double kMaxShut_rad = radians(720.0);
 constexpr double kSlopeStep_rad = radians(0.5);
+constexpr double kPeakStep_rad = radians(2.0);
 // Share of a span, from its ends, along which a wall goes over into its neighbour, which keeps its radius.
 constexpr double kClampedShare = 0.08;
 // Of two limbs, which draw nearer to each other as a whole: a foot that stands apart leans over to the other.
@@ -58,7 +59,9 @@ double shareOf(const WrungSpan& span, double fraction) noexcept {
 constexpr int kGasHalvings = 20;
 
 constexpr int kMobilePlaces = 40;
-constexpr double kThickestTube = 0.45;  // t / R: beyond it nothing is left inside
+constexpr int kWallSteps = 40;
+constexpr double kThickestOfRod = 0.35;  // of a section's radius: so narrow a stretch is bent as nearly solid
+constexpr double kThickestTube = 0.45;   // t / R: beyond it nothing is left inside
 
 /// The wall at the middles of equal steps between two arc lengths, where it leaves a tube.
 std::vector<WallPlace> tubesBetween(const SectionLattice& lattice, const WallMap& wall, double from_m,
@@ -183,6 +186,7 @@ OrganState HollowOrgan::stateAt(double angle_rad) const noexcept {
   const double pressure_Pa = detorsion_.wall.pressure_Pa;
   OrganState state;
   state.twist = {graspArc_m_, angle_rad};
+  lay(state);
   HollowPose& pose = state.hollow;
   pose.present = true;
   pose.start_rad = angle_rad;
@@ -197,7 +201,83 @@ OrganState HollowOrgan::stateAt(double angle_rad) const noexcept {
   return state;
 }
 
+void HollowOrgan::swingOn(std::shared_ptr<const RodOrgan> rod) {
+  const TurnTask& task = rod->task();
+  line_ = {task.axisFrom_m, normalized(task.axisTo_m - task.axisFrom_m)};
+  wound_ = false;
+  swing_ =
+      std::make_shared<const HollowSwing>(std::move(rod), graspArc_m_ / length_m_, detorsion_.start.most_rad);
+  basePeak_Nm_ = peakTorque_Nm(detorsion_.wall.pressure_Pa);
+}
+
+std::vector<TwistLaw> HollowOrgan::twistLaws() const {
+  std::vector<TwistLaw> laws;
+  for (std::size_t i = 0; i < limbs_.size(); ++i) {
+    const auto [low, high] = std::minmax(detorsion_.spans[i].held, detorsion_.spans[i].mobile);
+    laws.push_back({low * length_m_, high * length_m_,
+                    [tube = limbs_[i].tube, pressure_Pa = detorsion_.wall.pressure_Pa](double twist_rad) {
+                      return tube->torque_Nm(twist_rad, pressure_Pa);
+                    }});
+  }
+  return laws;
+}
+
+WallMap HollowOrgan::wallMap(const SectionLattice& lattice) const {
+  if (limbs_.empty()) {
+    return {};
+  }
+  const WallMap drawn(detorsion_.wall.thickness_m);
+  std::vector<double> arcs_m;
+  for (int i = 0; i <= kWallSteps; ++i) {
+    arcs_m.push_back(length_m_ * i / kWallSteps);
+  }
+  std::vector<std::array<double, 2>> map;
+  const std::vector<LatticeOutline> outlines = lattice.outlinesAt(arcs_m);
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const double share = arcs_m[i] / length_m_;
+    map.push_back({share, std::min(drawn.thickness_m(share),
+                                   kThickestOfRod * perimeter(outlines[i].points_m) / kTurn)});
+  }
+  return WallMap(map);
+}
+
+void HollowOrgan::lay(OrganState& state) const noexcept {
+  if (swing_) {
+    state.pose = swing_->poseAt(state.twist.graspAngle_rad);
+  }
+}
+
+RodCurve HollowOrgan::curveOf(const OrganState& state) const noexcept {
+  const RodOrgan& rod = swing_->rod();
+  RodCurve curve = rod.skin().curveOf(state.pose.count > 0 ? state.pose : rod.rod().rest());
+  for (int span = 0; span < static_cast<int>(limbs_.size()); ++span) {
+    Sections sections;
+    sectionsOf(span, state, sections);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(curve.count); ++i) {
+      const Place place = placeOf(rod.arcs_m()[i]);
+      if (place.span == span) {
+        const double at = place.share * static_cast<double>(kPlaces - 1);
+        const std::size_t cell = std::min(static_cast<std::size_t>(at), kPlaces - 2);
+        const double share = at - static_cast<double>(cell);
+        curve.widths[i] = sections[cell].radius + share * (sections[cell + 1].radius - sections[cell].radius);
+      }
+    }
+  }
+  return curve;
+}
+
 double HollowOrgan::torque_Nm(double angle_rad, double pressure_Pa) const noexcept {
+  if (swing_) {
+    const HollowSwing::Load load = swing_->at(angle_rad);
+    double torque_Nm = load.torque_Nm;
+    const double start_Pa = detorsion_.wall.pressure_Pa;
+    for (std::size_t i = 0; i < limbs_.size() && pressure_Pa != start_Pa; ++i) {
+      const WrungOrgan& tube = *limbs_[i].tube;
+      torque_Nm += load.twistRate[i] * (tube.torque_Nm(load.twist_rad[i], pressure_Pa) -
+                                        tube.torque_Nm(load.twist_rad[i], start_Pa));
+    }
+    return torque_Nm;
+  }
   double torque_Nm = limbs_.empty() ? detorsion_.cordStiffness_Nm_per_rad * angle_rad : 0.0;
   const WrungOrgan* asked = nullptr;
   double one_Nm = 0.0;
@@ -227,6 +307,13 @@ double HollowOrgan::slope_Nm_per_rad(double angle_rad, double pressure_Pa) const
 }
 
 double HollowOrgan::peakTorque_Nm(double pressure_Pa) const noexcept {
+  if (swing_) {
+    double peak_Nm = 0.0;
+    for (double angle_rad = 0.0; angle_rad <= detorsion_.start.most_rad; angle_rad += kPeakStep_rad) {
+      peak_Nm = std::max(peak_Nm, std::abs(torque_Nm(detorsion_.start.sign * angle_rad, pressure_Pa)));
+    }
+    return peak_Nm;
+  }
   double peak_Nm = limbs_.empty() ? detorsion_.cordStiffness_Nm_per_rad * detorsion_.start.most_rad : 0.0;
   for (const Limb& limb : limbs_) {
     peak_Nm += limb.tube->peakTorque_Nm(pressure_Pa);
@@ -236,32 +323,45 @@ double HollowOrgan::peakTorque_Nm(double pressure_Pa) const noexcept {
 
 double HollowOrgan::patency(double angle_rad, double pressure_Pa) const noexcept {
   double patency = 1.0;
-  for (const Limb& limb : limbs_) {
-    patency = std::min(patency, limb.tube->at(angle_rad, pressure_Pa).patency);
+  for (int i = 0; i < static_cast<int>(limbs_.size()); ++i) {
+    patency = std::min(patency, tube(i)->at(wrungBy_rad(i, angle_rad), pressure_Pa).patency);
   }
   return patency;
 }
 
 double HollowOrgan::waist_m(double angle_rad, double pressure_Pa) const noexcept {
   double waist_m = limbs_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
-  for (const Limb& limb : limbs_) {
-    waist_m = std::min(waist_m, limb.tube->at(angle_rad, pressure_Pa).waist);
+  for (int i = 0; i < static_cast<int>(limbs_.size()); ++i) {
+    waist_m = std::min(waist_m, tube(i)->at(wrungBy_rad(i, angle_rad), pressure_Pa).waist);
   }
   return waist_m;
 }
 
+double HollowOrgan::whenWrungBy_rad(int span, double twist_rad) const noexcept {
+  if (!swing_) {
+    return twist_rad;
+  }
+  const double most_rad = std::abs(within_rad(detorsion_.start.sign * kMaxShut_rad));
+  for (double angle_rad = 0.0; angle_rad <= most_rad; angle_rad += kSlopeStep_rad) {
+    if (std::abs(wrungBy_rad(span, detorsion_.start.sign * angle_rad)) >= twist_rad) {
+      return angle_rad;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 double HollowOrgan::onset_rad(double pressure_Pa) const {
   double onset_rad = std::numeric_limits<double>::infinity();
-  for (const Limb& limb : limbs_) {
-    onset_rad = std::min(onset_rad, limb.tube->onset_rad(pressure_Pa));
+  for (int i = 0; i < static_cast<int>(limbs_.size()); ++i) {
+    onset_rad = std::min(onset_rad, whenWrungBy_rad(i, tube(i)->onset_rad(pressure_Pa)));
   }
   return onset_rad;
 }
 
 double HollowOrgan::closing_rad(double pressure_Pa) const noexcept {
   double closing_rad = std::numeric_limits<double>::infinity();
-  for (const Limb& limb : limbs_) {
-    closing_rad = std::min(closing_rad, limb.tube->closing_rad(pressure_Pa));
+  for (int i = 0; i < static_cast<int>(limbs_.size()); ++i) {
+    closing_rad = std::min(closing_rad, whenWrungBy_rad(i, tube(i)->closing_rad(pressure_Pa)));
   }
   return closing_rad;
 }
@@ -291,7 +391,8 @@ HollowOrgan::Section HollowOrgan::sectionIn(int span, double share, const OrganS
   if (wrung == nullptr) {
     return {angle_rad * share, 1.0};
   }
-  const WrungPlace place = wrung->placeAt(share, angle_rad, state.hollow.reading.pressure_Pa);
+  const WrungPlace place =
+      wrung->placeAt(share, wrungBy_rad(span, angle_rad), state.hollow.reading.pressure_Pa);
   return {angle_rad * place.turn, 1.0 + (place.radius - 1.0) * freeShareOf(share)};
 }
 
@@ -310,7 +411,7 @@ void HollowOrgan::sectionsOf(int span, const OrganState& state, Sections& sectio
   const double angle_rad = state.twist.graspAngle_rad;
   const WrungOrgan* wrung = tube(span);
   if (wrung != nullptr) {
-    wrung->profileAt(angle_rad, state.hollow.reading.pressure_Pa, walls);
+    wrung->profileAt(wrungBy_rad(span, angle_rad), state.hollow.reading.pressure_Pa, walls);
   }
   for (std::size_t i = 0; i < kPlaces; ++i) {
     const double even = static_cast<double>(i) / static_cast<double>(kPlaces - 1);
@@ -340,7 +441,8 @@ double HollowOrgan::wallShear_Pa(double arc_m, const OrganState& state) const no
   }
   const Limb& limb = limbs_[static_cast<std::size_t>(place.span)];
   const double angle_rad = state.twist.graspAngle_rad;
-  const double torque_Nm = limb.tube->torque_Nm(angle_rad, state.hollow.reading.pressure_Pa);
+  const double torque_Nm =
+      limb.tube->torque_Nm(wrungBy_rad(place.span, angle_rad), state.hollow.reading.pressure_Pa);
   const auto at = static_cast<std::size_t>(std::lround(place.share * static_cast<double>(kWallPlaces - 1)));
   const double radius_m = limb.wall[at].radius_m * sectionIn(place.span, place.share, state).radius;
   return std::abs(torque_Nm) / (kTurn * radius_m * radius_m * limb.wall[at].thickness_m);
@@ -385,8 +487,8 @@ double HollowOrgan::volume_m3(double angle_rad, double pressure_Pa) const noexce
   const std::size_t low = std::min(static_cast<std::size_t>(place), kGasPressures - 2);
   const double share = place - static_cast<double>(low);
   double volume_m3 = mobileVolume_m3_[low] + share * (mobileVolume_m3_[low + 1] - mobileVolume_m3_[low]);
-  for (const Limb& limb : limbs_) {
-    volume_m3 += limb.tube->at(angle_rad, pressure_Pa).volume;
+  for (int i = 0; i < static_cast<int>(limbs_.size()); ++i) {
+    volume_m3 += tube(i)->at(wrungBy_rad(i, angle_rad), pressure_Pa).volume;
   }
   return volume_m3;
 }

@@ -11,6 +11,7 @@
 #include "sim/core/staged_turn.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/hollow_reach.h"
+#include "sim/scene/hollow_swing.h"
 #include "sim/scene/organ_state.h"
 #include "sim/tissue/hollow/perfusion.h"
 #include "sim/tissue/hollow/wrung_organ.h"
@@ -106,6 +107,29 @@ class HollowOrgan {
   /// Solves the tables of the spans, each in a thread, one that is like another only once; at most 1 s.
   /// Throws Error{kBadParameter} for a wall or a vessel out of range, or a grasp off the mobile part.
   explicit HollowOrgan(const Parts& parts);
+  /// Lets the organ be turned as a rod, made with twistLaws(): its sections lie where the rod has them, the
+  /// turn is that of the gripped section about the line of the rod's task, and a span is wrung by what the
+  /// rod twists there. Throws as HollowSwing. Before the first query.
+  void swingOn(std::shared_ptr<const RodOrgan> rod);
+  /// Returns the torque of each span against its own twist at the pressure with which a trial begins.
+  [[nodiscard]] std::vector<TwistLaw> twistLaws() const;
+  /// Returns the wall as the rod takes it, nowhere thicker than leaves a tube; empty of a cord.
+  [[nodiscard]] WallMap wallMap(const SectionLattice& lattice) const;
+  /// Returns how the organ swings as a rod; null where its spans alone are wrung.
+  [[nodiscard]] const HollowSwing* swing() const noexcept { return swing_.get(); }
+  /// Returns the curve that the surface is drawn from, of an organ that swings: with the widths of its wall.
+  /// In the tick.
+  [[nodiscard]] RodCurve curveOf(const OrganState& state) const noexcept;
+  /// Puts the pose of an organ that swings to its angle; leaves another as it is. In the tick.
+  void lay(OrganState& state) const noexcept;
+  /// Returns an angle as far as the organ can be turned. In the tick.
+  [[nodiscard]] double within_rad(double angle_rad) const noexcept {
+    return swing_ ? swing_->within_rad(angle_rad) : angle_rad;
+  }
+  /// Returns by how much a span is wrung at an angle of the mobile part. In the tick.
+  [[nodiscard]] double wrungBy_rad(int span, double angle_rad) const noexcept {
+    return swing_ ? swing_->at(angle_rad).twist_rad[static_cast<std::size_t>(span)] : angle_rad;
+  }
 
   [[nodiscard]] const Detorsion& detorsion() const noexcept { return detorsion_; }
   [[nodiscard]] const Perfusion& vessels() const noexcept { return vessels_; }
@@ -201,11 +225,12 @@ class HollowOrgan {
   [[nodiscard]] const HollowReach& reach() const noexcept { return reach_; }
   /// Returns the line that the mobile part turns about: of two spans of a tube that runs on through it the
   /// chord between their mobile ends; of a loop's limbs that stand side by side from between their held to
-  /// between their mobile ends; of one span its axis at its mobile end.
+  /// between their mobile ends; of one span its axis at its mobile end, or that of a stalk with a limb beside
+  /// it.
   [[nodiscard]] const TwistLine& line() const noexcept { return line_; }
   /// Returns that line as the axis of a grip: its centre beside a point, e1 towards it.
   [[nodiscard]] AxisFrame graspFrame(const Vec3& held_m) const noexcept;
-  /// Tells whether the two limbs are wound round each other.
+  /// Tells whether the two limbs are wound round each other, or a limb round its stalk.
   [[nodiscard]] bool wound() const noexcept { return wound_; }
   /// Returns the shear stress of the wall at an arc length, Pa: torque of its span over 2 pi r^2 t; 0 in the
   /// mobile part, beyond the held sections and of a cord.
@@ -228,15 +253,18 @@ class HollowOrgan {
     std::array<WallPlace, kWallPlaces> wall{};
   };
   void solveLimbs(const Parts& parts);
+  [[nodiscard]] double whenWrungBy_rad(int span, double twist_rad) const noexcept;
   void fillMobilePart(const Parts& parts);
   [[nodiscard]] double volume_m3(double angle_rad, double pressure_Pa) const noexcept;
   void drawLine(const SectionLattice& lattice);
   [[nodiscard]] double freeShareOf(double share) const noexcept;
+  void measureHeights(const SectionLattice& lattice);
   void measureRoom(const SectionLattice& lattice);
 
   Detorsion detorsion_;
   Perfusion vessels_;
   std::vector<Limb> limbs_;  // none: a cord
+  std::shared_ptr<const HollowSwing> swing_;
   double length_m_ = 0.0;
   double graspArc_m_ = 0.0;
   double basePeak_Nm_ = 0.0;

@@ -34,6 +34,13 @@ void HollowOrgan::drawLine(const SectionLattice& lattice) {
   line_ = {end.centre_m, end.tangent};
   ends_[0] = end.tangent;
   if (detorsion_.spans.size() < 2) {
+    // What runs beside a stalk is wound round it.
+    wound_ = limbs_.empty() && lattice.options().branchCut != Vec3{};
+    if (wound_) {
+      const Vec3 root_m = frameAt(detorsion_.spans.front().held).centre_m;
+      line_ = {root_m, normalized(end.centre_m - root_m)};
+      measureHeights(lattice);
+    }
     return;
   }
   const AxisFrame other = frameAt(detorsion_.spans.back().mobile);
@@ -43,19 +50,24 @@ void HollowOrgan::drawLine(const SectionLattice& lattice) {
     const Vec3 foot_m = 0.5 * (frameAt(detorsion_.spans.front().held).centre_m +
                                frameAt(detorsion_.spans.back().held).centre_m);
     line_ = {foot_m, normalized(0.5 * (end.centre_m + other.centre_m) - foot_m)};
-    for (std::size_t i = 0; i < kWallPlaces; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(kWallPlaces - 1);
-      double sum_m = 0.0;
-      for (const WrungSpan& span : detorsion_.spans) {
-        const AxisFrame frame = frameAt(span.held + share * (span.mobile - span.held));
-        sum_m += dot(frame.centre_m - foot_m, line_.direction);
-      }
-      heights_m_[i] = std::max(0.5 * sum_m, i > 0 ? heights_m_[i - 1] : 0.5 * sum_m);
-    }
+    measureHeights(lattice);
     measureRoom(lattice);
   } else {
     const Vec3 chord = normalized(other.centre_m - end.centre_m);
     line_.direction = dot(chord, end.tangent) < 0.0 ? -1.0 * chord : chord;
+  }
+}
+
+void HollowOrgan::measureHeights(const SectionLattice& lattice) {
+  for (std::size_t i = 0; i < kWallPlaces; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(kWallPlaces - 1);
+    double sum_m = 0.0;
+    for (const WrungSpan& span : detorsion_.spans) {
+      const double fraction = span.held + share * (span.mobile - span.held);
+      sum_m += dot(lattice.frameAt(fraction * length_m_).centre_m - line_.point_m, line_.direction);
+    }
+    const double mean_m = sum_m / static_cast<double>(detorsion_.spans.size());
+    heights_m_[i] = std::max(mean_m, i > 0 ? heights_m_[i - 1] : mean_m);
   }
 }
 
@@ -84,6 +96,9 @@ void HollowOrgan::measureRoom(const SectionLattice& lattice) {
 }
 
 void HollowOrgan::wind(Sections& sections) const noexcept {
+  if (detorsion_.spans.size() < 2) {
+    return;  // a limb beside a stalk goes round with it
+  }
   const double angle_rad = sections.back().turn_rad;
   const double way = angle_rad < 0.0 ? -1.0 : 1.0;
   const auto roomOf = [&](std::size_t i) {

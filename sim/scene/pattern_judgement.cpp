@@ -94,6 +94,11 @@ class Turning {
 /// Calls `use` with the map from a place at rest to where it lies.
 template <typename Use>
 auto withMap(const Scene& scene, const OrganState& state, const Use& use) {
+  if (scene.hollow && scene.hollow->swing() != nullptr) {
+    const RodCurve curve = scene.hollow->curveOf(state);
+    const RodSkin& skin = scene.hollow->swing()->rod().skin();
+    return use([&](const Vec3& rest_m) { return skin.toDeformed_m(rest_m, curve); });
+  }
   if (scene.hollow) {
     const HollowMap map(scene.lattice(), *scene.hollow, state);
     return use([&map](const Vec3& rest_m) { return map.forward(rest_m); });

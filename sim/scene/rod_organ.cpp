@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "sim/core/angle.h"
+#include "sim/core/contracts.h"
 #include "sim/core/index.h"
 #include "sim/core/portable_math.h"
-#include "sim/tissue/rod/rod_solve.h"
 
 namespace torsio {
 
@@ -25,9 +25,21 @@ constexpr double kNearLine_m = 1e-6;
 // Nothing slips back by a whole turn before the organ has turned by about half a one.
 constexpr double kLeastBeforeSlip_rad = radians(120.0);
 
-OrganRod organOf(const TwistModel& model, const SolvedSections& sections, double graspArc) {
-  return rodOfOrgan(model.lattice(), sections, {model.material().shearModulus_Pa},
-                    {.node_m = graspArc * model.lattice().length_m()});
+// Rounds of a secant until the torque of a law and that of the rod agree; assumed.
+constexpr int kMaxRounds = 12;
+constexpr double kSameShare = 1e-4;
+constexpr double kLeastShare = 1e-3;
+
+OrganRod organOf(const RodOrgan::Parts& parts, const SolvedSections& sections) {
+  const TwistModel& model = *parts.model;
+  return rodOfOrgan(model.lattice(), sections,
+                    {.shearModulus_Pa = model.material().shearModulus_Pa, .wall = parts.wall},
+                    {.node_m = parts.graspArc * model.lattice().length_m()});
+}
+
+std::vector<TwistLaw> twoAtMost(std::vector<TwistLaw> laws) {
+  TORSIO_EXPECTS(laws.size() <= 2);
+  return laws;
 }
 
 std::size_t nearestNode(std::span<const double> arcs_m, double arc_m) noexcept {
@@ -134,6 +146,9 @@ TaskPoint between(const TaskPoint& a, const TaskPoint& b, double share) noexcept
   point.angle_rad = mix(a.angle_rad, b.angle_rad, share);
   point.torque_Nm = mix(a.torque_Nm, b.torque_Nm, share);
   point.force_N = mix(a.force_N, b.force_N, share);
+  for (std::size_t i = 0; i < point.twist_rad.size(); ++i) {
+    point.twist_rad[i] = mix(a.twist_rad[i], b.twist_rad[i], share);
+  }
   point.pose = poseBetween(a.pose, b.pose, share);
   return point;
 }
@@ -174,10 +189,11 @@ RodOrgan::RodOrgan(const Parts& parts)
     : RodOrgan(parts, solvedSections(parts.model->lattice(), parts.model->options())) {}
 
 RodOrgan::RodOrgan(const Parts& parts, const SolvedSections& sections)
-    : organ_(organOf(*parts.model, sections, parts.graspArc)),
+    : organ_(organOf(parts, sections)),
       skin_(organ_, parts.model->lattice(), sections, *parts.mesh),
       rod_(organ_.elements, organ_.rest, organ_.radii_m,
            placed(parts.restraints, organ_, parts.model->lattice()), {.drag_Ns_per_m = kDrag_Ns_per_m}),
+      laws_(twoAtMost(parts.laws)),
       length_m_(parts.model->lattice().length_m()),
       graspArc_(parts.graspArc),
       task_(parts.task) {
@@ -309,6 +325,64 @@ double RodOrgan::twistRateAt(double arc_m, const RodPose& pose) const noexcept {
          element.restCurvature_per_m[2];
 }
 
+double RodOrgan::twist_rad(const TwistLaw& law, const RodPose& pose) const noexcept {
+  double sum_rad = 0.0;
+  for (std::size_t i = 0; i + 1 < organ_.arcs_m.size(); ++i) {
+    const double middle_m = 0.5 * (organ_.arcs_m[i] + organ_.arcs_m[i + 1]);
+    if (middle_m >= law.from_m && middle_m < law.to_m) {
+      sum_rad += rod_.elements()[i].length_m * twistRateAt(middle_m, pose);
+    }
+  }
+  return sum_rad;
+}
+
+Rod RodOrgan::asStiff(const std::array<double, 2>& shares) const {
+  std::vector<RodElement> elements = organ_.elements;
+  for (std::size_t k = 0; k < laws_.size(); ++k) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const double middle_m = 0.5 * (organ_.arcs_m[i] + organ_.arcs_m[i + 1]);
+      if (middle_m >= laws_[k].from_m && middle_m < laws_[k].to_m) {
+        elements[i].bend_Nm2[8] *= shares[k];
+        for (const std::size_t withTwist : {std::size_t{2}, std::size_t{5}, std::size_t{8}}) {
+          elements[i].coupling_Nm[withTwist] *= std::sqrt(shares[k]);  // so that the energy stays above 0
+        }
+      }
+    }
+  }
+  return {std::move(elements), organ_.rest, organ_.radii_m, rod_.restraints(), rod_.settings()};
+}
+
+RodBalance RodOrgan::balance(const OrganGrip& grip, const Pose& hand, std::array<double, 2>& shares,
+                             RodPose& pose) const {
+  if (laws_.empty()) {
+    return balanceRod(rod_, &grip.jaw, hand, {}, pose);
+  }
+  RodBalance found;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    found = balanceRod(asStiff(shares), &grip.jaw, hand, {}, pose);
+    double change = 0.0;
+    for (std::size_t k = 0; k < laws_.size(); ++k) {
+      const double twist = twist_rad(laws_[k], pose);
+      double compliance = 0.0;
+      for (std::size_t i = 0; i < organ_.elements.size(); ++i) {
+        const double middle_m = 0.5 * (organ_.arcs_m[i] + organ_.arcs_m[i + 1]);
+        if (middle_m >= laws_[k].from_m && middle_m < laws_[k].to_m) {
+          compliance += organ_.elements[i].length_m / organ_.elements[i].bend_Nm2[8];
+        }
+      }
+      const double wanted = twist == 0.0 ? 1.0
+                                         : std::clamp(laws_[k].torque_Nm(twist) * compliance / twist,
+                                                      kLeastShare, 1.0 / kLeastShare);
+      change = std::max(change, std::abs(wanted - shares[k]) / wanted);
+      shares[k] = 0.5 * (shares[k] + wanted);  // a wall that weakens would swing about its secant
+    }
+    if (change < kSameShare) {
+      break;
+    }
+  }
+  return found;
+}
+
 TaskPoint RodOrgan::pointAt(double angle_rad) const {
   return reaches(path_, angle_rad) ? atAngle(path_, angle_rad)
                                    : atAngle(follow(graspArc_, angle_rad), angle_rad);
@@ -325,6 +399,7 @@ std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool 
   // At least some steps: of a small turn too the organ may stay behind the hand.
   const double farthest_rad = kMaxHandTurn * std::max(std::abs(angle_rad), kPathStep_rad);
   std::vector<double> turns_rad(static_cast<std::size_t>(rest.count), 0.0);
+  std::array<double, 2> shares{1.0, 1.0};
   TurnEnd why = TurnEnd::kHandAlone;
   for (int step = 1; step * kPathStep_rad <= farthest_rad; ++step) {
     TaskPoint next = path.back();
@@ -333,7 +408,10 @@ std::vector<TaskPoint> RodOrgan::follow(double graspArc, double angle_rad, bool 
     now.position_m = grip.axis.centre_m +
                      rotateAbout(closed.position_m - grip.axis.centre_m, grip.axis.tangent, next.hand_rad);
     now.orientation = axisAngle(grip.axis.tangent, next.hand_rad) * closed.orientation;
-    const RodBalance balance = balanceRod(rod_, &grip.jaw, now, {}, next.pose);
+    const RodBalance balance = this->balance(grip, now, shares, next.pose);
+    for (std::size_t k = 0; k < laws_.size(); ++k) {
+      next.twist_rad[k] = twist_rad(laws_[k], next.pose);
+    }
     const RodCurve curve = skin_.curveOf(next.pose);
     next.angle_rad = turn_rad(grip, next.pose, curve, path.back().angle_rad);
     next.torque_Nm = torque_Nm(grip, balance.load, now);

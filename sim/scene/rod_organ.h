@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "sim/tissue/rod/rod.h"
 #include "sim/tissue/rod/rod_sections.h"
 #include "sim/tissue/rod/rod_skin.h"
+#include "sim/tissue/rod/rod_solve.h"
 #include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
@@ -32,12 +34,20 @@ struct OrganGrip {
   AxisFrame axis;  ///< that the hand turns about; e1 towards the jaw
 };
 
+/// A stretch of a rod whose torque is not proportional to its twist, as that of a wall that folds.
+struct TwistLaw {
+  double from_m = 0.0;  ///< arc lengths along the lattice's centreline, ascending
+  double to_m = 0.0;
+  std::function<double(double twist_rad)> torque_Nm;  ///< odd; its slope at 0 is the stretch's own
+};
+
 /// The organ at rest in the hand of a task, at one turn of the hand.
 struct TaskPoint {
-  double hand_rad = 0.0;   ///< turn of the hand about the axis of the task
-  double angle_rad = 0.0;  ///< of the task, as measured
-  double torque_Nm = 0.0;  ///< of the hand about its axis; positive holds a positive turn
-  double force_N = 0.0;    ///< of the hand beside that
+  double hand_rad = 0.0;              ///< turn of the hand about the axis of the task
+  double angle_rad = 0.0;             ///< of the task, as measured
+  double torque_Nm = 0.0;             ///< of the hand about its axis; positive holds a positive turn
+  double force_N = 0.0;               ///< of the hand beside that
+  std::array<double, 2> twist_rad{};  ///< of the stretches that have a TwistLaw, beyond that at rest
   RodPose pose;
 };
 
@@ -64,10 +74,13 @@ class RodOrgan {
   struct Parts {
     const TriangleMesh* mesh = nullptr;
     const TwistModel* model = nullptr;  ///< of the same organ: lattice, material, solved sections
-    std::vector<Restraint> restraints;
+    std::vector<Restraint> restraints = {};
     TurnTask task;
     double graspArc = 0.5;  ///< of the pattern, fraction of the length
     double targetAngle_rad = 0.0;
+    WallMap wall = {};  ///< of a hollow organ; empty: filled
+    std::vector<TwistLaw> laws =
+        {};  ///< two at most; what their torque leaves of the stiffness holds in follow()
   };
   /// Builds the rod and follows its task to the target. Throws Error{kBadMesh} where the organ has no simple
   /// section, {kBadParameter} for a restraint or a task that does not fit the organ.
@@ -127,10 +140,17 @@ class RodOrgan {
                                 std::vector<double>& turns_rad) const;
 
   RodOrgan(const Parts& parts, const SolvedSections& sections);
+  [[nodiscard]] double twist_rad(const TwistLaw& law, const RodPose& pose) const noexcept;
+  /// Returns the rod with its stretches as stiff as a secant of their laws; `shares`: of their own stiffness.
+  [[nodiscard]] Rod asStiff(const std::array<double, 2>& shares) const;
+  /// Moves to a balance of rod and laws; `shares`: those of the step before, and of this one.
+  RodBalance balance(const OrganGrip& grip, const Pose& hand, std::array<double, 2>& shares,
+                     RodPose& pose) const;
 
   OrganRod organ_;
   RodSkin skin_;
   Rod rod_;
+  std::vector<TwistLaw> laws_;
   double length_m_ = 0.0;
   double graspArc_ = 0.5;
   TurnTask task_;

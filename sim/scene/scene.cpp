@@ -205,14 +205,17 @@ bool madeOn(SceneDescription scene, const SceneRequest& request) {
                         request.tissue) == request.recorded;
 }
 
-/// The scene asked for, or its former state where a recording was made on that.
+/// The scene asked for, or its former state where a recording was made on that. `former`: whether its organ
+/// is another one than today's.
 SceneDescription describe(const SceneRequest& request, bool& former) {
   SceneDescription scene = readSceneFile(request.assets, request.id);
   if (request.former || (!request.recorded.empty() && !madeOn(scene, request))) {
-    std::optional<SceneDescription> before = readFormerScene(request.assets, request.id);
-    former = before && (request.former || madeOn(*before, request));
-    if (former) {
-      scene = std::move(*before);
+    for (SceneDescription& before : readFormerScenes(request.assets, request.id)) {
+      if (request.former || madeOn(before, request)) {
+        former = before.organ != scene.organ;
+        scene = std::move(before);
+        break;
+      }
     }
   }
   if (scene.organ.empty()) {
@@ -240,13 +243,23 @@ std::shared_ptr<const HollowOrgan> hollowOf(const SceneDescription& scene, const
                 Text::tr("scene %1", scene.id),
                 Text::tr("Choose another pattern, or leave out the other model."));
   }
-  return std::make_shared<const HollowOrgan>(
+  auto hollow = std::make_shared<HollowOrgan>(
       HollowOrgan::Parts{.lattice = &model.lattice(),
                          .shearModulus_Pa = model.material().shearModulus_Pa,
                          .graspArc = pattern.graspArc,
                          .detorsion = *pattern.detorsion,
                          .vertices_m = mesh.vertices_m,
-                         .patches = &collision.patches()});
+                         .patches = pattern.task ? nullptr : &collision.patches()});
+  if (pattern.task) {
+    hollow->swingOn(std::make_shared<const RodOrgan>(RodOrgan::Parts{.mesh = &mesh,
+                                                                     .model = &model,
+                                                                     .restraints = scene.restraints,
+                                                                     .task = *pattern.task,
+                                                                     .graspArc = pattern.graspArc,
+                                                                     .wall = hollow->wallMap(model.lattice()),
+                                                                     .laws = hollow->twistLaws()}));
+  }
+  return hollow;
 }
 
 constexpr double kStraight = 0.01;  // of the length: an axis that bends less has no inside
@@ -346,7 +359,7 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
   CollisionMesh collision = same ? same->collision : cutting.get();
   std::shared_ptr<const RodOrgan> rod;
   const bool bar = request.noRod || description.model.ofBar() || runsAsync(request.tissue);
-  if (pattern.task && !bar && description.formulation != Formulation::kPaper) {
+  if (pattern.task && !pattern.detorsion && !bar && description.formulation != Formulation::kPaper) {
     rod = std::make_shared<const RodOrgan>(RodOrgan::Parts{.mesh = &mesh,
                                                            .model = &model,
                                                            .restraints = description.restraints,
@@ -393,10 +406,13 @@ Scene sceneOf(const SceneRequest& request, SceneDescription scene, UsersOrgan ow
   offerAccepted(scene, own.file.patterns, request.tellOnly ? request.pattern : "");
   bool former = false;
   if (scene.id == kOwnOrganScene && !request.recorded.empty() && !madeOn(scene, request)) {
-    if (std::optional<SceneDescription> before = readFormerScene(request.assets, scene.id)) {
-      replaceOrgan(*before, request, own);
-      former = madeOn(*before, request);
-      scene = former ? std::move(*before) : std::move(scene);
+    for (SceneDescription& before : readFormerScenes(request.assets, scene.id)) {
+      replaceOrgan(before, request, own);
+      if (madeOn(before, request)) {
+        former = true;
+        scene = std::move(before);
+        break;
+      }
     }
   }
   return builtScene(request, std::move(scene), std::move(own), former, same);

@@ -94,7 +94,7 @@ struct SceneRequest {
   /// Parameters of a recording (TrialHeader::parametersJson): where they are not those of the scene but of
   /// its former state, that is loaded. Empty: no recording.
   std::string recorded{};
-  bool former = false;  ///< load the former state of the scene, assets/scenes/former
+  bool former = false;  ///< load the oldest state of the scene, assets/scenes/former
 };
 
 /// Everything that an exercise needs, loaded and checked. Immutable; shared by servo and views.
@@ -127,7 +127,7 @@ struct Scene {
   /// The wall of a user's organ along it, as a scan showed it: pairs of a share of the length and a thickness
   /// in metres; empty: no scan did.
   std::vector<std::array<double, 2>> wallAlong_m{};
-  bool former = false;  ///< the former state of the scene: SceneRequest::former
+  bool former = false;  ///< a former state of the scene, with another organ than today's
 
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
   /// Tells whether the organ comes twisted and is to be undone; otherwise it is to be twisted.

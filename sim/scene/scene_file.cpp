@@ -226,10 +226,14 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
     pattern.task = readTask(fields, description.elsewhere);
   }
   pattern.detorsion = readGoal(fields);
-  if (pattern.detorsion && (pattern.task || pattern.targetAngle_rad != 0.0)) {
-    fields.refuse(pattern.task ? "task" : "angle_deg",
-                  Text::tr("is not allowed for an organ that comes twisted"),
-                  Text::tr("Leave out 'task' and give 'angle_deg' 0."));
+  if (pattern.detorsion && pattern.targetAngle_rad != 0.0) {
+    fields.refuse("angle_deg", Text::tr("is not 0, but the organ comes twisted"),
+                  Text::tr("Give 'angle_deg' 0."));
+  }
+  const bool asRod = pattern.task && pattern.detorsion;
+  if (asRod && (pattern.task->axis != GripAxis::kLine || pattern.task->measured)) {
+    fields.refuse("task", Text::tr("turns an organ that comes twisted otherwise than about a line"),
+                  Text::tr("Give 'axis' line, and leave out 'measured'."));
   }
   fields.finish();
   return description;
@@ -364,10 +368,15 @@ fs::path organMarkersFile(const fs::path& assets, const Scene& scene) {
   return file;
 }
 
-std::optional<SceneDescription> readFormerScene(const fs::path& assets, const std::string& id) {
-  const fs::path file = assets / "scenes" / "former" / (id + ".json");
+std::vector<SceneDescription> readFormerScenes(const fs::path& assets, const std::string& id) {
+  std::vector<SceneDescription> scenes;
+  std::string name = id;
   std::error_code failed;
-  return fs::exists(file, failed) ? std::optional(readScene(assets, file, id)) : std::nullopt;
+  while (fs::exists(assets / "scenes" / "former" / (name + ".json"), failed)) {
+    scenes.push_back(readScene(assets, assets / "scenes" / "former" / (name + ".json"), id));
+    name = id + "-" + std::to_string(scenes.size() + 1);
+  }
+  return scenes;
 }
 
 }  // namespace torsio

@@ -60,10 +60,11 @@ inline constexpr InstrumentRange kInstrumentReach_mm{0.5, 30.0};
 /// Reads assets/instruments/<id>.json, as far as the collision needs it. Throws as readSceneFile().
 [[nodiscard]] Instrument readInstrument(const std::filesystem::path& assets, const std::string& id);
 
-/// Reads the scene as it was before, assets/scenes/former/<id>.json: for recordings that were made on it.
-/// None where it has always been what it is. Throws as readSceneFile.
-[[nodiscard]] std::optional<SceneDescription> readFormerScene(const std::filesystem::path& assets,
-                                                              const std::string& id);
+/// Reads the scene as it was before, for recordings that were made on it: assets/scenes/former/<id>.json,
+/// then <id>-2.json and so on, oldest first. None where it has always been what it is. Throws as
+/// readSceneFile.
+[[nodiscard]] std::vector<SceneDescription> readFormerScenes(const std::filesystem::path& assets,
+                                                             const std::string& id);
 
 /// Returns where the markers of a shipped organ lie, NAME_markers.json beside NAME.ply, which scenes of one
 /// organ share; the file need not exist. Empty for an organ of the user's and for a former one, on which they

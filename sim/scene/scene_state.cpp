@@ -28,6 +28,9 @@ double shearAt_Pa(const Scene& scene, std::size_t patch, const OrganState& state
 }  // namespace
 
 Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noexcept {
+  if (hollow && hollow->swing() != nullptr) {
+    return hollow->swing()->rod().skin().toDeformed_m(rest_m, hollow->curveOf(state));
+  }
   if (hollow) {
     return HollowMap(lattice(), *hollow, state).forward(rest_m);
   }
@@ -38,7 +41,9 @@ Vec3 Scene::toDeformed_m(const Vec3& rest_m, const OrganState& state) const noex
 }
 
 void Scene::deform(const OrganState& state, std::span<Vec3> out_m) const noexcept {
-  if (hollow) {
+  if (hollow && hollow->swing() != nullptr) {
+    hollow->swing()->rod().skin().deform(hollow->curveOf(state), out_m);
+  } else if (hollow) {
     const HollowSkin skin(*hollow, state);
     const std::vector<TwistVertex>& vertices = hollow->vertices();
     const auto places = lattice().vertexCoordinates();

@@ -37,6 +37,7 @@ void GraspedHollow::apply(const ServoCommand& command) noexcept {
 
 double GraspedHollow::step(const JawState& jaw, OrganState& organ, std::uint32_t& events) noexcept {
   detorsion_.step(*hollow_, jaw, organ, events);
+  hollow_->lay(organ);
   if ((events & (kEventGripped | kEventUnclipped)) == 0 || !jaw.holds) {
     return 0.0;
   }
@@ -73,8 +74,11 @@ std::uint32_t GraspedHollow::follow(const ToolState& /*tool*/, JawMotion& motion
                                     OrganState& organ) noexcept {
   double turn_rad = motion.turn_rad();
   const double asked_rad = wristFrom_rad_ + turn_rad;
-  const double wrist_rad =
-      std::clamp(asked_rad, wristMost_rad_ - kHandTurn_rad, wristLeast_rad_ + kHandTurn_rad);
+  double wrist_rad = std::clamp(asked_rad, wristMost_rad_ - kHandTurn_rad, wristLeast_rad_ + kHandTurn_rad);
+  if (!organ.hollow.clipped) {  // nor further than the organ goes
+    wrist_rad =
+        wristFrom_rad_ + (hollow_->within_rad(turnFrom_rad_ + wrist_rad - wristFrom_rad_) - turnFrom_rad_);
+  }
   if (wrist_rad != asked_rad) {
     motion.takeOff(asked_rad - wrist_rad);  // turned back, it takes the organ along at once
     lost_rad_ += asked_rad - wrist_rad;
@@ -84,6 +88,7 @@ std::uint32_t GraspedHollow::follow(const ToolState& /*tool*/, JawMotion& motion
   wristMost_rad_ = std::max(wristMost_rad_, wrist_rad);
   if (!organ.hollow.clipped) {
     organ.twist.graspAngle_rad = turnFrom_rad_ + turn_rad;
+    hollow_->lay(organ);
     slidFrom_rad_ = wrist_rad;
     return kEventNone;
   }

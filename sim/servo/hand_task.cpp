@@ -18,6 +18,8 @@ namespace torsio {
 namespace {
 
 constexpr double kRestShare = 1.1;  // of the rest that is asked for
+constexpr double kGripBand = 0.04;  // of the length: so far beside the pattern's section a hand grips
+constexpr Vec3 kFront{0.0, -1.0, 0.0};
 
 GraspPoint reachable(const Scene& scene) {
   const std::optional<GraspPoint> best = graspPoint(scene);
@@ -47,12 +49,16 @@ std::vector<Vec3> outlineAt(const Scene& scene, double arc_m) {
   constexpr int kPoints = 144;
   constexpr int kSections = 9;
   std::vector<double> arcs_m{arc_m};
-  if (scene.hollow->wound()) {
+  if (scene.hollow->swing() != nullptr) {
+    arcs_m = {arc_m - kGripBand * scene.lattice().length_m(), arc_m,
+              arc_m + kGripBand * scene.lattice().length_m()};
+  } else if (scene.hollow->wound()) {
     const std::vector<WrungSpan>& spans = scene.hollow->detorsion().spans;
     const double from = spans.front().mobile;
+    const double to = spans.size() > 1 ? spans.back().mobile : 1.0;
     arcs_m.clear();
     for (int i = 1; i <= kSections; ++i) {
-      const double share = from + (spans.back().mobile - from) * i / (kSections + 1);
+      const double share = from + (to - from) * i / (kSections + 1);
       arcs_m.push_back(share * scene.lattice().length_m());
     }
   }
@@ -114,13 +120,19 @@ HandTask detorseTask(const Scene& scene, std::uint64_t seed) {
   HandTask task = taskAt(scene, arc_m, best);
   const OrganState start = scene.hollow->start(seed);
   const double start_rad = start.twist.graspAngle_rad;
+  Vec3 outwards = best.outwards;
+  if (scene.hollow->swing() !=
+      nullptr) {  // what swings round the line is taken from where the surgeon stands
+    outwards = normalized(kFront - dot(kFront, task.axisDirection) * task.axisDirection);
+    task.outwards = outwards;
+  }
   const int turns = std::max(1, static_cast<int>(std::ceil(std::abs(start_rad) / kHandTurn_rad)));
   const std::vector<Vec3> outline_m = outlineAt(scene, arc_m);
   const Detorsion& detorsion = scene.hollow->detorsion();
   double stage_rad = 0.0;
   for (int i = 0; i < turns; ++i) {
     const double left_rad = start_rad * (turns - i) / turns;
-    HandTurn turn{outwardPoint(scene, task, outline_m, best.outwards, left_rad), -start_rad / turns};
+    HandTurn turn{outwardPoint(scene, task, outline_m, outwards, left_rad), -start_rad / turns};
     stage_rad += std::abs(turn.angle_rad);
     const bool rests = detorsion.stages.asked() && i + 1 < turns &&
                        stage_rad + std::abs(turn.angle_rad) > detorsion.stages.turn_rad;
@@ -131,6 +143,9 @@ HandTask detorseTask(const Scene& scene, std::uint64_t seed) {
     task.turns.push_back(turn);
   }
   task.graspPoint_m = task.turns.front().graspPoint_m;
+  if (scene.hollow->swing() != nullptr) {
+    task.start_m = task.graspPoint_m + outwards * kHandStartWay_m;
+  }
   task.closure = carefulClosure(scene.hollow->detorsion().limits, start.hollow.reading.dose);
   return task;
 }

@@ -36,7 +36,6 @@ PoseTrack::PoseTrack(const Scene& scene, const TrialHeader& header, std::span<co
       rerun.next(recorded);
       if (scene.hollow) {
         keep(recorded.device.time_us, rerun.organ().hollow);
-        continue;
       }
       const RodPose& pose = rerun.organ().pose;
       const std::int64_t time_us = recorded.device.time_us;

@@ -243,6 +243,12 @@ auto askDeformed(const Scene& scene, const OrganState& organ, const Ask& ask) no
     DeformedSurface surface(scene.collision.patches(), {&moved, &RodVertices::at});
     return ask(surface, [&](const Vec3& at_m) { return skin.toRest_m(at_m, moved.curve); });
   }
+  if (scene.hollow && scene.hollow->swing() != nullptr) {
+    const RodSkin& skin = scene.hollow->swing()->rod().skin();
+    const RodVertices moved{skin, scene.hollow->curveOf(organ)};
+    DeformedSurface surface(scene.collision.patches(), {&moved, &RodVertices::at});
+    return ask(surface, [&](const Vec3& at_m) { return skin.toRest_m(at_m, moved.curve); });
+  }
   const TwistModel::Tables& tables = scene.model.tables();
   if (scene.hollow) {
     const WrungSurface moved{HollowMap(scene.lattice(), *scene.hollow, organ), *scene.hollow};

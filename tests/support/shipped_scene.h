@@ -40,6 +40,11 @@ inline const Scene& twistedOrgan(const std::string& id) {
 
 /// Returns its vertices in this state, without the folds of its wall.
 inline std::vector<Vec3> smoothAt(const Scene& scene, const OrganState& lies) {
+  if (scene.hollow->swing() != nullptr) {
+    std::vector<Vec3> swung_m(scene.mesh.vertices_m.size());
+    scene.deform(lies, swung_m);
+    return swung_m;
+  }
   const HollowMap map(scene.lattice(), *scene.hollow, lies);
   std::vector<Vec3> moved_m;
   for (const TwistVertex& vertex : scene.hollow->vertices()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/simulator/posed_states.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -37,9 +38,9 @@ double angleOf(const HollowOrgan& organ, UntwistingState state) {
   const double most_rad = detorsion.start.most_rad;
   switch (state) {
     case UntwistingState::kOnset:
-      return organ.tube(0) != nullptr ? organ.onset_rad(pressure_Pa) : 0.25 * most_rad;
+      return organ.tube(0) != nullptr ? std::min(organ.onset_rad(pressure_Pa), most_rad) : 0.25 * most_rad;
     case UntwistingState::kClosed:
-      return organ.tube(0) != nullptr ? organ.shut_rad(pressure_Pa) : 0.5 * most_rad;
+      return organ.tube(0) != nullptr ? std::min(organ.shut_rad(pressure_Pa), most_rad) : 0.5 * most_rad;
     case UntwistingState::kIschaemic:
       return most_rad;
     case UntwistingState::kRest:
@@ -87,6 +88,7 @@ LiveState scriptedTwist(const Scene& scene, double target_rad) {
     const OrganState organ = scene.stateAt(target_rad);
     state.response.angle_rad = organ.twist.graspAngle_rad;
     state.response.graspArc_m = organ.twist.graspArc_m;
+    state.pose = organ.pose;
     state.hollow = organ.hollow;
     return state;
   }

@@ -124,7 +124,7 @@ ScriptedHand::ScriptedHand(const ScriptedHandOptions& options)
   const Vec3 fromCentre = task_.graspPoint_m - task_.axisCentre_m;
   const Vec3 arm = fromCentre - task_.axisDirection * dot(fromCentre, task_.axisDirection);
   require(norm(arm) > kClosestGrasp_m, Text::tr("the grasp point must not lie on the axis"));
-  outward_ = normalized(arm);
+  outward_ = task_.outwards == Vec3{} ? normalized(arm) : task_.outwards;
   upright_ = turnOfZ(outward_);
 
   Random waves = Random::forStream(options.seed, kWaveStream);

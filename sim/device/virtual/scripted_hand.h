@@ -61,6 +61,7 @@ struct HandTask {
   Vec3 graspPoint_m;                  ///< on the organ's surface, not on the axis
   Vec3 axisCentre_m;                  ///< any point of the line that the twist turns about
   Vec3 axisDirection{0.0, 0.0, 1.0};  ///< unit; a positive angle turns right-handed about it
+  Vec3 outwards;                      ///< unit, across the axis: from where the hand comes; 0: from the axis
   double targetAngle_rad = 0.0;
   double tipRadius_m = 0.0025;  ///< of the instrument: contact begins this far above the surface
   double closure = 1.0;         ///< of the jaw that holds, 0 .. 1

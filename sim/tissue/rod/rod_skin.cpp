@@ -282,6 +282,7 @@ RodCurve RodSkin::curveOf(const RodPose& pose) const noexcept {
   RodCurve c;
   c.count = pose.count;
   c.arcs_m = rest_.arcs_m;
+  c.widths.fill(1.0);
   c.nodes = pose.nodes;
   smoothNodes(c.nodes, c.count, smoothings_);
   std::array<Vec3, kMaxRodNodes> stretches{};
@@ -331,7 +332,7 @@ RodSkinPlace RodSkin::placeOf(const Vec3& rest_m) const noexcept {
 
 Vec3 RodSkin::positionOf_m(const RodSkinPlace& place, const RodCurve& curve) const noexcept {
   const CurvePoint p = pointOf(curve, place.element, place.share);
-  const double thin = std::sqrt(place.restStretch / p.stretch);
+  const double thin = curve.widthAt(place.element, place.share) * std::sqrt(place.restStretch / p.stretch);
   const std::array<double, 2> u = bent({thin * place.section_m[0], thin * place.section_m[1]}, inwards(p));
   const double longer = fibre(p, u) / place.restFibre;
   const double warped = (p.bend_per_m.z - place.restTwist_per_m) / p.stretch * place.warping_m2;
@@ -349,7 +350,8 @@ Vec3 RodSkin::toRest_m(const Vec3& deformed_m, const RodCurve& curve) const noex
   const CurvePoint rest = pointAt(rest_, arc);
   const Vec3 local = rotate(conjugate(now.turn), deformed_m - now.place_m);
   const std::array<double, 2> u{local.x, local.y};
-  const double thick = std::sqrt(now.stretch / rest.stretch);
+  const ElementPlace along = elementAt(curve, arc);
+  const double thick = std::sqrt(now.stretch / rest.stretch) / curve.widthAt(along.element, along.share);
   const std::array<double, 2> w = straightened(u, inwards(now));
   const std::array<double, 2> back = bent({thick * w[0], thick * w[1]}, inwards(rest));
   const double shorter = fibre(rest, back) / std::max(kLeastSkinStretch, fibre(now, u));

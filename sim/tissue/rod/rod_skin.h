@@ -25,6 +25,14 @@ struct RodCurve {
   std::array<Vec3, kMaxRodNodes> bends_per_m{};  ///< curvature in the axes of the node
   std::array<Vec3, kMaxRodNodes> turns{};        ///< 4 sigma from a node to the next
   std::array<Vec3, kMaxRodNodes> lastRates{};    ///< d (4 sigma) / d arc at the end of that element
+  /// How wide the section at a node is against its own width at rest, beside what stretch and bend make of
+  /// it: 1, but of a wall that its content widens or a twist narrows.
+  std::array<double, kMaxRodNodes> widths{};
+
+  /// Returns that width in an element.
+  [[nodiscard]] double widthAt(std::size_t element, double share) const noexcept {
+    return widths[element] + share * (widths[element + 1] - widths[element]);
+  }
 
   /// Returns the length of the curve at rest.
   [[nodiscard]] double length_m() const noexcept {

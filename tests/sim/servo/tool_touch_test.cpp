@@ -39,10 +39,7 @@ constexpr double kTouchRounding_m = 1e-12;
 TriangleMesh moved(const Scene& scene, const OrganState& organ) {
   TriangleMesh mesh = scene.mesh;
   if (scene.hollow) {
-    const HollowMap map(scene.lattice(), *scene.hollow, organ);
-    for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
-      mesh.vertices_m[i] = map.vertex(scene.hollow->vertices()[i]);
-    }
+    mesh.vertices_m = testing::smoothAt(scene, organ);
   } else {
     scene.deform(organ, mesh.vertices_m);
   }
