@@ -90,16 +90,16 @@ std::vector<MesenteryHold> mesenteryHolds(const Scene& scene) {
 }
 
 MesenteryRoot mesenteryRoot(std::span<const MesenteryHold> holds, const OrganSurface& rest, float radius_mm,
-                            float ground_mm) {
-  constexpr float kBelow = 0.42F;  // radii
-  constexpr float kHalf = 0.17F;
+                            float ground_mm, bool closed) {
+  const float below = closed ? 0.06F : 0.42F;  // radii
+  const float halfWidth = closed ? 0.06F : 0.17F;
   constexpr float kAboveGround = 0.02F;
   const QVector3D first = middleOf(holds.front(), rest);
   const QVector3D last = middleOf(holds.back(), rest);
   QVector3D middle = 0.5F * (first + last);
-  middle.setY(std::min(first.y(), last.y()) - kBelow * radius_mm);
+  middle.setY(std::min(first.y(), last.y()) - below * radius_mm);
   middle.setZ(ground_mm + kAboveGround * radius_mm);
-  const QVector3D half(std::copysign(kHalf * radius_mm, first.x() - last.x()), 0.0F, 0.0F);
+  const QVector3D half(std::copysign(halfWidth * radius_mm, first.x() - last.x()), 0.0F, 0.0F);
   return {middle + half, middle - half};
 }
 

@@ -27,9 +27,10 @@ struct MesenteryRoot {
   QVector3D to;
 };
 
-/// Returns the root of a loop's fan at rest, on the ground below it. `radius_mm`: of the loop.
+/// Returns the root of a loop's fan at rest, on the ground below it, or of a closed loop between its feet.
+/// `radius_mm`: of the loop.
 [[nodiscard]] MesenteryRoot mesenteryRoot(std::span<const MesenteryHold> holds, const OrganSurface& rest,
-                                          float radius_mm, float ground_mm);
+                                          float radius_mm, float ground_mm, bool closed = false);
 
 /// Paints the fan: thin tissue with vessels, transparent at the root and the sides; bottom row at the root,
 /// first column at the first foot.

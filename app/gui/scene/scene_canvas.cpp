@@ -150,6 +150,7 @@ void SceneCanvas::readParts() {
   parts_.surroundings = root_->property("surroundings").value<SurroundingsTexture*>();
   parts_.shadow = root_->property("shadow").value<ShadowTexture*>();
   parts_.mesentery = root_->property("mesentery").value<MesenteryGeometry*>();
+  parts_.continuations = root_->property("continuations").value<ContinuationGeometry*>();
   parts_.organEdge = root_->property("organEdge").value<OutlineGeometry*>();
   parts_.solidEdge = root_->property("solidEdge").value<OutlineGeometry*>();
 }
@@ -219,6 +220,7 @@ void SceneCanvas::registerTypes() {
     qmlRegisterType<MarkerGeometry>("Torsio.Scene", 1, 0, "MarkerGeometry");
     qmlRegisterType<InstrumentGeometry>("Torsio.Scene", 1, 0, "InstrumentGeometry");
     qmlRegisterType<MesenteryGeometry>("Torsio.Scene", 1, 0, "MesenteryGeometry");
+    qmlRegisterType<ContinuationGeometry>("Torsio.Scene", 1, 0, "ContinuationGeometry");
     qmlRegisterType<OutlineGeometry>("Torsio.Scene", 1, 0, "OutlineGeometry");
     return true;
   }();
@@ -357,15 +359,23 @@ void SceneCanvas::setSurroundings(Surroundings kind, const OrganSurface& organ, 
 }
 
 void SceneCanvas::hangMesentery(const std::vector<MesenteryHold>& holds, const OrganSurface& rest) {
-  const bool shown = surroundings_ == Surroundings::kBowelLoop && !holds.empty();
+  const bool closed = surroundings_ == Surroundings::kClosedLoop;
+  const bool shown = (closed || surroundings_ == Surroundings::kBowelLoop) && !holds.empty();
   set("mesenteryVisible", shown);
   if (parts_.mesentery == nullptr) {
     return;
   }
   if (shown) {
-    parts_.mesentery->hang(holds, mesenteryRoot(holds, rest, radius_mm_, ground_mm_), rest);
+    parts_.mesentery->hang(holds, mesenteryRoot(holds, rest, radius_mm_, ground_mm_, closed), rest);
   } else {
     parts_.mesentery->hang({}, {}, rest);
+  }
+}
+
+void SceneCanvas::joinContinuations(const std::vector<Continuation>& ends, const OrganSurface& rest) {
+  set("continuationsVisible", !ends.empty());
+  if (parts_.continuations != nullptr) {
+    parts_.continuations->join(ends, {{centre_mm_.x(), centre_mm_.y(), ground_mm_}, radius_mm_}, rest);
   }
 }
 
@@ -382,6 +392,7 @@ void SceneCanvas::setTheme(const Theme& theme) {
   set("gloveColour", theme.kind == ThemeKind::kDark ? QColor(0x6E, 0x93, 0xB4) : QColor(0x9C, 0xBE, 0xDA));
   set("gownColour", theme.kind == ThemeKind::kDark ? QColor(0x33, 0x5A, 0x66) : QColor(0x86, 0xAE, 0xB8));
   set("clothColour", clothColour(theme));
+  set("neighbourColour", neighbourColour(theme));
   set("latticeColour", theme.lattice);
   set("wireColour", theme.wire);
   set("graspColour", theme.grasp);

@@ -11,6 +11,7 @@
 #include <QVariant>
 #include <QVector3D>
 
+#include "app/gui/scene/continuation.h"
 #include "app/gui/scene/mesentery.h"
 #include "app/gui/scene/organ_shadow.h"
 #include "app/gui/scene/outline.h"
@@ -64,6 +65,7 @@ class SceneCanvas : public QObject {
     SurroundingsTexture* surroundings = nullptr;
     ShadowTexture* shadow = nullptr;
     MesenteryGeometry* mesentery = nullptr;
+    ContinuationGeometry* continuations = nullptr;
     OutlineGeometry* organEdge = nullptr;
     OutlineGeometry* solidEdge = nullptr;
   };
@@ -95,6 +97,8 @@ class SceneCanvas : public QObject {
   /// Shows the mesentery of a loop of bowel at rest, if its surroundings have one. Call after
   /// setSurroundings().
   void hangMesentery(const std::vector<MesenteryHold>& holds, const OrganSurface& rest);
+  /// Joins the open ends of the organ to what is painted behind it. Call after setSurroundings().
+  void joinContinuations(const std::vector<Continuation>& ends, const OrganSurface& rest);
   /// Updates the shadow to the organ's present shape.
   void castShadow(const OrganSurface& organ);
   /// Updates the soft edge after the organ's vertices.

@@ -135,6 +135,7 @@ void SceneView::setScene(const ViewScene& view) {
   organBack_ = low.z();
   showSurroundings();
   canvas_->hangMesentery(view_.mesentery, view_.surface);
+  canvas_->joinContinuations(view_.continuations, view_.surface);
   if (canvas_->drawn()) {
     const SceneCanvas::Parts& parts = canvas_->parts();
     if (view_.skin) {
@@ -244,6 +245,7 @@ void SceneView::showSkin() {
   parts.organ->updateVertices(view_.surface);
   canvas_->edgeOrgan(view_.surface);
   parts.mesentery->follow(view_.surface);
+  parts.continuations->follow(view_.surface);
   parts.grasp->follow(view_.surface);
   if (wireframe_) {
     parts.wire->updateVertices(view_.surface);

@@ -14,6 +14,7 @@ Item {
     property alias shadow: shadowData
     property alias mesentery: mesenteryGeometry
     property alias mesenteryPaint: mesenteryData
+    property alias continuations: continuationGeometry
     property alias markers: markerGeometry
     property alias wire: wireGeometry
     property alias lattice: latticeGeometry
@@ -53,12 +54,14 @@ Item {
     property bool surroundingsVisible: true
     property bool drapeVisible: false     // over the upper arm
     property bool mesenteryVisible: false
+    property bool continuationsVisible: false
     property real surroundingsSize: 100   // side of the square, mm
     property real shadowShare: 1          // ratio of the sides of square and shadow
     property color gloveColour: "#8fb3cf"
     property color gownColour: "#7fa9b5"
     property color clothColour: "#aecfcc"
     property color portColour: "#b9c6cd"
+    property color neighbourColour: "#c4bab7"
     property color steelColour: "#9aa0a6"
 
     property real tissueRoughness: 0.45
@@ -326,6 +329,22 @@ Item {
             geometry: InstrumentGeometry { id: drapeGeometry }
             castsShadows: root.fine
             materials: root.fine ? cloth : plainCloth
+        }
+
+        // From the organ's open ends to what is painted behind it, visual only.
+        Model {
+            objectName: "continuations"
+            visible: root.continuationsVisible && root.surroundingsVisible
+            geometry: ContinuationGeometry { id: continuationGeometry }
+            castsShadows: false
+            receivesShadows: false
+            materials: Solid {
+                colour: root.neighbourColour
+                surface: 0
+                lampDirection: root.lampDirection
+                lensDirection: root.lensDirection
+                shaftDirection: root.shaftDirection
+            }
         }
 
         Model {

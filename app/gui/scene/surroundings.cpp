@@ -238,15 +238,14 @@ void drawEndsOfStomach(QPainter& painter, const Theme& theme, const EndsOfStomac
   const Tone tone = toneOf(theme, 8);
   QPainterPath duodenum(QPointF(-1.04, -0.14));
   if (ends.pylorusInPlace) {
-    duodenum = QPainterPath(ends.own ? kBulbEnd : QPointF(-0.58, -0.46));
-    duodenum.cubicTo(ends.own ? QPointF(-0.74, -0.14) : QPointF(-0.68, -0.18), QPointF(-0.88, -0.10),
-                     QPointF(-1.04, -0.14));
+    duodenum = QPainterPath(QPointF(-0.58, -0.46));
+    duodenum.cubicTo(QPointF(-0.68, -0.18), QPointF(-0.88, -0.10), QPointF(-1.04, -0.14));
   }
   duodenum.cubicTo(-1.18, -0.40, -1.18, -1.15, -0.70, -1.25);
   drawTube(painter, duodenum, 0.25, tone);
   QPainterPath oesophagus(QPointF(-0.24, 1.45));
   if (ends.own) {
-    oesophagus.cubicTo(QPointF(-0.24, 1.20), QPointF(-0.24, 0.88), kStubEnd);
+    oesophagus.lineTo(-0.236, 0.93);
   } else {
     oesophagus.cubicTo(-0.24, 1.00, -0.18, 0.62, 0.10, 0.36);
   }
@@ -277,9 +276,9 @@ void drawPelvis(QPainter& painter, const Theme& theme) {
   drawBowel(painter, -2.0, 1.0, 1.30, 0.55, toneOf(theme, 350));
   QPainterPath descending(QPointF(1.42, 1.75));
   descending.cubicTo(1.62, 0.9, 1.52, 0.1, 1.35, -0.35);
-  descending.cubicTo(1.22, -0.68, 0.78, -0.70, 0.42, -0.78);
+  descending.cubicTo(1.22, -0.68, 0.70, -0.72, kDescendingEnd.x(), kDescendingEnd.y());
   drawColon(painter, descending, 0.42, toneOf(theme, 20));
-  QPainterPath rectum(QPointF(-0.30, -0.80));
+  QPainterPath rectum(kRectumEnd);
   rectum.cubicTo(-0.30, -1.05, 0.05, -1.15, 0.0, -1.75);
   drawColon(painter, rectum, 0.46, toneOf(theme, 20));
   QPainterPath bladder(QPointF(-1.25, -1.70));
@@ -302,11 +301,41 @@ void drawLimbsOfLoop(QPainter& painter, const Theme& theme) {
   }
 }
 
+void drawLimbsOfClosedLoop(QPainter& painter, const Theme& theme) {
+  for (const QPointF& foot : {kClosedFirstFoot, kClosedSecondFoot}) {
+    const double out = foot.x() > 0.0 ? 1.0 : -1.0;
+    QPainterPath limb(foot + QPointF(0.0, 0.10));
+    limb.cubicTo(foot + QPointF(0.0, -0.22), foot + QPointF(0.20 * out, -0.46),
+                 foot + QPointF(0.55 * out, -0.34));
+    limb.cubicTo(foot + QPointF(0.85 * out, -0.24), foot + QPointF(0.90 * out, 0.16),
+                 foot + QPointF(1.25 * out, 0.10));
+    drawTube(painter, limb, 0.28, toneOf(theme, 350));
+  }
+}
+
+/// Draws the fold of peritoneum that the stalk comes down from, and the duodenum, which goes on into the
+/// jejunal limb.
+void drawRootOfMidgut(QPainter& painter, const Theme& theme) {
+  QPainterPath root(QPointF(-0.45, 0.78));
+  root.cubicTo(-0.25, 1.02, 0.45, 1.02, 0.62, 0.74);
+  root.cubicTo(0.48, 0.46, 0.30, 0.36, kStalkRoot.x(), kStalkRoot.y() - 0.10);
+  root.cubicTo(-0.05, 0.42, -0.32, 0.52, -0.45, 0.78);
+  drawBody(painter, root, toneOf(theme, 20));
+  QPainterPath duodenum(kLimbEnd + QPointF(0.0, -0.05));
+  duodenum.cubicTo(kLimbEnd + QPointF(-0.02, 0.20), QPointF(-0.30, 0.92), QPointF(-0.62, 0.86));
+  duodenum.cubicTo(-0.95, 0.80, -1.05, 1.00, -1.20, 1.12);
+  drawTube(painter, duodenum, 0.17, toneOf(theme, 8));
+}
+
 }  // namespace
 
+QColor neighbourColour(const Theme& theme) {
+  return toneOf(theme, 8).body.darker(108);
+}
+
 Surroundings surroundingsOf(std::string_view sceneId, bool former) {
-  if (sceneId == "gastric-mesentero-axial") {
-    return former ? Surroundings::kBareTurnedAntrum : Surroundings::kTurnedAntrum;
+  if (sceneId == "gastric-mesentero-axial" && former) {
+    return Surroundings::kBareTurnedAntrum;
   }
   if (sceneId == "stomach" || sceneId.starts_with("gastric")) {
     return former ? Surroundings::kBareStomach : Surroundings::kStomach;
@@ -314,11 +343,14 @@ Surroundings surroundingsOf(std::string_view sceneId, bool former) {
   if (sceneId == "sigmoid") {
     return Surroundings::kPelvis;
   }
+  if (sceneId == "small-bowel-loop" && !former) {
+    return Surroundings::kClosedLoop;
+  }
   if (sceneId == "intestine" || sceneId == "small-bowel-loop") {
     return Surroundings::kBowelLoop;
   }
   if (sceneId == "midgut") {
-    return Surroundings::kIntestine;
+    return former ? Surroundings::kIntestine : Surroundings::kMidgut;
   }
   return sceneId == "forearm" ? Surroundings::kArm : Surroundings::kDrape;
 }
@@ -363,19 +395,19 @@ void drawNeighbours(QPainter& painter, Surroundings kind, const Theme& theme) {
     case Surroundings::kArm:
       return;
     case Surroundings::kStomach:
-    case Surroundings::kTurnedAntrum:
     case Surroundings::kBareStomach:
     case Surroundings::kBareTurnedAntrum:
       drawUpperAbdomen(
           painter, theme,
-          {.own = kind == Surroundings::kStomach || kind == Surroundings::kTurnedAntrum,
-           .pylorusInPlace = kind == Surroundings::kStomach || kind == Surroundings::kBareStomach});
+          {.own = kind == Surroundings::kStomach, .pylorusInPlace = kind == Surroundings::kBareStomach});
       return;
     case Surroundings::kPelvis:
       drawPelvis(painter, theme);
       return;
     case Surroundings::kIntestine:
     case Surroundings::kBowelLoop:
+    case Surroundings::kClosedLoop:
+    case Surroundings::kMidgut:
       break;
   }
   QPainterPath colon(QPointF(-1.50, -1.6));
@@ -386,6 +418,10 @@ void drawNeighbours(QPainter& painter, Surroundings kind, const Theme& theme) {
   drawColon(painter, colon, 0.40, toneOf(theme, 20));
   if (kind == Surroundings::kBowelLoop) {
     drawLimbsOfLoop(painter, theme);
+  } else if (kind == Surroundings::kClosedLoop) {
+    drawLimbsOfClosedLoop(painter, theme);
+  } else if (kind == Surroundings::kMidgut) {
+    drawRootOfMidgut(painter, theme);
   }
 }
 

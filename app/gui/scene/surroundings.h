@@ -19,14 +19,15 @@ struct Theme;
 enum class Surroundings : std::uint8_t {
   kDrape,    ///< a limb or a testis on a draped table
   kArm,      ///< like kDrape, with the upper arm under the drape
-  kStomach,  ///< open abdomen with a stomach whose mesh includes oesophagus and bulb: continues both, with
-             ///< outlines of liver, spleen and colon
-  kTurnedAntrum,      ///< like kStomach, without continuing the bulb to the duodenum
+  kStomach,  ///< open abdomen with a stomach whose mesh includes oesophagus and bulb, which go on into those
+             ///< painted here (continuation.h), with outlines of liver, spleen and colon
   kBareStomach,       ///< open abdomen with a stomach without them: both are drawn up to it
   kBareTurnedAntrum,  ///< like kBareStomach, without the way from pylorus to duodenum
   kIntestine,         ///< open abdomen: loops of bowel in outline
-  kBowelLoop,  ///< like kIntestine, with a loop of small bowel, continued at its feet, and its mesentery
-  kPelvis,     ///< open lower abdomen: descending colon, rectum, bladder and small bowel in outline
+  kBowelLoop,   ///< like kIntestine, with a loop of small bowel, continued at its feet, and its mesentery
+  kClosedLoop,  ///< the same with a loop whose feet lie side by side
+  kMidgut,      ///< like kIntestine, with the root that a stalk and a jejunal limb come down from
+  kPelvis,      ///< open lower abdomen: descending colon, rectum, bladder and small bowel in outline
 };
 
 /// Returns the surroundings for a scene's id, like tissueLook(); unknown ones get a drape. `former`: the
@@ -35,6 +36,9 @@ enum class Surroundings : std::uint8_t {
 
 /// Returns the colour of drapes.
 [[nodiscard]] QColor clothColour(const Theme& theme);
+
+/// Returns the colour of the gut beside the organ.
+[[nodiscard]] QColor neighbourColour(const Theme& theme);
 
 /// Half side of the painted square, in radii of the organ.
 inline constexpr float kSurroundingsReach = 3.2F;
@@ -55,14 +59,19 @@ class SurroundingsTexture : public QQuick3DTextureData {
   void setPicture(const QImage& picture);
 };
 
-/// Where the drawn oesophagus and duodenum continue those of a stomach's own mesh: behind the end of the stub
-/// and behind the bulb in the camera's front view, in units of the organ's radius.
-inline constexpr QPointF kStubEnd{-0.13, 0.69};
-inline constexpr QPointF kBulbEnd{-0.62, -0.28};
-
 /// Where the bowel continues at the feet of a loop, likewise.
 inline constexpr QPointF kLoopFirstFoot{0.86, -0.30};
 inline constexpr QPointF kLoopSecondFoot{-0.86, -0.30};
+inline constexpr QPointF kClosedFirstFoot{0.17, -0.82};
+inline constexpr QPointF kClosedSecondFoot{-0.17, -0.82};
+
+/// Where descending colon and rectum meet the feet of a sigmoid, likewise.
+inline constexpr QPointF kDescendingEnd{0.24, -0.80};
+inline constexpr QPointF kRectumEnd{-0.20, -0.80};
+
+/// Where the stalk of a midgut and its jejunal limb end, likewise.
+inline constexpr QPointF kStalkRoot{0.13, 0.50};
+inline constexpr QPointF kLimbEnd{-0.07, 0.60};
 
 /// Draws the organs beside the treated one, in shade and paler: in units of its radius, y up, as seen by a
 /// surgeon in front of the patient.

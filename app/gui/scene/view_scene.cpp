@@ -2,6 +2,7 @@
 #include "app/gui/scene/view_scene.h"
 
 #include "app/gui/scene/scene_canvas.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/hollow_view.h"
 
 namespace torsio::gui {
@@ -18,11 +19,14 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   view.lines = latticeLines(*scene);
   view.shear = ShearMap(scene);
   view.blood = BloodMap(scene);
-  if (view.surroundings == Surroundings::kBowelLoop) {
+  if (view.surroundings == Surroundings::kStomach) {
+    view.continuations = stomachContinuations(*scene);
+  }
+  if (view.surroundings == Surroundings::kBowelLoop || view.surroundings == Surroundings::kClosedLoop) {
     view.mesentery = mesenteryHolds(*scene);
   }
   view.deform = [scene](const OrganState& state, std::span<Vec3> out_m) { scene->deform(state, out_m); };
-  if (scene->hollow) {
+  if (scene->hollow && scene->hollow->swing() == nullptr) {
     view.deform = [drawn = std::make_shared<HollowView>(scene)](
                       const OrganState& state, std::span<Vec3> out_m) { drawn->deform(state, out_m); };
   }

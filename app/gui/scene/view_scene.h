@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/scene/continuation.h"
 #include "app/gui/scene/mesentery.h"
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/shear_map.h"
@@ -28,10 +29,11 @@ struct ViewScene {
   LatticeLines lines;
   TissueLook look;
   Surroundings surroundings = Surroundings::kDrape;
-  ShearMap shear;                        ///< empty: no shear map
-  BloodMap blood;                        ///< empty: constant tissue colour
-  std::vector<MesenteryHold> mesentery;  ///< for Surroundings::kBowelLoop; otherwise empty
-  std::vector<SkinAnchor> markers;       ///< empty if the organ has none
+  ShearMap shear;                           ///< empty: no shear map
+  BloodMap blood;                           ///< empty: constant tissue colour
+  std::vector<MesenteryHold> mesentery;     ///< for Surroundings::kBowelLoop; otherwise empty
+  std::vector<Continuation> continuations;  ///< of a stomach with its own open ends; otherwise empty
+  std::vector<SkinAnchor> markers;          ///< empty if the organ has none
   /// Computes the vertices for a state of twist, one per vertex of the surface, metres. GUI thread.
   std::function<void(const OrganState&, std::span<Vec3>)> deform;
   /// For an asynchronous model: number of its latest shape, 0 before the first, and that shape's vertices.

@@ -270,7 +270,7 @@ TEST(Drapery, TheGownContinuesTheGlovesCuffOutOfThePicture) {
 TEST(Mesentery, HangsFromTheMiddleOfTheLoopToARootBehindIt) {
   SceneRequest request;
   request.assets = kAssets;
-  request.id = "small-bowel-loop";
+  request.id = "intestine";
   const Scene scene = loadScene(request);
   const OrganSurface surface(scene.mesh);
   const std::vector<MesenteryHold> holds = mesenteryHolds(scene);

@@ -6,12 +6,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "app/gui/scene/continuation.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/organ_shadow.h"
@@ -23,6 +26,7 @@
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/core/error.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/tissue_look.h"
 #include "tests/app/gui/support/bar_view.h"
@@ -53,19 +57,21 @@ TEST(Surroundings, MatchTheOrganAndNeverLookLikeTissue) {
   EXPECT_EQ(surroundingsOf("a mesh of one's own"), Surroundings::kDrape);
   EXPECT_EQ(surroundingsOf("stomach"), Surroundings::kStomach);
   EXPECT_EQ(surroundingsOf("gastric-organo-axial"), Surroundings::kStomach);
-  EXPECT_EQ(surroundingsOf("gastric-mesentero-axial"), Surroundings::kTurnedAntrum);
+  EXPECT_EQ(surroundingsOf("gastric-mesentero-axial"), Surroundings::kStomach);
   EXPECT_EQ(surroundingsOf("stomach", true), Surroundings::kBareStomach);
   EXPECT_EQ(surroundingsOf("gastric-mesentero-axial", true), Surroundings::kBareTurnedAntrum);
   EXPECT_EQ(surroundingsOf("sigmoid"), Surroundings::kPelvis);
-  EXPECT_EQ(surroundingsOf("midgut"), Surroundings::kIntestine);
-  EXPECT_EQ(surroundingsOf("small-bowel-loop"), Surroundings::kBowelLoop);
+  EXPECT_EQ(surroundingsOf("midgut"), Surroundings::kMidgut);
+  EXPECT_EQ(surroundingsOf("midgut", true), Surroundings::kIntestine);
+  EXPECT_EQ(surroundingsOf("small-bowel-loop"), Surroundings::kClosedLoop);
+  EXPECT_EQ(surroundingsOf("small-bowel-loop", true), Surroundings::kBowelLoop);
 
   for (const ThemeKind kind : {ThemeKind::kLight, ThemeKind::kDark}) {
     std::vector<QImage> pictures;
     for (const Surroundings around :
-         {Surroundings::kDrape, Surroundings::kArm, Surroundings::kStomach, Surroundings::kTurnedAntrum,
-          Surroundings::kBareStomach, Surroundings::kBareTurnedAntrum, Surroundings::kIntestine,
-          Surroundings::kBowelLoop, Surroundings::kPelvis}) {
+         {Surroundings::kDrape, Surroundings::kArm, Surroundings::kStomach, Surroundings::kBareStomach,
+          Surroundings::kBareTurnedAntrum, Surroundings::kIntestine, Surroundings::kBowelLoop,
+          Surroundings::kClosedLoop, Surroundings::kMidgut, Surroundings::kPelvis}) {
       const QImage picture = paintSurroundings(around, theme(kind));
       int reddish = 0;
       for (int y = 0; y < picture.height(); y += 4) {
@@ -139,21 +145,102 @@ class FromTheFront {
   OrbitCamera camera_;
 };
 
-// Ends of centre lines, from assets/organs/README.md, sim/anatomy and assets/scenes.
-TEST(Surroundings, ContinueWhereTheStomachsOwnStubAndBulbEnd) {
-  const FromTheFront stomach("stomach");
+/// An end of an organ at rest, and where what is painted behind it goes on.
+struct PaintedJoint {
+  QPointF painted;
+  Vec3 end_m;
+};
 
-  constexpr double kHalfAStub = 18.0;  // pixels: it is 36 wide there
-  EXPECT_LT(stomach.between(kStubEnd, {0.002, 0.019, 0.072}), kHalfAStub);
-  EXPECT_LT(stomach.between(kBulbEnd, {-0.0585, 0.016, -0.0545}), kHalfAStub);
+// Ends of centre lines, from assets/organs/README.md, sim/anatomy and assets/scenes.
+std::vector<PaintedJoint> paintedJoints(const std::string& id) {
+  if (id == "intestine") {
+    return {{kLoopFirstFoot, {0.086, -0.004, -0.003}}, {kLoopSecondFoot, {-0.086, 0.0, -0.003}}};
+  }
+  if (id == "small-bowel-loop") {
+    return {{kClosedFirstFoot, {0.016, 0.0, -0.003}}, {kClosedSecondFoot, {-0.016, 0.0, -0.003}}};
+  }
+  if (id == "sigmoid") {
+    return {{kDescendingEnd, {0.028, 0.0, 0.0}}, {kRectumEnd, {-0.028, 0.0, 0.0}}};
+  }
+  if (id == "midgut") {
+    return {{kStalkRoot, {0.0, 0.052, 0.050}}, {kLimbEnd, {-0.021, 0.058, 0.056}}};
+  }
+  return {};
 }
 
-TEST(Surroundings, ContinueWhereTheFeetOfALoopOfBowelEnd) {
-  const FromTheFront loop("small-bowel-loop");
+/// The angles at which an organ is looked at: rest, half-way and the target; of one that comes twisted both
+/// ways.
+std::vector<double> lookedAt(const Scene& scene) {
+  if (!scene.hollow) {
+    return {0.0, 0.5 * scene.pattern.targetAngle_rad, scene.pattern.targetAngle_rad};
+  }
+  const double most_rad = scene.hollow->detorsion().start.most_rad;
+  return {0.0, 0.5 * most_rad, -0.5 * most_rad, most_rad, -most_rad};
+}
 
-  constexpr double kHalfABowel = 50.0;  // pixels: it is 110 wide there
-  EXPECT_LT(loop.between(kLoopFirstFoot, {0.086, -0.004, -0.003}), kHalfABowel);
-  EXPECT_LT(loop.between(kLoopSecondFoot, {-0.086, 0.0, -0.003}), kHalfABowel);
+/// Mean of the organ's vertices that lie within some millimetres of a place at rest.
+Vec3 endAt_m(const Scene& scene, const std::vector<Vec3>& now_m, const Vec3& rest_m) {
+  constexpr double kNear_m = 0.012;
+  Vec3 sum_m;
+  double count = 0.0;
+  for (std::size_t i = 0; i < now_m.size(); ++i) {
+    if (norm(scene.mesh.vertices_m[i] - rest_m) < kNear_m) {
+      sum_m += now_m[i];
+      count += 1.0;
+    }
+  }
+  return sum_m / count;
+}
+
+TEST(Joints, WhatIsPaintedGoesOnWhereTheOrganEnds) {
+  constexpr double kHalfATube = 50.0;  // pixels
+  for (const char* id : {"intestine", "small-bowel-loop", "sigmoid", "midgut"}) {
+    const FromTheFront front(id);
+    for (const PaintedJoint& joint : paintedJoints(id)) {
+      EXPECT_LT(front.between(joint.painted, joint.end_m), kHalfATube) << id;
+    }
+  }
+}
+
+TEST(Joints, HoldOnAtEveryAngleOfEveryPattern) {
+  constexpr double kHeld_m = 0.004;        // of an end whose other side is painted
+  constexpr double kIntoTheEnd_m = 0.009;  // from the ring at which a tube begins to the middle of the end
+  const std::filesystem::path assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  const std::array<Vec3, 2> tips_m{Vec3{0.002, 0.019, 0.072}, Vec3{-0.0585, 0.016, -0.0545}};
+  for (const std::string& id : sceneIds(assets)) {
+    for (const std::string& pattern : patternIds(assets, id)) {
+      SceneRequest request;
+      request.assets = assets;
+      request.id = id;
+      request.pattern = pattern;
+      const auto scene = std::make_shared<const Scene>(loadScene(request));
+      const std::vector<Continuation> open = stomachContinuations(*scene);
+      const bool stomach = surroundingsOf(id) == Surroundings::kStomach;
+      ASSERT_EQ(open.size(), stomach ? 2U : 0U) << id;
+      ContinuationGeometry tubes;
+      OrganSurface surface(scene->mesh);
+      tubes.join(open, {{}, 140.0F}, surface);
+      for (const double angle_rad : lookedAt(*scene)) {
+        SCOPED_TRACE(id + ", " + pattern + " " + std::to_string(angle_rad));
+        std::vector<Vec3> now_m(scene->mesh.vertices_m.size());
+        scene->deform(scene->stateAt(angle_rad), now_m);
+        surface.update(now_m);
+        tubes.follow(surface);
+        for (std::size_t i = 0; i < open.size(); ++i) {
+          const double gap_m =
+              1e-3 *
+              static_cast<double>((tubes.endsOf(i)[0] - toView(endAt_m(*scene, now_m, tips_m[i]))).length());
+          EXPECT_LT(gap_m, kIntoTheEnd_m) << i;
+          EXPECT_LT((tubes.endsOf(i)[1] - PaintedGround{{}, 140.0F}.at(open[i].painted)).length(), 15.0F)
+              << i;
+        }
+        for (const PaintedJoint& joint : paintedJoints(id)) {
+          const Vec3 rest_m = endAt_m(*scene, scene->mesh.vertices_m, joint.end_m);
+          EXPECT_LT(norm(endAt_m(*scene, now_m, joint.end_m) - rest_m), kHeld_m);
+        }
+      }
+    }
+  }
 }
 
 TEST(OrganShadow, FallsToTheLowerRightIsSoftAndFollowsTheOrgan) {
