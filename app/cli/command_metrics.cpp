@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -22,6 +24,7 @@
 #include "sim/core/foreign_recording.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
+#include "sim/scene/hollow_validity.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/pose_track.h"
 
@@ -184,6 +187,23 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   return scene;
 }
 
+/// Adds whether the law of the wall was checked for all of a run: at its largest twist and highest pressure.
+void addValidity(Json& out, const Scene& scene, const std::vector<Sample>& samples) {
+  OrganState farthest = scene.stateAt(0.0);
+  for (const Sample& sample : samples) {
+    if (std::abs(sample.response.angle_rad) > std::abs(farthest.twist.graspAngle_rad)) {
+      farthest.twist.graspAngle_rad = sample.response.angle_rad;
+    }
+    double& pressure_Pa = farthest.hollow.reading.pressure_Pa;
+    pressure_Pa = std::max(pressure_Pa, sample.hollow.pressure_Pa);
+  }
+  const Text beyond = wallLimitsPassed(*scene.hollow, farthest);
+  out["valid"] = beyond.empty();
+  if (!beyond.empty()) {
+    out["beyond"] = beyond.str();
+  }
+}
+
 void runMetrics(const MetricsArguments& arguments) {
   const LoadedRun run = loadRun(arguments);
   const Trial& trial = run.trial;
@@ -239,6 +259,9 @@ void runMetrics(const MetricsArguments& arguments) {
   out["whole"] = metricsJson(whole);
   if (measured.detorsion) {
     out["detorsion"] = detorsionJson(*measured.detorsion, run.rules);
+    if (scene && scene->hollow) {
+      addValidity(out["detorsion"], *scene, samples);
+    }
   }
   out["twists"] = Json::array();
   for (const MeasuredTwist& twist : measured.twists) {

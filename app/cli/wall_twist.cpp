@@ -16,6 +16,7 @@
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
 #include "sim/scene/hollow_organ.h"
+#include "sim/scene/hollow_validity.h"
 #include "sim/scene/organ_wall.h"
 #include "sim/scene/pattern_judgement.h"
 #include "sim/tissue/hollow/wrung_organ.h"
@@ -26,7 +27,6 @@ namespace torsio::cli {
 namespace {
 
 constexpr double kSmallTurn_rad = radians(0.1);
-constexpr double kCheckedPressure = 0.5;  // p R / (G t) of the tables of docs/validation.md
 
 [[noreturn]] void refuseWall(const std::string& words) {
   throw Error(
@@ -53,24 +53,6 @@ double mostSealed_Pa(const std::vector<WallPlace>& places, double shear_Pa) {
   return most_Pa;
 }
 
-Text packedBeyond(double angle_rad, double closing_rad) {
-  return angle_rad > closing_rad
-             ? Text::verbatim(
-                   "beyond %1 degrees the waist is packed with wall: the torque is that of a rope, "
-                   "its order of size only",
-                   shortNumber(degrees(closing_rad)))
-             : Text();
-}
-
-// p R / (G t) where it is largest.
-double largestPressure(const std::vector<WallPlace>& places, double shear_Pa, double pressure_Pa) {
-  double largest = 0.0;
-  for (const WallPlace& place : places) {
-    largest = std::max(largest, pressure_Pa * place.radius_m / (shear_Pa * place.thickness_m));
-  }
-  return largest;
-}
-
 }  // namespace
 
 double pressureOf_Pa(const char* option, double pressure_mmHg) {
@@ -84,14 +66,8 @@ double pressureOf_Pa(const char* option, double pressure_mmHg) {
 }
 
 Text beyondOf(const Scene& scene, const FoldReport& fold, const OrganState& state) {
-  if (scene.hollow && scene.hollow->tube(0) != nullptr) {
-    const Text packed = packedBeyond(std::abs(state.twist.graspAngle_rad),
-                                     scene.hollow->closing_rad(state.hollow.reading.pressure_Pa));
-    if (!packed.empty()) {
-      return packed;
-    }
-  }
-  return brokenLimit(scene, fold).reason;
+  const Text broken = brokenLimit(scene, fold).reason;
+  return scene.hollow && broken.empty() ? wallLimitsPassed(*scene.hollow, state) : broken;
 }
 
 WallMap wallMap(const std::string& words) {
@@ -182,15 +158,12 @@ WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const 
   result.closing_rad = organ.closing_rad(result.pressure_Pa);
   result.shortening_m = organ.at(0.0, result.pressure_Pa).length - state.length;
   result.waves = organ.waves(result.pressure_Pa);
-  result.beyond = packedBeyond(std::abs(rod.angle_rad), result.closing_rad);
-  const double pressure =
-      largestPressure(places, rod.shearModulus_Pa, std::max(result.pressure_Pa, request.restPressure_Pa));
-  if (result.beyond.empty() && pressure > kCheckedPressure) {
-    result.beyond = Text::verbatim(
-        "pressure times radius over stiffness times wall is %1; the law of the "
-        "wall is checked up to %2",
-        shortNumber(pressure), shortNumber(kCheckedPressure));
-  }
+  result.beyond = wallLimitsPassed({.places = places,
+                                    .length_m = to_m - from_m,
+                                    .shearModulus_Pa = rod.shearModulus_Pa,
+                                    .pressure_Pa = std::max(result.pressure_Pa, request.restPressure_Pa),
+                                    .twist_rad = rod.angle_rad,
+                                    .closing_rad = result.closing_rad});
   return result;
 }
 

@@ -19112,7 +19112,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>field &apos;most_deg&apos;</source>
-        <translation>字段 'most_deg'</translation>
+        <translation>字段 &apos;most_deg&apos;</translation>
     </message>
     <message>
         <source>Twist less far.</source>
@@ -19140,7 +19140,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Give &apos;angle_deg&apos; 0.</source>
-        <translation>请将 'angle_deg' 设为 0。</translation>
+        <translation>请将 &apos;angle_deg&apos; 设为 0。</translation>
     </message>
     <message>
         <source>turns an organ that comes twisted otherwise than about a line</source>
@@ -19148,7 +19148,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Give &apos;axis&apos; line, and leave out &apos;measured&apos;.</source>
-        <translation>请将 'axis' 设为 line，并去掉 'measured'。</translation>
+        <translation>请将 &apos;axis&apos; 设为 line，并去掉 &apos;measured&apos;。</translation>
     </message>
     <message>
         <source>A closed loop of small bowel, 26 mm wide, on a narrow mesenteric root. It turns about the axis of its mesentery, from between its feet to between its limbs: both limbs cross and wind round each other, as in a patient; the mesentery is drawn for the eye only, and the pressure of the limbs on each other is not modelled. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 103 mm long on a mean radius of 12 mm (8.4) with a wall over radius of 0.085 to 0.105: inside, the narrowest places 5 % beyond. Pressure times radius over stiffness times wall is 0.9, held against a second computation up to 0.5 only. The lumen shuts near 214 degrees, later than the 180 of surgeons. Wall, pressure, stiffness of the wall, friction and the length of the vessels are assumed; the limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
@@ -31322,6 +31322,10 @@ T-02,master,17</translation>
     <message>
         <source>How far this scene holds</source>
         <translation>本场景的有效范围</translation>
+    </message>
+    <message>
+        <source>As it comes, it is beyond what was checked: %1.</source>
+        <translation>以其初始状态，已超出验证范围：%1。</translation>
     </message>
 </context>
 <context>

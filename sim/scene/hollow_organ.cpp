@@ -104,6 +104,7 @@ double widenedVolume_m3(const std::vector<WallPlace>& places, double step_m, con
 HollowOrgan::HollowOrgan(const Parts& parts)
     : detorsion_(parts.detorsion),
       vessels_(parts.detorsion.vessels),
+      shear_Pa_(parts.shearModulus_Pa),
       length_m_(parts.lattice->length_m()),
       graspArc_m_(parts.graspArc * parts.lattice->length_m()) {
   if (placeOf(graspArc_m_).span >= 0) {

@@ -242,6 +242,12 @@ class HollowOrgan {
   [[nodiscard]] int spans() const noexcept { return static_cast<int>(detorsion_.spans.size()); }
   /// Returns the wrung tube of a span; null of a cord.
   [[nodiscard]] const WrungOrgan* tube(int span) const noexcept;
+  /// Returns the wall of a span at equal shares, from the held section; empty of a cord.
+  [[nodiscard]] std::span<const WallPlace> wallOf(int span) const noexcept {
+    const auto i = static_cast<std::size_t>(span);
+    return i < limbs_.size() ? std::span<const WallPlace>(limbs_[i].wall) : std::span<const WallPlace>{};
+  }
+  [[nodiscard]] double shearModulus_Pa() const noexcept { return shear_Pa_; }
   /// Returns the organ's length, m.
   [[nodiscard]] double length_m() const noexcept { return length_m_; }
 
@@ -265,6 +271,7 @@ class HollowOrgan {
   Perfusion vessels_;
   std::vector<Limb> limbs_;  // none: a cord
   std::shared_ptr<const HollowSwing> swing_;
+  double shear_Pa_ = 0.0;
   double length_m_ = 0.0;
   double graspArc_m_ = 0.0;
   double basePeak_Nm_ = 0.0;

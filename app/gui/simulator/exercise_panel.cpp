@@ -22,6 +22,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/time_units.h"
 #include "sim/scene/hollow_organ.h"
+#include "sim/scene/hollow_validity.h"
 
 namespace torsio::gui {
 
@@ -237,8 +238,12 @@ ValidityButton::ValidityButton(QWidget* parent) : QToolButton(parent) {
 
 void ValidityButton::setScene(const Scene* scene) {
   words_.clear();
+  beyond_ = {};
   if (scene != nullptr && scene->comesTwisted()) {
-    words_ = scene->hollow->detorsion().validity;
+    const Detorsion& detorsion = scene->hollow->detorsion();
+    words_ = detorsion.validity;
+    beyond_ = wallLimitsPassed(*scene->hollow,
+                               scene->hollow->stateAt(detorsion.start.sign * detorsion.start.most_rad));
   }
   setVisible(!words_.empty());
 }
@@ -249,8 +254,12 @@ void ValidityButton::retranslate() {
 }
 
 void ValidityButton::tell() {
-  QMessageBox box(QMessageBox::NoIcon, tr("How far this scene holds"), toQString(Text(words_)),
-                  QMessageBox::Close, this);
+  QString words = toQString(Text(words_));
+  if (!beyond_.empty()) {
+    words += QStringLiteral("\n\n") +
+             tr("As it comes, it is beyond what was checked: %1.").arg(toQString(beyond_));
+  }
+  QMessageBox box(QMessageBox::NoIcon, tr("How far this scene holds"), words, QMessageBox::Close, this);
   box.exec();
 }
 

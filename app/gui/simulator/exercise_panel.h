@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include "app/gui/base/scene_titles.h"
+#include "sim/core/text.h"
 #include "sim/scene/scene.h"
 
 class QComboBox;
@@ -63,8 +64,8 @@ class ExercisePanel : public QWidget {
   QDoubleSpinBox* target_;
 };
 
-/// A "?" beside a scene's title: shows what is measured, sourced and assumed in an untwisting. Hidden for
-/// other scenes.
+/// A "?" beside a scene's title: shows what is measured, sourced and assumed in an untwisting, and which
+/// limits of the law of the wall it is beyond as it comes. Hidden for other scenes.
 class ValidityButton : public QToolButton {
   Q_OBJECT
 
@@ -79,6 +80,7 @@ class ValidityButton : public QToolButton {
   void tell();
 
   std::string words_;  // as in the scene file
+  Text beyond_;
 };
 
 }  // namespace torsio::gui
