@@ -18535,10 +18535,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>各模型在 %1 N m 扭矩下的平衡状态</translation>
     </message>
     <message>
-        <source>%1, %2, no equilibrium: last frame</source>
-        <translation>%1，%2，无平衡：最后一帧</translation>
-    </message>
-    <message>
         <source>Seen from the front, all in one scale. Lines: %1 of the ridges, straight along the organ at rest.</source>
         <translation>前面观，比例尺相同。线条：%1 条脊线，静止时沿器官呈直线。</translation>
     </message>
@@ -19169,6 +19165,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>The whole pack of small bowel turns on the stalk of its vessels, and the jejunal limb is wound round the stalk, as the whirl that ultrasound and CT show. The pack lies to the right of the stalk, as malrotated bowel does, and swings round it. The stalk is solid, of radius 8 mm and 60 mm long with an assumed shear modulus of 10 kPa (1.1 N mm a radian); the limb adds no torque and does not shut: patency stays 1. Beyond a whole turn the limb is drawn thinner than it would be. The coils are relief on one body that turns as a whole. Stalk, friction and vessels are assumed; limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
         <translation>整团小肠绕血管蒂转动，空肠支缠绕在蒂上，即超声和 CT 所见的漩涡。肠团位于蒂的右侧，如同旋转不良的肠管，并绕蒂摆动。蒂为实心，半径 8 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 1.1 N mm）；空肠支不增加扭矩，也不闭塞：通畅度保持为 1。超过一整圈后，空肠支画得比实际细。肠袢是同一物体上的浮雕，整体转动。蒂、摩擦和血管为假设；钳口的限度和失活时间有文献来源（猪空肠）。血流随角度的变化仅在睾丸上测量过，在此移用。颜色不能证明存活。用于训练手法和步骤顺序；不能说明任何一位患者的情况。</translation>
+    </message>
+    <message>
+        <source>%1, no equilibrium: last frame</source>
+        <translation>%1，无平衡：最后一帧</translation>
     </message>
 </context>
 <context>

@@ -127,7 +127,11 @@ class Composer {
 
   void section(const ReportSection& section) {
     const double gap_mm = section.onFirstPage ? 0.8 : 2.0;
-    flow_.text(say_(section.title), section.onFirstPage ? 13.0 : 16.0, true, kAccent, 20.0);
+    const bool pictures = section.paragraphs.empty() && !section.figures.empty() &&
+                          section.figures.front().kind == FigureKind::kReliefs;
+    const double below_mm =
+        pictures ? 2.0 * kHeading_mm + heightOf(section.figures.front(), flow_.width_mm()) : 20.0;
+    flow_.text(say_(section.title), section.onFirstPage ? 13.0 : 16.0, true, kAccent, below_mm);
     flow_.bookmark(say_(section.title), 0);
     flow_.space(gap_mm);
     for (const Text& paragraph : section.paragraphs) {

@@ -100,10 +100,10 @@ ReportFigure endPicture(const ComparisonResult& result, Painter& painter) {
       figure.series.emplace_back();
     }
     const Text turn = turnOf(model.atRest.angle_rad);
-    figure.series.back().reliefs.push_back(painter.posed(
-        model.atRest, model.noEquilibrium.empty()
-                          ? Text::tr("%1, %2", shortName(model.id), turn)
-                          : Text::tr("%1, %2, no equilibrium: last frame", shortName(model.id), turn)));
+    figure.series.back().reliefs.push_back(
+        painter.posed(model.atRest, model.noEquilibrium.empty()
+                                        ? Text::tr("%1, %2", shortName(model.id), turn)
+                                        : Text::tr("%1, no equilibrium: last frame", shortName(model.id))));
   }
   figure.notes = {
       Text::tr("Seen from the front, all in one scale. Lines: %1 of the ridges, straight along "
