@@ -34,6 +34,8 @@ struct CompetenceArguments {
   MaintenanceOptions maintenance;
   std::string exercise;
   std::string expertCohort;
+  std::string run;
+  std::string excuse;
   std::optional<double> tolerance_deg;
 };
 
@@ -48,6 +50,7 @@ Json designJson(const CompetenceDesign& design) {
   json["lag_correlation"] = design.lagCorrelation;
   json["runs_per_session"] = design.runsPerSession;
   json["dependence_runs"] = design.dependenceRuns;
+  json["valid_days"] = design.validDays;
   json["limit"] = design.limit;
   const CompetenceErrors errors = competenceErrors(design, design.attempts);
   json["false_pass"] = errors.falsePass;
@@ -117,6 +120,29 @@ void enrolDesign(const CompetenceArguments& arguments) {
     design.tolerance_rad = radians(*arguments.tolerance_deg);
   }
   printJson(designJson(registerCompetence(desk.session(), design)));
+}
+
+void listInterrupted(const CompetenceArguments& arguments) {
+  MaintenanceDesk desk = deskOf(arguments);
+  Json all = Json::array();
+  for (const ExerciseDesigns& exercise : competenceDesigns(desk.session())) {
+    for (const InterruptedRun& run : interruptedRuns(desk.session(), exercise.moduleId)) {
+      all.push_back({{"run", run.trialId.text()},
+                     {"exercise", exercise.moduleId.text()},
+                     {"title", exercise.title},
+                     {"trainee", run.trainee},
+                     {"started_utc_us", run.startedUtc_us},
+                     {"excused", run.excused},
+                     {"reason", run.reason}});
+    }
+  }
+  printJson(all);
+}
+
+void excuse(const CompetenceArguments& arguments) {
+  MaintenanceDesk desk = deskOf(arguments);
+  excuseRun(desk.session(), arguments.run, arguments.excuse);
+  std::cout << "The run is excused and does not count as failed.\n";
 }
 
 void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
@@ -252,7 +278,20 @@ void addCompetence(CLI::App& program) {
   command->add_option("--experts", arguments->expertCohort,
                       "Id of a cohort of experts: the tolerance covers nine in ten of them");
   command->add_option("--reason", arguments->design.reason, "Reason; required with --tolerance");
+  addDefaulted(*command, "--valid-days", arguments->design.validDays,
+               "Days that competence lasts after the last run; 0: it does not expire");
   command->callback([arguments] { enrolDesign(*arguments); });
+
+  command = competence->add_subcommand(
+      "interrupted", "Lists the interrupted runs, which count as failed unless they are excused");
+  addDesk(*command, arguments);
+  command->callback([arguments] { listInterrupted(*arguments); });
+
+  command = competence->add_subcommand("excuse", "Excuses an interrupted run; final, in the audit trail");
+  addDesk(*command, arguments);
+  command->add_option("--run", arguments->run, "Id of the run, as interrupted prints it")->required();
+  command->add_option("--reason", arguments->excuse, "Why it does not count as failed")->required();
+  command->callback([arguments] { excuse(*arguments); });
 }
 
 }  // namespace torsio::cli

@@ -9,6 +9,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 
@@ -17,7 +18,7 @@ namespace {
 constexpr double kWatchShare = 0.5;
 constexpr std::int64_t kMaxRunsPerSession = 19;  // for which the probabilities are exact (cusum.cpp)
 constexpr double kMaxCorrelation = 0.9;
-constexpr std::int64_t kSessionPause_us = std::int64_t{6} * 3600 * 1'000'000;
+constexpr std::int64_t kSessionPause_us = kDay_us / 4;
 
 void requireShare(double value, const Text& name) {
   if (!(value > 0.0 && value < 1.0)) {
@@ -69,6 +70,10 @@ void requireSoundNumbers(const CompetenceDesign& design) {
   if (design.runsPerSession < 1 || design.runsPerSession > kMaxRunsPerSession) {
     throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 1 and %1", kMaxRunsPerSession),
                 Text::tr("runs of a session"), Text::tr("Give as many as a trainee makes in a day"));
+  }
+  if (design.validDays < 0 || design.validDays > kMaxValidDays) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 0 and %1", kMaxValidDays),
+                Text::tr("days that competence lasts"), Text::tr("Give for example 365; 0 for no end"));
   }
   if (!(design.tolerance_rad > 0.0 && design.tolerance_rad <= std::numbers::pi)) {
     throw Error(ErrorCode::kBadParameter, Text::tr("must lie above 0 and at most at 180 degrees"),
@@ -275,6 +280,25 @@ CompetenceVerdict judgeAttempts(const CompetenceDesign& design, const std::vecto
     verdict.attemptsUntilLevel = fewest - failed.size();
   }
   return verdict;
+}
+
+bool isExpired(const CompetenceDesign& design, std::int64_t lastRunUtc_us, std::int64_t now_us) {
+  return design.validDays > 0 && now_us - lastRunUtc_us > design.validDays * kDay_us;
+}
+
+std::size_t firstValidAttempt(const CompetenceDesign& design, const std::vector<bool>& failed,
+                              std::span<const std::int64_t> startedUtc_us) {
+  TORSIO_EXPECTS(failed.size() == startedUtc_us.size());
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < failed.size(); ++i) {
+    if (isExpired(design, startedUtc_us[i - 1], startedUtc_us[i]) &&
+        isAble(judgeAttempts(design, {failed.begin() + static_cast<std::ptrdiff_t>(first),
+                                      failed.begin() + static_cast<std::ptrdiff_t>(i)})
+                   .level)) {
+      first = i;
+    }
+  }
+  return first;
 }
 
 CompetenceVerdict judgeCompetence(const CompetenceDesign& design, const std::vector<bool>& failed) {

@@ -46,6 +46,7 @@ struct CompetenceOdds {
                                            std::int64_t attempts);
 
 inline constexpr std::int64_t kMaxCompetenceAttempts = 1'000;
+inline constexpr int kMaxValidDays = 36'500;
 /// Returns the LC-CUSUM of a design.
 [[nodiscard]] LcCusumDesign cusumOf(const CompetenceDesign& design);
 /// Throws Error{kBadParameter} for NaN or values out of range, as plannedCompetence() does.
@@ -106,6 +107,7 @@ enum class SkillLevel {
   kSteady,    ///< competent, without doubt
   kWatch,     ///< was competent; the last attempts raise a doubt
   kRelapsed,  ///< was competent; the doubt has become an alarm
+  kExpired,   ///< was competent, and has made no run for longer than the design allows
 };
 
 /// Returns whether the level means competent now.
@@ -133,6 +135,7 @@ struct CompetenceVerdict : CompetenceRule {
   std::vector<double> sums{};           ///< one per attempt: LC-CUSUM until competent, then the relapse watch
   std::optional<std::size_t> ableAt{};  ///< number of the attempt, from 1
   std::vector<TrialId> runs{};          ///< judged runs, oldest first
+  std::size_t expiredRuns = 0;          ///< earlier runs, from before a pause after which competence expired
   friend bool operator==(const CompetenceVerdict&, const CompetenceVerdict&) = default;
 };
 
@@ -142,6 +145,12 @@ struct CompetenceVerdict : CompetenceRule {
 /// Judges attempts, oldest first; true: failed. Computes no probabilities.
 [[nodiscard]] CompetenceVerdict judgeAttempts(const CompetenceDesign& design,
                                               const std::vector<bool>& failed);
+/// Returns the first attempt that counts: competence that was shown before a pause longer than the design
+/// allows has expired, and is judged anew. `startedUtc_us`: of each attempt.
+[[nodiscard]] std::size_t firstValidAttempt(const CompetenceDesign& design, const std::vector<bool>& failed,
+                                            std::span<const std::int64_t> startedUtc_us);
+/// Returns whether the time since the last run is longer than the design allows.
+[[nodiscard]] bool isExpired(const CompetenceDesign& design, std::int64_t lastRunUtc_us, std::int64_t now_us);
 /// Like judgeAttempts(), with the probabilities of its errors.
 [[nodiscard]] CompetenceVerdict judgeCompetence(const CompetenceDesign& design,
                                                 const std::vector<bool>& failed);

@@ -12,6 +12,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/contracts.h"
 #include "sim/core/random.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 
@@ -20,7 +21,6 @@ namespace {
 constexpr std::int64_t kTwists = 10;     // of a whole run
 constexpr std::int64_t kMostMisses = 2;  // with which it passes: four in five must be on target
 constexpr std::int64_t kRunsPerDay = 5;
-constexpr std::int64_t kDay_us = std::int64_t{24} * 3600 * 1'000'000;
 constexpr std::int64_t kBetweenRuns_us = std::int64_t{600} * 1'000'000;
 constexpr std::int64_t kCentre = 1'000;  // trainees from whom the dependence is estimated
 

@@ -1519,6 +1519,10 @@
         <source>Previously competent; the latest runs raise doubts.</source>
         <translation>此前已胜任；最近几次练习令人存疑。</translation>
     </message>
+    <message>
+        <source>Competent before, but too long without a run. Show it again.</source>
+        <translation>此前已胜任，但太久没有练习。请重新证明。</translation>
+    </message>
 </context>
 <context>
     <name>Study</name>
@@ -18851,10 +18855,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>前提是失败率不变，同一时段（%2 次）内各次练习之间的相关为 %1，相邻两次练习之间的相关为 %3（%4）。</translation>
     </message>
     <message>
-        <source>%1. A run succeeds with: %2. A twist still held when the run ends counts as missed; an interrupted run counts as failed. Competent once the LC-CUSUM of the runs, for failure rates of %3 against %4, reaches %5, planned for %6 {run|runs}; fewer than %7 can never show it.</source>
-        <translation>%1。一次练习成功的条件：%2。练习结束时仍夹持着的扭转计为未达标；中断的练习计为失败。各次练习的 LC-CUSUM（失败率 %3 对 %4）达到 %5 即为胜任，按 %6 次练习设计；少于 %7 次则无法证明胜任。</translation>
-    </message>
-    <message>
         <source>Of trainees who truly fail %1 of their runs, %2 are declared competent within the %3 {run|runs} planned; of those who fail only %4, %5 are not, and another %6 lose it through a false alarm. %7</source>
         <translation>真实失败率为 %1 的学员中，在计划的 %3 次练习内分别有 %2 被判为胜任；失败率仅为 %4 者中有 %5 未被判为胜任，另有 %6 因误报警而不再被认为胜任。%7</translation>
     </message>
@@ -19169,6 +19169,62 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>%1, no equilibrium: last frame</source>
         <translation>%1，无平衡：最后一帧</translation>
+    </message>
+    <message>
+        <source>%1. A run succeeds with: %2. A twist still held when the run ends counts as missed; an interrupted run counts as failed unless it is excused. Competent once the LC-CUSUM of the runs, for failure rates of %3 against %4, reaches %5, planned for %6 {run|runs}; fewer than %7 can never show it.</source>
+        <translation>%1。一次练习成功的条件：%2。练习结束时仍夹持着的扭转计为未达标；中断的练习除非获准免计，否则计为失败。各次练习的 LC-CUSUM（失败率 %3 对 %4）达到 %5 即为胜任，按 %6 次练习设计；少于 %7 次则无法证明胜任。</translation>
+    </message>
+    <message>
+        <source>%1 Competence expires after %2 {day|days} without a run.</source>
+        <translation>%1若 %2 天没有练习，胜任即失效。</translation>
+    </message>
+    <message>
+        <source>competent at run %1, expired after %2 {day|days} without a run</source>
+        <translation>第 %1 次练习时曾胜任，因 %2 天没有练习而失效</translation>
+    </message>
+    <message>
+        <source>an excuse needs a reason</source>
+        <translation>免计需要说明理由</translation>
+    </message>
+    <message>
+        <source>interrupted run</source>
+        <translation>中断的练习</translation>
+    </message>
+    <message>
+        <source>there is no such interrupted run</source>
+        <translation>没有这次中断的练习</translation>
+    </message>
+    <message>
+        <source>nobody excuses a run of their own</source>
+        <translation>任何人都不能免计自己的练习</translation>
+    </message>
+    <message>
+        <source>Ask another administrator</source>
+        <translation>请另一位管理员处理</translation>
+    </message>
+    <message>
+        <source>this run is excused already</source>
+        <translation>这次练习已获准免计</translation>
+    </message>
+    <message>
+        <source>Nothing is left to do</source>
+        <translation>无需再做什么</translation>
+    </message>
+    <message>
+        <source>must lie between 0 and %1</source>
+        <translation>必须在 0 与 %1 之间</translation>
+    </message>
+    <message>
+        <source>days that competence lasts</source>
+        <translation>胜任的有效天数</translation>
+    </message>
+    <message>
+        <source>Give for example 365; 0 for no end</source>
+        <translation>例如 365；0 表示不失效</translation>
+    </message>
+    <message>
+        <source>Interrupted run excused</source>
+        <translation>中断的练习已免计</translation>
     </message>
 </context>
 <context>
@@ -21249,6 +21305,38 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Too many would fail wrongly: plan more runs, or choose rates further apart.</source>
         <translation>误判不通过者太多：请计划更多练习次数，或选择相差更大的失败率。</translation>
+    </message>
+    <message>
+        <source>E&amp;xcuse</source>
+        <translation>免计(&amp;X)</translation>
+    </message>
+    <message>
+        <source>does not expire</source>
+        <translation>不失效</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> 天</translation>
+    </message>
+    <message>
+        <source>&amp;Lasts without a run</source>
+        <translation>无练习时的有效期(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Why it does not count as failed</source>
+        <translation>为何不计为失败</translation>
+    </message>
+    <message>
+        <source>&amp;Interrupted run</source>
+        <translation>中断的练习(&amp;I)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Excused. The run does not count as failed.</source>
+        <translation>已免计，这次练习不计为失败。</translation>
     </message>
 </context>
 <context>

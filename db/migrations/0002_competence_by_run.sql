@@ -11,3 +11,15 @@ ALTER TABLE competence_design ADD COLUMN lag_correlation DOUBLE PRECISION
   CHECK (lag_correlation >= 0 AND lag_correlation < 1);
 ALTER TABLE competence_design ADD COLUMN runs_per_session BIGINT CHECK (runs_per_session >= 1);
 ALTER TABLE competence_design ADD COLUMN dependence_runs BIGINT CHECK (dependence_runs >= 0);
+-- How many days a verdict lasts after the last run; null: it does not expire.
+ALTER TABLE competence_design ADD COLUMN valid_days BIGINT CHECK (valid_days >= 1);
+
+-- An interrupted run counts as failed unless somebody with the right has excused it: judgement beside the recording,
+-- which stays as it is.
+CREATE TABLE run_excuse (
+  trial_id TEXT PRIMARY KEY REFERENCES trial (id),
+  excused_by TEXT NOT NULL,
+  excused_utc_us BIGINT NOT NULL,
+  reason TEXT
+);
+{{append_only run_excuse}}

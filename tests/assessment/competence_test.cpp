@@ -10,6 +10,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/random.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 namespace {
@@ -199,6 +200,7 @@ TEST(Competence, DesignsThatMissTheirRatesAreRejected) {
   refused([](CompetenceDesign& d) { d.sessionCorrelation = -0.1; });
   refused([](CompetenceDesign& d) { d.lagCorrelation = 1.0; });
   refused([](CompetenceDesign& d) { d.runsPerSession = 20; });
+  refused([](CompetenceDesign& d) { d.validDays = -1; });
   refused([](CompetenceDesign& d) { d.attempts = 2; });  // two runs cannot suffice at 2.5 %
   // Rates of an earlier report within 50 independent attempts: half of the competent would not pass.
   CompetenceDesign weak = independent(shipped());
@@ -283,6 +285,24 @@ TEST(Competence, SessionsAreSeparatedByAPause) {
   runs[1].outcome = RunOutcome::kNotPassed;
   runs[4].outcome = RunOutcome::kNotJudged;
   EXPECT_EQ(sessionsOf(runs), (SessionOutcomes{{false, true, false}, {false}, {false}}));
+}
+
+TEST(Competence, ExpiresAfterAPauseAndIsJudgedAnew) {
+  CompetenceDesign design = shipped();
+  design.validDays = 180;
+  std::vector<bool> failed(25, false);
+  std::vector<std::int64_t> started_us(25, 0);
+  EXPECT_FALSE(isExpired(design, 0, 180 * kDay_us));
+  EXPECT_TRUE(isExpired(design, 0, 181 * kDay_us));
+  failed.push_back(false);
+  started_us.push_back(180 * kDay_us);
+  EXPECT_EQ(firstValidAttempt(design, failed, started_us), 0U);
+  started_us.back() = 181 * kDay_us;
+  EXPECT_EQ(firstValidAttempt(design, failed, started_us), 25U);
+  failed[3] = true;  // not competent before the pause: nothing to expire
+  EXPECT_EQ(firstValidAttempt(design, failed, started_us), 0U);
+  design.validDays = 0;
+  EXPECT_FALSE(isExpired(design, 0, 100'000 * kDay_us));
 }
 
 TEST(Competence, TheLevelFollowsTheSums) {

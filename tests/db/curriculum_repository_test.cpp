@@ -133,6 +133,7 @@ TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsPermanently) {
                           .lagCorrelation = 0.0,
                           .runsPerSession = 3,
                           .dependenceRuns = 512,
+                          .validDays = 365,
                           .limit = 4.79,
                           .reason = "as our experts do"};
 
@@ -146,7 +147,7 @@ TEST_F(CurriculumRepositoryTest, KeepsCompetenceDesignsPermanently) {
   connection().executeVerbatim(
       "INSERT INTO competence_design SELECT module_id, 3, registered_utc_us, tolerance_rad, tolerance_source,"
       " experts, adequate, inadequate, attempts, false_pass_most, false_fail_most, sum_limit, reason,"
-      " NULL, NULL, NULL, NULL FROM competence_design WHERE version = 2");
+      " NULL, NULL, NULL, NULL, NULL FROM competence_design WHERE version = 2");
   const CompetenceDesign old = designs.ofModule(design.moduleId).at(2);
   EXPECT_EQ(old.limit, design.limit);
   EXPECT_EQ(old.runsPerSession, CompetenceDesign{}.runsPerSession);

@@ -319,8 +319,8 @@ TEST_F(FirstReleaseTest, HasARowInEveryTable) {
   Connection record = openCopy();
 
   for (const SchemaTable& table : tablesInReferenceOrder(record)) {
-    if (table.name == "erasure_gate") {
-      continue;  // empty outside a transaction
+    if (table.name == "erasure_gate" || table.name == "run_excuse") {
+      continue;  // empty outside a transaction; of schema 2
     }
     EXPECT_GT(numberFrom(record, "SELECT count(*) FROM " + table.name), 0) << table.name;
   }

@@ -125,6 +125,8 @@ QString StationLabels::levelMeaning(const CompetenceVerdict& verdict) {
       return tr("Previously competent; the latest runs raise doubts.");
     case SkillLevel::kRelapsed:
       return tr("Previously competent, but not now. Practise until you are competent again.");
+    case SkillLevel::kExpired:
+      return tr("Competent before, but too long without a run. Show it again.");
   }
   return {};
 }

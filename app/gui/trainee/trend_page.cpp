@@ -173,7 +173,8 @@ void TrendPage::fill() {
   levelName_->setText(StationLabels::level(verdict));
   setLook(levelName_, "good", verdict.level == SkillLevel::kSteady);
   setLook(levelName_, "caution",
-          verdict.level == SkillLevel::kWatch || verdict.level == SkillLevel::kRelapsed);
+          verdict.level == SkillLevel::kWatch || verdict.level == SkillLevel::kRelapsed ||
+              verdict.level == SkillLevel::kExpired);
   levelMeaning_->setText(StationLabels::levelMeaning(verdict));
   competence_->setVisible(verdict.planned.attempts > 0);
   if (verdict.planned.attempts > 0) {

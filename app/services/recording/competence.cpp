@@ -14,6 +14,7 @@
 #include "assessment/results/number_format.h"
 #include "db/connection/connection.h"
 #include "db/repository/study/curriculum_repository.h"
+#include "db/repository/trial/excuse_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/angle.h"
 
@@ -44,6 +45,8 @@ CompetenceRun runOf(Connection& connection, const TrialListing& trial, const Com
   if (trial.summary->outcome != TrialOutcome::kInterrupted) {
     const TrialDigest digest = digestOf(connection, trial, rules, now_us);
     run.outcome = competenceOutcome(design, required, digest.measures, digest.tolerance_rad);
+  } else {
+    run.excused = ExcuseRepository(connection).of(trial.trialId).has_value();
   }
   return run;
 }
@@ -81,16 +84,25 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
                     shippedCompetence(module.id, module.tolerance_rad),
                     trials.empty() ? std::nullopt : std::optional(trials.front().startedUtc_us));
   const CompetenceRule rule = ruleOf(module, design);
-  std::vector<CompetenceRun> runs;
+  std::vector<bool> failed;
   std::vector<TrialId> ids;
+  std::vector<std::int64_t> started_us;
   for (const TrialListing& trial : trials) {
-    runs.push_back(runOf(connection, trial, design, rule.run, rules, now_us));
-    if (runs.back().failed()) {
+    const std::optional<bool> one = runOf(connection, trial, design, rule.run, rules, now_us).failed();
+    if (one) {
+      failed.push_back(*one);
       ids.push_back(trial.trialId);
+      started_us.push_back(trial.startedUtc_us);
     }
   }
-  CompetenceVerdict verdict = judgeCompetence(design, failedAttempts(runs));
-  verdict.runs = std::move(ids);
+  const std::size_t first = firstValidAttempt(design, failed, started_us);
+  const auto from = static_cast<std::ptrdiff_t>(first);
+  CompetenceVerdict verdict = judgeCompetence(design, {failed.begin() + from, failed.end()});
+  verdict.runs = {ids.begin() + from, ids.end()};
+  verdict.expiredRuns = first;
+  if (isAble(verdict.level) && isExpired(design, started_us.back(), std::min(now_us, lastUtc_us))) {
+    verdict.level = SkillLevel::kExpired;
+  }
   static_cast<CompetenceRule&>(verdict) = rule;
   return verdict;
 }
@@ -232,14 +244,18 @@ Text competenceRuleText(const CompetenceRule& rule) {
           ? Text::tr("Competence design, version %1", design.version)
           : Text::tr(
                 "Competence design shipped with the exercise (none was registered before the first attempt)");
-  return Text::tr(
+  const Text whole = Text::tr(
       "%1. A run succeeds with: %2. A twist still held when the run ends counts as missed; an interrupted "
       "run "
-      "counts as failed. Competent once the LC-CUSUM of the runs, for failure rates of %3 against %4, "
+      "counts as failed unless it is excused. Competent once the LC-CUSUM of the runs, for failure rates of "
+      "%3 against %4, "
       "reaches "
       "%5, planned for %6 {run|runs}; fewer than %7 can never show it.",
       which, successText(rule), percentText(design.adequate), percentText(design.inadequate),
       formatFixed(design.limit, 2), design.attempts, fewestForAble(design));
+  return design.validDays == 0
+             ? whole
+             : Text::tr("%1 Competence expires after %2 {day|days} without a run.", whole, design.validDays);
 }
 
 Text competenceErrorText(const CompetenceDesign& design) {
@@ -275,6 +291,9 @@ Text competenceLevelText(const CompetenceVerdict& verdict) {
       return Text::tr("competent since run %1; the latest runs raise doubts", verdict.ableAt.value_or(0));
     case SkillLevel::kRelapsed:
       return Text::tr("competent at run %1, but not now", verdict.ableAt.value_or(0));
+    case SkillLevel::kExpired:
+      return Text::tr("competent at run %1, expired after %2 {day|days} without a run",
+                      verdict.ableAt.value_or(0), verdict.design.validDays);
   }
   return {};
 }

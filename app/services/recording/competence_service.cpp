@@ -12,8 +12,10 @@
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/curriculum.h"
 #include "db/connection/connection.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/trial/excuse_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 
@@ -77,6 +79,7 @@ nlohmann::ordered_json designJson(const CompetenceDesign& design) {
   json["lag_correlation"] = design.lagCorrelation;
   json["runs_per_session"] = design.runsPerSession;
   json["dependence_runs"] = design.dependenceRuns;
+  json["valid_days"] = design.validDays;
   json["limit"] = design.limit;
   return json;
 }
@@ -164,6 +167,50 @@ ProficiencyThreshold expertTolerance_deg(SessionContext& session, const ModuleId
     refuse(threshold.reason(), module.title, Text::tr("Keep the tolerance of the exercise"));
   }
   return *threshold;
+}
+
+std::vector<InterruptedRun> interruptedRuns(SessionContext& session, const ModuleId& moduleId) {
+  session.require(Operation::kPersonViewCoded);
+  const TrainingModule module = publishedModule(session.connection(), moduleId);
+  TrialFilter filter;
+  filter.moduleId = moduleId;
+  filter.limit = kRunsOfOne;
+  const ExcuseRepository excuses(session.connection());
+  std::vector<InterruptedRun> runs;
+  for (const TrialListing& trial : TrialRepository(session.connection()).list(filter)) {
+    if (trial.summary && trial.summary->outcome == TrialOutcome::kInterrupted &&
+        countsAt(module, trial.attemptMode)) {
+      const std::optional<RunExcuse> excuse = excuses.of(trial.trialId);
+      runs.push_back({trial.trialId, trial.traineeCode, trial.startedUtc_us, excuse.has_value(),
+                      excuse ? excuse->reason : std::string()});
+    }
+  }
+  return runs;
+}
+
+void excuseRun(SessionContext& session, const TrialId& trialId, const std::string& reason) {
+  session.require(Operation::kStudySetup);
+  if (reason.empty()) {
+    refuseParameter(Text::tr("an excuse needs a reason"), Text::tr("interrupted run"),
+                    Text::tr("Write why, in a few words"));
+  }
+  Transaction transaction(session.connection());
+  const std::optional<TrialListing> trial = TrialRepository(session.connection()).listing(trialId);
+  if (!trial || !trial->summary || trial->summary->outcome != TrialOutcome::kInterrupted) {
+    refuse(Text::tr("there is no such interrupted run"), trialId, Text::tr("Choose one from the list"));
+  }
+  const std::optional<Trainee> trainee =
+      PeopleRepository(session.connection()).findTrainee(trial->traineeCode);
+  if (trainee && !session.actor().personId.empty() && trainee->person.id == session.actor().personId) {
+    refuse(Text::tr("nobody excuses a run of their own"), trialId, Text::tr("Ask another administrator"));
+  }
+  ExcuseRepository excuses(session.connection());
+  if (excuses.of(trialId)) {
+    refuse(Text::tr("this run is excused already"), trialId, Text::tr("Nothing is left to do"));
+  }
+  excuses.add({trialId, session.actor().userId, session.now_us(), reason});
+  session.note(AuditAction::kTrialExcuse, AuditObject::kTrial, trialId, {}, reason);
+  transaction.commit();
 }
 
 }  // namespace torsio

@@ -41,6 +41,21 @@ CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDes
 [[nodiscard]] std::optional<EstimatedDependence> dependenceOfRuns(SessionContext& session,
                                                                   const ModuleId& moduleId);
 
+/// An interrupted run, which counts as failed for competence unless it is excused.
+struct InterruptedRun {
+  TrialId trialId{};
+  std::string trainee{};  ///< code
+  std::int64_t startedUtc_us = 0;
+  bool excused = false;
+  std::string reason{};
+};
+/// Returns the interrupted runs at an exercise that count, latest first. kPersonViewCoded.
+[[nodiscard]] std::vector<InterruptedRun> interruptedRuns(SessionContext& session, const ModuleId& moduleId);
+/// Excuses an interrupted run, so that it does not count as failed. Final. Audited. kStudySetup. Throws
+/// Error{kBadParameter} without a reason, {kBadData} for a run that is not interrupted or is excused already,
+/// or is one's own.
+void excuseRun(SessionContext& session, const TrialId& trialId, const std::string& reason);
+
 /// Minimum number of experts for a meaningful threshold.
 inline constexpr std::size_t kMinExperts = 8;
 

@@ -10,6 +10,7 @@
 #include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
+#include "db/repository/trial/excuse_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/foreign_recording.h"
 
@@ -33,6 +34,8 @@ Attempt measured(SessionContext& session, const TrialListing& listing, ExerciseR
         verdictOn(*listing.summary, measures,
                   rules.of(session.connection(), listing.sceneId, listing.patternId, listing.moduleId));
   }
+  attempt.excused =
+      attempt.interrupted() && ExcuseRepository(session.connection()).of(listing.trialId).has_value();
   attempt.trialId = listing.trialId;
   attempt.moduleId = listing.moduleId;
   attempt.phaseId = listing.phaseId;
@@ -108,6 +111,9 @@ std::vector<RuleProgress> ruleProgress(const TrainingModule& module, std::span<c
       if (counts(attempt, module)) {
         const bool valid = rule.quantity && meetsDemands(attempt.values, rulesOf(module));
         values.push_back(valid ? valueIn(attempt.values, *rule.quantity) : std::nullopt);
+      } else if (attempt.interrupted() && !attempt.excused && attempt.moduleId == module.id &&
+                 countsAt(module, attempt.mode)) {
+        values.emplace_back();
       }
     }
     const MasteryProgress reached = masteryProgress(rule, values);

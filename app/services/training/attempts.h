@@ -32,6 +32,7 @@ struct Attempt {
   std::int64_t forceCuts = 0;   ///< ServoHealth
   QuantityValues values{};      ///< AttemptMeasures::values
   RunVerdict verdict{};         ///< only if the run has ended
+  bool excused = false;         ///< an interrupted run that does not count as failed
 
   /// Program or machine failed: kept, but not counted.
   [[nodiscard]] bool interrupted() const noexcept { return verdict.outcome == RunOutcome::kInterrupted; }
@@ -58,8 +59,8 @@ struct RuleProgress {
   /// Returns "Overshoot: at most 5.0°, in 2 runs in a row (1 so far)".
   [[nodiscard]] Text text() const;
 };
-/// Evaluates the attempts that count, oldest first. An attempt that does not meet the module's demands, or
-/// lacks the rule's metric, ends the streak.
+/// Evaluates the attempts that count, oldest first. An attempt that does not meet the module's demands,
+/// lacks the rule's metric, or was interrupted without an excuse, ends the streak.
 [[nodiscard]] std::vector<RuleProgress> ruleProgress(const TrainingModule& module,
                                                      std::span<const Attempt> attempts);
 

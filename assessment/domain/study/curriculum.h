@@ -122,6 +122,7 @@ struct CompetenceDesign {
   double lagCorrelation = 0.1;
   std::int64_t runsPerSession = 5;
   std::int64_t dependenceRuns = 0;  ///< number of runs from which they were estimated; 0: assumed
+  std::int64_t validDays = 0;       ///< days that a verdict lasts after the last run; 0: it does not expire
   double limit = 7.33;   ///< of the sum; follows from the other numbers (assessment/attempt/competence.h)
   std::string reason{};  ///< required for kChosen; optional otherwise
   friend bool operator==(const CompetenceDesign&, const CompetenceDesign&) = default;

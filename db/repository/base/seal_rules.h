@@ -136,6 +136,7 @@ inline constexpr std::array kSealRules{
     SealRule{"trial_end", Sealing::kOnce, "trial_id"},
     SealRule{"trial_digest", Sealing::kOnce,
              "trial_id, formula_version, tolerance_rad, force_limit_n, torque_limit_nm"},
+    SealRule{"run_excuse", Sealing::kOnce, "trial_id", "reason"},
     SealRule{"trial_remark", Sealing::kOnce, "id", "text"},
     SealRule{"remark_revision", Sealing::kOnce, "remark_id, version", "text"},
     SealRule{"remark_receipt", Sealing::kOnce, "remark_id, reader, version"},

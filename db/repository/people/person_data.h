@@ -113,6 +113,7 @@ inline constexpr std::array kPersonRules{
                "trial_id, chunk_index, first_tick, sample_count, digest, output_digest, stored_utc_us"},
     PersonRule{"trial_end", person_conditions::kOwnTrials},
     PersonRule{"trial_digest", person_conditions::kOwnTrials},
+    PersonRule{"run_excuse", person_conditions::kOwnTrials, OnErase::kClear, "reason = NULL"},
     PersonRule{"draft_viewing", person_conditions::kDrafts, OnErase::kDelete},
     PersonRule{"mark_draft_row", person_conditions::kDrafts, OnErase::kDelete},
     PersonRule{"mark_draft", person_conditions::kDrafts, OnErase::kDelete},

@@ -329,11 +329,11 @@ constexpr auto kDesign = rowColumns<Design>(
     "competence_design",
     "module_id, version, registered_utc_us, tolerance_rad, tolerance_source, experts, adequate, inadequate,"
     " attempts, false_pass_most, false_fail_most, sum_limit, reason, session_correlation, lag_correlation,"
-    " runs_per_session, dependence_runs",
+    " runs_per_session, dependence_runs, valid_days",
     &Design::moduleId, &Design::version, &Design::registeredUtc_us, &Design::tolerance_rad, &Design::source,
     &Design::experts, &Design::adequate, &Design::inadequate, &Design::attempts, &Design::falsePassMost,
     &Design::falseFailMost, &Design::limit, &Design::reason, &Design::sessionCorrelation,
-    &Design::lagCorrelation, &Design::runsPerSession, &Design::dependenceRuns);
+    &Design::lagCorrelation, &Design::runsPerSession, &Design::dependenceRuns, OrNull{&Design::validDays});
 
 }  // namespace
 

@@ -157,7 +157,8 @@ std::string TrainingCentre::module(const std::string& code) {
 }
 
 std::string TrainingCentre::attempt(const std::string& moduleCode, const std::string& mode, double skill,
-                                    double duration_s, const PhaseId& phaseId, double planned_s) {
+                                    double duration_s, const PhaseId& phaseId, double planned_s,
+                                    TrialOutcome outcome) {
   const Scene& scene = trainingBar();
   ScriptedHandOptions hand;
   hand.task = handTask(scene);
@@ -168,7 +169,7 @@ std::string TrainingCentre::attempt(const std::string& moduleCode, const std::st
   RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), spec,
                   std::make_shared<TrialRepository>(connection(), spec.context));
   run.step(ticksIn(duration_s));
-  static_cast<void>(run.finish(TrialOutcome::kCompleted));
+  static_cast<void>(run.finish(outcome));
   passTime_us(ticksIn(duration_s) * kTickPeriod_us + kMinute_us);
   return spec.trialId;
 }

@@ -68,7 +68,8 @@ class TrainingCentre : public TestRecord {
   /// Records a finished attempt of the signed-in trainee by a scripted hand: 0 a beginner .. 1 an expert. A
   /// hand that plans for a longer time (planned_s) may be cut off during a twist.
   std::string attempt(const std::string& moduleCode, const std::string& mode, double skill,
-                      double duration_s = 12.0, const PhaseId& phaseId = {}, double planned_s = 0.0);
+                      double duration_s = 12.0, const PhaseId& phaseId = {}, double planned_s = 0.0,
+                      TrialOutcome outcome = TrialOutcome::kCompleted);
   /// Records a finished attempt of the signed-in trainee at untwisting the shipped testis, which starts
   /// twisted by two to four turns of a hand; the hand is experienced and omits the last turns.
   std::string untwist(const std::string& moduleCode, const std::string& mode, std::size_t turnsLeftOut = 0);

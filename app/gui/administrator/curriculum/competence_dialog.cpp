@@ -22,6 +22,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/form.h"
+#include "app/gui/widgets/value_text.h"
 #include "app/outputs/wording/joined_sentences.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/recording/competence.h"
@@ -34,7 +35,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kDialogWidth = 640;
+constexpr int kDialogWidth = 900;
 
 QDoubleSpinBox* shareField(QWidget* parent, const char* name) {
   auto* field = ranged(new QDoubleSpinBox(parent), 0.1, 99.9);
@@ -63,7 +64,12 @@ CompetenceDialog::CompetenceDialog(ShellContext& shell, const CurriculumVersionI
       falsePass_(shareField(this, "false-pass")),
       falseFail_(shareField(this, "false-fail")),
       reason_(new QLineEdit(this)),
+      validDays_(ranged(named(new QSpinBox(this), "valid-days"), 0, kMaxValidDays)),
       preview_(named(sentence(this, false), "preview")),
+      interrupted_(named(new QComboBox(this), "interrupted")),
+      excuse_(named(new QLineEdit(this), "excuse")),
+      excuseRun_(named(new QPushButton(tr("E&xcuse"), this), "excuse-run")),
+      excuseRow_(new QHBoxLayout),
       form_(new QFormLayout) {
   build();
   fillCohorts(cohort_, shell_.session(), CohortFirst::kStudy);
@@ -92,8 +98,17 @@ void CompetenceDialog::build() {
   form_->addRow(tr("Runs &planned"), attempts_);
   form_->addRow(tr("&Wrong passes, at most"), falsePass_);
   form_->addRow(tr("Wrong &fails, at most"), falseFail_);
+  validDays_->setSpecialValueText(tr("does not expire"));
+  validDays_->setSuffix(tr(" days"));
+  form_->addRow(tr("&Lasts without a run"), validDays_);
   form_->addRow(tr("&Reason"), reason_);
   form_->addRow(tr("Effect"), preview_);
+  excuseRow_->addWidget(interrupted_, 1);
+  excuseRow_->addWidget(excuse_, 1);
+  excuseRow_->addWidget(excuseRun_);
+  excuse_->setPlaceholderText(tr("Why it does not count as failed"));
+  form_->addRow(tr("&Interrupted run"), excuseRow_);
+  form_->setRowVisible(excuseRow_, false);
   QVBoxLayout* column = columnOf(this, {3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace});
   auto* rule = sentence(this);
   rule->setText(
@@ -111,6 +126,14 @@ void CompetenceDialog::build() {
   connect(exercise_, &QComboBox::currentIndexChanged, this, &CompetenceDialog::showExercise);
   connect(source_, &QComboBox::currentIndexChanged, this, &CompetenceDialog::showPreview);
   connect(attempts_, &QSpinBox::valueChanged, this, &CompetenceDialog::showPreview);
+  connect(validDays_, &QSpinBox::valueChanged, this, &CompetenceDialog::showPreview);
+  connect(excuseRun_, &QPushButton::clicked, this, &CompetenceDialog::excuseChosenRun);
+  const auto readyToExcuse = [this] {
+    excuseRun_->setEnabled(shell_.may(Operation::kStudySetup) && interrupted_->count() > 0 &&
+                           !excuse_->text().trimmed().isEmpty());
+  };
+  connect(excuse_, &QLineEdit::textChanged, this, readyToExcuse);
+  readyToExcuse();
   connect(reason_, &QLineEdit::textChanged, this, &CompetenceDialog::showPreview);
   for (QDoubleSpinBox* field : {tolerance_, adequate_, inadequate_, falsePass_, falseFail_}) {
     connect(field, &QDoubleSpinBox::valueChanged, this, &CompetenceDialog::showPreview);
@@ -153,11 +176,13 @@ void CompetenceDialog::showExercise() {
   adequate_->setValue(100.0 * newest.adequate);
   inadequate_->setValue(100.0 * newest.inadequate);
   attempts_->setValue(static_cast<int>(newest.attempts));
+  validDays_->setValue(static_cast<int>(newest.validDays));
   falsePass_->setValue(100.0 * newest.falsePassMost);
   falseFail_->setValue(100.0 * newest.falseFailMost);
   reason_->clear();
   standard_->clear();
   form_->setRowVisible(standard_, false);
+  showInterrupted();
   filling_ = false;
   showPreview();
 }
@@ -173,6 +198,7 @@ CompetenceDesign CompetenceDialog::entered() const {
   design.adequate = adequate_->value() / 100.0;
   design.inadequate = inadequate_->value() / 100.0;
   design.attempts = attempts_->value();
+  design.validDays = validDays_->value();
   design.falsePassMost = falsePass_->value() / 100.0;
   design.falseFailMost = falseFail_->value() / 100.0;
   design.reason = reason_->text().trimmed().toStdString();
@@ -234,6 +260,27 @@ bool CompetenceDialog::takeFromExperts() {
     form_->setRowVisible(standard_, true);
     tolerance_->setValue(found.toleranceBound);
     showPreview();
+  });
+}
+
+void CompetenceDialog::showInterrupted() {
+  interrupted_->clear();
+  for (const InterruptedRun& run : interruptedRuns(shell_.session(), chosen()->moduleId)) {
+    if (!run.excused) {
+      interrupted_->addItem(tr("%1, %2").arg(toQString(run.trainee), shownTime(run.startedUtc_us)),
+                            toQString(run.trialId));
+    }
+  }
+  excuse_->clear();
+  form_->setRowVisible(excuseRow_, interrupted_->count() > 0);
+}
+
+bool CompetenceDialog::excuseChosenRun() {
+  return attempt(shell_, [&] {
+    excuseRun(shell_.session(), TrialId(interrupted_->currentData().toString().toStdString()),
+              excuse_->text().trimmed().toStdString());
+    shell_.notify(tr("Excused. The run does not count as failed."));
+    showInterrupted();
   });
 }
 

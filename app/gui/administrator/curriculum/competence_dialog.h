@@ -11,6 +11,7 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -34,12 +35,15 @@ class CompetenceDialog : public QDialog {
   bool takeFromExperts();
   /// Stores the previewed design as the next version for the chosen exercise.
   bool registerDesign();
+  /// Excuses the chosen interrupted run with the reason entered.
+  bool excuseChosenRun();
 
  private:
   void build();
   void read();
   void showExercise();
   void showPreview();
+  void showInterrupted();
   [[nodiscard]] const ExerciseDesigns* chosen() const;
   [[nodiscard]] CompetenceDesign entered() const;
 
@@ -62,7 +66,12 @@ class CompetenceDialog : public QDialog {
   QDoubleSpinBox* falsePass_;
   QDoubleSpinBox* falseFail_;
   QLineEdit* reason_;
+  QSpinBox* validDays_;
   QLabel* preview_;
+  QComboBox* interrupted_;
+  QLineEdit* excuse_;
+  QPushButton* excuseRun_;
+  QHBoxLayout* excuseRow_;
   QFormLayout* form_;
   QPushButton* register_ = nullptr;
 };

@@ -424,12 +424,15 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   auto* preview = &child<QLabel>(dialog, "preview");
   auto* store = &child<QPushButton>(dialog, "register");
   EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("shipped with the exercise")));
-  EXPECT_TRUE(preview->text().contains(QStringLiteral("4.9\u00a0%")));
+  EXPECT_TRUE(preview->text().contains(
+      QStringLiteral("and 2.3\u00a0% are declared competent within the 50 runs planned")));
   EXPECT_TRUE(store->isEnabled());
   EXPECT_TRUE(sentencesWhole(dialog));
+  EXPECT_EQ(child<QComboBox>(dialog, "interrupted").count(), 0);  // nothing to excuse
+  EXPECT_FALSE(child<QPushButton>(dialog, "excuse-run").isEnabled());
 
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(20.0);
-  EXPECT_TRUE(preview->text().contains(QStringLiteral("50.3\u00a0%")));  // of competent trainees would fail
+  EXPECT_TRUE(preview->text().contains(QStringLiteral("41.0\u00a0%")));  // of competent trainees would fail
   EXPECT_FALSE(store->isEnabled());
   EXPECT_TRUE(sentencesWhole(dialog));
   EXPECT_LE(dialog.height(), 700);                            // on a small screen
@@ -441,9 +444,11 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   child<QComboBox>(dialog, "source").setCurrentIndex(2);
   EXPECT_FALSE(store->isEnabled());  // set by hand: needs a reason
   child<QComboBox>(dialog, "source").setCurrentIndex(0);
+  child<QSpinBox>(dialog, "valid-days").setValue(365);
   store->click();
 
   EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("version 1")));
+  EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("expires after 365 days")));
   const ExerciseDesigns stored = competenceDesigns(desk.centre.session(), version).front();
   ASSERT_EQ(stored.registered.size(), 1U);
   EXPECT_EQ(stored.registered.front().attempts, 30);

@@ -322,6 +322,52 @@ TEST(CompetenceDesigns, ApplyToTraineesWhoStartAfterTheirRegistration) {
   EXPECT_EQ(paper.modules.front().competence.errors.attempts, 1);
 }
 
+// Somebody who cut the device at the second miss was declared competent in 93 %: the runs did not count.
+TEST(Competence, AnInterruptedRunHasFailedUntilItIsExcused) {
+  TrainingCentre centre;
+  centre.attempt("first", "practice", kExpertSkill);
+  const std::string cut =
+      centre.attempt("first", "practice", kExpertSkill, 12.0, {}, 0.0, TrialOutcome::kInterrupted);
+  const auto verdict = [&] {
+    centre.become("T-01");
+    return trend(centre.session(), centre.person(), centre.module("first")).competence;
+  };
+  EXPECT_EQ(verdict().attempts, 2U);
+  EXPECT_EQ(verdict().failed, 1U);
+  EXPECT_THROW(excuseRun(centre.session(), cut, "power cut"), Error);  // a trainee
+
+  SessionContext& session = asAdministrator(centre);
+  const std::vector<InterruptedRun> runs = interruptedRuns(session, centre.module("first"));
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs[0].trialId, cut);
+  EXPECT_EQ(runs[0].trainee, "T-01");
+  EXPECT_THROW(excuseRun(session, cut, ""), Error);  // no reason
+  excuseRun(session, cut, "power cut");
+  EXPECT_THROW(excuseRun(session, cut, "again"), Error);
+  EXPECT_TRUE(interruptedRuns(session, centre.module("first")).at(0).excused);
+  EXPECT_EQ(interruptedRuns(session, centre.module("first")).at(0).reason, "power cut");
+  EXPECT_EQ(verdict().attempts, 1U);
+  EXPECT_EQ(verdict().failed, 0U);
+  asAdministrator(centre);
+  EXPECT_THROW(excuseRun(session, runs[0].trialId.text() + "x", "none"), Error);
+}
+
+TEST(Competence, AnInterruptedRunEndsAStreakUnlessItIsExcused) {
+  TrainingCentre centre;
+  const auto streak = [&] {
+    centre.become("T-01");
+    const auto module = CurriculumRepository(centre.connection()).module(centre.module("first"));
+    return ruleProgress(*module, attemptsOf(centre.session(), centre.person(), module->id)).at(0).streak;
+  };
+  centre.attempt("first", "practice", kExpertSkill);
+  ASSERT_EQ(streak(), 1);
+  const std::string cut =
+      centre.attempt("first", "practice", kExpertSkill, 12.0, {}, 0.0, TrialOutcome::kInterrupted);
+  EXPECT_EQ(streak(), 0);
+  excuseRun(asAdministrator(centre), cut, "the cable");
+  EXPECT_EQ(streak(), 1);
+}
+
 TEST(CompetenceDesigns, AreRefusedToTraineesAndIfTheyMissTheirErrorRates) {
   TrainingCentre centre;
   EXPECT_THROW((void)registerCompetence(centre.session(), stricter(centre)), Error);
