@@ -18859,14 +18859,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>真实失败率为 %1 的学员中，在计划的 %3 次练习内分别有 %2 被判为胜任；失败率仅为 %4 者中有 %5 未被判为胜任，另有 %6 因误报警而不再被认为胜任。%7</translation>
     </message>
     <message>
-        <source>%1 Within the %2 {run|runs} made nobody can be declared competent.</source>
-        <translation>%1在已完成的 %2 次练习内，任何人都不可能被判为胜任。</translation>
-    </message>
-    <message>
-        <source>%1 Within the %2 {run|runs} made it is %3.</source>
-        <translation>%1在已完成的 %2 次练习内，分别为 %3。</translation>
-    </message>
-    <message>
         <source>not shown yet; %1 more {run|runs} needed</source>
         <translation>尚未证明；还需 %1 次练习</translation>
     </message>
@@ -19225,6 +19217,14 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Interrupted run excused</source>
         <translation>中断的练习已免计</translation>
+    </message>
+    <message>
+        <source>Within the %1 {run|runs} made nobody can be declared competent.</source>
+        <translation>在已完成的 %1 次练习内，任何人都不可能被判为胜任。</translation>
+    </message>
+    <message>
+        <source>Within the %1 {run|runs} made, %2 of those who fail %3 are declared competent.</source>
+        <translation>在已完成的 %1 次练习内，失败率为 %3 者分别有 %2 被判为胜任。</translation>
     </message>
 </context>
 <context>
@@ -30874,10 +30874,6 @@ T-02,master,17</translation>
         <translation>训练时间：模拟器 %1 分钟，实物手臂 %2 分钟，休息 %3 分钟。</translation>
     </message>
     <message>
-        <source>%1. Level: %2.</source>
-        <translation>%1。水平：%2。</translation>
-    </message>
-    <message>
         <source>When</source>
         <translation>时间</translation>
     </message>
@@ -30944,6 +30940,10 @@ T-02,master,17</translation>
     <message>
         <source>Verdict</source>
         <translation>结论</translation>
+    </message>
+    <message>
+        <source>%1. Level: %2. %3</source>
+        <translation>%1。水平：%2。%3</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,7 @@
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/outputs/wording/joined_sentences.h"
+#include "app/services/recording/competence.h"
 #include "sim/core/error.h"
 #include "sim/core/file_lock.h"
 
@@ -98,10 +99,11 @@ QString TranscriptPage::html(bool paper) const {
     page += QStringLiteral("<h3 style='margin-top: %1px'>%2</h3>")
                 .arg(kAboveModule_px)
                 .arg(title.toHtmlEscaped());
-    line(tr("%1. Level: %2.")
-             .arg(StationLabels::state(module.step.state), StationLabels::level(module.competence)));
+    line(tr("%1. Level: %2. %3")
+             .arg(StationLabels::state(module.step.state), StationLabels::level(module.competence),
+                  toQString(competenceMadeText(module.competence))));
     const QString judgedHow = joinedSentences({StationLabels::competenceRule(module.competence),
-                                               StationLabels::competenceErrors(module.competence)});
+                                               toQString(competenceErrorText(module.competence.design))});
     const auto [first, isNew] = judgedAs.try_emplace(judgedHow, title);
     line(isNew ? judgedHow : tr("Competence is judged as in \u201c%1\u201d.").arg(first->second));
     if (module.attempts.empty()) {

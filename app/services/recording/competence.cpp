@@ -268,15 +268,16 @@ Text competenceErrorText(const CompetenceDesign& design) {
       percentText(errors.falseAlarm), assumptionText(design));
 }
 
+Text competenceMadeText(const CompetenceVerdict& verdict) {
+  return verdict.attempts < fewestForAble(verdict.design)
+             ? Text::tr("Within the %1 {run|runs} made nobody can be declared competent.", verdict.attempts)
+             : Text::tr("Within the %1 {run|runs} made, %2 of those who fail %3 are declared competent.",
+                        verdict.attempts, fiveShares(verdict.made.declared, 1),
+                        fiveShares(kStatedFailureRates, 0));
+}
+
 Text competenceErrorText(const CompetenceVerdict& verdict) {
-  const Text planned = competenceErrorText(verdict.design);
-  const std::size_t fewest = fewestForAble(verdict.design);
-  if (verdict.attempts < fewest) {
-    return Text::tr("%1 Within the %2 {run|runs} made nobody can be declared competent.", planned,
-                    verdict.attempts);
-  }
-  return Text::tr("%1 Within the %2 {run|runs} made it is %3.", planned, verdict.attempts,
-                  fiveShares(verdict.made.declared, 1));
+  return Text::tr("%1 %2", competenceErrorText(verdict.design), competenceMadeText(verdict));
 }
 
 Text competenceLevelText(const CompetenceVerdict& verdict) {

@@ -64,7 +64,9 @@ class Connection;
 /// Describes how probable it is to be declared competent within the runs planned, by the true failure rate,
 /// and what this assumes.
 [[nodiscard]] Text competenceErrorText(const CompetenceDesign& design);
-/// The same, and within the runs made.
+/// Describes how probable it is to be declared competent within the runs made.
+[[nodiscard]] Text competenceMadeText(const CompetenceVerdict& verdict);
+/// Both of the above.
 [[nodiscard]] Text competenceErrorText(const CompetenceVerdict& verdict);
 /// Names the level, and the number of attempts that it is based on.
 [[nodiscard]] Text competenceLevelText(const CompetenceVerdict& verdict);
