@@ -34,7 +34,8 @@ constexpr double kChartHeight_mm = 64.0;
 constexpr double kCloudHeight_mm = 84.0;  // flatter, the shape of a cloud would be lost; thirty values fit
                                           // below
 constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
-constexpr double kAnswerRow_mm = 6.0;     // of the first page's forest
+constexpr double kAnswerFrame_mm = 16.0;  // without a legend
+constexpr double kAnswerRow_mm = 5.5;     // of the first page's forest
 constexpr double kFrame_mm = 24.0;        // axis, labels and legend around the rows
 constexpr double kTallestChart_mm = 170.0;
 constexpr double kTallestPictures_mm = 225.0;
@@ -68,8 +69,9 @@ double heightOf(const ReportFigure& figure, double width_mm) {
   if (rows == 0) {
     return figure.kind == FigureKind::kScatter ? kCloudHeight_mm : kChartHeight_mm;
   }
-  const double row_mm = figure.valuesInLabels ? kAnswerRow_mm : kRowHeight_mm;
-  return std::min(kTallestChart_mm, kFrame_mm + row_mm * static_cast<double>(rows));
+  return figure.valuesInLabels
+             ? kAnswerFrame_mm + kAnswerRow_mm * static_cast<double>(rows)
+             : std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
 }
 
 /// Returns whether a figure and its labels can be read in a column.
