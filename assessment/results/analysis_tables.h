@@ -73,7 +73,8 @@ struct ModelDifference {
 [[nodiscard]] std::vector<ModelDifference> modelDifferences(const CohortInputs& inputs);
 /// Returns the key of a pair of models.
 [[nodiscard]] ResultKey modelPairKey(const CohortInputs& inputs, const ModelDifference& pair);
-[[nodiscard]] std::optional<ReportTable> modelDifferencesTable(const CohortInputs& inputs, const Ledger& ledger);
+[[nodiscard]] std::optional<ReportTable> modelDifferencesTable(const CohortInputs& inputs,
+                                                               const Ledger& ledger);
 
 /// Names groups without anybody scored at both ends, "Group 3 (n = 0)"; empty: all are compared.
 [[nodiscard]] std::vector<Text> groupsNotCompared(const CohortInputs& inputs, const StudyAnalysis& study);

@@ -75,8 +75,8 @@ struct CohortFreeze {
   std::string contentHash;
   std::int64_t frozenUtc_us = 0;
   std::string frozenBy;
-  bool unchanged = true;  ///< the current data still have that hash
-  std::int64_t sheetsAsked = 0;      ///< of raters, when it was frozen; 0: not known
+  bool unchanged = true;         ///< the current data still have that hash
+  std::int64_t sheetsAsked = 0;  ///< of raters, when it was frozen; 0: not known
   std::int64_t sheetsSubmitted = 0;
   std::string whyIncomplete{};
   [[nodiscard]] bool interim() const noexcept { return sheetsSubmitted < sheetsAsked; }

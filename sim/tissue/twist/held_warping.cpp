@@ -15,7 +15,7 @@ namespace torsio {
 
 namespace {
 
-constexpr int kHeldSteps = 160;                // along the rod
+constexpr int kHeldSteps = 160;            // along the rod
 constexpr double kRidge = 1e-12;           // of the mean diagonal: keeps the fit solvable
 constexpr double kRound = 0.005;           // 1 - J / Ip below which a section does not warp
 constexpr double kChangeSpan_radii = 0.5;  // to either side; what changes faster dies out within the section
