@@ -1498,10 +1498,6 @@
         <translation>上次：%1 后中断</translation>
     </message>
     <message>
-        <source>Level: %1. %2</source>
-        <translation>水平：%1。%2</translation>
-    </message>
-    <message>
         <source>Previously competent, but not now. Practise until you are competent again.</source>
         <translation>曾经胜任，但目前不再胜任。请练习，直到再次胜任。</translation>
     </message>
@@ -1522,6 +1518,10 @@
     <message>
         <source>Competent before, but too long without a run. Show it again.</source>
         <translation>此前已胜任，但太久没有练习。请重新证明。</translation>
+    </message>
+    <message>
+        <source>Level: %1</source>
+        <translation>水平：%1</translation>
     </message>
 </context>
 <context>

@@ -237,6 +237,7 @@ void NextStepPage::fillNext() {
     texts->addWidget(quiet);
     auto* goal = plainLabel(next_);
     goal->setText(StationLabels::why(step));
+    goal->setToolTip(step.competence ? StationLabels::competenceErrors(*step.competence) : QString());
     texts->addWidget(goal);
     auto* then = plainLabel(next_, "quiet");
     then->setText(StationLabels::unlocks(step));
@@ -307,6 +308,7 @@ void NextStepPage::addModule(const ModuleStep& step) {
   texts->addWidget(title);
   auto* why = named(plainLabel(frame, "quiet"), "why");
   why->setText(StationLabels::why(step));
+  why->setToolTip(step.competence ? StationLabels::competenceErrors(*step.competence) : QString());
   why->setVisible(!why->text().isEmpty());
   texts->addWidget(why);
   row->addLayout(texts, 1);

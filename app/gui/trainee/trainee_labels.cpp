@@ -71,7 +71,7 @@ QString StationLabels::why(const ModuleStep& step) {
     parts << toQString(progress.text());
   }
   if (step.competence) {
-    parts << tr("Level: %1. %2").arg(level(*step.competence), competenceErrors(*step.competence));
+    parts << tr("Level: %1").arg(level(*step.competence));
   }
   return parts.join(QLatin1Char('\n'));
 }

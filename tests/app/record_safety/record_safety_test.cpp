@@ -271,7 +271,7 @@ TEST_F(RecordSafety, ChecksOfInvalidRecordsReportItAndChangeNothing) {
   };
   const std::string newer =
       "INSERT INTO schema_migration SELECT 99, 'later', '', checksum, 99, software_version, applied_utc_us"
-      " FROM schema_migration";
+      " FROM schema_migration WHERE version = 1";
   const std::vector<NoRecord> all{
       {"nothing", [](const std::string&) {}, ErrorCode::kFileMissing},
       {"a pipe", [](const std::string& path) { mkfifo(path.c_str(), 0600); }, ErrorCode::kFileUnreadable},
