@@ -19088,7 +19088,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Severity, corrected (logits) [95 %]</source>
-        <translation>严厉度，已校正（logit）[95 %]</translation>
+        <translation>严格程度，已校正（对数单位）[95 %]</translation>
     </message>
     <message>
         <source>Joint estimate</source>
@@ -19096,7 +19096,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Positive: stricter. Severities sum to zero. Infit and outfit are about 1 where a rater&apos;s marks follow the model; the marks that occur, in their order, are its categories. Joint estimates lie too far apart; the corrected ones allow for it, and their intervals come from leaving out trainees.</source>
-        <translation>正值：更严格。严厉度之和为零。评分者的分数符合模型时，Infit 和 outfit 约为 1；实际出现的分数按顺序作为其类别。联合估计值彼此相距过大；校正值对此作了调整，其区间由逐一剔除学员得出。</translation>
+        <translation>正值：更严格。严格程度之和为零。评分符合模型时，两种拟合值约为 1；出现过的评分按次序作为类别。联合估计值彼此相距过大；校正值对此作了调整，其区间由逐一剔除学员得出。</translation>
     </message>
     <message>
         <source>field &apos;most_deg&apos;</source>
