@@ -154,7 +154,7 @@ class ShapeTrack {
  public:
   ShapeTrack(std::shared_ptr<const Scene> scene, TrialPlayback& playback)
       : scene_(std::move(scene)), playback_(playback), places_m_(scene_->mesh.vertices_m.size()) {
-    if (scene_->hollow && scene_->hollow->swing() == nullptr) {
+    if (scene_->hollow) {
       hollow_ = std::make_unique<HollowView>(scene_);
     }
     const std::int64_t last_ms = playback.duration_us() / kMicrosAMilli;

@@ -101,6 +101,9 @@ HollowView::HollowView(std::shared_ptr<const Scene> scene, Isa isa)
     : scene_(std::move(scene)), isa_(isa), slots_(scene_->mesh.vertices_m.size()) {
   TORSIO_EXPECTS(scene_->hollow != nullptr);
   const HollowOrgan& organ = *scene_->hollow;
+  if (organ.swing() != nullptr) {  // it lies as its rod does
+    return;
+  }
   const AxisFrame frame = organ.graspFrame(organ.line().point_m);
   first_ = frame.e1;
   second_ = frame.e2;
@@ -340,6 +343,7 @@ void HollowView::moveSpan(Span& span) noexcept {
 }
 
 bool HollowView::updateBlocks(const OrganState& state) noexcept {
+  TORSIO_EXPECTS(scene_->hollow->swing() == nullptr);
   if (state.twist.graspAngle_rad == 0.0 && HollowSkin(*scene_->hollow, state).rests()) {
     return false;
   }
@@ -354,6 +358,10 @@ bool HollowView::updateBlocks(const OrganState& state) noexcept {
 }
 
 void HollowView::deform(const OrganState& state, std::span<Vec3> out_m) noexcept {
+  if (scene_->hollow->swing() != nullptr) {
+    scene_->deform(state, out_m);
+    return;
+  }
   const std::size_t count = std::min(slots_.size(), out_m.size());
   if (!updateBlocks(state)) {
     std::copy_n(scene_->mesh.vertices_m.begin(), count, out_m.begin());

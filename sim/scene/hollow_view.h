@@ -50,8 +50,9 @@ class HollowSkin {
 
 /// The mesh of a hollow scene for a view: HollowSkin in single precision by the widest instruction set of the
 /// processor, good to 1e-6 m. Vertices are sorted by their place along the organ, so that a block reads one
-/// place of the frame's table and gathers nothing; those that never move are written once. Never feeds a
-/// recording: the last bit depends on the processor. One thread at a time.
+/// place of the frame's table and gathers nothing; those that never move are written once. An organ that
+/// swings as a rod is drawn by Scene::deform itself. Never feeds a recording: the last bit depends on the
+/// processor. One thread at a time.
 class HollowView {
  public:
   /// `scene` has a hollow organ.
@@ -61,7 +62,7 @@ class HollowView {
   /// nothing.
   void deform(const OrganState& state, std::span<Vec3> out_m) noexcept;
   /// Computes the frame in the kernels' own layout, 3 x 16 a block, in the view's own order of vertices;
-  /// false at rest, where there is nothing to compute.
+  /// false at rest, where there is nothing to compute. Not for an organ that swings.
   bool updateBlocks(const OrganState& state) noexcept;
   /// Returns how many bytes of vertices a frame reads and writes; padding is not counted.
   [[nodiscard]] std::size_t bytesAFrame() const noexcept { return bytes_; }

@@ -2,7 +2,6 @@
 #include "app/gui/scene/view_scene.h"
 
 #include "app/gui/scene/scene_canvas.h"
-#include "sim/scene/hollow_organ.h"
 #include "sim/scene/hollow_view.h"
 
 namespace torsio::gui {
@@ -26,7 +25,7 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
     view.mesentery = mesenteryHolds(*scene);
   }
   view.deform = [scene](const OrganState& state, std::span<Vec3> out_m) { scene->deform(state, out_m); };
-  if (scene->hollow && scene->hollow->swing() == nullptr) {
+  if (scene->hollow) {
     view.deform = [drawn = std::make_shared<HollowView>(scene)](
                       const OrganState& state, std::span<Vec3> out_m) { drawn->deform(state, out_m); };
   }

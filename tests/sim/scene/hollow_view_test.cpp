@@ -98,6 +98,25 @@ TEST_P(HollowViewOf, AtRestIsTheDoublePathToTheBit) {
   EXPECT_EQ(drawn_m, scene->mesh.vertices_m);
 }
 
+// The pages of the review desk are compared with this view: it draws what the window draws.
+TEST(HollowView, AnOrganThatSwingsIsDrawnAsItsRodLies) {
+  const std::shared_ptr<const Scene> scene = shippedHollow("gastric-organo-axial");
+  ASSERT_NE(scene->hollow->swing(), nullptr);
+  std::vector<Vec3> expected_m(scene->mesh.vertices_m.size());
+  std::vector<Vec3> drawn_m(expected_m.size());
+
+  HollowView view(scene);
+  for (const double angle_rad : anglesOf(*scene->hollow)) {
+    const OrganState state = scene->stateAt(angle_rad);
+    scene->deform(state, expected_m);
+    view.deform(state, drawn_m);
+
+    EXPECT_EQ(drawn_m, expected_m) << degrees(angle_rad);
+  }
+  view.deform(scene->stateAt(scene->hollow->detorsion().start.most_rad), drawn_m);
+  EXPECT_GT(farthest_m(drawn_m, scene->mesh.vertices_m), 0.05);
+}
+
 // The table of hollowCells with one cell: its 13 quantities.
 std::vector<float> oneCell(const std::array<float, 13>& quantities) {
   std::vector<float> cells(quantities.size() * kHollowRow);
