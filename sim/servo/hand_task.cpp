@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "sim/core/error.h"
@@ -76,7 +77,7 @@ Vec3 outwardPoint(const Scene& scene, const HandTask& task, const std::vector<Ve
                   const Vec3& outwards, double angle_rad) {
   const OrganState lies = scene.hollow->stateAt(angle_rad);
   Vec3 found_m = task.graspPoint_m;
-  double farthest_m = 0.0;
+  double farthest_m = -std::numeric_limits<double>::max();  // all of it may lie behind the axis
   for (const Vec3& rest_m : outline_m) {
     const Vec3 point_m = scene.toDeformed_m(rest_m, lies);
     const double out_m = dot(point_m - task.axisCentre_m, outwards);

@@ -122,6 +122,32 @@ TEST(ShippedScenes, LetASkilledHandUndoEveryOrganThatCameTwisted) {
   EXPECT_EQ(undone, 6U);
 }
 
+// A stomach that is turned by 210 degrees lies wholly behind the line that it swings about.
+TEST(ShippedScenes, TheHandReachesForTheOrganHoweverFarItCameTwisted) {
+  constexpr double kBetweenVertices_m = 0.005;
+  constexpr std::uint64_t kStarts = 24;
+  for (const std::string& id : sceneIds(kAssets)) {
+    if (patternIds(kAssets, id) != std::vector<std::string>{"detorse"}) {
+      continue;
+    }
+    const Scene& scene = testing::twistedOrgan(id);
+    std::set<double> known_rad;
+    for (std::uint64_t seed = 1; seed <= kStarts; ++seed) {
+      const OrganState lies = scene.hollow->start(seed);
+      if (!known_rad.insert(lies.twist.graspAngle_rad).second) {
+        continue;
+      }
+      const Vec3 reached_m = detorseTask(scene, seed).turns.front().graspPoint_m;
+      double away_m = 1.0;
+      for (const Vec3& vertex_m : testing::smoothAt(scene, lies)) {
+        away_m = std::min(away_m, norm(vertex_m - reached_m));
+      }
+      EXPECT_LT(away_m, kBetweenVertices_m) << id << " " << degrees(lies.twist.graspAngle_rad);
+    }
+    EXPECT_GE(known_rad.size(), 2U) << id;
+  }
+}
+
 TEST(ShippedScenes, ReplayBitForBitWithAModelThatWasBuiltAnew) {
   Trial trial;
   {
