@@ -33,7 +33,8 @@ ReportParagraph neededSentence(const Ledger& ledger, const CohortInputs& in, con
   }
   return {
       found.fewestByEstimate
-          ? Text::tr("These trainees are too few to say how many raters are needed: even %1 raters do not "
+          ? Text::tr("These trainees are too few to say how many raters are needed: even %1 {rater "
+                     "does|raters do} not "
                      "have a dependability of %2 with 95 % confidence. By the estimate alone it would be %3.",
                      kMaxRaters, wanted, byEstimate.words())
           : Text::tr("Not even %1 raters would give a dependability of %2.", kMaxRaters, wanted),

@@ -18683,10 +18683,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>训练：记录中有训练时间，但并非每组都有可供对照的计划。</translation>
     </message>
     <message>
-        <source>Training: all %1 trainees received what was planned for their group, within %2 %.</source>
-        <translation>训练：全部 %1 名学员都接受了为其所在组计划的训练，误差在 %2 % 以内。</translation>
-    </message>
-    <message>
         <source>Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). Everybody is compared in the group to which they were allocated (intention to treat).</source>
         <translation>训练：%2 名学员中有 %1 名没有接受为其所在组计划的训练（%3）。每个人都按其被分配到的组进行比较（意向性分析）。</translation>
     </message>
@@ -18749,10 +18745,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>%1 {rater is|raters are} the fewest whose mean has a dependability of %2 or more with 95 % confidence (lower end of the interval); by the estimate alone it would be %3.</source>
         <translation>至少需要 %1 名评分者，其平均分的可靠性才能以 95 % 的置信度达到 %2 或更高（区间下限）；仅按估计值则为 %3 名。</translation>
-    </message>
-    <message>
-        <source>These trainees are too few to say how many raters are needed: even %1 raters do not have a dependability of %2 with 95 % confidence. By the estimate alone it would be %3.</source>
-        <translation>学员太少，无法确定需要多少评分者：即使 %1 名评分者也不能以 95 % 的置信度达到 %2 的可靠性。仅按估计值则为 %3 名。</translation>
     </message>
     <message>
         <source>G-study of trainees x raters within groups, last occasion; D-study</source>
@@ -19225,6 +19217,14 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Within the %1 {run|runs} made, %2 of those who fail %3 are declared competent.</source>
         <translation>在已完成的 %1 次练习内，失败率为 %3 者分别有 %2 被判为胜任。</translation>
+    </message>
+    <message>
+        <source>Training: all %1 {trainee|trainees} received what was planned for their group, within %2 %.</source>
+        <translation>训练：全部 %1 名学员都接受了为其所在组计划的训练，误差在 %2 % 以内。</translation>
+    </message>
+    <message>
+        <source>These trainees are too few to say how many raters are needed: even %1 {rater does|raters do} not have a dependability of %2 with 95 % confidence. By the estimate alone it would be %3.</source>
+        <translation>学员太少，无法确定需要多少评分者：即使 %1 名评分者也不能以 95 % 的置信度达到 %2 的可靠性。仅按估计值则为 %3 名。</translation>
     </message>
 </context>
 <context>

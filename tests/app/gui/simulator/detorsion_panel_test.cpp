@@ -289,7 +289,8 @@ TEST(ValidityBox, ShowsTheTextOfItsScene) {
   button.click();
 
   EXPECT_TRUE(shown);
-  EXPECT_EQ(told, QStringLiteral("The torque is measured. The blood flow is assumed."));
+  EXPECT_TRUE(told.startsWith(QStringLiteral("The torque is measured. The blood flow is assumed.")))
+      << told.toStdString();  // what is beyond the checked law of the wall follows
 }
 
 TEST(ValidityBox, IsHiddenForASceneWithoutAText) {

@@ -147,7 +147,10 @@ struct ScoredCase {
     TrialDigests digests(centre.assets());
     return reportInputs(centre.as(role), request, digests).singleMarks;
   }
-  void freeze() { request.frozenId = freezeData(centre.as("administrator"), request.cohortId, "frozen").id; }
+  void freeze() {
+    request.frozenId =
+        freezeData(centre.as("administrator"), request.cohortId, "frozen", {}, "a first look").id;
+  }
 };
 
 TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyOnceTheyCannotBeInfluenced) {
