@@ -103,8 +103,8 @@ ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study)
                  "variance of "
                  "the trainee scores with divisor n; the table lists the other readings."));
   }
-  for (Text& sentence : blindingSentences(in)) {
-    section.paragraphs.push_back(std::move(sentence));
+  for (const Text& sentence : blindingSentences(in)) {
+    section.paragraphs.emplace_back(sentence);
   }
   if (!in.trainingMarks.empty()) {
     section.paragraphs.push_back(comparisonSentence(study));

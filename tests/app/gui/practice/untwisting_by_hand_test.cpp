@@ -168,31 +168,33 @@ class Player {
     }
   }
 
-  /// Returns the pixel of the held section nearest to the viewer.
-  [[nodiscard]] QPointF frontOfTheBand() const {
+  /// Returns the pixel nearest to the viewer of the section that is to be held; `beside`: so many twentieths
+  /// of the organ's length from there.
+  [[nodiscard]] QPointF frontOfTheBand(int beside) const {
     const Scene& scene = *scene_;
-    const OrganState lies{{state_.response.graspArc_m, angle_rad()}, {}, state_.hollow};
-    const double arc_m = scene.pattern.graspArc * scene.lattice().length_m();
-    QPointF found;
-    double nearest = 1e30;
-    for (int i = 0; i < 72; ++i) {
-      const Vec3 rest_m = scene.lattice().surfacePoint({arc_m, radians(5.0 * i)}).position_m;
-      const QVector3D point = toView(scene.toDeformed_m(rest_m, lies));
-      const double depth = view_.camera().depth(point);
-      if (depth < nearest) {
-        nearest = depth;
-        found = view_.camera().pixel(point, QSizeF(view_.size()));
-      }
+    OrganState lies{{state_.response.graspArc_m, angle_rad()}, {}, state_.hollow};
+    scene.hollow->lay(lies);
+    const double arc_m = (scene.pattern.graspArc + 0.05 * beside) * scene.lattice().length_m();
+    const auto pointAt = [&](double angle_deg) {
+      return toView(
+          scene.toDeformed_m(scene.lattice().surfacePoint({arc_m, radians(angle_deg)}).position_m, lies));
+    };
+    double found_deg = 0.0;
+    for (int i = 1; i < 72; ++i) {
+      found_deg = view_.camera().depth(pointAt(5.0 * i)) < view_.camera().depth(pointAt(found_deg))
+                      ? 5.0 * i
+                      : found_deg;
     }
-    return found;
+    return view_.camera().pixel(pointAt(found_deg), QSizeF(view_.size()));
   }
 
   bool grip() {
-    for (int tries = 0; tries < 4; ++tries) {
-      mouse_ = frontOfTheBand();
+    // Where the shaft rests against another part, the jaw does not arrive: one tries beside it.
+    for (const int beside : {0, 0, -1, 1, -2, 2}) {
+      mouse_ = frontOfTheBand(beside);
       move(mouse_);
       pass(0.4);
-      for (int notch = 0; notch < 120 && state_.phase != ExercisePhase::kContact; ++notch) {
+      for (int notch = 0; notch < 120 && (state_.contact & kContactJaw) == 0; ++notch) {
         wheel(1);
         pass(0.08);
       }
