@@ -87,10 +87,6 @@ void PageFlow::add(double height_mm, Draw draw, double keepWithNext_mm, PdfPart 
   cursor_mm_ += height_mm;
 }
 
-double PageFlow::page_mm() const {
-  return bottom_mm() - style_.marginTop_mm;
-}
-
 double PageFlow::room_mm() const {
   return bottom_mm() - cursor_mm_;
 }

@@ -53,8 +53,6 @@ class PageFlow {
   /// Adds a block that is never split; moves to the next page if it does not fit. `keepWithNext_mm`:
   /// additional room required below (headings). `part`: its role for screen readers.
   void add(double height_mm, Draw draw, double keepWithNext_mm = 0.0, PdfPart part = {});
-  /// Returns the usable height of a page.
-  [[nodiscard]] double page_mm() const;
   /// Returns the height left on the current page.
   [[nodiscard]] double room_mm() const;
   void space(double height_mm);
