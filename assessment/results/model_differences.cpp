@@ -9,7 +9,6 @@
 #include "assessment/results/analysis_tables.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
-#include "assessment/statistics/distributions.h"
 #include "assessment/statistics/multiplicity.h"
 
 namespace torsio {
@@ -61,10 +60,8 @@ std::vector<ModelDifference> modelDifferences(const CohortInputs& in) {
   const std::vector<double> factors = holmFactors(p);
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (const Outcome<TTest>& test = out[i].test) {
-      const double reach =
-          tQuantile(1.0 - 0.5 * (1.0 - kDefaultConfidence) / factors[i], test->df) * test->error;
       out[i].pHolm = adjusted[i];
-      out[i].asHolm = {test->difference - reach, test->difference + reach};
+      out[i].asHolm = holmInterval(test->difference, test->error, test->df, factors[i], kDefaultConfidence);
     }
   }
   return out;

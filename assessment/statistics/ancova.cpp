@@ -100,7 +100,7 @@ void addHolm(std::span<const double> p, std::span<AdjustedDifference* const> pai
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     AdjustedDifference& pair = *pairs[i];
     pair.pHolm = adjusted[i];
-    pair.asHolm = around(pair.difference, quantileOf(1.0 - (1.0 - confidence) / factors[i], df) * pair.error);
+    pair.asHolm = holmInterval(pair.difference, pair.error, df, factors[i], confidence);
   }
 }
 

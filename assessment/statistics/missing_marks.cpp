@@ -6,7 +6,6 @@
 #include <map>
 
 #include "assessment/statistics/descriptive.h"
-#include "assessment/statistics/distributions.h"
 #include "assessment/statistics/multiplicity.h"
 
 namespace torsio {
@@ -166,8 +165,7 @@ void addContrasts(const CrossedModel& model, double confidence, MixedComparison&
     MixedComparison::Pair& pair = out.pairs[i];
     pair.pHolm = adjusted[i];
     const ModelEstimate& of = pair.difference;
-    const double reach = tQuantile(1.0 - 0.5 * (1.0 - confidence) / factors[i], of.df) * of.error;
-    pair.asHolm = {of.value - reach, of.value + reach};
+    pair.asHolm = holmInterval(of.value, of.error, of.df, factors[i], confidence);
   }
   out.group = model.test(contrasts);
 }

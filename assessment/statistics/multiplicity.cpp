@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "assessment/statistics/distributions.h"
+
 namespace torsio {
 
 namespace {
@@ -59,6 +61,11 @@ std::vector<double> holmFactors(std::span<const double> p) {
     out[order[i]] = p[order[i]] > 0.0 ? std::max(step, largest / p[order[i]]) : step;
   }
   return out;
+}
+
+Interval holmInterval(double difference, double error, double df, double factor, double confidence) {
+  const double reach = tQuantile(1.0 - 0.5 * (1.0 - confidence) / factor, df) * error;
+  return {difference - reach, difference + reach};
 }
 
 std::vector<double> adjustHochberg(std::span<const double> p) {
