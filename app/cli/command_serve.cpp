@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <ctime>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <mutex>
@@ -18,6 +18,8 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <QString>
+#include <QtGlobal>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
@@ -25,8 +27,10 @@
 #include "app/services/base/assets.h"
 #include "app/web/http_server.h"
 #include "app/web/own_certificate.h"
+#include "app/web/service_manager.h"
 #include "app/web/web_desk.h"
 #include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/file_lock.h"
@@ -34,6 +38,9 @@
 namespace torsio::cli {
 
 namespace {
+
+constexpr std::chrono::milliseconds kFirstPause(250);
+constexpr std::chrono::milliseconds kLongestPause(2000);
 
 struct ServeArguments {
   DatabaseOption database;
@@ -44,6 +51,7 @@ struct ServeArguments {
   std::string ownCertificate;
   std::string state;
   std::int64_t endsWith = 0;
+  std::int64_t waitForDatabase_s = 300;
   bool quiet = false;
 };
 
@@ -80,7 +88,7 @@ sigset_t endingSignals() {
 }
 
 /// Writes one line to standard error, where the service manager logs it with its own time.
-void writeAccess(const std::string& line) {
+void writeLog(const std::string& line) {
   static std::mutex one;
   const std::lock_guard lock(one);
   std::cerr << line << "\n";
@@ -103,19 +111,54 @@ std::vector<std::string> addressesOf(const ServeArguments& arguments, const web:
   return addresses;
 }
 
-/// Waits for a signal that stops the server, or for the end of its owner process.
-void waitForTheEnd(const sigset_t& signals, std::int64_t process) {
-  if (process == 0) {
-    int signal = 0;
-    sigwait(&signals, &signal);
-    return;
-  }
-  const timespec aSecond{.tv_sec = 1, .tv_nsec = 0};
-  while (sigtimedwait(&signals, nullptr, &aSecond) < 0) {
-    if (kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) {
-      return;
+/// Waits; true: the server is to stop.
+bool endsWithin(const sigset_t& signals, std::chrono::milliseconds time) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
+  const timespec wait{.tv_sec = seconds.count(), .tv_nsec = std::chrono::nanoseconds(time - seconds).count()};
+  return sigtimedwait(&signals, nullptr, &wait) > 0;
+}
+
+/// Opens the record once, which must exist: the server never creates one. Waits for a database server that
+/// cannot be reached, and logs each cause once. False: stopped by a signal. Throws DbError after the longest
+/// wait.
+bool waitForTheRecord(const ServeArguments& arguments, const std::string& locator, const sigset_t& signals) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point latest = Clock::now() + std::chrono::seconds(arguments.waitForDatabase_s);
+  std::string logged;
+  for (std::chrono::milliseconds pause = kFirstPause;; pause = std::min(2 * pause, kLongestPause)) {
+    try {
+      (void)openDatabase(locator, OpenMode::kReadWrite);
+      return true;
+    } catch (const DbError& error) {
+      if (error.fault() != DbFault::kUnreachable || Clock::now() + pause > latest) {
+        throw;
+      }
+      if (logged != error.happened()) {
+        logged = error.happened();
+        writeLog("Waiting for the database server: " + logged);
+      }
+    }
+    web::tellServiceManager("STATUS=Waiting for the database server\nEXTEND_TIMEOUT_USEC=30000000");
+    if (endsWithin(signals, pause)) {
+      return false;
     }
   }
+}
+
+/// Returns when a signal stops the server, or when its owner process ends. Meanwhile tells the service
+/// manager that the desk is alive.
+void serveUntilTheEnd(const sigset_t& signals, std::int64_t process, web::WebDesk& desk) {
+  web::tellServiceManager("READY=1\nSTATUS=Open");
+  while (!endsWithin(signals, std::chrono::seconds(1))) {
+    if (process != 0 && kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) {
+      break;
+    }
+    if (desk.isAlive()) {
+      web::tellServiceManager("WATCHDOG=1");
+    }
+  }
+  web::tellServiceManager("STOPPING=1");
+  desk.endWaiting();
 }
 
 /// Publishes an open desk to other processes of this machine in a file that is removed with it.
@@ -152,7 +195,17 @@ class DeskNotice {
   std::optional<FileLock> lock_;
 };
 
+/// Qt's database driver warns of each statement of a lost connection; the desk logs its loss once.
+void dropWarningsOfQt() {
+  qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtCriticalMsg || type == QtFatalMsg) {
+      writeLog(message.toStdString());
+    }
+  });
+}
+
 void serve(const ServeArguments& arguments) {
+  dropWarningsOfQt();
   const web::HttpAddress address = web::addressOf(arguments.listen);
   requireEncryption(arguments, address);
   const DeskNotice notice(arguments.state);
@@ -163,12 +216,16 @@ void serve(const ServeArguments& arguments) {
     tls = web::ownCertificate(arguments.ownCertificate, web::machineNames(), std::time(nullptr)).tls;
   }
   const std::string locator = arguments.database.locator();
-  (void)openDatabase(locator, OpenMode::kReadWrite);  // must exist: the server never creates a record
   const sigset_t signals = endingSignals();
+  if (!waitForTheRecord(arguments, locator, signals)) {
+    return;
+  }
   web::WebDesk desk({.locator = locator,
                      .assets = assetsFolder(),
                      .publicUrl = arguments.publicUrl,
-                     .accessLog = arguments.quiet ? std::function<void(const std::string&)>() : writeAccess});
+                     .accessLog = arguments.quiet ? web::LogLine() : writeLog,
+                     .log = writeLog,
+                     .strictTransport = !arguments.certificate.empty() || !arguments.publicUrl.empty()});
   web::HttpLimits limits;
   if (!arguments.publicUrl.empty()) {
     limits.connectionsAnAddress = limits.connections;  // all come from the proxy
@@ -188,7 +245,7 @@ void serve(const ServeArguments& arguments) {
   }
   std::cout << "Ctrl+C closes it" << std::endl;
   notice.write(addresses, fingerprint, arguments.endsWith);
-  waitForTheEnd(signals, arguments.endsWith);
+  serveUntilTheEnd(signals, arguments.endsWith, desk);
 }
 
 }  // namespace
@@ -206,6 +263,9 @@ void addServe(CLI::App& program) {
   command->add_option("--state", arguments->state, "File that contains the desk's address while it is open");
   command->add_option("--ends-with", arguments->endsWith, "Process id: the desk stops when that process ends")
       ->check(CLI::PositiveNumber);
+  addDefaulted(*command, "--wait-for-database", arguments->waitForDatabase_s,
+               "Seconds to wait at start for a database server that cannot be reached",
+               CLI::NonNegativeNumber);
   command->add_flag("--quiet", arguments->quiet, "Switches the access log off");
   command->callback([arguments] { serve(*arguments); });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The administrators' boards of the day and of marks. Read only.
+// The administrators' boards of the day and of marks: what they read.
 #include <cstdint>
 #include <string>
 
@@ -30,13 +30,6 @@ HttpResponse answerCohorts(Call& call) {
             {"today", row.today}};
   });
   return jsonAnswer({{"cohorts", std::move(all)}, {"first", cohortShownFirst(rows)}});
-}
-
-CohortId cohortOf(const Call& call) {
-  if (const auto found = objectOf(call, call.parts.front(), kCohort)) {
-    return CohortId(*found);
-  }
-  refuseParameter(Text::tr("there is no such cohort"), "", Text::tr("Load the page again"));
 }
 
 /// Formats a time in the server's time zone: "14:05", with the date if that is not today.
@@ -77,7 +70,12 @@ HttpResponse answerBoard(Call& call) {
   json alerts = jsonList(dayAlerts(board), [&](const DayAlert& alert) {
     return said(call, alertText(alert, hourOf(alert.sinceUtc_us), Text(alert.occasion.label)));
   });
+  json occasions = json::array();
+  for (const Occasion& occasion : board.occasions) {
+    occasions.push_back({{"code", occasion.code}, {"label", said(call, Text(occasion.label))}});
+  }
   return jsonAnswer({{"name", board.cohortName},
+                     {"occasions", std::move(occasions)},
                      {"alerts", std::move(alerts)},
                      {"rows", std::move(rows)},
                      {"stations", std::move(stations)}});
@@ -103,6 +101,13 @@ HttpResponse answerScored(Call& call) {
 }
 
 }  // namespace
+
+CohortId cohortOf(const Call& call) {
+  if (const auto found = objectOf(call, call.parts.front(), kCohort)) {
+    return CohortId(*found);
+  }
+  refuseParameter(Text::tr("there is no such cohort"), "", Text::tr("Load the page again"));
+}
 
 std::vector<Route> boardRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;

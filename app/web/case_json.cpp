@@ -63,6 +63,7 @@ json queueJson(const ReviewQueue& queue, WebSession& session) {
           {"minutes", queue.minutes},
           {"in_ten_minutes", queue.inTenMinutes},
           {"live_called", queue.liveCalled},
+          {"live_waiting", queue.liveWaiting},
           {"next", queue.next ? json(session.handleOf(*queue.next)) : json(nullptr)}};
 }
 

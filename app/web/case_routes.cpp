@@ -175,8 +175,8 @@ std::vector<Route> caseRoutes() {
                       {"GET", "/api/cases/*", kIn, answerCase},
                       {"PUT", "/api/cases/*/sheet", kIn, answerSave},
                       {"POST", "/api/cases/*/viewing", kIn, answerViewing},
-                      {"POST", "/api/cases/*/submit", kIn, answerSubmit},
-                      {"POST", "/api/cases/*/amend", kIn, answerAmend},
+                      sealingRoute("/api/cases/*/submit", answerSubmit),
+                      sealingRoute("/api/cases/*/amend", answerAmend),
                       {"POST", "/api/cases/*/remarks", kIn, answerRemark},
                       {"PUT", "/api/cases/*/remarks/*", kIn, answerEditRemark},
                       {"GET", "/api/organs/*", kIn, answerShelf}},
@@ -267,7 +267,7 @@ std::vector<Route> evaluationRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
   return withPicture({{"GET", "/api/evaluation", kIn, answerForms},
                       {"PUT", "/api/evaluation/*/*", kIn, answerScore},
-                      {"POST", "/api/evaluation/*/*/submit", kIn, answerSubmitModel}},
+                      sealingRoute("/api/evaluation/*/*/submit", answerSubmitModel)},
                      "/api/evaluation/*/*", modelPicture);
 }
 

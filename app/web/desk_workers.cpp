@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/web/desk_workers.h"
 
+#include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
+
+#include "app/services/access/database_away.h"
+#include "db/connection/probe.h"
+#include "sim/core/error.h"
 
 namespace torsio::web {
 
@@ -12,7 +18,9 @@ constexpr std::size_t kMaxWaiting = 1000;  // a second or two of work for all th
 
 }  // namespace
 
-DeskWorkers::DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost) {
+DeskWorkers::DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost,
+                         RecordState& record)
+    : record_(record) {
   for (std::size_t i = 0; i < count; ++i) {
     threads_.emplace_back([this, locator, passwordCost] { serve(locator, passwordCost); });
     std::unique_lock lock(mutex_);
@@ -44,13 +52,15 @@ DeskWorkers::~DeskWorkers() {
   }
 }
 
-bool DeskWorkers::take(Work work) {
+bool DeskWorkers::take(Work work, int rank) {
   {
     const std::lock_guard lock(mutex_);
     if (ending_ || waiting_.size() >= kMaxWaiting) {
       return false;
     }
-    waiting_.push_back(std::move(work));
+    const auto behind = std::find_if(waiting_.begin(), waiting_.end(),
+                                     [rank](const Waiting& one) { return one.rank > rank; });
+    waiting_.insert(behind, {std::move(work), rank});
   }
   changed_.notify_all();
   return true;
@@ -59,6 +69,30 @@ bool DeskWorkers::take(Work work) {
 bool DeskWorkers::isIdle() {
   const std::lock_guard lock(mutex_);
   return waiting_.empty() && busy_ == 0;
+}
+
+/// Returns whether the session's connection answers, reopened if it was lost.
+bool DeskWorkers::reach(SessionContext& session) {
+  try {
+    probe(session.connectionWithoutRight());
+    return true;
+  } catch (...) {
+    if (!saysDatabaseAway(std::current_exception())) {
+      return true;  // the work meets the error and reports it
+    }
+  }
+  using Clock = std::chrono::steady_clock;
+  if (!record_.mayTry(Clock::now())) {
+    return false;
+  }
+  try {
+    session.reconnect();
+    record_.reached(Clock::now());
+    return true;
+  } catch (const Error& error) {
+    record_.failed(error.happened(), Clock::now());
+    return false;
+  }
 }
 
 void DeskWorkers::serve(const std::string& locator, PasswordCost passwordCost) {
@@ -73,11 +107,11 @@ void DeskWorkers::serve(const std::string& locator, PasswordCost passwordCost) {
       if (ending_) {
         return;
       }
-      const Work work = std::move(waiting_.front());
+      const Work work = std::move(waiting_.front().work);
       waiting_.pop_front();
       ++busy_;
       lock.unlock();
-      work(session);
+      work(reach(session) ? &session : nullptr);
       session.setActor({});
       lock.lock();
       --busy_;

@@ -12,34 +12,43 @@
 #include <vector>
 
 #include "app/services/access/session_context.h"
+#include "app/web/record_state.h"
 #include "assessment/domain/people/account.h"
 
 namespace torsio::web {
 
 /// Threads that call services, each with its own connection, because connections are confined to their
-/// thread. Thread-safe.
+/// thread. A connection that was lost is reopened before the next work. Thread-safe.
 class DeskWorkers {
  public:
-  using Work = std::function<void(SessionContext&)>;
+  /// Null: the record cannot be reached.
+  using Work = std::function<void(SessionContext*)>;
 
-  /// Opens `count` connections to the record. Throws Error, DbError.
-  DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost);
+  /// Opens `count` connections to the record. `record` outlives the threads. Throws Error, DbError.
+  DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost, RecordState& record);
   /// Finishes running work and drops queued work.
   ~DeskWorkers();
   DeskWorkers(const DeskWorkers&) = delete;
   DeskWorkers& operator=(const DeskWorkers&) = delete;
 
-  /// Queues work; false: the queue is full. `work` must not throw; it starts with nobody signed in.
-  [[nodiscard]] bool take(Work work);
+  /// Queues work, behind other work of the same or a lower `rank`; false: the queue is full. `work` must not
+  /// throw; it starts with nobody signed in.
+  [[nodiscard]] bool take(Work work, int rank = 0);
   /// True if nothing is running or queued.
   [[nodiscard]] bool isIdle();
 
  private:
   void serve(const std::string& locator, PasswordCost passwordCost);
+  [[nodiscard]] bool reach(SessionContext& session);
 
+  RecordState& record_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Work> waiting_;
+  struct Waiting {
+    Work work;
+    int rank;
+  };
+  std::deque<Waiting> waiting_;
   std::size_t open_ = 0;
   std::size_t busy_ = 0;
   std::exception_ptr failure_;

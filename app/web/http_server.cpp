@@ -217,6 +217,7 @@ struct HttpServer::Daemon {
   MHD_Result hand(MHD_Connection* connection, Exchange& exchange);
   void mark(MHD_Connection* connection, bool waits);
   void complete(MHD_Connection* connection, const Exchange* exchange);
+  void drain();
   void cancelWaiting();
   void notice(MHD_Connection* connection, bool opened);
   void reap();
@@ -252,7 +253,7 @@ MHD_Result HttpServer::Daemon::hand(MHD_Connection* connection, Exchange& exchan
   {
     const std::lock_guard lock(mutex);
     if (ended) {
-      return queue(connection, {.status = 503});
+      return queue(connection, {.status = 503, .headers = {{"Connection", "close"}, {"Retry-After", "2"}}});
     }
     unanswered.insert(pending);
   }
@@ -306,8 +307,15 @@ void HttpServer::Daemon::complete(MHD_Connection* connection, const Exchange* ex
     }
     const std::lock_guard lock(mutex);
     unanswered.erase(exchange->pending);
+    ending.notify_all();
   }
   mark(connection, true);
+}
+
+/// Waits until what was received is answered.
+void HttpServer::Daemon::drain() {
+  std::unique_lock lock(mutex);
+  ending.wait_for(lock, std::chrono::seconds(limits.drain_s), [this] { return unanswered.empty(); });
 }
 
 /// Replies to suspended connections: the library cannot stop while there are any.
@@ -429,6 +437,7 @@ HttpServer::~HttpServer() {
   daemon_->ending.notify_all();
   daemon_->reaper.join();
   const MHD_socket listening = MHD_quiesce_daemon(daemon_->daemon);
+  daemon_->drain();
   daemon_->cancelWaiting();
   MHD_stop_daemon(daemon_->daemon);
   if (listening != MHD_INVALID_SOCKET) {

@@ -56,6 +56,7 @@ struct HttpLimits {
   unsigned connectionsAnAddress = 64;
   unsigned silent_s = 60;   ///< idle timeout
   unsigned request_s = 90;  ///< deadline for receiving a whole request, from the end of the previous one
+  unsigned drain_s = 10;    ///< at the end: for answering what was received
 };
 
 /// HTTP/1.1 server; the only user of libmicrohttpd. Two network threads only read requests and write answers.
@@ -69,7 +70,8 @@ class HttpServer {
 
   /// Starts listening. Throws Error{kUsage}: unusable address; {kBadParameter}: certificate or key.
   HttpServer(const HttpAddress& address, const TlsMaterial& tls, const HttpLimits& limits, Handler handler);
-  /// Closes all connections; later replies are dropped.
+  /// Accepts no more requests, waits for pending replies, then closes all connections; later replies are
+  /// dropped.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;

@@ -198,36 +198,28 @@ namespace {
 
 constexpr std::size_t kLongestPassword_bytes = 1024;
 
-/// Checks the password sent with a sealing act. Empty answer: continue.
-std::optional<HttpResponse> shownPassword(Call& call) {
+/// Checks the password sent with a sealing act, if any.
+void checkShownPassword(Call& call) {
   if (!call.body.has("password")) {
-    return std::nullopt;
+    return;
   }
-  const std::string password = call.body.text("password", kLongestPassword_bytes);
-  if (!call.desk.enterHashing()) {
-    return refusal(call, 503, ErrorCode::kDatabase, Text::tr("the server is busy"),
-                   Text::tr("Try again in a few seconds"));
-  }
-  struct Leave {
-    WebDesk& desk;
-    ~Leave() { desk.leaveHashing(); }
-  } leave{call.desk};
-  showPassword(call.context, password);
-  return std::nullopt;
+  showPassword(call.context, call.body.text("password", kLongestPassword_bytes));
 }
 
 }  // namespace
 
 HttpResponse sealing(Call& call, SignatureMeaning meaning, const std::function<HttpResponse()>& act) {
   try {
-    if (auto busy = shownPassword(call)) {
-      return std::move(*busy);
-    }
+    checkShownPassword(call);
     return act();
   } catch (const PasswordDue& due) {
     return refusal(403, due, call.wording,
                    {{"need_password", true}, {"meaning", said(call, labelOf(meaning))}});
   }
+}
+
+Route sealingRoute(const char* path, HttpResponse (*answer)(Call&)) {
+  return {.method = "POST", .path = path, .answer = answer, .hashing = Hashing::kIfSent};
 }
 
 HttpResponse binaryAnswer(const Call& call, const std::string& packed) {

@@ -65,8 +65,13 @@ struct Call {
   SteadyTime now;
 };
 
-/// Who may use a route; services check rights in addition.
-enum class RouteAccess { kOpen, kSignedIn };
+/// Whether a route hashes a password: such requests wait for one thread, because each takes a quarter of a
+/// gigabyte. kIfSent: if the body contains one.
+enum class Hashing { kNever, kIfSent, kAlways };
+
+/// Who may use a route; services check rights in addition. kAlways: anybody, also while the record cannot be
+/// reached.
+enum class RouteAccess { kAlways, kOpen, kSignedIn };
 
 struct Route {
   std::string method{};
@@ -76,7 +81,13 @@ struct Route {
   /// Takes up to seconds of a core: runs beside the session's other requests without blocking them, and must
   /// not change the session.
   bool heavy = false;
+  /// Answers kNothingNew if there is nothing to tell; then it is asked again at news, and by the page after
+  /// half a minute.
+  bool waits = false;
+  Hashing hashing = Hashing::kNever;
 };
+/// HTTP: no content.
+inline constexpr int kNothingNew = 204;
 
 /// All routes of the desk, except its pages. Any other address is 404.
 class Router {
@@ -95,6 +106,9 @@ class Router {
   std::vector<Route> routes_;
 };
 
+/// Routes for a supervisor of the server: is it alive, does the record answer (sign_in_routes.cpp). Without
+/// personal data.
+[[nodiscard]] std::vector<Route> healthRoutes();
 /// Routes for signing in and out, and for what pages need before that (sign_in_routes.cpp).
 [[nodiscard]] std::vector<Route> signInRoutes();
 /// Routes for listing and ending browser sessions (sign_in_routes.cpp).
@@ -107,6 +121,10 @@ class Router {
 [[nodiscard]] std::vector<Route> raterRoutes();
 [[nodiscard]] std::vector<Route> ownRoutes();
 [[nodiscard]] std::vector<Route> boardRoutes();
+/// Routes of calls to the real arm and of live sheets (live_routes.cpp).
+[[nodiscard]] std::vector<Route> liveRoutes();
+/// Returns the cohort named in the path (board_routes.cpp). Throws Error{kBadParameter}.
+[[nodiscard]] CohortId cohortOf(const Call& call);
 /// Returns the picture of one of the actor's cases, cached or made; checks the right each time
 /// (case_routes.cpp).
 [[nodiscard]] std::shared_ptr<const CasePicture> pictureOf(WebDesk& desk, SessionContext& context,
@@ -150,6 +168,9 @@ template <typename Value>
 /// "need_password" with the meaning of the signature.
 [[nodiscard]] HttpResponse sealing(Call& call, SignatureMeaning meaning,
                                    const std::function<HttpResponse()>& act);
+
+/// Returns the route of such an act.
+[[nodiscard]] Route sealingRoute(const char* path, HttpResponse (*answer)(Call&));
 
 /// Returns `routes` with those of a recording and of its organ below `path`.
 [[nodiscard]] std::vector<Route> withPicture(std::vector<Route> routes, const std::string& path,

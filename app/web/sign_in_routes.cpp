@@ -21,7 +21,6 @@ using nlohmann::json;
 constexpr std::size_t kLongestLogin = 200;
 constexpr std::size_t kLongestPassword = 1024;
 constexpr std::size_t kLongestInvitation = 100;
-constexpr std::chrono::seconds kBusy{2};
 
 HttpResponse wait(Call& call, std::chrono::seconds time) {
   HttpResponse response = refusal(call, 429, ErrorCode::kPermission, Text::tr("too many tries"),
@@ -55,47 +54,30 @@ json userJson(const Actor& actor, const SessionContext& context) {
   return {{"login", actor.login}, {"roles", actor.roles}, {"pages", std::move(pages)}};
 }
 
-/// Hashes a password under the desk's lock. Empty: too many are waiting.
-template <typename Try>
-std::optional<SignInAnswer> hashed(Call& call, const Try& tryIt) {
-  if (!call.desk.enterHashing()) {
-    return std::nullopt;
-  }
-  struct Leave {
-    WebDesk& desk;
-    ~Leave() { desk.leaveHashing(); }
-  } leave{call.desk};
-  return tryIt();
-}
-
-HttpResponse welcome(Call& call, const std::optional<SignInAnswer>& answer) {
-  if (!answer) {
-    return wait(call, kBusy);
-  }
-  switch (answer->outcome) {
+HttpResponse welcome(Call& call, const SignInAnswer& answer) {
+  switch (answer.outcome) {
     case SignIn::kOk:
-      call.desk.signInTries().wasRight(call.desk.clientOf(call.request));
       break;
     case SignIn::kMustChange:
-      call.desk.signInTries().wasRight(call.desk.clientOf(call.request));
       return jsonAnswer({{"outcome", "must_change"}});
     case SignIn::kWait: {
-      const std::int64_t left_us = answer->waitUntilUtc_us - call.context.now_us();
+      const std::int64_t left_us = answer.waitUntilUtc_us - call.context.now_us();
       return wait(call, std::chrono::seconds(left_us / kSecond_us + 1));
     }
     default:
+      call.desk.wrongTries().add(call.desk.clientOf(call.request), call.now);
       return refusal(call, 401, ErrorCode::kPermission, Text::tr("name or password is wrong"),
                      Text::tr("Type both again, or ask an administrator for a new start password"));
   }
-  const json user = userJson(answer->actor, call.context);
+  const json user = userJson(answer.actor, call.context);
   if (user.at("pages").empty()) {
     signOut(call.context);
     return refusal(call, 403, ErrorCode::kPermission, Text::tr("there is no page for you in the browser"),
                    Text::tr("Use Torsio's window at a station"));
   }
   const std::string cookie =
-      call.desk.sessions().open(answer->actor, browserName(call.request.header("user-agent")),
-                                passwordStamp(call.context, answer->actor.userId), call.now);
+      call.desk.sessions().open(answer.actor, browserName(call.request.header("user-agent")),
+                                passwordStamp(call.context, answer.actor.userId), call.now);
   const auto session = call.desk.sessions().find(cookie, call.now);
   HttpResponse response = jsonAnswer({{"outcome", "ok"}, {"token", session->token}, {"user", user}});
   response.headers.emplace_back("Set-Cookie", cookieOf(cookie));
@@ -103,48 +85,40 @@ HttpResponse welcome(Call& call, const std::optional<SignInAnswer>& answer) {
 }
 
 HttpResponse answerSignIn(Call& call) {
-  const auto left = call.desk.signInTries().tried(call.desk.clientOf(call.request), call.now);
-  if (left.count() > 0) {
-    return wait(call, left);
-  }
   const std::string login = call.body.text("login", kLongestLogin);
   const std::string password = call.body.text("password", kLongestPassword);
-  return welcome(call, hashed(call, [&] { return signIn(call.context, login, password); }));
+  return welcome(call, signIn(call.context, login, password));
 }
 
 HttpResponse answerPassword(Call& call) {
-  const auto left = call.desk.signInTries().tried(call.desk.clientOf(call.request), call.now);
-  if (left.count() > 0) {
-    return wait(call, left);
-  }
   const std::string login = call.body.text("login", kLongestLogin);
   const std::string oldPassword = call.body.text("oldPassword", kLongestPassword);
   const std::string newPassword = call.body.text("newPassword", kLongestPassword);
-  const auto changed =
-      hashed(call, [&] { return changeOwnPassword(call.context, login, oldPassword, newPassword); });
-  if (changed && changed->outcome == SignIn::kOk) {
-    call.desk.sessions().closeAll(changed->actor.userId);
+  const SignInAnswer changed = changeOwnPassword(call.context, login, oldPassword, newPassword);
+  if (changed.outcome == SignIn::kOk) {
+    call.desk.sessions().closeAll(changed.actor.userId);
   }
   return welcome(call, changed);
 }
 
 /// Redeems an invitation link with a password; all faults of a link get the same answer.
 HttpResponse answerJoin(Call& call) {
-  const auto left = call.desk.signInTries().tried(call.desk.clientOf(call.request), call.now);
+  const auto left = call.desk.wrongTries().waitOf(call.desk.clientOf(call.request), call.now);
   if (left.count() > 0) {
     return wait(call, left);
   }
   const std::string token = call.body.text("token", kLongestInvitation);
   const std::string code = call.body.textOrNone("code", kLongestInvitation);
   const std::string newPassword = call.body.text("newPassword", kLongestPassword);
-  const auto joined = hashed(call, [&] { return acceptInvitation(call.context, token, code, newPassword); });
-  if (joined && joined->outcome == SignIn::kWrong) {
+  const SignInAnswer joined = acceptInvitation(call.context, token, code, newPassword);
+  if (joined.outcome == SignIn::kWrong) {
+    call.desk.wrongTries().add(call.desk.clientOf(call.request), call.now);
     return refusal(call, 401, ErrorCode::kPermission,
                    Text::tr("this invitation is not good, or not any more"),
                    Text::tr("Check the link, or ask an administrator for a new one"));
   }
-  if (joined && joined->outcome == SignIn::kOk) {
-    call.desk.sessions().closeAll(joined->actor.userId);
+  if (joined.outcome == SignIn::kOk) {
+    call.desk.sessions().closeAll(joined.actor.userId);
   }
   return welcome(call, joined);
 }
@@ -182,11 +156,23 @@ HttpResponse answerTexts(Call& call) {
 
 }  // namespace
 
+std::vector<Route> healthRoutes() {
+  const auto good = [](Call& /*call*/) { return jsonAnswer({{"status", "ok"}}); };
+  return {{"GET", "/healthz", RouteAccess::kAlways, good}, {"GET", "/readyz", RouteAccess::kOpen, good}};
+}
+
 std::vector<Route> signInRoutes() {
+  const auto hashing = [](const char* path, HttpResponse (*answer)(Call&)) {
+    return Route{.method = "POST",
+                 .path = path,
+                 .access = RouteAccess::kOpen,
+                 .answer = answer,
+                 .hashing = Hashing::kAlways};
+  };
   return {{"GET", "/api/texts", RouteAccess::kOpen, answerTexts},
-          {"POST", "/api/sign-in", RouteAccess::kOpen, answerSignIn},
-          {"POST", "/api/password", RouteAccess::kOpen, answerPassword},
-          {"POST", "/api/join", RouteAccess::kOpen, answerJoin},
+          hashing("/api/sign-in", answerSignIn),
+          hashing("/api/password", answerPassword),
+          hashing("/api/join", answerJoin),
           {"POST", "/api/sign-out", RouteAccess::kSignedIn, answerSignOut},
           {"GET", "/api/me", RouteAccess::kSignedIn, answerMe}};
 }

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <typeinfo>
 #include <utility>
 
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
+#include "app/services/access/database_away.h"
 #include "app/services/access/signing.h"
+#include "app/services/study/live_call.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
 #include "sim/core/error.h"
@@ -19,12 +22,14 @@ namespace torsio::web {
 namespace {
 
 constexpr std::size_t kPictures_bytes = 64UL * 1024UL * 1024UL;
-constexpr std::size_t kSignInTries = 10;
+constexpr std::size_t kManyWrongTries = 10;     // a minute
 constexpr std::chrono::seconds kIdleSlack{60};  // pages in use report every half minute
-constexpr int kMaxHashers = 4;                  // one running, the others waiting a second or two
 constexpr std::size_t kWorkersOfAFile = 4;      // writers to a file wait for each other
 constexpr std::size_t kWorkersOfAServer = 8;
-constexpr std::size_t kHeavyThreads = 2;  // one makes pictures, the other serves trainees
+constexpr std::chrono::seconds kLongestBeat{15};  // without any thread taking work
+constexpr std::chrono::milliseconds kLook{500};   // how soon a call made elsewhere is noticed
+constexpr std::chrono::seconds kLongestWait{25};  // of a page: proxies close silent connections
+constexpr std::size_t kHeavyThreads = 2;          // one makes pictures, the other serves trainees
 
 std::size_t workersFor(const DeskSettings& settings) {
   if (settings.workers > 0) {
@@ -35,8 +40,8 @@ std::size_t workersFor(const DeskSettings& settings) {
 
 std::vector<Route> allRoutes() {
   std::vector<Route> routes;
-  for (auto* const part : {signInRoutes, sessionRoutes, caseRoutes, evaluationRoutes, raterRoutes, ownRoutes,
-                           boardRoutes, invitationRoutes}) {
+  for (auto* const part : {healthRoutes, signInRoutes, sessionRoutes, caseRoutes, evaluationRoutes,
+                           raterRoutes, ownRoutes, boardRoutes, liveRoutes, invitationRoutes}) {
     std::vector<Route> some = part();
     std::move(some.begin(), some.end(), std::back_inserter(routes));
   }
@@ -44,7 +49,7 @@ std::vector<Route> allRoutes() {
 }
 
 /// See docs/server.md.
-void addSecurityHeaders(HttpResponse& response) {
+void addSecurityHeaders(HttpResponse& response, bool strictTransport) {
   const std::pair<const char*, const char*> kHeaders[] = {
       {"Content-Security-Policy",
        "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; "
@@ -59,13 +64,12 @@ void addSecurityHeaders(HttpResponse& response) {
   for (const auto& [name, value] : kHeaders) {
     response.headers.emplace_back(name, value);
   }
+  if (strictTransport) {
+    response.headers.emplace_back("Strict-Transport-Security", "max-age=31536000");
+  }
 }
 
 int statusOf(const Error& error) {
-  const auto* database = dynamic_cast<const DbError*>(&error);
-  if (database != nullptr) {
-    return database->fault() == DbFault::kConflict ? 409 : 503;
-  }
   switch (error.code()) {
     case ErrorCode::kPermission:
       return 403;
@@ -106,6 +110,33 @@ HttpResponse refused(int status, const Wording& wording) {
   }
 }
 
+/// The answer while the record cannot be reached.
+HttpResponse recordAway(const Wording& wording) {
+  HttpResponse response = refusal(
+      503,
+      simpleRefusal(Text::tr("the record cannot be reached just now"),
+                    Text::tr("Nothing is lost: this page keeps what you typed and tries again by itself")),
+      wording);
+  response.headers.emplace_back("Retry-After", "1");
+  return response;
+}
+
+HttpResponse refusedByRecord(const DbError& error, const Wording& wording) {
+  switch (error.fault()) {
+    case DbFault::kConflict:
+      return refusal(409, error, wording);
+    case DbFault::kUnreachable:
+      return recordAway(wording);
+    case DbFault::kBusy:
+      return refused(503, wording);
+    default:  // such errors may name rows, so their text goes to the log only
+      return refusal(503,
+                     simpleRefusal(Text::tr("the record does not take this"),
+                                   Text::tr("Tell an administrator: the server's log contains the cause")),
+                     wording);
+  }
+}
+
 bool isChange(const std::string& method) {
   return method != "GET" && method != "HEAD";
 }
@@ -116,13 +147,27 @@ HttpResponse answerOf(const std::exception_ptr& thrown, const Wording& wording) 
     std::rethrow_exception(thrown);
   } catch (const PasswordDue& due) {
     return refusal(403, due, wording, {{"need_password", true}});
+  } catch (const DbError& error) {
+    return refusedByRecord(error, wording);
   } catch (const Error& error) {
-    const int status = statusOf(error);
-    // Database errors may name rows, so their text is not sent.
-    return dynamic_cast<const DbError*>(&error) != nullptr && status == 503 ? refused(status, wording)
-                                                                            : refusal(status, error, wording);
+    return refusal(statusOf(error), error, wording);
   } catch (...) {
     return refused(500, wording);
+  }
+}
+
+/// Describes an exception for the log. Only those of the database are without names and values.
+std::string causeOf(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const DbError& error) {
+    return error.happened();
+  } catch (const Error& error) {
+    return "error of kind " + std::to_string(static_cast<int>(error.code()));
+  } catch (const std::exception& error) {
+    return typeid(error).name();
+  } catch (...) {
+    return "unknown error";
   }
 }
 
@@ -133,43 +178,49 @@ WebDesk::WebDesk(const DeskSettings& settings)
       pages_(settings.assets),
       router_(allRoutes()),
       sessions_({}),
-      signInTries_(kSignInTries, std::chrono::minutes(1)),
+      wrongTries_(kManyWrongTries, std::chrono::minutes(1)),
       pictures_(kPictures_bytes),
-      workers_(settings.locator, workersFor(settings), settings.passwordCost),
-      heavy_(settings.locator, kHeavyThreads, settings.passwordCost) {
+      lastBeat_(std::chrono::steady_clock::now().time_since_epoch().count()),
+      record_(settings.log),
+      workers_(settings.locator, workersFor(settings), settings.passwordCost, record_),
+      hashing_(settings.locator, 1, settings.passwordCost, record_),
+      heavy_(settings.locator, kHeavyThreads, settings.passwordCost, record_) {
   for (const std::string& language : reportLanguages()) {
     languages_.emplace(language, wordingIn(language));
   }
+  lookout_ = std::thread([this] { lookOut(); });
 }
 
-WebDesk::~WebDesk() = default;
-
-bool WebDesk::enterHashing() {
-  if (hashers_.fetch_add(1) >= kMaxHashers) {
-    hashers_.fetch_sub(1);
-    return false;
+WebDesk::~WebDesk() {
+  {
+    const std::lock_guard lock(lookoutMutex_);
+    ending_ = true;
   }
-  hashing_.lock();
-  return true;
-}
-
-void WebDesk::leaveHashing() {
-  hashing_.unlock();
-  hashers_.fetch_sub(1);
+  lookoutEnds_.notify_all();
+  lookout_.join();
 }
 
 void WebDesk::prepare(const Actor& actor, const AssignmentId& assignmentId) {
   if (!heavy_.isIdle()) {
     return;  // somebody who opens a case has priority
   }
-  (void)heavy_.take([this, actor, assignmentId](SessionContext& context) {
-    context.setActor(actor);
+  (void)heavy_.take([this, actor, assignmentId](SessionContext* context) {
+    if (context == nullptr) {
+      return;
+    }
+    context->setActor(actor);
     try {
-      (void)pictureOf(*this, context, assignmentId);
+      (void)pictureOf(*this, *context, assignmentId);
     } catch (...) {
       // The error is reported when the case is opened.
     }
   });
+}
+
+bool WebDesk::isAlive() {
+  using Clock = std::chrono::steady_clock;
+  (void)workers_.take([this](SessionContext*) { lastBeat_ = Clock::now().time_since_epoch().count(); });
+  return Clock::now().time_since_epoch() - Clock::duration(lastBeat_) < kLongestBeat;
 }
 
 const Wording& WebDesk::wordingFor(const HttpRequest& request) const {
@@ -203,6 +254,14 @@ std::string WebDesk::clientOf(const HttpRequest& request) const {
   return forwarded.substr(begin == std::string::npos ? 0 : begin + 1);
 }
 
+/// A request that a thread works at.
+struct WebDesk::Job {
+  HttpRequest request;
+  Router::Match match;
+  std::function<void(HttpResponse)> finish;
+  SteadyTime until;  ///< of a route that waits
+};
+
 void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
   const Wording& wording = wordingFor(request);
   Router::Match match = router_.find(request.method, request.path);
@@ -210,7 +269,7 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
                        what = match.route == nullptr ? std::string("-")
                                                      : match.route->method + " " + match.route->path](
                           HttpResponse response, const char* page = nullptr) {
-    addSecurityHeaders(response);
+    addSecurityHeaders(response, settings_.strictTransport);
     if (settings_.accessLog) {
       const auto took = std::chrono::steady_clock::now() - begun;
       settings_.accessLog(
@@ -228,19 +287,92 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
     return finish(refused(match.otherMethod ? 405 : 404, wording));
   }
   const Route& route = *match.route;
-  auto work = [this, request = std::move(request), match = std::move(match),
-               finish](SessionContext& context) {
-    try {
-      finish(answer(request, *match.route, match.parts, context));
-    } catch (...) {
-      finish(answerOf(std::current_exception(), wordingFor(request)));
-    }
-  };
-  if (!(route.heavy ? heavy_ : workers_).take(std::move(work))) {
-    HttpResponse busy = refused(503, wording);
-    busy.headers.emplace_back("Retry-After", "2");
-    finish(std::move(busy));
+  if (route.access == RouteAccess::kAlways) {
+    return finish(jsonAnswer({{"status", "ok"}}));
   }
+  queue(std::make_shared<Job>(Job{.request = std::move(request),
+                                  .match = std::move(match),
+                                  .finish = finish,
+                                  .until = std::chrono::steady_clock::now() + kLongestWait}));
+}
+
+void WebDesk::queue(const std::shared_ptr<Job>& job) {
+  const Route& route = *job->match.route;
+  const bool hashes =
+      route.hashing == Hashing::kAlways ||
+      (route.hashing == Hashing::kIfSent && job->request.body.find("\"password\"") != std::string::npos);
+  DeskWorkers& threads = hashes ? hashing_ : route.heavy ? heavy_ : workers_;
+  // Where many wrong passwords come from, the others go first; so does a signature of somebody signed in.
+  const auto now = std::chrono::steady_clock::now();
+  const bool last = hashes && route.access == RouteAccess::kOpen &&
+                    wrongTries_.waitOf(clientOf(job->request), now).count() > 0;
+  if (!threads.take([this, job](SessionContext* context) { work(job, context); }, last ? 1 : 0)) {
+    HttpResponse busy = refused(503, wordingFor(job->request));
+    busy.headers.emplace_back("Retry-After", "2");
+    job->finish(std::move(busy));
+  }
+}
+
+void WebDesk::work(const std::shared_ptr<Job>& job, SessionContext* context) {
+  const Route& route = *job->match.route;
+  if (context == nullptr) {
+    return job->finish(recordAway(wordingFor(job->request)));
+  }
+  try {
+    const std::uint64_t seen = waiting_.news();
+    HttpResponse response = answer(job->request, route, job->match.parts, *context);
+    const bool nothing = route.waits && response.status == kNothingNew;
+    const auto now = std::chrono::steady_clock::now();
+    if (nothing && now < job->until && waiting_.hold(seen, job->until, [this, job] { queue(job); })) {
+      return;
+    }
+    if (nothing && seen != waiting_.news()) {
+      return queue(job);  // news while the record was read
+    }
+    job->finish(std::move(response));
+  } catch (...) {
+    job->finish(failure(std::current_exception(), route, wordingFor(job->request)));
+  }
+}
+
+void WebDesk::lookOut() {
+  struct Look {
+    std::string last;  // written by one work at a time: the next is queued when it has ended
+    std::atomic<bool> underway{false};
+  };
+  const auto look = std::make_shared<Look>();
+  std::unique_lock lock(lookoutMutex_);
+  while (!lookoutEnds_.wait_for(lock, kLook, [this] { return ending_; })) {
+    waiting_.tick(std::chrono::steady_clock::now());
+    if (waiting_.empty() || look->underway.exchange(true)) {
+      continue;
+    }
+    const bool taken = workers_.take([this, look](SessionContext* context) {
+      try {
+        const std::string stamp = context == nullptr ? look->last : callStamp(*context);
+        if (stamp != look->last) {
+          look->last = stamp;
+          waiting_.tell();
+        }
+      } catch (...) {
+        // pages that ask again report it
+      }
+      look->underway = false;
+    });
+    if (!taken) {
+      look->underway = false;
+    }
+  }
+}
+
+/// Answers a request that failed, and logs the cause of what is not the sender's fault.
+HttpResponse WebDesk::failure(const std::exception_ptr& thrown, const Route& route, const Wording& wording) {
+  HttpResponse response = answerOf(thrown, wording);
+  if (response.status >= 500 && !saysDatabaseAway(thrown)) {  // of which the next work tells
+    record_.logCause(route.method + " " + route.path + ": " + causeOf(thrown),
+                     std::chrono::steady_clock::now());
+  }
+  return response;
 }
 
 HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,

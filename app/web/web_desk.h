@@ -2,13 +2,17 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 
 #include "app/outputs/wording/wording.h"
 #include "app/web/case_picture.h"
@@ -16,7 +20,9 @@
 #include "app/web/http_server.h"
 #include "app/web/organ_shelf.h"
 #include "app/web/page_files.h"
+#include "app/web/record_state.h"
 #include "app/web/router.h"
+#include "app/web/waiting_pages.h"
 #include "app/web/web_sessions.h"
 #include "assessment/domain/people/account.h"
 
@@ -31,7 +37,12 @@ struct DeskSettings {
   PasswordCost passwordCost = PasswordCost::kModerate;  ///< for hashes made here; tests use a cheap one
   /// Receives one line per answer: "GET /api/cases/* 200 3 ms", with the route's pattern instead of the
   /// address, so without names or handles. Called from several threads; may be empty.
-  std::function<void(const std::string& line)> accessLog{};
+  LogLine accessLog{};
+  /// Receives a line when the record is lost or back, and one for each cause of an answer above 499, without
+  /// names or values.
+  LogLine log{};
+  /// Browsers are told to use only https for a year: for a certificate that they trust.
+  bool strictTransport = false;
 };
 
 /// The review desk for browsers: sign-in, sessions and dispatch of requests to services. All rules are in the
@@ -58,33 +69,50 @@ class WebDesk {
   /// Returns the client address for rate limiting: the peer's or, if the peer is a proxy on this machine
   /// (publicUrl), the last one in X-Forwarded-For. Other peers are not trusted.
   [[nodiscard]] std::string clientOf(const HttpRequest& request) const;
-  /// Acquires the lock for password hashing, which takes a quarter of a gigabyte: one at a time with a short
-  /// queue. Returns false if the queue is full.
-  [[nodiscard]] bool enterHashing();
-  void leaveHashing();
+  /// Returns whether the threads of the desk still take work; call it every second or so, for a watchdog.
+  [[nodiscard]] bool isAlive();
   /// Makes the picture of a case likely to be opened next, if the picture thread is idle.
   void prepare(const Actor& actor, const AssignmentId& assignmentId);
   [[nodiscard]] const PageFiles& pages() const noexcept { return pages_; }
-  [[nodiscard]] TryLimit& signInTries() noexcept { return signInTries_; }
+  /// Wakes the pages that wait for calls, when one was made or ended here. Others are noticed within a
+  /// second.
+  void tellCalls() { waiting_.tell(); }
+  /// Answers waiting pages and lets none wait any more: before the server stops.
+  void endWaiting() { waiting_.end(); }
+  [[nodiscard]] WrongTries& wrongTries() noexcept { return wrongTries_; }
 
  private:
   [[nodiscard]] HttpResponse answer(const HttpRequest& request, const Route& route,
                                     const std::vector<std::string>& parts, SessionContext& context);
   [[nodiscard]] bool fromOwnPage(const HttpRequest& request) const;
   [[nodiscard]] const Wording& wordingFor(const HttpRequest& request) const;
+  struct Job;
+  /// Queues a request for a thread, or answers that there are too many.
+  void queue(const std::shared_ptr<Job>& job);
+  void work(const std::shared_ptr<Job>& job, SessionContext* context);
+  /// Looks for new calls while pages wait for them.
+  void lookOut();
+  [[nodiscard]] HttpResponse failure(const std::exception_ptr& thrown, const Route& route,
+                                     const Wording& wording);
 
   DeskSettings settings_;
   PageFiles pages_;
   Router router_;
   WebSessions sessions_;
-  TryLimit signInTries_;
+  WrongTries wrongTries_;
   PictureCache pictures_;
   OrganShelf shelf_;
   std::map<std::string, Wording> languages_;
-  std::mutex hashing_;
-  std::atomic<int> hashers_{0};
+  std::atomic<std::chrono::steady_clock::rep> lastBeat_;
+  RecordState record_;
+  WaitingPages waiting_;
+  std::mutex lookoutMutex_;
+  std::condition_variable lookoutEnds_;
+  bool ending_ = false;
   DeskWorkers workers_;  // last: their work uses all of the above
+  DeskWorkers hashing_;  // one thread: each password takes a quarter of a gigabyte
   DeskWorkers heavy_;    // few threads: each picture takes a core
+  std::thread lookout_;
 };
 
 }  // namespace torsio::web

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t kSecretBytes = 32;
 constexpr std::string_view kCaseThing = "case ";
-constexpr std::size_t kRightToWrong = 6;
 constexpr std::size_t kMaxWindows = 10'000;  // addresses; beyond, the oldest are dropped
 
 std::string hashOf(const std::string& cookie) {
@@ -185,29 +184,26 @@ void WebSessions::closeAll(const UserId& userId) {
   }
 }
 
-std::chrono::seconds TryLimit::tried(const std::string& address, SteadyTime now) {
+void WrongTries::add(const std::string& address, SteadyTime now) {
   const std::lock_guard lock(mutex_);
   if (windows_.size() > kMaxWindows) {
     windows_.clear();
   }
   Window& window = windows_[address];
   if (now - window.begun > within_) {
-    window = {now, 0, 0};
+    window = {now, 0};
   }
   ++window.tries;
-  if (window.tries - window.right <= most_ && window.tries <= kRightToWrong * most_) {
-    return std::chrono::seconds(0);
-  }
-  return std::chrono::duration_cast<std::chrono::seconds>(within_ - (now - window.begun)) +
-         std::chrono::seconds(1);
 }
 
-void TryLimit::wasRight(const std::string& address) {
+std::chrono::seconds WrongTries::waitOf(const std::string& address, SteadyTime now) {
   const std::lock_guard lock(mutex_);
   const auto found = windows_.find(address);
-  if (found != windows_.end() && found->second.right < found->second.tries) {
-    ++found->second.right;
+  if (found == windows_.end() || found->second.tries < most_ || now - found->second.begun > within_) {
+    return std::chrono::seconds(0);
   }
+  return std::chrono::duration_cast<std::chrono::seconds>(within_ - (now - found->second.begun)) +
+         std::chrono::seconds(1);
 }
 
 }  // namespace torsio::web

@@ -108,20 +108,19 @@ class WebSessions {
 /// Extracts browser and system from a user agent: "Firefox, Windows"; empty if unknown. The rest is not kept.
 [[nodiscard]] std::string browserName(const std::string& userAgent);
 
-/// Rate limit of attempts per address. Successful attempts are not counted, up to six times the limit: behind
-/// a proxy, ten physicians who sign in at once share one address. Thread-safe.
-class TryLimit {
+/// Wrong passwords and invitations of each address. Thread-safe.
+class WrongTries {
  public:
-  TryLimit(std::size_t most, std::chrono::seconds within) : most_(most), within_(within) {}
-  /// Counts an attempt and returns the wait before it is allowed; 0: proceed.
-  [[nodiscard]] std::chrono::seconds tried(const std::string& address, SteadyTime now);
-  void wasRight(const std::string& address);
+  /// More than `most` within this time are many.
+  WrongTries(std::size_t most, std::chrono::seconds within) : most_(most), within_(within) {}
+  void add(const std::string& address, SteadyTime now);
+  /// Returns the time until the address no longer has many; 0: it has few.
+  [[nodiscard]] std::chrono::seconds waitOf(const std::string& address, SteadyTime now);
 
  private:
   struct Window {
     SteadyTime begun{};
     std::size_t tries = 0;
-    std::size_t right = 0;
   };
   std::size_t most_;
   std::chrono::seconds within_;

@@ -13487,10 +13487,6 @@ audit trail %3</source>
         <translation>请说明更改评分的原因。</translation>
     </message>
     <message>
-        <source>Scored at the arm, not here</source>
-        <translation>在实物手臂旁评分，不在此处</translation>
-    </message>
-    <message>
         <source>Scored recordings play as they happened</source>
         <translation>评分录制按原速播放</translation>
     </message>
@@ -13617,10 +13613,6 @@ audit trail %3</source>
     <message>
         <source>The two are not the same yet</source>
         <translation>两次输入尚不一致</translation>
-    </message>
-    <message>
-        <source>This case is scored live; there is no recording.</source>
-        <translation>此案例为现场评分，没有录制。</translation>
     </message>
     <message>
         <source>This page could not be opened</source>
@@ -19226,6 +19218,202 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>These trainees are too few to say how many raters are needed: even %1 {rater does|raters do} not have a dependability of %2 with 95 % confidence. By the estimate alone it would be %3.</source>
         <translation>学员太少，无法确定需要多少评分者：即使 %1 名评分者也不能以 95 % 的置信度达到 %2 的可靠性。仅按估计值则为 %3 名。</translation>
     </message>
+    <message>
+        <source>Please submit your sheet of case %1 in Torsio (Live sheet): %2</source>
+        <translation>请在 Torsio（现场评分表）中提交案例 %1 的评分表：%2</translation>
+    </message>
+    <message>
+        <source>there is no such call</source>
+        <translation>没有这次呼叫</translation>
+    </message>
+    <message>
+        <source>no sheet of this call is missing any more</source>
+        <translation>这次呼叫已不缺评分表</translation>
+    </message>
+    <message>
+        <source>the record cannot be reached just now</source>
+        <translation>暂时无法连接记录库</translation>
+    </message>
+    <message>
+        <source>Nothing is lost: this page keeps what you typed and tries again by itself</source>
+        <translation>内容不会丢失：本页会保留您输入的内容，并自动重试</translation>
+    </message>
+    <message>
+        <source>the record does not take this</source>
+        <translation>记录库没有接受这项操作</translation>
+    </message>
+    <message>
+        <source>Tell an administrator: the server&apos;s log contains the cause</source>
+        <translation>请告知管理员：原因记在服务器日志中</translation>
+    </message>
+    <message>
+        <source>! Late: %1</source>
+        <translation>! 逾期：%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sheets in</source>
+        <translation>已交 %1 份，共 %2 份评分表</translation>
+    </message>
+    <message>
+        <source>%1, and &quot;%2&quot; is to be scored. Why now? It is noted as a deviation.</source>
+        <translation>%1，而将要评分的是“%2”。为何现在呼叫？这会登记为方案偏离。</translation>
+    </message>
+    <message>
+        <source>Call</source>
+        <translation>呼叫</translation>
+    </message>
+    <message>
+        <source>Call anyway</source>
+        <translation>仍然呼叫</translation>
+    </message>
+    <message>
+        <source>Call to the real arm</source>
+        <translation>呼叫到实物手臂</translation>
+    </message>
+    <message>
+        <source>Calls to the real arm</source>
+        <translation>呼叫到实物手臂</translation>
+    </message>
+    <message>
+        <source>Case %1 is called now. What you have begun here is kept: submit it, or choose the case from the list and come back later.</source>
+        <translation>现在呼叫案例 %1。您在此已开始的内容会保留：请提交，或从列表中选择该案例，稍后再回来。</translation>
+    </message>
+    <message>
+        <source>Case %1 is called to %2: if you are there, choose it from the list.</source>
+        <translation>案例 %1 被呼叫到 %2：如果您在那里，请从列表中选择它。</translation>
+    </message>
+    <message>
+        <source>Case %1 is called to the real arm: %2</source>
+        <translation>案例 %1 被呼叫到实物手臂：%2</translation>
+    </message>
+    <message>
+        <source>Copied: paste it into a message to these raters.</source>
+        <translation>已复制：请粘贴到发给这些评分者的消息中。</translation>
+    </message>
+    <message>
+        <source>Copy reminder</source>
+        <translation>复制提醒</translation>
+    </message>
+    <message>
+        <source>End call</source>
+        <translation>结束呼叫</translation>
+    </message>
+    <message>
+        <source>Hide earlier ones</source>
+        <translation>隐藏先前的</translation>
+    </message>
+    <message>
+        <source>Live sheet</source>
+        <translation>现场评分表</translation>
+    </message>
+    <message>
+        <source>Many sign in now. Yours is in the queue; please wait</source>
+        <translation>现在登录的人很多，您的登录正在排队，请稍候</translation>
+    </message>
+    <message>
+        <source>Nobody is called yet</source>
+        <translation>尚未呼叫任何人</translation>
+    </message>
+    <message>
+        <source>On the real arm: %1 called and not submitted, %2 still to be called</source>
+        <translation>实物手臂：已呼叫未提交 %1 例，尚待呼叫 %2 例</translation>
+    </message>
+    <message>
+        <source>On the real arm: %1 still to be called; the sheet opens by itself</source>
+        <translation>实物手臂：尚待呼叫 %1 例；评分表会自动打开</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>房间</translation>
+    </message>
+    <message>
+        <source>Show earlier ones (%1)</source>
+        <translation>显示较早的案例（%1）</translation>
+    </message>
+    <message>
+        <source>Somebody other than %1 was at the arm: the sheets are closed again; what was typed is kept for the next call.</source>
+        <translation>站在手臂旁的不是 %1：评分表将重新关闭，已填写的内容保留到下次呼叫。</translation>
+    </message>
+    <message>
+        <source>Start the timer</source>
+        <translation>开始计时</translation>
+    </message>
+    <message>
+        <source>Stop the timer</source>
+        <translation>停止计时</translation>
+    </message>
+    <message>
+        <source>The sheet opens by itself when an administrator calls a case.</source>
+        <translation>管理员呼叫案例后，评分表会自动打开。</translation>
+    </message>
+    <message>
+        <source>The timer is running. Stop it first</source>
+        <translation>计时器正在运行，请先停止</translation>
+    </message>
+    <message>
+        <source>This is the next case. Change its sheet first</source>
+        <translation>这是下一个案例。请先修改其评分表</translation>
+    </message>
+    <message>
+        <source>Time taken: %1</source>
+        <translation>用时：%1</translation>
+    </message>
+    <message>
+        <source>To the live sheet</source>
+        <translation>前往现场评分表</translation>
+    </message>
+    <message>
+        <source>Trying again by itself…</source>
+        <translation>正在自动重试…</translation>
+    </message>
+    <message>
+        <source>Withdraw the call</source>
+        <translation>撤回呼叫</translation>
+    </message>
+    <message>
+        <source>Wrong person…</source>
+        <translation>叫错人了…</translation>
+    </message>
+    <message>
+        <source>called now</source>
+        <translation>呼叫中</translation>
+    </message>
+    <message>
+        <source>case %1 · %2 · %3 · %4</source>
+        <translation>案例 %1 · %2 · %3 · %4</translation>
+    </message>
+    <message>
+        <source>code or scan</source>
+        <translation>输入或扫描编号</translation>
+    </message>
+    <message>
+        <source>draft, called now</source>
+        <translation>草稿，呼叫中</translation>
+    </message>
+    <message>
+        <source>draft, late</source>
+        <translation>草稿，逾期</translation>
+    </message>
+    <message>
+        <source>for</source>
+        <translation>评分时点</translation>
+    </message>
+    <message>
+        <source>missing: %1</source>
+        <translation>未交：%1</translation>
+    </message>
+    <message>
+        <source>what is due</source>
+        <translation>当前到期的</translation>
+    </message>
+    <message>
+        <source>● Called: %1</source>
+        <translation>● 呼叫中：%1</translation>
+    </message>
+    <message>
+        <source>Note the time</source>
+        <translation>记录用时</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -20172,10 +20360,6 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
     <message>
         <source>Copy reminder</source>
         <translation>复制提醒</translation>
-    </message>
-    <message>
-        <source>Please submit your sheet of case %1 in Torsio (Live sheet): %2</source>
-        <translation>请在 Torsio 的“现场评分表”中提交案例 %1 的评分表：%2</translation>
     </message>
     <message>
         <source>Copied: paste it into a message to these raters.</source>

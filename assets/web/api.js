@@ -82,6 +82,7 @@ async function refuse(answer, quiet) {
 async function json(method, path, body, options = {}) {
   const answer = await ask(method, path, body, options);
   if (!answer.ok) await refuse(answer, options.quiet);
+  if (answer.status === 204) return null; // nothing new
   const value = await jsonOf(answer);
   if (value === null) throw new NoConnection('the answer broke off');
   return value;

@@ -2,6 +2,7 @@
 // Starts the application: texts, user, and the page of the address.
 import { api, useToken, whenSignedOut } from './api.js';
 import { BoardPage } from './board_page.js';
+import { CallWatch } from './calls.js';
 import { CalibrationPage } from './calibration_page.js';
 import { CasePage } from './case_page.js';
 import { button, h, say, show } from './dom.js';
@@ -10,6 +11,7 @@ import { DiscrepancyPage } from './discrepancy_page.js';
 import { EvaluationPage } from './evaluation_page.js';
 import { Gate } from './gate.js';
 import { IdleWatch } from './idle.js';
+import { LivePage } from './live_page.js';
 import { clockTime } from './numbers.js';
 import { InvitationsPage } from './invitations_page.js';
 import { OwnPage } from './own_page.js';
@@ -42,15 +44,19 @@ const idle = new IdleWatch({
   warned: (left_s) => frame.notify(t('Still there? The screen will be locked in %1. Press any key to stay', clockTime(1e6 * left_s)), kWarning_ms),
   back: () => frame.notify(''),
   idle: lock,
+  held: () => (calls.goesOn && page instanceof LivePage) || Boolean(page?.callsGoOn),
   present: () => api.get('/api/me').catch(() => {}), // if the session was ended elsewhere, the gate closes
 });
+const calls = new CallWatch(followCalls);
 let user = null;
 let page = null;
+let announced = ''; // the call that was told of last
 
 /// The pages; `of`: the server's name of the required right, none for everybody. "#" opens the first
 /// permitted one.
 const kPages = [
   { hash: '#queue', of: 'queue', title: () => t('Your queue'), make: () => new QueuePage(frame) },
+  { hash: '#live', of: 'queue', title: () => t('Live sheet'), make: () => new LivePage(frame) },
   { hash: '#calibration', of: 'queue', title: () => t('Calibration'), make: () => new CalibrationPage(frame) },
   { hash: '#severity', of: 'queue', title: () => t('My severity'), make: () => new SeverityPage(frame) },
   { hash: '#discrepancies', of: 'queue', title: () => t('Discrepancy review'), make: () => new DiscrepancyPage(frame) },
@@ -68,8 +74,8 @@ const kPages = [
 /// Services of the frame for its pages.
 const frame = {
   /// Shows a passing notice.
-  notify(text, for_ms = kNotice_ms) {
-    say(said, text);
+  notify(text, for_ms = kNotice_ms, ...more) {
+    said.replaceChildren(text, ...more);
     show(said, text !== '');
     clearTimeout(frame.timer);
     frame.timer = setTimeout(() => show(said, false), for_ms);
@@ -108,6 +114,10 @@ async function begin(texts) {
   });
   window.addEventListener('beforeunload', (event) => {
     if (somethingUnsaved()) event.preventDefault();
+  });
+  window.addEventListener('online', () => {
+    calls.resume();
+    page?.online?.();
   });
   window.addEventListener('pagehide', () => page?.left?.());
   window.addEventListener('pageshow', (event) => {
@@ -215,6 +225,34 @@ function enter(answer, idle_s) {
   show(leave, true);
   watchIdle(idle_s);
   route();
+  watchCalls();
+}
+
+function watchCalls() {
+  if (user.pages.includes('queue')) calls.start();
+}
+
+/// A call opens its sheet on every page, except where something is being scored: there a button leads to it.
+async function followCalls(live) {
+  if (page?.callsChanged) {
+    await page.callsChanged(live);
+    return;
+  }
+  const opened = page;
+  const guide = await api.post('/api/live/follow', { shown: '', busy: 0, followed: announced });
+  if (page !== opened || gate.closed) return;
+  if (!guide.called) {
+    if (announced !== '') frame.notify(''); // the call has ended
+    announced = '';
+  } else if (guide.opens) {
+    announced = guide.called.case;
+    if (page instanceof CasePage || page?.unsaved) {
+      frame.notify(t('Case %1 is called to the real arm: %2', guide.called.label, guide.called.room), kWarning_ms,
+        button(t('To the live sheet'), () => frame.open('#live'), { class: 'small' }));
+    } else {
+      frame.open('#live');
+    }
+  }
 }
 
 /// The sign-in does not return the idle time; /api/me does.
@@ -239,6 +277,7 @@ function comeBack(answer) {
   useToken(answer.token);
   watchIdle();
   page?.resume?.();
+  watchCalls();
 }
 
 function lock() {
@@ -247,6 +286,7 @@ function lock() {
 
 /// Saves what was typed, then ends the session on the server, so that a reload does not unlock it.
 async function endSession() {
+  calls.stop();
   await page?.settle?.();
   try {
     await api.post('/api/sign-out', {}, { quiet: true });
@@ -264,6 +304,7 @@ async function signOut() {
   forgetUnsaved();
   page = null;
   user = null;
+  calls.stop();
   try {
     await api.post('/api/sign-out', {}, { quiet: true });
   } catch (error) {

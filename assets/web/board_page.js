@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boards of the day and of marks, for administrators. Read only.
+// The boards of the day, with calls to the real arm, and of marks, for administrators.
 import { api } from './api.js';
+import { CallPanel } from './call_panel.js';
 import { h, show } from './dom.js';
 import { clockTime, dayText, figure } from './numbers.js';
 import { t } from './texts.js';
@@ -32,13 +33,16 @@ export class BoardPage {
       'aria-label': t('Cohort'),
       onchange: () => {
         this.cohort = cohorts[choice.selectedIndex].cohort;
+        this.#endCalls();
         this.#read().catch(() => {});
       },
     }, cohorts.map((one, i) => h('option', { selected: i === first }, one.name)));
     this.cohort = cohorts[first]?.cohort;
     this.place = h('div', { class: 'stack' });
+    this.callPlace = h('div', {});
+    this.#endCalls();
     show(choice, cohorts.length > 0);
-    this.element.replaceChildren(h('div', { class: 'page-head' }, h('h1', {}, this.title), choice), this.place);
+    this.element.replaceChildren(h('div', { class: 'page-head' }, h('h1', {}, this.title), choice), this.callPlace, this.place);
     if (this.cohort) await this.#read();
     else this.place.replaceChildren(h('p', {}, t('There is no cohort yet.')));
   }
@@ -48,12 +52,29 @@ export class BoardPage {
     if (this.scored) {
       this.#showScored(await api.get(`${path}/scored`));
     } else {
-      this.#showBoard(await api.get(`${path}/board`));
+      const board = await api.get(`${path}/board`);
+      this.#showBoard(board);
+      await this.#showCalls(path, board.occasions);
       this.#timer = setTimeout(() => this.#read().catch(() => {}), kAgain_ms);
     }
   }
+  async #showCalls(path, occasions) {
+    if (this.calls) return;
+    this.calls = new CallPanel(this.frame, path, occasions, () => this.#read().catch(() => {}));
+    this.callPlace.replaceChildren(this.calls.element);
+    await this.calls.load();
+  }
+  #endCalls() {
+    this.calls?.left();
+    this.calls = null;
+  }
+  /// A board with an open call is not locked.
+  get callsGoOn() {
+    return Boolean(this.calls?.goesOn);
+  }
   left() {
     clearTimeout(this.#timer);
+    this.#endCalls();
   }
   resume() {
     this.load().catch(() => {}); // keeps the present content

@@ -36,6 +36,7 @@ function plainKey(page, event) {
   if (event.key === 'Escape') return page.bar.cancel();
   const pressesButton = event.target.closest('button, a, summary, [type=checkbox]') && event.key === ' ';
   if (pressesButton) return false;
+  if (!page.player) return page.view.key(event); // a live sheet
   switch (event.key) {
     case '?':
       page.keys.open = !page.keys.open;

@@ -27,8 +27,14 @@ export class CasePage {
   element = h('div', { class: 'case-page' });
   status = new SaveStatus();
 
-  constructor(frame, handle) {
+  /// `watch`: the timer of a live sheet on its page; without it, the case has the whole window.
+  constructor(frame, handle, { watch = null } = {}) {
     this.frame = frame;
+    this.watch = watch;
+    this.#useHandle(handle);
+  }
+  #useHandle(handle) {
+    this.handle = handle;
     this.path = `/api/cases/${encodeURIComponent(handle)}`;
   }
   get title() {
@@ -38,46 +44,41 @@ export class CasePage {
     return this.opened.state === 'submitted';
   }
   get unsaved() {
-    return Boolean(this.keeper) && (this.keeper.unsaved || this.remarks.unsaved || this.bar.amending);
+    return Boolean(this.keeper) && (this.keeper.unsaved || Boolean(this.remarks?.unsaved) || this.bar.amending);
   }
 
   async load() {
     await stopDraft(this.path);
     this.opened = await this.#open();
-    if (this.opened.live) {
-      this.element.replaceChildren(h('h1', {}, this.title), h('p', {}, t('This case is scored live; there is no recording.')),
-        h('p', {}, h('a', { href: '#' }, t('Your queue'))));
-      return;
-    }
     this.check = this.opened.check;
     const kept = this.sealed ? null : unsavedSheet(this.frame.login, this.opened.label);
     this.editor = new SheetEditor(this.opened.rubric, kept ?? this.opened.sheet);
     this.#build();
     if (kept) this.#save();
     this.view.takeFocus();
-    this.#openRecording(); // takes a while; the sheet is usable meanwhile
+    if (this.player) this.#openRecording(); // takes a while; the sheet is usable meanwhile
   }
 
   /// A new session uses other handles: find the case in the queue by its label.
   async #open() {
     try {
       const opened = await api.get(this.path);
-      window.history.replaceState({ label: opened.label }, '');
+      if (!this.watch) window.history.replaceState({ label: opened.label }, '');
       return opened;
     } catch (error) {
-      const label = window.history.state?.label;
+      const label = this.watch ? null : window.history.state?.label;
       if (!label || ![403, 404].includes(error.status) || !(await this.#follow(label))) throw error;
       return api.get(this.path);
     }
   }
   /// Adopts the current handle of the case with this label. False: not in the queue.
   async #follow(label) {
-    const { lines } = await api.get('/api/queue');
+    const { lines } = await api.get(this.watch ? '/api/live' : '/api/queue');
     const line = lines.find((one) => one.label === label);
     if (!line) return false;
-    this.path = `/api/cases/${encodeURIComponent(line.case)}`;
+    this.#useHandle(line.case);
     if (this.player) this.player.path = this.path;
-    window.history.replaceState({ label }, '', `#case/${encodeURIComponent(line.case)}`);
+    if (!this.watch) window.history.replaceState({ label }, '', `#case/${encodeURIComponent(line.case)}`);
     return true;
   }
 
@@ -102,22 +103,35 @@ export class CasePage {
     this.view.setEditor(this.editor);
     this.view.setReadOnly(this.sealed);
     if (this.sealed) this.reporter.stop();
-    this.player = new Player(this.path, opened, {
-      played: (stretch) => this.#played(stretch),
-      paused: () => this.reporter.report(),
-    });
-    this.remarks = new RemarksView(opened.remarks, remarkStore(() => this.path), this.player, () => this.view.takeFocus());
     this.bar = new SubmitBar(this);
     const right = h('div', { class: 'right' }, this.view.element, this.bar.element);
-    const left = h('div', { class: 'left' }, this.player.element, this.remarks.element);
-    this.keys = keysHelp();
-    this.element.replaceChildren(this.#head(), h('div', { class: 'halves' }, left, right), this.keys);
+    if (opened.live) {
+      this.#useWatch();
+      this.element.replaceChildren(this.#head(), right);
+    } else {
+      this.player = new Player(this.path, opened, {
+        played: (stretch) => this.#played(stretch),
+        paused: () => this.reporter.report(),
+      });
+      this.remarks = new RemarksView(opened.remarks, remarkStore(() => this.path), this.player, () => this.view.takeFocus());
+      const left = h('div', { class: 'left' }, this.player.element, this.remarks.element);
+      this.keys = keysHelp();
+      this.element.replaceChildren(this.#head(), h('div', { class: 'halves' }, left, right), this.keys);
+    }
     this.#showHistory();
     if (opened.state === 'draft') this.status.say(t('Draft found and opened'));
   }
+  #useWatch() {
+    if (!this.watch) return;
+    this.watch.setEnabled(!this.sealed);
+    this.watch.onWrite = (text) => {
+      const { comment } = this.editor;
+      this.view.setComment(comment === '' || comment.endsWith('\n') ? comment + text : `${comment}\n${text}`);
+    };
+  }
   #head() {
     const { opened } = this;
-    const facts = [t('%1 long', clockTenths(opened.length_us))];
+    const facts = opened.live ? [] : [t('%1 long', clockTenths(opened.length_us))];
     if (this.sealed) facts.push(t('submitted and sealed'));
     if (opened.versions.length > 1) facts.push(t('version %1', opened.versions.at(-1).version));
     this.undoButton = button(t('Undo'), () => this.view.undo(), { class: 'undo' });
@@ -137,6 +151,7 @@ export class CasePage {
       h('h1', {}, t('Case %1', opened.label)),
       h('span', { class: 'quiet facts', title: versionsText(opened.versions) }, facts.join('  \u00b7  ')),
       this.status.element,
+      this.watch?.element ?? null,
       h('div', { class: 'actions' },
         h('label', { class: 'check-label', title: t('After each mark the next row is selected automatically') }, advance, t('Auto-advance')),
         this.undoButton, this.redoButton, this.clearButton));
@@ -155,6 +170,7 @@ export class CasePage {
 
   // The draft.
   #edited() {
+    this.awaitsTouch = false;
     if (!this.bar.amending) this.#save();
     this.bar.edited();
     this.#showHistory();
@@ -169,9 +185,10 @@ export class CasePage {
     if (check) this.check = check;
     if (this.keeper.newest) dropUnsaved(this.frame.login, this.opened.label);
     this.bar.refresh();
+    this.frame.saved?.();
   }
   async #askConflict() {
-    this.player.pause();
+    this.pause();
     const { newer } = this.keeper;
     const { rubric } = this.opened;
     const answer = await askConflict({ mine: this.editor.sheet, newer, rubric, nameOf: (code) => this.view.nameOf(code) });
@@ -251,7 +268,16 @@ export class CasePage {
     this.frame.open(window.location.hash);
   }
 
+  /// Ignores Ctrl+Enter until the sheet is touched: it may have been meant for the one before.
+  waitForTouch() {
+    this.awaitsTouch = true;
+  }
+
   // Interface for the frame.
+  /// Call when the network is back.
+  online() {
+    this.keeper?.resume();
+  }
   pause() {
     this.player?.pause();
   }
@@ -280,6 +306,12 @@ export class CasePage {
     this.bar.refresh();
   }
   key(event) {
-    if (this.view) pressKey(this, event);
+    if (!this.view) return;
+    if (this.awaitsTouch && event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
+      event.preventDefault();
+      this.frame.notify(t('This is the next case. Change its sheet first'));
+      return;
+    }
+    pressKey(this, event);
   }
 }

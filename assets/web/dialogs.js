@@ -49,6 +49,24 @@ export function askSignature({ meaning, login, problem }) {
   });
 }
 
+/// Resolves with the words typed, or null.
+export function askReason(title, words) {
+  return ask(title, (finish) => {
+    const why = field(t('Reason'), { maxlength: '400', autocomplete: 'off', required: true, autofocus: true });
+    return h('form', {
+      class: 'stack', novalidate: true,
+      onsubmit: (event) => {
+        event.preventDefault();
+        if (why.input.value.trim()) finish(why.input.value.trim());
+      },
+    },
+      h('p', {}, words), why.row,
+      h('div', { class: 'actions' },
+        h('button', { type: 'submit', class: 'primary' }, title),
+        button(t('Cancel'), () => finish(null))));
+  });
+}
+
 /// Resolves with 'newer' or 'mine', or null if the page was locked.
 export function askConflict({ mine, newer, rubric, nameOf }) {
   const scaleOf = (code) => rubric.rows.find((row) => row.code === code)?.scale ?? rubric.overall;

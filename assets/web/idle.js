@@ -13,7 +13,8 @@ export class IdleWatch {
   #said_ms = 0;
 
   /// `on`: warned(left_s), once before the end; back(), activity after a warning; idle(); present(),
-  /// repeatedly during activity, to tell the server.
+  /// repeatedly during activity, to tell the server; held(), true while the page waits for something and is
+  /// not to be locked.
   constructor(on) {
     this.on = on;
     for (const kind of ['keydown', 'pointerdown', 'pointermove', 'wheel', 'touchstart']) {
@@ -37,7 +38,9 @@ export class IdleWatch {
   }
   note() {
     this.#look(); // the first key after a long pause must not unlock the page
-    if (!this.#timer) return;
+    if (this.#timer) this.#active();
+  }
+  #active() {
     this.#last_ms = Date.now();
     this.#calm();
     if (this.#last_ms - this.#said_ms >= kPresent_ms) {
@@ -51,6 +54,7 @@ export class IdleWatch {
   }
   #look() {
     if (!this.#timer) return;
+    if (this.on.held?.() && Date.now() - this.#last_ms < this.idle_ms) this.#active();
     const passed_ms = Date.now() - this.#last_ms;
     if (passed_ms >= this.idle_ms) {
       this.stop();

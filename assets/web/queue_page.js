@@ -22,7 +22,7 @@ export class QueuePage {
   }
   async load() {
     const queue = await api.get('/api/queue');
-    this.element.replaceChildren(this.#head(queue), this.#figures(queue), this.#cases(queue));
+    this.element.replaceChildren(this.#head(queue), ...this.#live(queue), this.#figures(queue), this.#cases(queue));
     this.element.querySelector('.primary')?.focus();
   }
   resume() {
@@ -40,12 +40,21 @@ export class QueuePage {
         : h('p', { class: 'good' }, words));
   }
 
+  /// The way to the live sheets, if there are any to come.
+  #live({ live_called: called, live_waiting: waiting }) {
+    if (called + waiting === 0) return [];
+    const words = called > 0
+      ? t('On the real arm: %1 called and not submitted, %2 still to be called', figure(called), figure(waiting))
+      : t('On the real arm: %1 still to be called; the sheet opens by itself', figure(waiting));
+    return [h('section', { class: 'card page-head' }, h('p', { class: called > 0 ? 'caution' : '' }, words),
+      h('a', { class: 'button', href: '#live' }, t('Live sheet')))];
+  }
   #figures(queue) {
     const card = (title, value, words, caution = false) =>
       h('div', { class: 'card' }, h('h2', {}, title), h('p', { class: 'figure' }, value),
         h('p', { class: caution ? 'caution' : 'quiet' }, words));
-    const all = queue.lines.filter((line) => !line.live).length;
-    const done = queue.lines.filter((line) => !line.live && line.state === 'submitted').length;
+    const all = queue.lines.length;
+    const done = queue.lines.filter((line) => line.state === 'submitted').length;
     const due = queue.lines.filter((line) => line.due_utc_us !== null && line.state !== 'submitted')
       .map((line) => line.due_utc_us);
     const progress = t('%1 of %2 submitted', figure(done), figure(all));
@@ -75,10 +84,6 @@ export class QueuePage {
   }
   #line(line) {
     const name = h('span', { class: 'name' }, t('Case %1', line.label));
-    if (line.live) {
-      return h('li', {}, h('div', { class: 'case live' }, name,
-        h('span', { class: 'quiet' }, t('Scored at the arm, not here'))));
-    }
     const done = line.state === 'submitted';
     return h('li', {}, h('a', { class: `case ${done ? 'done' : ''}`, href: `#case/${encodeURIComponent(line.case)}` },
       name,

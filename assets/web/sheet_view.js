@@ -73,6 +73,9 @@ export class SheetView {
   redo() {
     if (!this.readOnly && this.editor.redo()) this.#changed();
   }
+  setComment(text) {
+    this.#edit(() => this.editor.setComment(text));
+  }
   clearAll() {
     this.#edit(() => this.editor.clearAll());
   }

@@ -1,13 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sign-in form: name and password; a new password at the first visit or if it must be changed. Also used to
 // unlock.
-import { api } from './api.js';
+import { api, NoConnection } from './api.js';
 import { button, field, h, say, show } from './dom.js';
-import { clockTime } from './numbers.js';
+import { clockTime, joinedSentences } from './numbers.js';
 import { problemText } from './problem.js';
 import { t } from './texts.js';
 
 export const kShortestPassword = 15;
+const kPatience_ms = 60_000; // many may sign in at once: their passwords are checked one after the other
+const kSoon_ms = 3000;
+const kAgain_ms = 1500;
+
+/// Calls `send` until the server answers: it may be busy, or just starting. `tell(words)`: what is going on.
+async function patiently(send, tell) {
+  const soon = setTimeout(() => tell(t('Many sign in now. Yours is in the queue; please wait')), kSoon_ms);
+  try {
+    for (;;) {
+      try {
+        return await send();
+      } catch (error) {
+        const again = error instanceof NoConnection || error.status >= 500;
+        if (!again) throw error;
+        tell(joinedSentences([problemText(error), t('Trying again by itself…')]));
+        await new Promise((done) => setTimeout(done, Math.max(kAgain_ms, 1000 * (error.wait_s ?? 0))));
+      }
+    }
+  } finally {
+    clearTimeout(soon);
+  }
+}
 
 /// Shows the form in `place`. `login`: only this person (unlocking). `ready`: awaited before anything is
 /// sent. `onSignedIn({token, user})`.
@@ -39,7 +61,9 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), ready 
     say(said, '');
     try {
       await ready;
-      const answer = await api.post('/api/sign-in', given, { quiet: true });
+      const answer = await patiently(() => api.post('/api/sign-in', given, { quiet: true, patience_ms: kPatience_ms }),
+        (words) => say(said, words));
+      say(said, '');
       secret.input.value = '';
       if (answer.outcome === 'must_change') {
         putPasswordForm(place, { login: given.login, oldPassword: given.password, onSignedIn });
@@ -48,7 +72,7 @@ export function putSignInForm(place, { login = '', action = t('Sign in'), ready 
       onSignedIn(answer);
     } catch (error) {
       say(said, problemText(error));
-      waitFor(error.wait_s ?? 0);
+      waitFor(error.status === 429 ? error.wait_s : 0);
       secret.input.select();
       secret.input.focus();
     }
@@ -72,7 +96,7 @@ function putPasswordForm(place, { login, oldPassword, onSignedIn }) {
     title: t('Choose a new password'),
     words: t('An administrator set your password. Choose your own: at least fifteen characters, a short sentence for example.'),
     login,
-    send: (newPassword) => api.post('/api/password', { login, oldPassword, newPassword }, { quiet: true }),
+    send: (newPassword) => api.post('/api/password', { login, oldPassword, newPassword }, { quiet: true, patience_ms: kPatience_ms }),
     onBack: () => putSignInForm(place, { onSignedIn }),
     onSignedIn,
   });
@@ -92,7 +116,7 @@ export function putJoinForm(place, { link, onBack, onSignedIn }) {
     fields,
     send: (newPassword) => {
       const given = (link || typed.input.value).trim().replace(/^.*#/, '');
-      return api.post('/api/join', { token: given.replace(/^2\./, ''), code: code.input.value.trim(), newPassword }, { quiet: true });
+      return api.post('/api/join', { token: given.replace(/^2\./, ''), code: code.input.value.trim(), newPassword }, { quiet: true, patience_ms: kPatience_ms });
     },
     onBack,
     onSignedIn,

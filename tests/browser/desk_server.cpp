@@ -84,10 +84,28 @@ void tellAnswers(SessionContext& session) {
   std::cout << std::endl;
 }
 
+/// Creates a centre whose live cases are still to be called, for a day that is played by `torsio serve`.
+/// Prints its address and keeps it until the input ends. `locator` empty: in a file.
+int prepareDay(const std::string& locator) {
+  testing::ReviewCentre centre(
+      {.raters = 10, .trainees = 3, .trial_s = 0.5, .live = true, .called = false, .locator = locator});
+  AccessRepository access(centre.connection(), PasswordCost::kTest);
+  for (const UserAccount& user : access.users()) {
+    access.setPassword(user.id, access.sealPassword(user.login, "correct horse battery"), false);
+  }
+  std::cout << centre.locator() << std::endl;
+  for (std::string line; std::getline(std::cin, line);) {
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const QCoreApplication application(argc, argv);
+  if (argc > 1 && std::string(argv[1]) == "--day") {
+    return prepareDay(argc > 2 ? argv[2] : "");
+  }
   SceneRequest organ;
   organ.assets = assetsFolder();
   organ.id = argc > 1 ? argv[1] : "forearm";

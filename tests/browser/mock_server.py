@@ -125,6 +125,27 @@ class Desk:
         self.saves = 0
         self.lock = threading.RLock()
         self.files = {}
+        self.called = set()    # handles of live cases whose trainee is at the arm
+        self.ever_called = set()
+
+    def call(self, handle):
+        """An administrator calls a live case."""
+        self.called.add(handle)
+        self.ever_called.add(handle)
+
+    def live(self):
+        lines = [{"case": handle, "label": self.cases[handle].label, "state": self.cases[handle].state, "open": handle in self.called,
+                  "room": "Skills lab", "older": False} for handle in sorted(self.ever_called)]
+        return {"lines": lines, "calls_go_on": bool(self.ever_called), "stamp": str(abs(hash(json.dumps(lines))))}
+
+    def follow(self, body, _who):
+        open_ones = [handle for handle in sorted(self.called) if self.cases[handle].state != "submitted" and handle != body["shown"]]
+        if not open_ones:
+            return {"called": None}
+        shown = self.cases.get(body["shown"])
+        begun = body["busy"] or (shown and shown.state == "draft")
+        return {"called": {"case": open_ones[-1], "label": self.cases[open_ones[-1]].label, "room": "Skills lab"},
+                "opens": not begun and open_ones[-1] != body["followed"], "other_room": False}
 
     def file(self, name):
         if name not in self.files:
@@ -137,13 +158,14 @@ class Desk:
         now_us = 1e6 * time.time()
         lines = [{"case": handle, "label": one.label, "live": one.live, "state": one.state, "estimate_min": 2.5,
                   "due_utc_us": one.due_us, "overdue": bool(one.due_us and one.due_us < now_us and one.state != "submitted")}
-                 for handle, one in self.cases.items()]
-        still = [line for line in lines if line["state"] != "submitted" and not line["live"]]
+                 for handle, one in self.cases.items() if not one.live]
+        still = [line for line in lines if line["state"] != "submitted"]
         return {"lines": lines, "waiting": sum(line["state"] == "open" for line in still),
                 "drafts": sum(line["state"] == "draft" for line in still),
                 "submitted": sum(line["state"] == "submitted" for line in lines),
                 "overdue": sum(line["overdue"] for line in lines), "minutes": 2.5 * len(still),
-                "in_ten_minutes": min(4, len(still)), "next": still[0]["case"] if still else None}
+                "in_ten_minutes": min(4, len(still)), "live_called": len(self.called),
+                "live_waiting": sum(one.live for one in self.cases.values()) - len(self.ever_called), "next": still[0]["case"] if still else None}
 
     def whole(self, one):
         return {"label": one.label, "live": one.live, "state": one.state, "length_us": one.length_us,
@@ -267,6 +289,8 @@ class Desk:
         ("GET", r"/api/sessions", True, own_sessions),
         ("GET", r"/api/me", True, me),
         ("GET", r"/api/queue", True, lambda self, _body, _who: self.queue()),
+        ("GET", r"/api/live", True, lambda self, _body, _who: self.live()),
+        ("POST", r"/api/live/follow", True, follow),
         ("GET", r"/api/cases/(\w+)", True, lambda self, _body, _who, handle: self.whole(self.cases[handle])),
         ("PUT", r"/api/cases/(\w+)/sheet", True, save),
         ("POST", r"/api/cases/(\w+)/viewing", True, viewing),
@@ -310,6 +334,9 @@ class Handler(BaseHTTPRequestHandler):
             self.close_connection = True
             self.connection.close()
             return
+        waits = re.fullmatch(r"/api/live/(\d+)", self.path)
+        if waits and self.cookie() in self.desk.sessions:
+            return self.wait(waits[1])
         try:
             with self.desk.lock:
                 self.route(json.loads(body) if body else {})
@@ -318,6 +345,15 @@ class Handler(BaseHTTPRequestHandler):
             if "wait_s" in refused.more:
                 error["wait_s"] = refused.more.pop("wait_s")
             self.answer({"error": error, **refused.more}, refused.status)
+
+    def wait(self, stamp):
+        end = time.monotonic() + 5
+        while time.monotonic() < end and not self.desk.away:
+            live = self.desk.live()
+            if live["stamp"] != stamp:
+                return self.answer(live)
+            time.sleep(0.05)
+        self.send(204, b"", "application/json")
 
     def route(self, body):
         if not self.path.startswith("/api/"):

@@ -59,13 +59,93 @@ def test_sign_in(browser, url, desk):
     browser.keys(mock_server.PASSWORD, "Enter")  # the wrong entry is selected
     browser.there(".cases")
     browser.says(".figures", "3 cases fit into ten minutes")
-    browser.says(".case.live", "Scored at the arm, not here")
-    check("a live case cannot be opened", browser.run("return document.querySelector('.case.live').tagName") != "A")
+    browser.says("main", "On the real arm: 1 still to be called; the sheet opens by itself")
     browser.reload()
     browser.there(".cases")
     browser.click(".top button")
     browser.there("[name=login]")
     check("the session is ended", not desk.sessions)
+
+
+def test_a_busy_server_is_asked_again(browser, url, desk):
+    browser.open(url)
+    browser.there("[name=login]")
+    desk.refusing = True
+    desk.away = True
+    browser.keys("rater", "Tab", mock_server.PASSWORD, "Enter")
+    browser.says("[role=alert]", "Trying again by itself")
+    desk.away = False
+    browser.says("[role=alert]", "The server is busy")
+    desk.refusing = False
+    browser.there(".cases")
+
+
+def test_a_called_sheet_opens_by_itself(browser, url, desk):
+    sign_in(browser, url)
+    browser.there(".cases")
+    begun = time.monotonic()
+    desk.call("c4")
+    browser.says("h1", "Live sheet")
+    browser.there(".live-sheet .strip")
+    check("within two seconds", time.monotonic() - begun < 2)
+    browser.says(".live-sheet", "Case 4B")
+    check("there is no player", not browser.run("return document.querySelector('.transport')"))
+    browser.keys("7", "Tab", "7", "Tab", "7")
+    browser.says(".order", "draft, called now")
+    browser.keys("Tab", "7", "Control+Enter", "Control+Enter")
+    browser.says("dialog", "I scored this case")
+    browser.keys(mock_server.PASSWORD, "Enter")
+    browser.until("sealed", lambda: desk.cases["c4"].state == "submitted")
+    browser.says(".order", "submitted")
+
+
+def test_a_call_waits_for_a_begun_sheet(browser, url, desk):
+    for handle in ("c5", "c6"):
+        desk.cases[handle] = mock_server.Case("5D" if handle == "c5" else "6E", desk.rubric, live=True)
+    desk.call("c4")
+    sign_in(browser, url)
+    browser.says("h1", "Live sheet")
+    browser.says(".live-sheet", "Case 4B")
+    browser.keys("8")
+    browser.says(".saved", "Saved")
+    desk.call("c5")
+    browser.says(".other-call", "Case 5D is called now. What you have begun here is kept")
+    check("the begun sheet stays", "Case 4B" in browser.text(".live-sheet"))
+    browser.click(".order li:nth-child(2) button")
+    browser.says(".live-sheet", "Case 5D")
+    desk.call("c6")
+    browser.says(".live-sheet", "Case 6E")
+    check("what was typed is kept", marks(desk, "c4")[0] == 80)
+
+
+def test_a_live_sheet_survives_the_network(browser, url, desk):
+    desk.call("c4")
+    sign_in(browser, url)
+    browser.says(".live-sheet", "Case 4B")
+    desk.away = True
+    browser.keys("6", "Tab", "7")
+    browser.says(".saved", "Not saved yet, trying again")
+    desk.away = False
+    saved(browser, desk, [60, 70, None, None], "c4")
+
+
+def test_a_call_during_a_case_is_announced(browser, url, desk):
+    open_case(browser, url)
+    browser.keys("5")
+    browser.says(".saved", "Saved")
+    desk.call("c4")
+    browser.says(".notice", "Case 4B is called to the real arm: Skills lab")
+    browser.click(".notice button")
+    browser.says(".live-sheet", "Case 4B")
+
+
+def test_a_waiting_live_page_is_not_locked(browser, url, desk):
+    desk.idle_s = 2
+    desk.call("c4")
+    sign_in(browser, url)
+    browser.says(".live-sheet", "Case 4B")
+    time.sleep(4)
+    check("it is open still", not browser.run("return document.querySelector('.gate').checkVisibility()"))
 
 
 def test_too_many_tries(browser, url, desk):

@@ -4,6 +4,7 @@
 #
 #   export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)   prints its address
 #   tests/support/start-postgres.sh stop                                   stops the server of TORSIO_TEST_POSTGRES
+#   tests/support/start-postgres.sh down | up                              the same server goes away, and comes back
 #
 # PostgreSQL refuses to run as root: as root, starts it as the user postgres (created by Debian's package) or nobody.
 # Its data are disposable, so it does not wait for the disk. Its certificate is for "localhost" only, not for addresses,
@@ -52,13 +53,14 @@ start() {
     mkdir "$folder" 2>/dev/null || continue
     (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null && { rmdir "$folder"; continue; }
     echo "$password" > "$folder/password"
+    echo "-c listen_addresses=127.0.0.1 -c port=$port -c unix_socket_directories= -c ssl=on -c ssl_cert_file=$folder/server.crt -c ssl_key_file=$folder/server.key -c fsync=off -c full_page_writes=off" > "$folder/options"
     make_certificates "$folder"
     [ "$(id -u)" -ne 0 ] || chown -R "$(id -u postgres 2>/dev/null || id -u nobody)" "$folder"
     if (cd "$folder" &&
         unprivileged "$tools/initdb" -D "$folder/data" -U torsio --pwfile="$folder/password" -A scram-sha-256 \
           -E UTF8 --locale=C.UTF-8 --no-sync &&
-        unprivileged "$tools/pg_ctl" -D "$folder/data" -w -t 60 -l "$folder/log" start -o \
-          "-c listen_addresses=127.0.0.1 -c port=$port -c unix_socket_directories= -c ssl=on -c ssl_cert_file=$folder/server.crt -c ssl_key_file=$folder/server.key -c fsync=off -c full_page_writes=off"
+        unprivileged "$tools/pg_ctl" -D "$folder/data" -w -t 60 -l "$folder/log" start \
+          -o "$(cat "$folder/options")"
        ) > "$folder/start.log" 2>&1; then
       rm -f "$folder/password"
       echo "postgresql://torsio:$password@127.0.0.1:$port/postgres"
@@ -70,18 +72,38 @@ start() {
   fail "no cluster could be started"
 }
 
-stop() {
+cluster_of_the_address() {
   local port folder
   port=$(sed -n 's|^postgresql://.*:\([0-9]*\)/.*$|\1|p' <<<"${TORSIO_TEST_POSTGRES:-}")
   [ -n "$port" ] || fail "TORSIO_TEST_POSTGRES names no server"
   folder=$(cluster_folder "$port")
   [ -d "$folder/data" ] || fail "no cluster of ours at port $port"
-  (cd "$folder" && unprivileged "$(tools_folder)/pg_ctl" -D "$folder/data" -w -m immediate stop) >&2
+  echo "$folder"
+}
+
+control() {
+  local folder=$1
+  shift
+  (cd "$folder" && unprivileged "$(tools_folder)/pg_ctl" -D "$folder/data" -w "$@") >&2
+}
+
+stop() {
+  local folder
+  folder=$(cluster_of_the_address)
+  control "$folder" -m immediate stop
   rm -rf "$folder"
+}
+
+down() { control "$(cluster_of_the_address)" -m fast stop; }
+
+up() {
+  local folder
+  folder=$(cluster_of_the_address)
+  control "$folder" -t 60 -l "$folder/log" start -o "$(cat "$folder/options")"
 }
 
 case "${1:-}" in
   start) start ;;
-  stop) stop ;;
-  *) fail "say start or stop" ;;
+  stop | down | up) "$1" ;;
+  *) fail "say start, stop, down or up" ;;
 esac

@@ -34,7 +34,6 @@ namespace {
 
 constexpr int kTick_ms = 100;
 constexpr int kFollow_ms = 2'000;
-constexpr std::int64_t kSitting_us = 12 * 3'600'000'000LL;  // sheets sealed earlier belong to another day
 
 }  // namespace
 
@@ -182,26 +181,20 @@ void LivePage::lookForCalls() {
 }
 
 void LivePage::followCall() {
-  const auto called = std::find_if(lines_.rbegin(), lines_.rend(), [](const QueueLine& line) {
-    return line.call && line.call->open && line.state != SheetState::kSubmitted;
-  });
-  if (called == lines_.rend() || called->shown.assignmentId == opened_.shown.assignmentId) {
+  const bool shown = sheet_->editor() != nullptr;
+  const CallGuide guide = guideToCall(lines_, shown ? opened_.shown.assignmentId : AssignmentId(),
+                                      tick_.isActive() || sheet_->unsaved(), AssignmentId(followed_));
+  if (!guide.called) {
     called_.label()->hide();
     return;
   }
-  const auto shown = std::find_if(lines_.begin(), lines_.end(), [this](const QueueLine& line) {
-    return line.shown.assignmentId == opened_.shown.assignmentId;
-  });
-  // The trainee of this sheet is still at the arm: the later call is for another room.
-  const bool otherRoom = sheet_->editor() != nullptr && shown != lines_.end() && shown->call &&
-                         shown->call->open && shown->state != SheetState::kSubmitted;
-  const bool begun = sheet_->editor() != nullptr && (opened_.state == SheetState::kDraft || tick_.isActive());
-  if (!begun && !otherRoom && called->shown.assignmentId != followed_) {
-    followed_ = called->shown.assignmentId;
+  if (guide.opens) {
+    followed_ = guide.called->shown.assignmentId;
     return static_cast<void>(attempt(shell(), [&] { openLine(AssignmentId(followed_)); }));
   }
   called_.say(
-      [otherRoom, label = toQString(called->shown.label), room = toQString(called->call->room)] {
+      [otherRoom = guide.otherRoom, label = toQString(guide.called->shown.label),
+       room = toQString(guide.called->call->room)] {
         return otherRoom
                    ? tr("Case %1 is called to %2: if you are there, choose it at the left.").arg(label, room)
                    : tr("Case %1 is called now. What you have begun here is kept: submit it, or choose the "
@@ -232,10 +225,11 @@ void LivePage::showLines() {
   while (QLayoutItem* item = order_->takeAt(0)) {
     delete item;
   }
+  const std::int64_t now_us = shell().session().now_us();
   int number = 0;
   int hidden = 0;
   for (const QueueLine& line : lines_) {
-    if (isOlder(line)) {
+    if (isOfEarlierDay(line, now_us)) {
       ++hidden;
       if (!withOlder_) {
         continue;
@@ -261,11 +255,6 @@ void LivePage::showLines() {
   order_->addStretch(1);
   older_->setVisible(hidden > 0);
   older_->setText(withOlder_ ? tr("Hide earlier ones") : tr("Show earlier ones (%1)").arg(hidden));
-}
-
-bool LivePage::isOlder(const QueueLine& line) const {
-  return line.state == SheetState::kSubmitted &&
-         line.submittedUtc_us < shell().session().now_us() - kSitting_us;
 }
 
 QString LivePage::savedText() const {

@@ -62,7 +62,6 @@ class LivePage : public Page {
   void submit();
   void amend();
   void showAll();
-  [[nodiscard]] bool isOlder(const QueueLine& line) const;
   [[nodiscard]] QString savedText() const;
 
   PageHeading* heading_;

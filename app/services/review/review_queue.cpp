@@ -26,6 +26,8 @@ constexpr double kMinuteForTheSheet = 1.0;
 constexpr double kLiveCase_min = 4.0;
 constexpr double kShortSitting_min = 10.0;
 constexpr std::int64_t kAllCases = 1'000'000;
+constexpr std::int64_t kSitting_us = 12 * kHour_us;
+constexpr std::int64_t kBetweenCalls_us = 30 * kMinute_us;
 
 /// Returns this rater's minutes per case; empty with too few cases.
 std::optional<double> ownPace_min(DeskRepository& desk, const RaterId& raterId) {
@@ -154,6 +156,34 @@ std::vector<QueueLine> liveLines(SessionContext& session) {
     return (a.call ? a.call->calledUtc_us : 0) < (b.call ? b.call->calledUtc_us : 0);
   });
   return lines;
+}
+
+CallGuide guideToCall(const std::vector<QueueLine>& lines, const AssignmentId& shown, bool busy,
+                      const AssignmentId& followed) {
+  const auto called = std::find_if(lines.rbegin(), lines.rend(), [](const QueueLine& line) {
+    return line.call && line.call->open && line.state != SheetState::kSubmitted;
+  });
+  if (called == lines.rend() || called->shown.assignmentId == shown) {
+    return {};
+  }
+  const auto present = std::find_if(lines.begin(), lines.end(),
+                                    [&](const QueueLine& line) { return line.shown.assignmentId == shown; });
+  const bool open = present != lines.end() && present->state != SheetState::kSubmitted;
+  CallGuide guide{.called = *called};
+  guide.otherRoom = open && present->call && present->call->open;
+  const bool begun = busy || (open && present->state == SheetState::kDraft);
+  guide.opens = !begun && !guide.otherRoom && called->shown.assignmentId != followed;
+  return guide;
+}
+
+bool callsGoOn(const std::vector<QueueLine>& lines, std::int64_t now_us) {
+  return std::any_of(lines.begin(), lines.end(), [now_us](const QueueLine& line) {
+    return line.call && (line.call->open || now_us - line.call->calledUtc_us < kBetweenCalls_us);
+  });
+}
+
+bool isOfEarlierDay(const QueueLine& line, std::int64_t now_us) {
+  return line.state == SheetState::kSubmitted && line.submittedUtc_us < now_us - kSitting_us;
 }
 
 }  // namespace torsio

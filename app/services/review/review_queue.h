@@ -51,4 +51,23 @@ struct ReviewQueue {
 /// recording. kMarkSubmit.
 [[nodiscard]] std::vector<QueueLine> liveLines(SessionContext& session);
 
+/// What a rater's page does about an open call.
+struct CallGuide {
+  std::optional<QueueLine> called{};  ///< the latest open call without the rater's sheet, if it is not shown
+  bool opens = false;                 ///< its sheet is to be opened by itself
+  bool otherRoom = false;             ///< the trainee of the sheet shown is at another arm
+};
+/// Decides whether the page follows a call: not while a sheet is begun or its trainee is still at the arm,
+/// and each call once. `lines`: liveLines(). `shown`: the sheet on the page, may be empty. `busy`: it has
+/// changes that are not stored, or a running timer. `followed`: the sheet last opened by itself. Pure
+/// function.
+[[nodiscard]] CallGuide guideToCall(const std::vector<QueueLine>& lines, const AssignmentId& shown, bool busy,
+                                    const AssignmentId& followed);
+/// Returns whether calls are going on, so that a waiting page is not locked: one is open, or was made within
+/// the last half hour. Pure function.
+[[nodiscard]] bool callsGoOn(const std::vector<QueueLine>& lines, std::int64_t now_us);
+/// Returns whether a sheet was sealed on an earlier day, so that a list of today leaves it out. Pure
+/// function.
+[[nodiscard]] bool isOfEarlierDay(const QueueLine& line, std::int64_t now_us);
+
 }  // namespace torsio

@@ -12,6 +12,7 @@
 #include "app/services/scoring/scoring_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_board.h"
+#include "app/services/study/open_sheets.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
 #include "db/connection/connection.h"
@@ -282,6 +283,31 @@ std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& coh
            std::pair(b.call.endedUtc_us.has_value(), b.call.calledUtc_us);
   });
   return all;
+}
+
+Text reminderText(const CalledCase& called) {
+  std::string codes;
+  for (const std::string& code : called.missing) {
+    codes += (codes.empty() ? "" : ", ") + code;
+  }
+  return Text::tr("Please submit your sheet of case %1 in Torsio (Live sheet): %2", called.caseLabel, codes);
+}
+
+void noteCopiedReminder(SessionContext& session, const CohortId& cohortId, const CalledCase& called) {
+  std::vector<Reminder> reminded;
+  for (Reminder& one : reminders(session, cohortId)) {
+    std::erase_if(one.sheets, [&](const SheetAwaited& sheet) {
+      return !sheet.live || sheet.caseLabel != called.caseLabel;
+    });
+    if (!one.sheets.empty()) {
+      reminded.push_back(std::move(one));
+    }
+  }
+  noteReminders(session, reminded, ReminderWay::kCopied);
+}
+
+std::string callStamp(SessionContext& session) {
+  return CallRepository(session.connectionWithoutRight()).stamp();
 }
 
 EnrolmentId enrolmentWithCode(SessionContext& session, const CohortId& cohortId, const std::string& code) {

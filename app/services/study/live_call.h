@@ -60,6 +60,14 @@ struct CalledCase {
 /// Returns open calls, then ended ones with missing sheets, oldest first. kStudySetup.
 [[nodiscard]] std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& cohortId);
 
+/// Returns the text of a message to the raters whose sheets of a case are missing.
+[[nodiscard]] Text reminderText(const CalledCase& called);
+/// Audits that this text was copied for a message outside Torsio. kStudySetup.
+void noteCopiedReminder(SessionContext& session, const CohortId& cohortId, const CalledCase& called);
+
+/// Returns a text that differs after each change of calls. Needs no right: it says nothing else.
+[[nodiscard]] std::string callStamp(SessionContext& session);
+
 /// Returns the enrolment of a typed or scanned code, ignoring case and surrounding spaces. kStudySetup.
 /// Throws Error{kBadData} if it is not in this cohort.
 [[nodiscard]] EnrolmentId enrolmentWithCode(SessionContext& session, const CohortId& cohortId,

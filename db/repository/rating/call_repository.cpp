@@ -73,6 +73,21 @@ std::vector<CallNotice> CallRepository::noticesFor(const RaterId& raterId) const
                    });
 }
 
+std::string CallRepository::stamp() const {
+  return selectFirst(connection_,
+                     "SELECT count(*), COALESCE(max(called_utc_us), 0), count(ended_utc_us),"
+                     " COALESCE(max(ended_utc_us), 0) FROM live_call",
+                     {},
+                     [](RowReader& row) {
+                       std::string stamp;
+                       for (int column = 0; column < 4; ++column) {
+                         stamp += std::to_string(row.int64()) + " ";
+                       }
+                       return stamp;
+                     })
+      .value();
+}
+
 namespace {
 
 constexpr const char* kSelectEntries =

@@ -32,6 +32,8 @@ class CallRepository {
   [[nodiscard]] bool wasCalled(const EnrolmentId& enrolmentId, const std::string& occasionCode) const;
   /// The newest call of each case assigned to a rater, without cancelled ones, oldest first.
   [[nodiscard]] std::vector<CallNotice> noticesFor(const RaterId& raterId) const;
+  /// Text that differs after each call, end and cancellation, of any cohort.
+  [[nodiscard]] std::string stamp() const;
 
  private:
   Connection& connection_;

@@ -41,7 +41,7 @@ std::string physicianLogin(std::size_t index) {
 
 }  // namespace
 
-ReviewCentre::ReviewCentre(const Setup& setup) : TestRecord(20251121) {
+ReviewCentre::ReviewCentre(const Setup& setup) : TestRecord(20251121, setup.locator) {
   Transaction transaction(connection());
   addPeople(setup);
   addTrials(setup);
@@ -169,6 +169,10 @@ void ReviewCentre::addTwoModels(bool recorded, const std::vector<std::string>& o
     campaign.raters.push_back({raterId(i), "chief", orders[i]});
   }
   EvaluationRepository(connection()).addCampaign(campaign);
+}
+
+CohortId ReviewCentre::cohortId() {
+  return CohortId(selectFirst(connection(), "SELECT id FROM cohort", {}, readText).value());
 }
 
 RaterId ReviewCentre::raterId(std::size_t index) {

@@ -18,9 +18,9 @@ namespace torsio {
 inline constexpr std::int64_t kReviewTime_us = kRecordTime_us;
 inline constexpr std::int64_t kReviewDay_us = 86'400'000'000;
 
-/// A centre with physicians who score, in a temporary SQLite file: named trainees in named groups, each with
-/// a recording at the occasion "mid" and a live case at "post"; the rubric has the rows "time" and "accuracy"
-/// (1 to 10 in tenths) and an overall mark.
+/// A centre with physicians who score, in a temporary SQLite file by default: named trainees in named groups,
+/// each with a recording at the occasion "mid" and a live case at "post"; the rubric has the rows "time" and
+/// "accuracy" (1 to 10 in tenths) and an overall mark.
 class ReviewCentre : public TestRecord {
  public:
   struct Setup {
@@ -32,6 +32,7 @@ class ReviewCentre : public TestRecord {
     bool called = true;         ///< all live cases were called to the real arm
     /// Of the recordings; null: the bar of the servo tests (which no file describes).
     const Scene* scene = nullptr;
+    std::string locator{};  ///< empty: an SQLite file in folder()
   };
   explicit ReviewCentre(const Setup& setup);
   /// Opens an existing centre in `folder`, like another program.
@@ -49,6 +50,7 @@ class ReviewCentre : public TestRecord {
   [[nodiscard]] const std::vector<TrialId>& trialIds() const { return trialIds_; }
   [[nodiscard]] const RubricRevisionId& rubricRevisionId() const { return rubricRevisionId_; }
   [[nodiscard]] RaterId raterId(std::size_t index);
+  [[nodiscard]] CohortId cohortId();
   /// Adds the evaluation "campaign" of two models, PM under the letter K and FEM under M, with one of the
   /// recordings each if `recorded`. Physician i has the models in the order `orders[i]`.
   void addTwoModels(bool recorded, const std::vector<std::string>& orders = {"FEM,PM"});

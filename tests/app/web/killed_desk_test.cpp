@@ -2,27 +2,19 @@
 // Kills the desk's process while a sheet is edited and restarts it, with the system clock set back: whatever
 // was acknowledged is there, nothing is duplicated. TORSIO_KILL_INSTANTS: number of kills.
 #include <chrono>
-#include <csignal>
 #include <cstdint>
-#include <filesystem>
 #include <map>
-#include <netinet/in.h>
 #include <string>
-#include <sys/socket.h>
-#include <sys/types.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "sim/core/file_io.h"
 #include "sim/core/random.h"
 #include "tests/app/record_safety/killed_program.h"
 #include "tests/app/support/review_centre.h"
 #include "tests/app/web/served_desk.h"
+#include "tests/app/web/serving_program.h"
 #include "tests/app/web/web_client.h"
 
 namespace torsio::web {
@@ -31,62 +23,6 @@ namespace {
 using nlohmann::json;
 
 using namespace std::chrono_literals;
-
-std::uint16_t freePort() {
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in at{};
-  at.sin_family = AF_INET;
-  at.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t length = sizeof at;
-  const bool bound = bind(socket, reinterpret_cast<const sockaddr*>(&at), length) == 0 &&
-                     getsockname(socket, reinterpret_cast<sockaddr*>(&at), &length) == 0;
-  close(socket);
-  return bound ? ntohs(at.sin_port) : 0;
-}
-
-/// `torsio serve`, configured for a proxy that does not exist.
-class ServingProgram {
- public:
-  ServingProgram(const ReviewCentre& centre, const std::vector<std::string>& environment)
-      : port_(freePort()), state_(centre.folder() / "desk.json") {
-    child_ = startSilent(
-        {"serve", "--database", centre.locator(), "--listen", "127.0.0.1:" + std::to_string(port_),
-         "--public-url", "https://desk.example.org", "--state", state_.string(), "--quiet"},
-        TORSIO_PROGRAM, environment);
-  }
-  ServingProgram(const ServingProgram&) = delete;
-  ServingProgram& operator=(const ServingProgram&) = delete;
-  ~ServingProgram() { die(); }
-
-  /// 0: it is not serving.
-  [[nodiscard]] std::uint16_t port() const {
-    for (int tries = 0; tries < 1200; ++tries) {
-      if (waitpid(child_, nullptr, WNOHANG) == child_) {
-        return 0;
-      }
-      std::error_code none;
-      const json state =
-          std::filesystem::exists(state_, none) ? json::parse(readFile(state_), nullptr, false) : json();
-      if (state.is_object() && state.value("process", 0) == child_) {
-        return port_;
-      }
-      std::this_thread::sleep_for(50ms);
-    }
-    return 0;
-  }
-  void die() {
-    if (child_ > 0) {
-      kill(child_, SIGKILL);
-      waitpid(child_, nullptr, 0);
-      child_ = -1;
-    }
-  }
-
- private:
-  std::uint16_t port_;
-  std::filesystem::path state_;
-  pid_t child_ = -1;
-};
 
 WebClient physicianAt(std::uint16_t port) {
   WebClient client(port);

@@ -39,16 +39,25 @@ struct ServedDesk {
                                                             .assets = assetsFolder(),
                                                             .workers = 2,
                                                             .passwordCost = PasswordCost::kTest,
-                                                            .accessLog = [this](const std::string& line) {
-                                                              const std::lock_guard lock(logging);
-                                                              log += line + "\n";
-                                                            }});
+                                                            .accessLog =
+                                                                [this](const std::string& line) {
+                                                                  const std::lock_guard lock(logging);
+                                                                  log += line + "\n";
+                                                                },
+                                                            .log =
+                                                                [this](const std::string& line) {
+                                                                  const std::lock_guard lock(logging);
+                                                                  causes += line + "\n";
+                                                                }});
     server = std::make_unique<web::HttpServer>(
         web::HttpAddress{"127.0.0.1", 0}, web::TlsMaterial{}, web::HttpLimits{},
         [this](web::HttpRequest request, web::HttpServer::Reply reply) {
           desk->handle(std::move(request), std::move(reply));
         });
   }
+  ServedDesk(const ServedDesk&) = delete;
+  ServedDesk& operator=(const ServedDesk&) = delete;
+  ~ServedDesk() { desk->endWaiting(); }
   [[nodiscard]] WebClient client() const { return WebClient(server->port()); }
   [[nodiscard]] WebClient signedIn(const std::string& login) const {
     WebClient client(server->port());
@@ -57,8 +66,14 @@ struct ServedDesk {
   }
   [[nodiscard]] WebClient physician(int index) const { return signedIn("physician" + std::to_string(index)); }
 
+  [[nodiscard]] std::string loggedCauses() {
+    const std::lock_guard lock(logging);
+    return causes;
+  }
+
   std::mutex logging;
-  std::string log;  ///< access log
+  std::string log;     ///< access log
+  std::string causes;  ///< lines about the record and failures
   ReviewCentre centre;
   std::unique_ptr<web::WebDesk> desk;
   std::unique_ptr<web::HttpServer> server;

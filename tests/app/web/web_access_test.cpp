@@ -207,12 +207,13 @@ TEST_F(WebAccess, APasswordChangeOrADisabledAccountEndsASession) {
 
 /// Routes that answer each role; all others must be refused to everybody.
 const std::map<std::string, std::set<std::string>>& answersOf() {
-  static const std::set<std::string> kOfAll = {"GET /api/texts", "GET /api/me", "GET /api/sessions"};
+  static const std::set<std::string> kOfAll = {"GET /healthz", "GET /readyz", "GET /api/texts", "GET /api/me",
+                                               "GET /api/sessions"};
   static const std::map<std::string, std::set<std::string>> kAnswers = {
       {"all", kOfAll},
       {"rater",
        {"GET /api/queue", "GET /api/evaluation", "GET /api/calibration", "GET /api/severity",
-        "GET /api/discrepancies"}},
+        "GET /api/discrepancies", "GET /api/live", "GET /api/live/*"}},
       {"trainee", {"GET /api/evaluation", "GET /api/own", "GET /api/own/remarks", "GET /api/own/transcript"}},
       {"administrator", {"GET /api/all-sessions", "GET /api/cohorts", "GET /api/invitations"}}};
   return kAnswers;

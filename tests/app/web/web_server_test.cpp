@@ -95,7 +95,7 @@ TEST(HttpServer, SurvivesNoise) {
 TEST(HttpServer, StopsWithAPendingRequest) {
   HttpServer::Reply kept;
   std::mutex mutex;
-  auto server = std::make_unique<HttpServer>(anyPort(), TlsMaterial{}, HttpLimits{},
+  auto server = std::make_unique<HttpServer>(anyPort(), TlsMaterial{}, HttpLimits{.drain_s = 0},
                                              [&](const HttpRequest&, HttpServer::Reply reply) {
                                                const std::lock_guard lock(mutex);
                                                kept = std::move(reply);
@@ -113,6 +113,34 @@ TEST(HttpServer, StopsWithAPendingRequest) {
 
   EXPECT_TRUE(answer.status == 503 || answer.status == 0) << answer.status;
   kept({.body = "too late"});  // the connection has gone; the reply is dropped
+}
+
+TEST(HttpServer, AnswersWhatItReceivedBeforeItStops) {
+  std::mutex mutex;
+  HttpServer::Reply kept;
+  auto server = std::make_unique<HttpServer>(anyPort(), TlsMaterial{}, HttpLimits{},
+                                             [&](const HttpRequest&, HttpServer::Reply reply) {
+                                               const std::lock_guard lock(mutex);
+                                               kept = std::move(reply);
+                                             });
+  WebAnswer answer;
+  std::thread waiting([&, port = server->port()] { answer = WebClient(port).get("/slow"); });
+  for (bool asked = false; !asked;) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const std::lock_guard lock(mutex);
+    asked = kept != nullptr;
+  }
+  std::thread late([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    kept({.body = "done"});
+  });
+
+  server.reset();
+  waiting.join();
+  late.join();
+
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(answer.body, "done");
 }
 
 TEST(HttpServer, ParsesAddresses) {

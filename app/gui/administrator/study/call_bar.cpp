@@ -30,7 +30,6 @@
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/services/study/day_board.h"
-#include "app/services/study/open_sheets.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::gui {
@@ -160,18 +159,8 @@ QString CallBar::lineText(const CalledCase& called, const QString& missing) cons
 
 void CallBar::copyReminder(const CalledCase& called) {
   attempt(shell_, [&] {
-    std::vector<Reminder> reminded;
-    for (Reminder& one : reminders(shell_.session(), cohortId_)) {
-      std::erase_if(one.sheets, [&](const SheetAwaited& sheet) {
-        return !sheet.live || sheet.caseLabel != called.caseLabel;
-      });
-      if (!one.sheets.empty()) {
-        reminded.push_back(std::move(one));
-      }
-    }
-    QGuiApplication::clipboard()->setText(tr("Please submit your sheet of case %1 in Torsio (Live sheet): %2")
-                                              .arg(toQString(called.caseLabel), joined(called.missing)));
-    noteReminders(shell_.session(), reminded, ReminderWay::kCopied);
+    QGuiApplication::clipboard()->setText(toQString(reminderText(called)));
+    noteCopiedReminder(shell_.session(), cohortId_, called);
     shell_.notify(tr("Copied: paste it into a message to these raters."));
   });
 }
