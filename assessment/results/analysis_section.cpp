@@ -30,7 +30,7 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study, cons
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
     return table;
   }
-  const ResultsAt cell(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+  const ResultsAt cell = resultsAtEnd(in, ledger);
   for (const auto& [id, name] :
        std::vector<std::pair<std::string, Phrase>>{{"mixed_interaction", Text::tr("group x occasion")},
                                                    {"mixed_group", Text::tr("group")},
@@ -47,15 +47,21 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study, cons
          cell(id + "_p_greenhouse_geisser", kAsP, Text::tr("does not apply")),
          cell(id + "_generalised_eta_squared", fixed(kDecimals))});
   }
-  table.notes = {
-      Text::tr("The interaction is the question: whether the groups take different courses. "
-               "Greenhouse-Geisser epsilon %1.",
-               formatFixed(got->sphericity.greenhouseGeisser, kDecimals))};
+  const ReportCell epsilon = cell("greenhouse_geisser_epsilon", fixed(kDecimals));
+  table.notes = {{Text::tr("The interaction is the question: whether the groups take different courses. "
+                           "Greenhouse-Geisser epsilon %1.",
+                           epsilon.words()),
+                  {epsilon}}};
   if (!study.leftOutOfCourse.empty()) {
     const std::vector<Text> codes(study.leftOutOfCourse.begin(), study.leftOutOfCourse.end());
-    table.notes.push_back(Text::tr(
-        "Left out, without a score at every occasion: %1.",
-        in.identity == ReportIdentity::kAggregated ? Text::tr("%1 trainees", codes.size()) : listed(codes)));
+    if (in.identity == ReportIdentity::kAggregated) {
+      const ReportCell count = cell("trainees_without_every_score");
+      const Text trainees = Text::tr("%1 trainees", count.words());
+      table.notes.push_back(
+          {Text::tr("Left out, without a score at every occasion: %1.", trainees), {count}});
+    } else {
+      table.notes.push_back(Text::tr("Left out, without a score at every occasion: %1.", listed(codes)));
+    }
   }
   return table;
 }
@@ -84,9 +90,13 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
   for (const DunnPair& pair : got->pairs) {
     rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
   }
+  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ReportCell h = at("gain_kruskal_wallis_h", fixed(2));
+  const ReportCell p = at("gain_kruskal_wallis_p", kEqualsP);
+  const ReportCell effect = at("gain_epsilon_squared", fixed(kDecimals));
   table.notes = {
-      Text::tr("Kruskal-Wallis H = %1, %2, epsilon squared %3.", formatFixed(got->h, 2), equalsP(got->p),
-               formatFixed(got->epsilonSquared, kDecimals)),
+      {Text::tr("Kruskal-Wallis H = %1, %2, epsilon squared %3.", h.words(), p.words(), effect.words()),
+       {h, p, effect}},
       Text::tr("A second look beside the primary comparison. Gains are ranked as whole numbers, of the "
                "trainees with a score at both occasions. p (Holm) is Dunn's; p (exact) is of this pair "
                "alone.")};
@@ -113,9 +123,15 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in, const Ledger& led
   for (const ModelEvaluation& model : in.evaluations) {
     rows.row({model.model}, {.section = ResultSection::kEvaluation, .model = model.model});
   }
-  table.notes = {Text::tr("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.",
-                          formatFixed(got->df, 0), formatFixed(got->chiSquared, 2), equalsP(got->p),
-                          formatFixed(got->kendallW, kDecimals), order->raters)};
+  const ResultsAt at(ledger, {.section = ResultSection::kEvaluation});
+  const ReportCell df = at("models_friedman_df", fixed(0));
+  const ReportCell chiSquared = at("models_friedman_chi_squared", fixed(2));
+  const ReportCell p = at("models_friedman_p", kEqualsP);
+  const ReportCell w = at("models_kendall_w", fixed(kDecimals));
+  const ReportCell raters = at("models_friedman_p", kValues);
+  table.notes = {{Text::tr("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 {rater|raters}.", df.words(),
+                           chiSquared.words(), p.words(), w.words(), raters.words()),
+                  {df, chiSquared, p, w, raters}}};
   return table;
 }
 
@@ -157,8 +173,8 @@ ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study
         "The marks are simulated. The tables show what is computed and how it is presented; their values "
         "mean nothing."));
   }
-  for (const Text& sentence : plannedAndUsed(in, study)) {
-    section.paragraphs.push_back(sentence);
+  for (ReportParagraph& sentence : plannedAndUsed(in, study, ledger)) {
+    section.paragraphs.push_back(std::move(sentence));
   }
   section.paragraphs.push_back(Text::tr(
       "The trainee is the unit of analysis. p values are adjusted by Holm's method where it is said."));

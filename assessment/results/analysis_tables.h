@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "assessment/results/cohort_report.h"
@@ -76,12 +77,18 @@ struct ModelDifference {
 [[nodiscard]] std::optional<ReportTable> modelDifferencesTable(const CohortInputs& inputs,
                                                                const Ledger& ledger);
 
-/// Names groups without anybody scored at both ends, "Group 3 (n = 0)"; empty: all are compared.
+/// Returns the codes of raters without a mark at this occasion who have marks at the other end of the study.
+[[nodiscard]] std::vector<std::string> absentRaters(const StudyAnalysis& study, std::size_t occasion);
+/// Returns the codes of raters who, at the last occasion, scored trainees of some of the groups only.
+[[nodiscard]] std::vector<std::string> ratersOfSomeGroups(const CohortInputs& inputs);
+/// Returns the codes of trainees without any mark at one of the two ends.
+[[nodiscard]] std::vector<std::string> leftOutTrainees(const StudyAnalysis& study);
+
+/// Names groups without anybody scored at both ends; empty: all are compared.
 [[nodiscard]] std::vector<Text> groupsNotCompared(const CohortInputs& inputs, const StudyAnalysis& study);
-/// Describes which raters scored only some groups; empty: none.
-[[nodiscard]] std::vector<Text> raterGroupSentences(const CohortInputs& inputs, const StudyAnalysis& study);
 /// Describes which analysis was planned, which one is primary here, and who is excluded from what.
-[[nodiscard]] std::vector<Text> plannedAndUsed(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& inputs,
+                                                          const StudyAnalysis& study, const Ledger& ledger);
 /// Returns whose marks are missing; empty: none.
 [[nodiscard]] std::optional<ReportTable> missingTable(const CohortInputs& inputs, const StudyAnalysis& study,
                                                       const Ledger& ledger);

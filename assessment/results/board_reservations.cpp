@@ -20,7 +20,6 @@ namespace torsio {
 
 namespace {
 
-constexpr int kPointDecimals = 1;
 constexpr double kManyWithdrew = 0.2;
 
 /// Adds whether the answer is not that of a planned analysis of covariance, and why.
@@ -36,7 +35,7 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
         Text::tr("Not every trainee was marked by the same raters at the end, so the answer is that of the "
                  "linear mixed model, which allows for it; the analysis of covariance is shown beside it.")));
   } else if (study.mixed) {
-    const ResultsAt at(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+    const ResultsAt at = resultsAtEnd(in, ledger);
     const ReportCell missing = at("marks_missing");
     const ReportCell all = at("marks_missing", kValues);
     out.push_back(
@@ -46,14 +45,14 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
          {missing, all}});
   }
   if (study.spreadsDiffer()) {
-    const ResultsAt at(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+    const ResultsAt at = resultsAtEnd(in, ledger);
     const ReportCell least = at("smallest_spread", fixed(kPointDecimals));
     const ReportCell most = at("largest_spread", fixed(kPointDecimals));
-    const ReportCell p = at("equal_spread_p", kAsP);
+    const ReportCell p = at("equal_spread_p", kEqualsP);
     const Text spread = Text::tr(
         "The scores of the groups spread differently about the comparison (standard deviations from %1 to %2 "
         "points, test of equal spread: %3)",
-        least.words(), most.words(), equalsP(study.ancova->spread.test->p));
+        least.words(), most.words(), p.words());
     out.push_back(
         {study.primaryMethod() == PrimaryMethod::kRobust
              ? Text::tr("%1, so the answer uses standard errors that allow for it (HC3).", spread)
@@ -63,13 +62,14 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
          {least, most, p}});
   }
   if (study.slopes) {
-    const ResultsAt at(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+    const ResultsAt at = resultsAtEnd(in, ledger);
+    const ReportCell p = at("ancova_equal_slopes_p", kEqualsP);
     out.push_back(
         {Text::tr(
              "The difference depends on the score before (test of equal slopes: %1): read the table with "
              "a slope for each group.",
-             equalsP(study.ancova->equalSlopes->p)),
-         {at("ancova_equal_slopes_p")}});
+             p.words()),
+         {p}});
   }
 }
 
@@ -201,7 +201,7 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
   if (std::optional<Text> same = sameMarks(in, study)) {
     out.emplace_back(std::move(*same));
   }
-  const ResultsAt at(ledger, {.section = ResultSection::kComparison, .occasion = in.occasions.size() - 1});
+  const ResultsAt at = resultsAtEnd(in, ledger);
   if (at.number("pairs_left_open").value_or(0.0) > 0.0 && compared) {
     const ReportCell open = at("pairs_left_open");
     const ReportCell pairs = at("pairs_left_open", kValues);

@@ -26,7 +26,6 @@ namespace torsio {
 
 namespace {
 
-constexpr int kPointDecimals = 1;  // appropriate for a mean of ten marks in half points
 constexpr double kSignificant = 0.05;
 constexpr std::size_t kSignatures = 3;
 constexpr std::size_t kNamedAtMost = 10;  // people in one cell
@@ -72,14 +71,14 @@ std::vector<AnsweredPair> answeredPairs(const CohortInputs& in, const StudyAnaly
     const auto& between = std::get<Interval>(interval->value);
     const int decimals = decimalsOf(between);
     out.push_back({pairName(in, pair.first, pair.second), at(names.difference, fixed(decimals)),
-                   at(names.interval, intervalWith(decimals)), at(names.p, kAsP), *value, between, *p});
+                   at(names.interval, intervalWith(decimals)), at(names.p, kEqualsP), *value, between, *p});
   }
   return out;
 }
 
 Text shown(const AnsweredPair& pair) {
   return Text::tr("%1: %2 points %3, %4", pair.name, pair.difference.words(), pair.interval.words(),
-                  equalsP(pair.pHolm));
+                  pair.p.words());
 }
 
 /// Adds the results that a pair's words state.
@@ -303,40 +302,30 @@ ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t grou
 }
 
 /// Describes what competent means on the first page, and how often it is wrong after the runs made.
-Text standardNote(const CohortInputs& in) {
-  double falsePass = 0.0;
-  std::int64_t most = 0;
-  std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
-  std::map<std::string, double> missed;  // by trainee: one exercise is enough for not being competent at all
-  std::int64_t tooFew = 0;
-  for (const CohortCompetence& one : in.competence) {
-    falsePass = std::max(falsePass, one.falsePass);
-    most = std::max(most, one.attempts);
-    fewest = std::min(fewest, one.fewestAttempts);
-    tooFew += one.shown() ? 0 : 1;
-    if (one.required) {
-      missed[one.trainee] += one.falseFail + one.falseAlarm;
-    }
-  }
+ReportParagraph standardNote(const Ledger& ledger) {
+  const ResultsAt at(ledger, {.section = ResultSection::kCompetence});
   const Text rule = Text::tr(
       "Competent now: at every exercise that the curriculum requires, tried or not, by the designs of the "
       "section Competence.");
-  if (most < fewest) {
-    return Text::tr(
-        "%1 Nobody can have been shown competent yet: at least %2 {run|runs} at an exercise are needed, and "
-        "nobody made more than %3.",
-        rule, fewest, most);
+  const ReportCell fewest = at("fewest_runs_needed");
+  const ReportCell most = at("most_runs_made");
+  if (at.number("most_runs_made").value_or(0.0) < at.number("fewest_runs_needed").value_or(0.0)) {
+    return {Text::tr("%1 Nobody can have been shown competent yet: at least %2 {run|runs} at an exercise are "
+                     "needed, and nobody made more than %3.",
+                     rule, fewest.words(), most.words()),
+            {fewest, most}};
   }
-  double falseFail = 0.0;
-  for (const auto& [trainee, sum] : missed) {
-    falseFail = std::clamp(sum, falseFail, 1.0);
-  }
-  return Text::tr(
-      "%1 After the runs made, a trainee who is inadequate at one exercise is judged competent at it in at "
-      "most %2 % of cases; one who is adequate at all of them is not judged competent at one of them in at "
-      "most %3 %. %4 of %5 {verdict rests|verdicts rest} on too few runs to show anybody competent.",
-      rule, formatFixed(100.0 * falsePass, 1), formatFixed(100.0 * falseFail, 1), tooFew,
-      std::ssize(in.competence));
+  const ReportCell pass = at("false_pass_at_most", percent(1));
+  const ReportCell fail = at("false_fail_at_most", percent(1));
+  const ReportCell tooFew = at("verdicts_on_too_few_runs");
+  const ReportCell all = at("verdicts_on_too_few_runs", kValues);
+  return {
+      Text::tr("%1 After the runs made, a trainee who is inadequate at one exercise is judged competent at "
+               "it in at most %2 of cases; one who is adequate at all of them is not judged competent at "
+               "one of them in at most %3. %4 of %5 {verdict rests|verdicts rest} on too few runs to show "
+               "anybody competent.",
+               rule, pass.words(), fail.words(), tooFew.words(), all.words()),
+      {pass, fail, tooFew, all}};
 }
 
 /// Returns per group the scores at the end, and how many were shown competent on the simulator.
@@ -360,7 +349,7 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
         able.emplace_back(trainee.code);
       }
     }
-    const ResultsAt end(ledger, {.group = g, .occasion = in.occasions.size() - 1});
+    const ResultsAt end(ledger, {.group = g, .occasion = lastOf(in)});
     ReportCell score = end("mean", fixed(kPointDecimals), Text::tr("none"));
     if (score.key != nullptr) {
       static_cast<Text&>(score) =
@@ -372,7 +361,7 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
   }
   table.provenance.n = std::ssize(in.trainees);
   if (!ableAtAll.empty()) {
-    table.notes = {standardNote(in)};
+    table.notes = {standardNote(ledger)};
   }
   return table;
 }

@@ -183,12 +183,12 @@ ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>&
     report.sections.push_back(trialsSection(in, ledger));
   }
   if (!in.trainees.empty()) {
-    report.sections.push_back(deviationsSection(in));
+    report.sections.push_back(deviationsSection(in, ledger));
   }
   if (!in.signatures.empty()) {
-    report.sections.push_back(signaturesSection(in));
+    report.sections.push_back(signaturesSection(in, ledger));
   }
-  report.sections.push_back(methodsSection(in, study ? *study : StudyAnalysis{}));
+  report.sections.push_back(methodsSection(in, study ? *study : StudyAnalysis{}, ledger));
   report.sections.push_back(provenanceSection(in, ledger));
   for (ReportSection& section : report.sections) {
     for (ReportFigure& figure : section.figures) {

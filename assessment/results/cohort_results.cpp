@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fills the ledger of a cohort. study_results.cpp adds the results about raters and groups,
-// criteria_section.cpp those about criteria.
+// Fills the ledger of a cohort: scores, recordings, competence, deviations and sources here, the rest by the
+// functions of result_writer.h.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -13,8 +13,6 @@
 #include "assessment/results/result_writer.h"
 #include "assessment/results/shown_inputs.h"
 #include "assessment/statistics/descriptive.h"
-#include "assessment/statistics/distributions.h"
-#include "assessment/statistics/quantiles.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -23,192 +21,7 @@ namespace {
 
 using enum ResultSection;
 
-void addStatistics(ResultWriter& rows, const ScoreStatistics& s) {
-  rows.add("M", s.m, s.n);
-  rows.add("s2_eq26_divisor_n", s.s2, s.n);
-  rows.add("min", s.min, s.n);
-  rows.add("max", s.max, s.n);
-  rows.add("plain_mean", s.plainMean, s.n);
-  rows.add("population_variance", s.populationVariance, s.n);
-  rows.add("sample_variance", s.sampleVariance, s.n);
-  rows.add("class_weighted_moment", s.classWeightedMoment, s.n);
-  rows.add("se_of_M", s.standardError, s.n);
-  rows.add("se_df", s.standardErrorDf, s.n);
-}
-
-/// Adds the means of the classes of raters for an index.
-void addClassMeans(const CohortInputs& in, const ScoreStatistics& s, ResultWriter& rows) {
-  for (std::size_t c = 0; c < s.classMeans.size(); ++c) {
-    rows.place.raterClass = in.instrument.classes[c].id;
-    rows.add("class_mean", s.classMeans[c], s.classCounts[c]);
-  }
-  rows.place.raterClass.clear();
-}
-
-/// Adds the distribution of the raters' own scores of a model.
-void addComposites(const ModelEvaluation& model, ResultWriter& rows) {
-  std::vector<double> scores;
-  for (const RaterComposite& composite : model.composites) {
-    if (composite.score) {
-      scores.push_back(*composite.score);
-    }
-  }
-  const std::int64_t n = std::ssize(scores);
-  rows.madeOf = partsOf(
-      {ResultPattern{.section = kEvaluation, .statistic = "composite", .of = kEach, .model = model.model},
-       RecordRef{RecordKind::kCampaign}});
-  rows.addCount("raters_with_all_marks", n, n);
-  const auto& statistics = model.compositeStatistics;
-  rows.add("composite_M", statistics ? std::optional(statistics->m) : std::nullopt, n);
-  rows.add("composite_se_of_M", statistics ? statistics->standardError : std::nullopt, n);
-  if (statistics && statistics->standardError && statistics->standardErrorDf) {
-    const double reach = tQuantile(0.5 * (1.0 + kDefaultConfidence), *statistics->standardErrorDf) *
-                         *statistics->standardError;
-    rows.put("composite_M_95", Interval{statistics->m - reach, statistics->m + reach}, n);
-  }
-  if (const std::optional<BoxNumbers> box = boxNumbers(scores)) {
-    rows.add("composite_lowest", box->min, n);
-    rows.add("composite_lower_whisker", box->whiskerLow, n);
-    rows.add("composite_lower_quartile", box->q1, n);
-    rows.add("composite_median", box->median, n);
-    rows.add("composite_upper_quartile", box->q3, n);
-    rows.add("composite_upper_whisker", box->whiskerHigh, n);
-    rows.add("composite_highest", box->max, n);
-    rows.add("composite_plain_mean", box->mean, n);
-  }
-}
-
-void addWeights(const CohortInputs& in, Ledger& ledger) {
-  ResultWriter rows(ledger, {.section = kEvaluation}, commonFlags(in));
-  rows.madeOf = partsOf({RecordRef{RecordKind::kCampaign}});
-  for (const EvaluationIndex& index : in.instrument.indices) {
-    rows.place.index = index.id;
-    rows.add("index_weight", static_cast<double>(index.weight_milli) / 1000.0, 1);
-  }
-  rows.place.index.clear();
-  for (const RaterClass& raterClass : in.instrument.classes) {
-    rows.place.raterClass = raterClass.id;
-    rows.add("class_weight", static_cast<double>(raterClass.weight_milli) / 1000.0, 1);
-  }
-}
-
-void addMarks(const CohortInputs& in, const ModelRatings& ratings, ResultWriter& rows) {
-  rows.place.model = ratings.model;
-  for (const RaterSheet& sheet : ratings.sheets) {
-    rows.place.of = sheet.rater;
-    rows.place.raterClass = in.instrument.classes[sheet.raterClass].id;
-    for (std::size_t j = 0; j < sheet.steps.size(); ++j) {
-      rows.place.index = in.instrument.indices[j].id;
-      rows.madeOf = partsOf({RecordRef{RecordKind::kEvaluationMark, sheet.markOf(j)}});
-      std::optional<double> mark;
-      if (sheet.steps[j]) {
-        mark = pointsFromSteps(*sheet.steps[j], in.instrument.scale);
-      }
-      rows.add("mark", mark, mark ? 1 : 0);
-    }
-  }
-}
-
-/// Adds the raters' order of the models.
-void addModelOrder(const CohortInputs& in, Ledger& ledger) {
-  const std::optional<ModelOrder> order = modelOrder(in);
-  if (!order) {
-    return;
-  }
-  ResultWriter rows(ledger, {.section = kEvaluation}, commonFlags(in));
-  rows.madeOf = partsOf({ResultPattern{.section = kEvaluation, .statistic = "composite", .of = kEach}});
-  const std::int64_t n = order->raters;
-  rows.add("models_friedman_chi_squared", order->test, &Friedman::chiSquared, n);
-  rows.add("models_friedman_p", order->test, &Friedman::p, n);
-  rows.add("models_kendall_w", order->test, &Friedman::kendallW, n);
-  for (std::size_t k = 0; k < order->meanRanks.size(); ++k) {
-    rows.place.model = in.evaluations[k].model;
-    rows.add("mean_rank", order->meanRanks[k], n);
-  }
-}
-
-/// Adds the differences between the models.
-void addModelDifferences(const CohortInputs& in, Ledger& ledger) {
-  for (const ModelDifference& pair : modelDifferences(in)) {
-    ResultWriter rows(ledger, modelPairKey(in, pair), commonFlags(in));
-    std::vector<ResultPart> parts{RecordRef{RecordKind::kCampaign}};
-    for (const std::size_t of : {pair.first, pair.second}) {
-      parts.emplace_back(ResultPattern{
-          .section = kEvaluation, .statistic = "composite", .of = kEach, .model = in.evaluations[of].model});
-    }
-    rows.madeOf = partsOf(std::move(parts));
-    rows.add("composite_difference", pair.test, &TTest::difference, pair.raters);
-    if (pair.test) {
-      rows.put("composite_difference_holm_95", pair.asHolm, pair.raters);
-      rows.add("composite_difference_p_holm", pair.pHolm, pair.raters);
-    }
-  }
-}
-
-/// Adds what is available before a class of raters has scored everything.
-void addUnfinishedEvaluation(const CohortInputs& in, Ledger& ledger) {
-  ResultWriter marks(ledger, {.section = kEvaluation}, commonFlags(in), {"unfinished"});
-  for (const ModelRatings& ratings : in.ratings) {
-    addMarks(in, ratings, marks);
-  }
-  ResultWriter rows(ledger, {.section = kEvaluation}, commonFlags(in), {"unfinished"});
-  for (const ClassScore& of : classScores(in)) {
-    rows.place.model = of.model;
-    rows.place.raterClass = in.instrument.classes[of.raterClass].id;
-    rows.madeOf = partsOf({ResultPattern{.section = kEvaluation,
-                                         .statistic = "mark",
-                                         .of = kEach,
-                                         .raterClass = rows.place.raterClass,
-                                         .model = of.model},
-                           RecordRef{RecordKind::kCampaign}});
-    rows.put(kClassScoreStatistic,
-             of.score ? ResultValue(*of.score) : Undefined{Text::tr("an index has no mark")}, of.raters);
-    rows.addCount("class_raters", of.raters, of.raters);
-    rows.addCount("class_marks", of.marks, of.marks);
-  }
-}
-
-void addEvaluation(const CohortInputs& in, Ledger& ledger) {
-  if (!in.ratings.empty()) {
-    addWeights(in, ledger);
-  }
-  if (in.unfinishedEvaluation) {
-    addUnfinishedEvaluation(in, ledger);
-    return;
-  }
-  for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
-    const ModelEvaluation& model = in.evaluations[k];
-    ResultWriter rows(ledger, {.section = kEvaluation, .model = model.model}, commonFlags(in), model.flags);
-    rows.madeOf = partsOf({ResultPattern{.section = kEvaluation, .statistic = "M", .model = model.model}});
-    rows.add("N_eq27", model.n27, std::ssize(model.composites));
-    for (std::size_t j = 0; j < model.indices.size(); ++j) {
-      rows.place.index = in.instrument.indices[j].id;
-      rows.setFlags(model.indices[j].flags);
-      rows.madeOf = partsOf({ResultPattern{.section = kEvaluation,
-                                           .statistic = "mark",
-                                           .of = kEach,
-                                           .model = model.model,
-                                           .index = rows.place.index}});
-      addStatistics(rows, model.indices[j]);
-      addClassMeans(in, model.indices[j], rows);
-    }
-    rows.place.index.clear();
-    rows.setFlags({});
-    addComposites(model, rows);
-    for (const RaterComposite& composite : model.composites) {
-      rows.place.of = composite.rater;
-      rows.place.raterClass = in.instrument.classes[composite.raterClass].id;
-      rows.madeOf = partsOf({ResultPattern{
-          .section = kEvaluation, .statistic = "mark", .of = composite.rater, .model = model.model}});
-      rows.add("composite", composite.score, composite.score ? 1 : 0);
-    }
-    addMarks(in, in.ratings[k], rows);
-  }
-  addModelOrder(in, ledger);
-  addModelDifferences(in, ledger);
-}
-
-std::int64_t marksAt(const CohortInputs& in, std::size_t group, std::size_t occasion) {
+std::int64_t marksGiven(const CohortInputs& in, std::size_t group, std::size_t occasion) {
   return std::count_if(in.trainingMarks.begin(), in.trainingMarks.end(), [&](const TrainingMark& mark) {
     return mark.group == group && mark.occasion == occasion;
   });
@@ -243,7 +56,7 @@ void addSummaries(const CohortInputs& in, ResultWriter& rows) {
       rows.place.occasion = t;
       rows.madeOf = partsOf({ResultPattern{.statistic = "rater_mark", .of = kEach, .group = g, .occasion = t},
                              RecordRef{RecordKind::kEnrolments}});
-      rows.addCount("marks_missing_at_occasion", missing[g][t], marksAt(in, g, t));
+      rows.addCount("marks_missing_at_occasion", missing[g][t], marksGiven(in, g, t));
     }
   }
 }
@@ -363,6 +176,39 @@ void addCompetenceOfGroups(const CohortInputs& in, Ledger& ledger) {
   }
 }
 
+/// Adds over all verdicts: runs made and needed, and how often the verdicts are wrong after the runs made.
+void addVerdicts(const CohortInputs& in, Ledger& ledger) {
+  if (in.competence.empty()) {
+    return;
+  }
+  double falsePass = 0.0;
+  double falseFail = 0.0;
+  std::int64_t most = 0;
+  std::int64_t fewest = in.competence.front().fewestAttempts;
+  std::int64_t tooFew = 0;
+  std::map<std::string, double> missed;  // by trainee: one exercise is enough for not being competent at all
+  for (const CohortCompetence& one : in.competence) {
+    falsePass = std::max(falsePass, one.falsePass);
+    most = std::max(most, one.attempts);
+    fewest = std::min(fewest, one.fewestAttempts);
+    tooFew += one.shown() ? 0 : 1;
+    if (one.required) {
+      missed[one.trainee] += one.falseFail + one.falseAlarm;
+    }
+  }
+  for (const auto& [trainee, sum] : missed) {
+    falseFail = std::clamp(sum, falseFail, 1.0);
+  }
+  ResultWriter rows(ledger, {.section = kCompetence}, commonFlags(in));
+  rows.madeOf = partsOf({ResultPattern{.section = kCompetence, .statistic = "able", .of = kEach}});
+  const std::int64_t verdicts = std::ssize(in.competence);
+  rows.addCount("most_runs_made", most, verdicts);
+  rows.addCount("fewest_runs_needed", fewest, verdicts);
+  rows.addCount("verdicts_on_too_few_runs", tooFew, verdicts);
+  rows.add("false_pass_at_most", falsePass, verdicts);
+  rows.add("false_fail_at_most", falseFail, verdicts);
+}
+
 void addCompetence(const CohortInputs& in, Ledger& ledger) {
   for (std::size_t i = 0; i < in.competence.size(); ++i) {
     const CohortCompetence& one = in.competence[i];
@@ -396,6 +242,7 @@ void addCompetence(const CohortInputs& in, Ledger& ledger) {
       rows.add("cumulative_sum_of_limit", sum / one.limit, rows.place.number);
     }
   }
+  addVerdicts(in, ledger);
   addCompetenceOfGroups(in, ledger);
 }
 
@@ -406,33 +253,6 @@ void addDeviations(const CohortInputs& in, Ledger& ledger) {
     rows.place = deviationKey(in, i);
     rows.madeOf = partsOf({RecordRef{RecordKind::kDeviation, deviation.id}});
     rows.put(deviation.kind, Text(deviation.description), 1);
-  }
-}
-
-/// Adds the counts and hashes of what the parts of the report are computed from.
-void addSources(const CohortInputs& in, Ledger& ledger) {
-  ResultWriter rows(ledger, {.section = kRecord}, commonFlags(in));
-  const auto add = [&](const char* of, const MarksHash& source, ResultPart part) {
-    if (source.count > 0) {
-      rows.place.of = of;
-      rows.madeOf = partsOf({std::move(part)});
-      rows.addCount("count", source.count, source.count);
-      rows.put("blake2b", Text(source.hash), source.count);
-    }
-  };
-  add(kEvaluationMarks, hashOfEvaluationMarks(in), RecordRef{RecordKind::kCampaign});
-  add(kTrainingMarks, hashOfTrainingMarks(in), ResultPattern{.statistic = "rater_mark", .of = kEach});
-  add(kRecordings, hashOfTrials(in),
-      ResultPattern{.section = kTrial, .statistic = "content_hash", .of = kEach});
-  rows.place = {};
-  std::map<std::string, std::int64_t> marks;
-  for (const TrainingMark& mark : in.trainingMarks) {
-    ++marks[mark.trainee];
-  }
-  for (const auto& [trainee, count] : marks) {
-    rows.place.of = trainee;
-    rows.madeOf = partsOf({ResultPattern{.statistic = "rater_mark", .of = trainee}});
-    rows.addCount("marks", count, count);
   }
 }
 
@@ -461,11 +281,12 @@ Ledger ledgerOf(const CohortInputs& inputs, const CohortInputs& in,
     names.groups.push_back(group.name);
   }
   Ledger ledger(std::move(names));
-  addEvaluation(in, ledger);
+  addEvaluationResults(in, ledger);
   addTraining(in, ledger);
   addCriteriaResults(in, ledger);
   if (study) {
-    addStudyResults(in, *study, ledger);
+    addAgreementResults(in, *study, ledger);
+    addComparisonResults(in, *study, ledger);
   }
   addTrials(in, ledger);
   addCompetence(in, ledger);
@@ -473,7 +294,7 @@ Ledger ledgerOf(const CohortInputs& inputs, const CohortInputs& in,
   std::vector<Text> unsaid;
   const bool aggregated = inputs.identity == ReportIdentity::kAggregated;
   addPracticeResults(in, aggregated ? withoutSmallGroups(inputs, unsaid) : inputs, ledger);
-  addSources(in, ledger);
+  addRecordResults(in, ledger);
   if (inputs.sheetsAsked > inputs.sheetsPresent) {
     ResultWriter sheets(ledger, {.section = kTraining}, commonFlags(in));
     sheets.madeOf = partsOf({RecordRef{RecordKind::kSheetRequests}});

@@ -9,7 +9,6 @@
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "assessment/statistics/descriptive.h"
-#include "assessment/statistics/shapiro_wilk.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -25,18 +24,19 @@ ReportFigure forestOf(const CohortInputs& in, const std::string& id, const Text&
 }
 
 /// Describes the test of equal slopes and its consequence.
-Text slopesText(const StudyAnalysis& study) {
+ReportParagraph slopesText(const StudyAnalysis& study, const ResultsAt& at) {
   const Outcome<FTest>& test = study.ancova->equalSlopes;
   if (!test) {
     return Text::tr("Test of equal slopes not defined: %1.", Text(test.reason()));
   }
+  const ReportCell p = at("ancova_equal_slopes_p", kEqualsP);
   if (test->p >= kSlopesDiffer) {
-    return Text::tr("Test of equal slopes: %1; one slope for all groups is kept.", equalsP(test->p));
+    return {Text::tr("Test of equal slopes: %1; one slope for all groups is kept.", p.words()), {p}};
   }
-  return Text::tr(
-      "Test of equal slopes: %1. The slopes differ, so that a difference depends on the score before: read "
-      "the table with a slope for each group in place of this one.",
-      equalsP(test->p));
+  return {Text::tr("Test of equal slopes: %1. The slopes differ, so that a difference depends on the score "
+                   "before: read the table with a slope for each group in place of this one.",
+                   p.words()),
+          {p}};
 }
 
 }  // namespace
@@ -108,16 +108,18 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study, 
   for (const AdjustedDifference& pair : got->pairs) {
     rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
   }
-  std::vector<Text> means;
-  for (std::size_t i = 0; i < got->adjusted.size(); ++i) {
-    means.push_back(Text::verbatim("%1 %2", in.groups[got->groups[i]].name,
-                                   withInterval(got->adjusted[i].mean, got->adjusted[i].interval)));
-  }
+  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ReportParagraph means = valuesOfGroups(in, ledger, got->groups, "adjusted_mean", kWithInterval);
+  const ReportCell df1 = at("ancova_df", fixed(0));
+  const ReportCell df2 = at("ancova_df_error", fixed(0));
+  const ReportCell f = at("ancova_f", fixed(2));
+  const ReportCell p = at("ancova_p", kEqualsP);
   table.notes = {
-      Text::tr("Effect of the group: F(%1, %2) = %3, %4. Adjusted means [95 %]: %5.",
-               formatFixed(got->group.df1, 0), formatFixed(got->group.df2, 0), formatFixed(got->group.f, 2),
-               equalsP(got->group.p), listed(means)),
-      slopesText(study),
+      {Text::tr("Effect of the group: F(%1, %2) = %3, %4. Adjusted means [95 %]: %5.", df1.words(),
+                df2.words(), f.words(), p.words(), means),
+       {df1, df2, f, p},
+       means.keys},
+      slopesText(study, at),
       Text::tr("Intervals of all pairs together are widened after Bonferroni: all of them hold at once with "
                "95 % or more. They are wider than Holm's p values ask for.")};
   return table;
@@ -149,16 +151,13 @@ std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalys
       rows.row({pairName(in, pair.first, pair.second), differ}, place);
     }
   }
-  std::vector<Text> slopes;
-  for (std::size_t g = 0; g < study.slopes->slopes.size(); ++g) {
-    slopes.push_back(Text::verbatim("%1 %2", in.groups[study.slopes->groups[g]].name,
-                                    formatFixed(study.slopes->slopes[g], 3)));
-  }
-  table.notes = {
-      Text::tr("Slopes: %1. Stated scores before: the mean of all and one standard deviation to "
-               "either side. p (Holm) over all rows. This analysis was not planned: the test of "
-               "equal slopes asked for it.",
-               listed(slopes))};
+  const ReportParagraph slopes = valuesOfGroups(in, ledger, study.slopes->groups, "separate_slope", fixed(3));
+  table.notes = {{Text::tr("Slopes: %1. Stated scores before: the mean of all and one standard deviation to "
+                           "either side. p (Holm) over all rows. This analysis was not planned: the test of "
+                           "equal slopes asked for it.",
+                           slopes),
+                  {},
+                  slopes.keys}};
   table.provenance.n = comparedTrainees(study);
   table.provenance.missing = study.endMissing;
   return table;
@@ -169,20 +168,21 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
   if (!in.equivalenceMargin) {
     return std::nullopt;
   }
-  const std::string margin = formatFixed(*in.equivalenceMargin, 2);
+  const ReportCell margin = resultsAtEnd(in, ledger)("equivalence_margin", fixed(2));
   ReportTable table =
       itemOf<ReportTable>(in, "table-equivalence", Text::tr("Whether the groups are equal within the margin"),
                           study.mixed ? Text::tr("two one-sided tests, linear mixed model")
                                       : Text::tr("two one-sided tests, analysis of covariance"));
   table.columns = {Text::tr("Comparison"), Text::tr("Difference [90 %, not adjusted]"),
-                   Text::tr("p (of equality)"), Text::tr("Equal within %1 points (5 %)", margin)};
+                   Text::tr("p (of equality)"), Text::tr("Equal within %1 points (5 %)", margin.words())};
   table.provenance.n = study.mixed ? static_cast<std::int64_t>(study.mixed->marks) : comparedTrainees(study);
   table.provenance.missing = study.endMissing;
-  table.notes = {Text::tr(
-      "Planned with the cohort: a difference of at most %1 points does not matter. Equal: the 90 % "
-      "interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does not "
-      "say that the groups differ.",
-      margin)};
+  table.notes = {
+      {Text::tr("Planned with the cohort: a difference of at most %1 points does not matter. Equal: the 90 % "
+                "interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does "
+                "not say that the groups differ.",
+                margin.words()),
+       {margin}}};
   for (const PrimaryDifference& pair : primaryDifferences(study)) {
     if (!(pair.error > 0.0)) {
       table.rows.push_back({pairName(in, pair.first, pair.second), Text::tr("not defined"), "", ""});
@@ -295,7 +295,6 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
   fitted.references = {{0.0, Text::tr("as the model says")}};
   normal.xLabel = Text::tr("normal quantile times standard deviation (points)");
   normal.yLabel = Text::tr("residual (points)");
-  std::vector<double> all;
   for (const std::size_t g : model.groups) {
     FigureSeries line{.name = in.groups[g].name};
     FigureSeries quantiles = line;
@@ -303,7 +302,7 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
       const ResultsAt at(ledger, {.section = ResultSection::kComparison,
                                   .of = study.endCodes[g][i],
                                   .group = g,
-                                  .occasion = in.occasions.size() - 1});
+                                  .occasion = lastOf(in)});
       line.x.push_back(model.fitted[g][i]);
       addPoint(line, at, "ancova_residual");
       quantiles.x.push_back(model.quantiles[g][i]);
@@ -311,17 +310,22 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
     }
     fitted.series.push_back(std::move(line));
     normal.series.push_back(std::move(quantiles));
-    all.insert(all.end(), model.residuals[g].begin(), model.residuals[g].end());
   }
   normal.series.push_back(normalLine(normal.series));
-  const Outcome<NormalityTest> shape = shapiroWilk(all);
+  const ResultsAt end = resultsAtEnd(in, ledger);
+  const ReportCell w = end("residuals_shapiro_wilk_w", fixed(3));
+  const ReportCell p = end("residuals_shapiro_wilk_p", kEqualsP);
   fitted.notes = {Text::tr(
       "A fan or bow shape indicates that the spread or the slope violates the model's assumptions.")};
-  normal.notes = {
-      shape ? Text::tr("Normal residuals lie along the line. Shapiro and Wilk: W = %1, %2; for looking at, "
-                       "not for choosing a test.",
-                       formatFixed(shape->w, 3), equalsP(shape->p))
-            : Text::tr("Normal residuals lie along the line.")};
+  if (end.number("residuals_shapiro_wilk_w")) {
+    normal.notes = {
+        {Text::tr("Normal residuals lie along the line. Shapiro and Wilk: W = %1, %2; for looking "
+                  "at, not for choosing a test.",
+                  w.words(), p.words()),
+         {w, p}}};
+  } else {
+    normal.notes = {Text::tr("Normal residuals lie along the line.")};
+  }
   for (ReportFigure* figure : {&fitted, &normal}) {
     figure->kind = FigureKind::kScatter;
     figure->individual = true;  // a point is a person

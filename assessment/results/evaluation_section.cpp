@@ -298,29 +298,34 @@ ReportSection evaluationSection(const CohortInputs& in, const Ledger& ledger) {
     return unfinishedSection(in, ledger);
   }
   std::vector<Text> classes;
+  std::vector<std::shared_ptr<const ResultKey>> keys;
   for (const RaterClass& raterClass : in.instrument.classes) {
-    std::set<std::string> raters;
-    for (const ModelRatings& model : in.ratings) {
-      for (const RaterSheet& sheet : model.sheets) {
-        if (in.instrument.classes[sheet.raterClass].id == raterClass.id) {
-          raters.insert(sheet.rater);
-        }
-      }
-    }
-    classes.push_back(
-        Text::tr("%1 %2 (weight %3)", raters.size(), Text(raterClass.name),
-                 formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals)));
+    ResultKey place = wholeKey(kEvaluationMarks);
+    place.raterClass = raterClass.id;
+    const ReportCell raters = ResultsAt(ledger, std::move(place))("raters");
+    const ReportCell weight =
+        ResultsAt(ledger, {.section = ResultSection::kEvaluation, .raterClass = raterClass.id})(
+            "class_weight", fixed(kReadableDecimals));
+    classes.push_back(Text::tr("%1 %2 (weight %3)", raters.words(), Text(raterClass.name), weight.words()));
+    keys.push_back(raters.key);
+    keys.push_back(weight.key);
   }
-  const std::string lo = formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0);
-  const std::string hi = formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0);
+  const ResultsAt whole(ledger, wholeKey(kEvaluationMarks));
+  const ReportCell indices = whole("indices");
+  const ReportCell lowest = whole("scale_lowest", fixed(0));
+  const ReportCell highest = whole("scale_highest", fixed(0));
+  const ReportCell lost = whole("missing");
   const std::int64_t missing = missingEvaluationMarks(in);
   section.paragraphs.push_back(
-      missing == 0 ? Text::tr("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
-                              in.instrument.indices.size(), lo, hi, listed(classes))
-                   : Text::tr("Raters scored the models on %1 indices from %2 to %3 points; %4 {mark "
-                              "is|marks are} missing. "
-                              "Raters: %5.",
-                              in.instrument.indices.size(), lo, hi, missing, listed(classes)));
+      {missing == 0
+           ? Text::tr("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
+                      indices.words(), lowest.words(), highest.words(), listed(classes))
+           : Text::tr("Raters scored the models on %1 indices from %2 to %3 points; %4 {mark "
+                      "is|marks are} missing. "
+                      "Raters: %5.",
+                      indices.words(), lowest.words(), highest.words(), lost.words(), listed(classes)),
+       {indices, lowest, highest, lost},
+       keys});
   ReportParagraph ranked;
   std::vector<Text> ranking;
   for (const ModelEvaluation& model : in.evaluations) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -23,11 +22,11 @@ ReportFigure learningFigure(const CohortInputs& in, const Ledger& ledger) {
   figure.xLabel = Text::tr("number of the twist");
   figure.yLabel = Text::tr("absolute angle error (deg)");
   figure.yMin = 0.0;
-  std::int64_t mostAtFirst = 0;
-  std::int64_t fewestAtLast = std::numeric_limits<std::int64_t>::max();
+  const Result* mostAtFirst = nullptr;
+  const Result* fewestAtLast = nullptr;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     FigureSeries series{.name = in.groups[g].name, .look = g};
-    std::int64_t last = 0;
+    const Result* last = nullptr;
     for (ResultKey key{.section = ResultSection::kPractice, .group = g, .number = 1};; ++key.number) {
       const ResultsAt at(ledger, key);
       const Result* mean = at.find("mean_twist_error_deg");
@@ -37,19 +36,22 @@ ReportFigure learningFigure(const CohortInputs& in, const Ledger& ledger) {
       series.x.push_back(static_cast<double>(key.number));
       addPoint(series, at, "mean_twist_error_deg", true);
       figure.provenance.n += mean->n;
-      mostAtFirst = std::max(mostAtFirst, mean->n);
-      last = mean->n;
+      mostAtFirst = mostAtFirst == nullptr || mean->n > mostAtFirst->n ? mean : mostAtFirst;
+      last = mean;
     }
     if (!series.y.empty()) {
-      fewestAtLast = std::min(fewestAtLast, last);
+      fewestAtLast = fewestAtLast == nullptr || last->n < fewestAtLast->n ? last : fewestAtLast;
       figure.series.push_back(std::move(series));
     }
   }
   figure.notes = {Text::tr("Twists on the simulator only; a point needs at least two trainees.")};
-  if (fewestAtLast < mostAtFirst) {
+  if (mostAtFirst != nullptr && fewestAtLast->n < mostAtFirst->n) {
+    const ReportCell most = ResultsAt(ledger, mostAtFirst->key)(mostAtFirst->key.statistic, kValues);
+    const ReportCell fewest = ResultsAt(ledger, fewestAtLast->key)(fewestAtLast->key.statistic, kValues);
     figure.notes.push_back(
-        Text::tr("The first points rest on up to %1 {trainee|trainees} of a group, the last on %2.",
-                 mostAtFirst, fewestAtLast));
+        {Text::tr("The first points rest on up to %1 {trainee|trainees} of a group, the last on %2.",
+                  most.words(), fewest.words()),
+         {most, fewest}});
   }
   return figure;
 }
@@ -69,7 +71,6 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<PracticeCour
        {Text::tr("Mean error, first half (deg)"), "mean_error_first_half_deg", fixed(2), Text::tr("too few")},
        {Text::tr("Second half (deg)"), "mean_error_second_half_deg", fixed(2)},
        {Text::tr("Error left in the end (deg)")}});
-  std::int64_t fitted = 0;
   for (const PracticeCourse& course : all) {
     const ResultKey place{.section = ResultSection::kPractice, .of = course.trainee, .group = course.group};
     const ResultsAt at(ledger, place);
@@ -77,23 +78,24 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<PracticeCour
     if (const Result* found = at.find("error_left_deg"); found != nullptr) {
       if (const auto* none = std::get_if<Undefined>(&found->value)) {
         static_cast<Text&>(left) = Text::tr("not fitted: %1", none->reason);
-      } else {
-        ++fitted;
-        if (numberIn(found->value) == 0.0) {
-          static_cast<Text&>(left) = Text::tr("%1, held at zero", left.words());
-        }
+      } else if (numberIn(found->value) == 0.0) {
+        static_cast<Text&>(left) = Text::tr("%1, held at zero", left.words());
       }
     }
     rows.row({in.groups[course.group].name, course.trainee, left}, place);
     table.provenance.n += std::ssize(course.attempts);
   }
+  const ResultsAt whole(ledger, {.section = ResultSection::kPractice});
+  const ReportCell fitted = whole("trainees_with_curve");
+  const ReportCell trainees = whole("trainees_with_curve", kValues);
   table.notes = {
       Text::tr(
           "Each trainee is fitted alone; eight twists are the fewest for a curve with three parameters."),
-      Text::tr(
-          "A curve was fitted to %1 of %2 {trainee|trainees}. An error that falls like a straight line, or "
-          "not at all, does not level off and has none.",
-          fitted, all.size())};
+      {Text::tr(
+           "A curve was fitted to %1 of %2 {trainee|trainees}. An error that falls like a straight line, "
+           "or not at all, does not level off and has none.",
+           fitted.words(), trainees.words()),
+       {fitted, trainees}}};
   return table;
 }
 
@@ -111,8 +113,6 @@ ReportTable doseTable(const CohortInputs& in, const Ledger& ledger) {
                     {Text::tr("Real, mean noted (min)"), "mean_noted_real_min", fixed(1)},
                     {Text::tr("Trainees who rested"), "trainees_who_rested"},
                     {Text::tr("Rest in all (min)"), "rest_min", fixed(1)}});
-  double noted = 0.0;
-  double recorded = 0.0;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const ResultKey place{.section = ResultSection::kPractice, .group = g};
     const ResultsAt at(ledger, place);
@@ -125,17 +125,16 @@ ReportTable doseTable(const CohortInputs& in, const Ledger& ledger) {
               plan("planned_real_min", fixed(1), Text::tr("no plan"))},
              place);
     table.provenance.n += trainees->n;
-    const auto count = static_cast<double>(trainees->n);
-    noted += count * at.number("mean_noted_virtual_min").value_or(0.0);
-    recorded += count * at.number("mean_recorded_virtual_min").value_or(0.0);
   }
   table.notes = {Text::tr("Rest stops the clock of the training phases.")};
-  if (noted > 0.0) {
+  const ResultsAt whole(ledger, wholeKey(kTrainingTimes));
+  if (whole.number("recorded_share")) {
+    const ReportCell share = whole("recorded_share", percent(1));
     table.notes.push_back(
-        Text::tr("Recordings make up %1 % of the time noted on the simulator; the rest was spent between the "
-                 "runs, or is "
-                 "not recorded.",
-                 formatFixed(100.0 * recorded / noted, 1)));
+        {Text::tr("Recordings make up %1 of the time noted on the simulator; the rest was spent between the "
+                  "runs, or is not recorded.",
+                  share.words()),
+         {share}});
   }
   return table;
 }

@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include "assessment/results/number_format.h"
 #include "assessment/results/record_sentences.h"
+#include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
 #include "sim/core/text.h"
 
@@ -82,20 +82,25 @@ Text comparisonSentence(const StudyAnalysis& study) {
 
 }  // namespace
 
-ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study) {
+ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportSection section{"methods", Text::tr("Methods and limits")};
   if (!in.evaluations.empty()) {
     const std::vector<Text> sentences = evaluationSentences(in);
     section.paragraphs.assign(sentences.begin(), sentences.end());
   }
   if (!in.evaluations.empty() && !in.scores.empty()) {
-    section.paragraphs.push_back(Text::tr(
-        "The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to "
-        "10; here they run from %1 to %2 and from %3 to %4.",
-        formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0),
-        formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0),
-        formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
-        formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));
+    const ResultsAt models(ledger, wholeKey(kEvaluationMarks));
+    const ResultsAt training(ledger, wholeKey(kTrainingMarks));
+    const ReportCell lowest = models("scale_lowest", fixed(0));
+    const ReportCell highest = models("scale_highest", fixed(0));
+    const ReportCell lowestMark = training("scale_lowest", fixed(0));
+    const ReportCell highestMark = training("scale_highest", fixed(0));
+    section.paragraphs.push_back(
+        {Text::tr(
+             "The paper gives the scale of the model evaluation as 0 to 10 and that of the training study "
+             "as 1 to 10; here they run from %1 to %2 and from %3 to %4.",
+             lowest.words(), highest.words(), lowestMark.words(), highestMark.words()),
+         {lowest, highest, lowestMark, highestMark}});
   }
   if (!in.scores.empty()) {
     section.paragraphs.push_back(
@@ -103,8 +108,8 @@ ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study)
                  "variance of "
                  "the trainee scores with divisor n; the table lists the other readings."));
   }
-  for (const Text& sentence : blindingSentences(in)) {
-    section.paragraphs.emplace_back(sentence);
+  for (ReportParagraph& sentence : blindingSentences(in, ledger)) {
+    section.paragraphs.push_back(std::move(sentence));
   }
   if (!in.trainingMarks.empty()) {
     section.paragraphs.push_back(comparisonSentence(study));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Effect of missing marks on the comparison of groups: who is excluded, the mixed model, and bounds.
 #include <algorithm>
-#include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -17,45 +15,52 @@ namespace torsio {
 namespace {
 
 /// Returns codes, or in a report without single people their number.
-Text whoText(const CohortInputs& in, const std::vector<Text>& codes) {
-  return in.identity == ReportIdentity::kAggregated ? Text::tr("%1 trainees", codes.size()) : listed(codes);
+Text whoText(const CohortInputs& in, const std::vector<std::string>& codes, const Text& number) {
+  return in.identity == ReportIdentity::kAggregated ? number
+                                                    : listed(std::vector<Text>(codes.begin(), codes.end()));
 }
 
-std::vector<Text> leftOutCodes(const StudyAnalysis& study) {
-  std::vector<Text> codes;
-  for (const MissingTrainee& trainee : study.missing) {
-    if (trainee.leftOut) {
-      codes.emplace_back(trainee.trainee);
+/// Names raters without any marks at one of the two ends: no trainee lacks a mark that others have, but the
+/// two scores are by different raters.
+std::vector<ReportParagraph> otherRaters(const CohortInputs& in, const StudyAnalysis& study,
+                                         const Ledger& ledger) {
+  std::vector<ReportParagraph> out;
+  for (const std::size_t t : {lastOf(in), std::size_t{0}}) {
+    const std::vector<std::string> codes = absentRaters(study, t);
+    if (!codes.empty() && !study.occasions[t].present.empty()) {
+      const ReportCell count =
+          ResultsAt(ledger, {.section = ResultSection::kAgreement, .occasion = t})("raters_absent");
+      out.push_back(
+          {Text::tr(
+               "Raters with marks at the other end of the study but none %1: %2. The scores before and "
+               "at the end are then not means over the same raters, which shifts the gains of all groups "
+               "alike and not the differences between them.",
+               in.occasions[t], whoText(in, codes, count.words())),
+           {count}});
     }
   }
-  return codes;
+  return out;
 }
 
-/// Finds raters without any marks at one of the two occasions: no trainee lacks a mark that others have, but
-/// the two scores are by different raters.
-std::vector<Text> otherRaters(const CohortInputs& in, const StudyAnalysis& study) {
-  std::vector<Text> out;
-  const OccasionMarks& first = study.occasions.front();
-  const OccasionMarks& last = study.occasions.back();
-  const auto add = [&](const OccasionMarks& here, const OccasionMarks& there, const Text& missingAt) {
-    std::vector<Text> codes;
-    for (const std::size_t r : here.present) {
-      if (std::find(there.present.begin(), there.present.end(), r) == there.present.end()) {
-        codes.emplace_back(study.raters[r]);
-      }
-    }
-    if (!codes.empty() && !there.present.empty()) {
-      out.push_back(Text::tr(
-          "Raters with marks at the other end of the study but none %1: %2. The scores before and at the end "
-          "are then not means over the same raters, which shifts the gains of all groups alike and not the "
-          "differences between them.",
-          missingAt,
-          in.identity == ReportIdentity::kAggregated ? Text(std::to_string(codes.size())) : listed(codes)));
-    }
-  };
-  add(first, last, in.occasions.back());
-  add(last, first, in.occasions.front());
-  return out;
+/// Says which raters scored only some groups; empty: none.
+std::vector<ReportParagraph> raterGroupSentences(const CohortInputs& in, const StudyAnalysis& study,
+                                                 const Ledger& ledger) {
+  const std::vector<std::string> codes = ratersOfSomeGroups(in);
+  if (codes.empty()) {
+    return {};
+  }
+  const ReportCell count = ResultsAt(
+      ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)})("raters_of_some_groups");
+  const Text who = whoText(in, codes, count.words());
+  return {{study.mixed
+               ? Text::tr("Raters who scored trainees of some groups only %1: %2. In the analysis of "
+                          "covariance the severity of such a rater counts as a difference between the "
+                          "groups; the linear mixed model allows for it.",
+                          in.occasions.back(), who)
+               : Text::tr("Raters who scored trainees of some groups only %1: %2. The severity of "
+                          "such a rater counts as a difference between the groups.",
+                          in.occasions.back(), who),
+           {count}}};
 }
 
 /// Describes what the record states about the planned comparison of groups.
@@ -72,46 +77,18 @@ Text planText(const CohortInputs& in) {
 std::vector<Text> groupsNotCompared(const CohortInputs& in, const StudyAnalysis& study) {
   std::vector<Text> out;
   for (const std::size_t g : groupsWithoutEnds(study)) {
-    out.push_back(Text::tr("%1 (n = %2)", in.groups[g].name, 0));
+    out.push_back(in.groups[g].name);
   }
   return out;
 }
 
-std::vector<Text> raterGroupSentences(const CohortInputs& in, const StudyAnalysis& study) {
-  std::map<std::string, std::set<std::size_t>> groupsOf;  // at the last occasion, by rater
-  std::set<std::size_t> marked;
-  for (const TrainingMark& mark : in.trainingMarks) {
-    if (mark.occasion + 1 == in.occasions.size()) {
-      groupsOf[mark.rater].insert(mark.group);
-      marked.insert(mark.group);
-    }
-  }
-  std::vector<Text> codes;
-  for (const auto& [rater, groups] : groupsOf) {
-    if (groups.size() < marked.size()) {
-      codes.emplace_back(rater);
-    }
-  }
-  if (codes.empty()) {
-    return {};
-  }
-  const Text who =
-      in.identity == ReportIdentity::kAggregated ? Text(std::to_string(codes.size())) : listed(codes);
-  return {study.mixed ? Text::tr("Raters who scored trainees of some groups only %1: %2. In the analysis of "
-                                 "covariance the severity of such a rater counts as a difference between the "
-                                 "groups; the linear mixed model allows for it.",
-                                 in.occasions.back(), who)
-                      : Text::tr("Raters who scored trainees of some groups only %1: %2. The severity of "
-                                 "such a rater counts as a difference between the groups.",
-                                 in.occasions.back(), who)};
-}
-
-std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& study) {
+std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& study,
+                                            const Ledger& ledger) {
   if (study.occasions.size() < 2) {
     return {};
   }
-  std::vector<Text> out = otherRaters(in, study);
-  for (Text& sentence : raterGroupSentences(in, study)) {
+  std::vector<ReportParagraph> out = otherRaters(in, study, ledger);
+  for (ReportParagraph& sentence : raterGroupSentences(in, study, ledger)) {
     out.push_back(std::move(sentence));
   }
   if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
@@ -138,25 +115,33 @@ std::vector<Text> plannedAndUsed(const CohortInputs& in, const StudyAnalysis& st
     out.insert(out.begin(), Text::verbatim("%1 %2", used, marks));
     return out;
   }
+  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ReportCell lost = at("marks_missing");
+  const ReportCell all = at("marks_missing", kValues);
+  const ReportCell compared = at("trainees_compared");
   const Text missing =
       study.endMissing > 0
           ? Text::tr(
                 "%1 of %2 {mark of the first and the last occasion is|marks of the first and the last "
                 "occasion are} missing",
-                study.endMissing, study.endMarks + study.endMissing)
+                lost.words(), all.words())
           : Text::tr("Not every trainee was marked by the same raters at the end");
   out.push_back(
-      study.mixed
-          ? Text::tr("%1 %2, so the linear mixed model is the primary comparison here: it uses every mark "
-                     "given at the end. The analysis of covariance is shown beside it, for the %3 "
-                     "{trainee|trainees} with a score at both occasions.",
-                     planText(in), missing, comparedTrainees(study))
-          : Text::tr("%1 %2. The linear mixed model that would take every mark is not defined (%3), so the "
-                     "analysis of covariance is used, of the %4 {trainee|trainees} with a score at both "
-                     "occasions.",
-                     planText(in), missing, study.mixed.reason(), comparedTrainees(study)));
-  if (const std::vector<Text> codes = leftOutCodes(study); !codes.empty()) {
-    out.push_back(Text::tr("Left out of both, without any mark at one of the two: %1.", whoText(in, codes)));
+      {study.mixed
+           ? Text::tr("%1 %2, so the linear mixed model is the primary comparison here: it uses every mark "
+                      "given at the end. The analysis of covariance is shown beside it, for the %3 "
+                      "{trainee|trainees} with a score at both occasions.",
+                      planText(in), missing, compared.words())
+           : Text::tr("%1 %2. The linear mixed model that would take every mark is not defined (%3), so the "
+                      "analysis of covariance is used, of the %4 {trainee|trainees} with a score at both "
+                      "occasions.",
+                      planText(in), missing, study.mixed.reason(), compared.words()),
+       {lost, all, compared}});
+  if (const std::vector<std::string> codes = leftOutTrainees(study); !codes.empty()) {
+    const ReportCell count = at("trainees_left_out");
+    out.push_back({Text::tr("Left out of both, without any mark at one of the two: %1.",
+                            whoText(in, codes, Text::tr("%1 trainees", count.words()))),
+                   {count}});
   }
   if (study.endMissing == 0) {
     return out;
@@ -185,7 +170,7 @@ std::optional<ReportTable> missingTable(const CohortInputs& in, const StudyAnaly
     rows.row({trainee.trainee, in.groups[trainee.group].name}, {.section = ResultSection::kComparison,
                                                                 .of = trainee.trainee,
                                                                 .group = trainee.group,
-                                                                .occasion = in.occasions.size() - 1});
+                                                                .occasion = lastOf(in)});
   }
   table.provenance.n = study.endMarks;
   table.provenance.missing = study.endMissing;
@@ -217,27 +202,35 @@ std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAn
   for (const MixedComparison::Pair& pair : model.pairs) {
     rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
   }
-  std::vector<Text> means;
-  for (std::size_t g = 0; g < model.adjusted.size(); ++g) {
-    means.push_back(Text::verbatim("%1 %2", in.groups[model.groups[g]].name,
-                                   withInterval(model.adjusted[g].value, model.adjusted[g].interval)));
-  }
-  table.notes = {
-      Text::tr("Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); "
-               "%1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.",
-               model.marks, model.trainees),
-      Text::tr("Adjusted means [95 %]: %1.", listed(means)),
-      Text::tr("Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before "
-               "[95 %]: %4.",
-               formatFixed(model.varianceTrainees, 3), formatFixed(model.varianceRaters, 3),
-               formatFixed(model.varianceResidual, 3),
-               withInterval(model.slope.value, model.slope.interval))};
+  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ReportCell marks = at("mixed_model_marks");
+  const ReportCell trainees = at("mixed_model_trainees");
+  const ReportCell ofTrainees = at("mixed_model_variance_of_trainees", fixed(3));
+  const ReportCell ofRaters = at("mixed_model_variance_of_raters", fixed(3));
+  const ReportCell residual = at("mixed_model_variance_of_rest", fixed(3));
+  const ReportCell slope = at("mixed_model_slope", kWithInterval);
+  const ReportParagraph means =
+      valuesOfGroups(in, ledger, model.groups, "mixed_model_adjusted_mean", kWithInterval);
   if (model.group) {
-    table.notes.insert(
-        table.notes.begin(),
-        Text::tr("Effect of the group: F(%1, %2) = %3, %4.", formatFixed(model.group->df1, 0),
-                 formatFixed(model.group->df2, 1), formatFixed(model.group->f, 2), equalsP(model.group->p)));
+    const ReportCell df1 = at("mixed_model_group_df", fixed(0));
+    const ReportCell df2 = at("mixed_model_group_df_error", fixed(1));
+    const ReportCell f = at("mixed_model_group_f", fixed(2));
+    const ReportCell p = at("mixed_model_group_p", kEqualsP);
+    table.notes.push_back(
+        {Text::tr("Effect of the group: F(%1, %2) = %3, %4.", df1.words(), df2.words(), f.words(), p.words()),
+         {df1, df2, f, p}});
   }
+  table.notes.push_back(
+      {Text::tr("Mark at the end on group and mean mark before (fixed), trainee and rater (random, crossed); "
+                "%1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.",
+                marks.words(), trainees.words()),
+       {marks, trainees}});
+  table.notes.push_back({Text::tr("Adjusted means [95 %]: %1.", means), {}, means.keys});
+  table.notes.push_back(
+      {Text::tr("Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before "
+                "[95 %]: %4.",
+                ofTrainees.words(), ofRaters.words(), residual.words(), slope.words()),
+       {ofTrainees, ofRaters, residual, slope}});
   table.provenance.n = static_cast<std::int64_t>(model.marks);
   table.provenance.missing = study.endMissing;
   return table;

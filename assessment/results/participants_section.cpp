@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,10 +40,12 @@ ReportTable groupsTable(const CohortInputs& in, const Ledger& ledger) {
     table.notes = {
         Text::tr("How the groups were made is not in the record: they may differ from the start.")};
   } else if (in.allocation.movedByHand > 0) {
+    const ReportCell moved = ResultsAt(ledger, {.section = ResultSection::kParticipants})("moved_by_hand");
     table.notes = {
-        Text::tr("No test of baseline differences is shown. %1 {trainee was|trainees were} moved by hand "
-                 "after the draw: a difference need not be due to chance.",
-                 in.allocation.movedByHand)};
+        {Text::tr("No test of baseline differences is shown. %1 {trainee was|trainees were} moved by hand "
+                  "after the draw: a difference need not be due to chance.",
+                  moved.words()),
+         {moved}}};
   } else if (in.allocation.replayDiffers) {
     table.notes = {
         Text::tr("No test of baseline differences is shown. The draw could not be repeated from its seed: a "
@@ -104,20 +105,28 @@ ReportTable pairsTable(const std::string& id, const Text& title, const Facts& pa
 ReportSection participantsSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"participants", Text::tr("Participants and allocation")};
   const CohortAllocation& drawn = in.allocation;
+  const ResultsAt at(ledger, {.section = ResultSection::kParticipants});
+  const ReportCell trainees = at("trainees");
+  const ReportCell groups = at("groups");
+  const ReportCell more = at("not_allocated");
   const Text enrolled = in.notAllocated > 0
                             ? Text::tr(
                                   "%1 {trainee was|trainees were} allocated to %2 {group|groups}; %3 more "
                                   "{was enrolled and is|were enrolled and are} in no group",
-                                  in.trainees.size(), in.groups.size(), in.notAllocated)
+                                  trainees.words(), groups.words(), more.words())
                             : Text::tr("%1 {trainee was|trainees were} allocated to %2 {group|groups}",
-                                       in.trainees.size(), in.groups.size());
-  section.paragraphs.push_back(Text::tr("%1. Method: %2; generator: %3; seed: %4.", enrolled,
-                                        drawn.method.empty() ? Text::tr("not recorded") : drawn.method,
-                                        drawn.generator.empty() ? Text::tr("not recorded") : drawn.generator,
-                                        drawn.sealed           ? Text::tr("sealed until the study ends")
-                                        : drawn.method.empty() ? Text::tr("not recorded")
-                                                               : Text(std::to_string(drawn.seed))));
-  section.paragraphs.push_back(Text::verbatim("%1 %2", commitmentSentence(drawn), replaySentence(drawn)));
+                                       trainees.words(), groups.words());
+  const ReportCell seed = at("seed");
+  section.paragraphs.push_back({Text::tr("%1. Method: %2; generator: %3; seed: %4.", enrolled,
+                                         drawn.method.empty() ? Text::tr("not recorded") : drawn.method,
+                                         drawn.generator.empty() ? Text::tr("not recorded") : drawn.generator,
+                                         drawn.sealed           ? Text::tr("sealed until the study ends")
+                                         : drawn.method.empty() ? Text::tr("not recorded")
+                                                                : seed.words()),
+                                {trainees, groups, more, seed}});
+  ReportParagraph commitment = commitmentSentence(drawn, ledger);
+  static_cast<Text&>(commitment) = Text::verbatim("%1 %2", commitment, replaySentence(drawn));
+  section.paragraphs.push_back(std::move(commitment));
   section.tables = {groupsTable(in, ledger), flowTable(in, ledger)};
   if (!in.allocation.design.empty()) {
     section.tables.push_back(
@@ -135,19 +144,19 @@ ResultKey deviationKey(const CohortInputs& in, std::size_t number) {
           .record = std::to_string(number)};
 }
 
-ReportSection deviationsSection(const CohortInputs& in) {
+ReportSection deviationsSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"deviations", Text::tr("Deviations")};
   if (in.deviations.empty()) {
     section.paragraphs.push_back(Text::tr("No deviation from the protocol was reported."));
     return section;
   }
-  std::map<std::string, std::int64_t> kinds;
-  for (const CohortDeviation& deviation : in.deviations) {
-    ++kinds[deviation.kind];
-  }
+  const ResultsAt at(ledger, {.section = ResultSection::kParticipants});
+  const ReportCell reported = at("deviations");
+  const ReportCell kinds = at("deviations_by_kind");
   section.paragraphs.push_back(
-      Text::tr("%1 {deviation from the protocol was|deviations from the protocol were} reported: %2.",
-               in.deviations.size(), countsText({kinds.begin(), kinds.end()}, in.identity)));
+      {Text::tr("%1 {deviation from the protocol was|deviations from the protocol were} reported: %2.",
+                reported.words(), kinds.words()),
+       {reported, kinds}});
   ReportTable table;
   table.id = "table-deviations";
   table.title = Text::tr("Deviations from the protocol");
@@ -168,11 +177,15 @@ ReportSection deviationsSection(const CohortInputs& in) {
 }
 
 /// Name, meaning and time with the signed object, as required by 21 CFR 11.50.
-ReportSection signaturesSection(const CohortInputs& in) {
+ReportSection signaturesSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"signatures", Text::tr("Signatures of the marks")};
+  const ResultsAt at(ledger, wholeKey(kTrainingMarks));
+  const ReportCell with = at("signed");
+  const ReportCell without = at("not_signed");
   section.paragraphs.push_back(
-      Text::tr("%1 {mark was|marks were} signed with the password of their rater, %2 {was|were} not.",
-               in.signatures.size(), in.unsignedMarks));
+      {Text::tr("%1 {mark was|marks were} signed with the password of their rater, %2 {was|were} not.",
+                with.words(), without.words()),
+       {with, without}});
   ReportTable table;
   table.id = "table-mark-signatures";
   table.title = Text::tr("Who signed which mark");

@@ -45,6 +45,20 @@ void addParticipants(const CohortInputs& in, const CohortInputs& all, Ledger& le
                               [](const CohortTrainee& trainee) { return trainee.withdrew; }),
                 everybody);
   rows.addCount("deviations", std::ssize(in.deviations), everybody);
+  if (!in.deviations.empty()) {
+    std::map<std::string, std::int64_t> kinds;
+    for (const CohortDeviation& deviation : in.deviations) {
+      ++kinds[deviation.kind];
+    }
+    rows.put("deviations_by_kind", countsText({kinds.begin(), kinds.end()}, in.identity), everybody);
+  }
+  if (!in.allocation.sealed && !in.allocation.method.empty()) {
+    rows.put("seed", Text(std::to_string(in.allocation.seed)), everybody);
+  }
+  rows.addCount("not_allocated", in.notAllocated, everybody);
+  rows.addCount("moved_by_hand", in.allocation.movedByHand, everybody);
+  rows.addCount("allocated_before_commitment", in.allocation.allocatedBeforeLock, everybody);
+  rows.addCount("enrolled_before_commitment", in.allocation.enrolledBeforeLock, everybody);
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::map<std::string, std::int64_t> sexes;
     std::map<std::string, std::int64_t> levels;
@@ -216,6 +230,21 @@ void addCourse(const PracticeCourse& course, ResultWriter& rows) {
     rows.add("error_left_deg", fit->asymptoteAtZero ? 0.0 : fit->asymptote, n);
     rows.setFlags({});
   }
+}
+
+/// Adds to how many trainees a learning curve was fitted.
+void addCurvesFitted(ResultWriter& rows, const Ledger& ledger) {
+  const ResultPattern each{.section = kPractice, .statistic = "error_left_deg", .of = kEach};
+  const std::vector<const Result*> all = ledger.select(each);
+  if (all.empty()) {
+    return;
+  }
+  rows.place = {.section = kPractice};
+  rows.madeOf = partsOf({each});
+  rows.addCount("trainees_with_curve",
+                std::count_if(all.begin(), all.end(),
+                              [](const Result* one) { return numberIn(one->value).has_value(); }),
+                std::ssize(all));
 }
 
 /// Adds a group's mean error at its n-th twist, of at least two trainees who made it.
@@ -411,6 +440,7 @@ void addPracticeResults(const CohortInputs& in, const CohortInputs& all, Ledger&
   for (const PracticeCourse& course : courses) {
     addCourse(course, rows);
   }
+  addCurvesFitted(rows, ledger);
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     addGroupCourse(courses, g, rows);
   }

@@ -67,21 +67,27 @@ ReportTable sourcesTable(const CohortInputs& in, const Ledger& ledger) {
       Text::tr("submitted marks of the occasions"), kTrainingMarks);
   add(Text::tr("Learning; Recorded runs"), Text::tr("recordings, listed below"), kRecordings);
   if (!in.trials.empty()) {
-    const auto open = std::count_if(in.trials.begin(), in.trials.end(),
-                                    [](const TrialSummaryRow& trial) { return trial.contentHash.empty(); });
-    table.notes.push_back(
-        open == 0
-            ? Text::tr("Every recording is sealed in the record by its content hash; it can be replayed and "
-                       "compared bit for bit (torsio replay RUN --verify).")
-            : Text::tr("%1 {recording has|recordings have} no content hash: nothing shows that {it is|they "
-                       "are} unchanged.",
-                       open));
+    const ResultsAt at(ledger, wholeKey(kRecordings));
+    const ReportCell open = at("runs_without_hash");
+    if (at.number("runs_without_hash").value_or(0.0) > 0.0) {
+      table.notes.push_back(
+          {Text::tr("%1 {recording has|recordings have} no content hash: nothing shows that "
+                    "{it is|they are} unchanged.",
+                    open.words()),
+           {open}});
+    } else {
+      table.notes.push_back(
+          Text::tr("Every recording is sealed in the record by its content hash; it can be replayed and "
+                   "compared bit for bit (torsio replay RUN --verify)."));
+    }
   }
   if (in.notAssessable > 0) {
+    const ReportCell refused = ResultsAt(ledger, wholeKey(kTrainingMarks))("not_assessable");
     table.notes.push_back(
-        Text::tr("%1 {mark could not be given and carries a reason; it counts|marks could not be given and "
-                 "carry a reason; they count} as missing.",
-                 in.notAssessable));
+        {Text::tr("%1 {mark could not be given and carries a reason; it counts|marks could not be given and "
+                  "carry a reason; they count} as missing.",
+                  refused.words()),
+         {refused}});
   }
   table.provenance.flags = commonFlags(in);
   return table;

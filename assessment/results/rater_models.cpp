@@ -135,8 +135,8 @@ Outcome<Bootstrap> medianGain(const std::vector<double>& before, const std::vect
   for (std::size_t i = 0; i < before.size(); ++i) {
     gains.push_back(after[i] - before[i]);
   }
+  std::sort(gains.begin(), gains.end());  // the interval does not depend on the order of the trainees
   std::vector<double> sorted = gains;
-  std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   std::vector<std::size_t> rankOf;
   for (const double gain : gains) {

@@ -36,12 +36,12 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study, const L
   for (const std::string& rater : study.raters) {
     FigureSeries series{.name = rater};
     for (std::size_t i = 0; i < study.trainees.size(); ++i) {
-      addPoint(series,
-               ResultsAt(ledger, {.of = study.trainees[i],
-                                  .group = study.groupOf[i],
-                                  .index = rater,
-                                  .occasion = in.occasions.size() - 1}),
-               "rater_mark");
+      addPoint(
+          series,
+          ResultsAt(
+              ledger,
+              {.of = study.trainees[i], .group = study.groupOf[i], .index = rater, .occasion = lastOf(in)}),
+          "rater_mark");
     }
     figure.series.push_back(std::move(series));
   }
@@ -104,25 +104,25 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
     series.x.push_back(*numberIn(ledger.find(both)->value));
     addPoint(series, ResultsAt(ledger, mark->key), kMarkMinusOthers);
   }
-  const Outcome<IncompleteReliability>& variances = study.occasions.back().reliability;
-  if (!variances || variances->usualRaters < 2) {
+  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)});
+  const std::optional<double> limit = at.number("limit_against_others");
+  if (!limit) {
     return std::nullopt;
   }
-  // A trainee has several of these differences, so they are not independent: the limits are calculated from
-  // the variances of raters and residual, for one more rater against the mean of the usual number of others.
-  const double others = static_cast<double>(variances->usualRaters) - 1.0;
-  const double reach = kAgreementLimit * std::sqrt((variances->varianceRaters + variances->varianceResidual) *
-                                                   (1.0 + 1.0 / others));
+  const ReportCell reach = at("limit_against_others", fixed(2));
+  const ReportCell others = at("usual_number_of_others");
   figure.series = {series};
-  figure.references = {
-      {0.0, Text::tr("as the others")}, {-reach, Text::tr("lower limit")}, {reach, Text::tr("upper limit")}};
+  figure.references = {{0.0, Text::tr("as the others")},
+                       {-*limit, Text::tr("lower limit")},
+                       {*limit, Text::tr("upper limit")}};
   figure.provenance.n = std::ssize(series.x);
   figure.provenance.missing = study.occasions.back().missing;
   figure.notes = {
-      Text::tr("Limits for repeated measures: plus and minus 1.96 standard deviations of one rater's mark "
-               "about the mean "
-               "of %1 others, %2 points, from the variances of raters and rest over all trainees.",
-               variances->usualRaters - 1, formatFixed(reach, 2))};
+      {Text::tr("Limits for repeated measures: plus and minus 1.96 standard deviations of one rater's mark "
+                "about the mean "
+                "of %1 others, %2 points, from the variances of raters and rest over all trainees.",
+                others.words(), reach.words()),
+       {others, reach}}};
   return figure;
 }
 
@@ -136,9 +136,8 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study, cons
                     {Text::tr("Offset [95 %], all occasions"), "severity_offset", kWithInterval},
                     {Text::tr("Limits of agreement, last occasion")}});
   for (const RaterSeverity& rater : study.severity) {
-    const ResultsAt last(
-        ledger,
-        {.section = ResultSection::kAgreement, .of = rater.rater, .occasion = in.occasions.size() - 1});
+    const ResultsAt last(ledger,
+                         {.section = ResultSection::kAgreement, .of = rater.rater, .occasion = lastOf(in)});
     ReportCell limits = last("limit_of_agreement");
     const Result* found = last.find("limit_of_agreement");
     if (const auto* ends = found == nullptr ? nullptr : std::get_if<Interval>(&found->value)) {

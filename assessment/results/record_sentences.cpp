@@ -19,61 +19,77 @@ namespace {
 
 constexpr std::size_t kPrintedHash = 16;
 
-Text waysSentence(const MarkWays& ways, bool imported) {
+ReportParagraph waysSentence(const MarkWays& ways, bool imported, const ResultsAt& at) {
   const std::int64_t all = ways.blinded + ways.live + ways.entered;
+  const ReportCell marks = at("given_in_all");
   if (imported && ways.entered == all) {
-    return Text::tr(
-        "Nothing shows that raters were blinded: all marks of the training study (%1) were imported.", all);
+    return {Text::tr("Nothing shows that raters were blinded: all marks of the training study (%1) were "
+                     "imported.",
+                     marks.words()),
+            {marks}};
   }
   if (ways.blinded == all) {
-    return Text::tr(
-        "Raters were blinded: all marks of the training study (%1) were given on recordings under a case "
-        "label, without name, group or occasion.",
-        all);
+    return {
+        Text::tr("Raters were blinded: all marks of the training study (%1) were given on recordings under "
+                 "a case label, without name, group or occasion.",
+                 marks.words()),
+        {marks}};
   }
   if (ways.live == all) {
-    return Text::tr(
-        "Raters were not blinded: all marks of the training study (%1) were given live at the real arm, "
-        "where the rater sees the trainee.",
-        all);
+    return {
+        Text::tr("Raters were not blinded: all marks of the training study (%1) were given live at the real "
+                 "arm, where the rater sees the trainee.",
+                 marks.words()),
+        {marks}};
   }
   if (ways.entered == all) {
-    return Text::tr(
-        "Nothing shows that raters were blinded: all marks of the training study (%1) were entered without a "
-        "sheet of the desk.",
-        all);
+    return {
+        Text::tr("Nothing shows that raters were blinded: all marks of the training study (%1) were entered "
+                 "without a sheet of the desk.",
+                 marks.words()),
+        {marks}};
   }
-  return Text::tr(
-      "Raters were blinded in part: of %1 {mark|marks} of the training study %2 {was|were} given on "
-      "recordings under a case label, %3 live at the real arm, where the rater sees the trainee, and %4 "
-      "{was|were} entered without a sheet of the desk.",
-      all, ways.blinded, ways.live, ways.entered);
+  const ReportCell blinded = at("given_blinded");
+  const ReportCell live = at("given_live");
+  const ReportCell entered = at("entered_without_sheet");
+  return {
+      Text::tr("Raters were blinded in part: of %1 {mark|marks} of the training study %2 {was|were} given on "
+               "recordings under a case label, %3 live at the real arm, where the rater sees the trainee, "
+               "and %4 {was|were} entered without a sheet of the desk.",
+               marks.words(), blinded.words(), live.words(), entered.words()),
+      {marks, blinded, live, entered}};
 }
 
 }  // namespace
 
-std::vector<Text> blindingSentences(const CohortInputs& in) {
-  std::vector<Text> sentences;
+std::vector<ReportParagraph> blindingSentences(const CohortInputs& in, const Ledger& ledger) {
+  std::vector<ReportParagraph> sentences;
   if (in.markWays.blinded + in.markWays.live + in.markWays.entered > 0) {
-    sentences.push_back(waysSentence(in.markWays, in.imported.has_value()));
+    sentences.push_back(
+        waysSentence(in.markWays, in.imported.has_value(), {ledger, wholeKey(kTrainingMarks)}));
   }
   if (in.evaluations.empty()) {
     return sentences;
   }
-  const auto models = static_cast<std::int64_t>(in.evaluations.size());
-  sentences.push_back(in.modelsHidden == models
-                          ? Text::tr("All models (%1) stood before their raters under hidden labels.", models)
-                          : Text::tr("%1 of %2 {model|models} stood before their raters under hidden labels.",
-                                     in.modelsHidden, models));
-  const std::set<std::string> raters = evaluationRaters(in);
-  const auto both = std::count_if(in.trainees.begin(), in.trainees.end(), [&](const CohortTrainee& trainee) {
-    return raters.contains(trainee.code);
-  });
-  if (both > 0) {
+  const ResultsAt at(ledger, wholeKey(kEvaluationMarks));
+  const ReportCell models = at("models");
+  const ReportCell hidden = at("models_hidden");
+  const ReportCell both = at("raters_who_are_trainees");
+  sentences.push_back(
+      in.modelsHidden == std::ssize(in.evaluations)
+          ? ReportParagraph(
+                Text::tr("All models (%1) stood before their raters under hidden labels.", models.words()),
+                {models})
+          : ReportParagraph(Text::tr("%1 of %2 {model|models} stood before their raters under hidden labels.",
+                                     hidden.words(), models.words()),
+                            {hidden, models}));
+  if (at.number("raters_who_are_trainees").value_or(0.0) > 0.0) {
     sentences.push_back(
-        Text::tr("%1 {trainee of this cohort is a rater|trainees of this cohort are raters} of the models as "
-                 "well: their marks are not independent of their training.",
-                 both));
+        {Text::tr(
+             "%1 {trainee of this cohort is a rater|trainees of this cohort are raters} of the models as "
+             "well: their marks are not independent of their training.",
+             both.words()),
+         {both}});
   }
   return sentences;
 }
@@ -127,7 +143,8 @@ std::vector<Text> originSentences(const CohortInputs& in) {
   return out;
 }
 
-Text commitmentSentence(const CohortAllocation& drawn) {
+ReportParagraph commitmentSentence(const CohortAllocation& drawn, const Ledger& ledger) {
+  const ResultsAt at(ledger, {.section = ResultSection::kParticipants});
   if (drawn.commitment.empty()) {
     return Text::tr("No commitment to the seed is in the record.");
   }
@@ -136,14 +153,17 @@ Text commitmentSentence(const CohortAllocation& drawn) {
   }
   const std::string locked = formatUtc(drawn.lockedUtc_us);
   if (drawn.allocatedBeforeLock > 0) {
-    return Text::tr("Commitment to the seed: %1, made %2, after %3 {trainee|trainees} had been allocated.",
-                    drawn.commitment, locked, drawn.allocatedBeforeLock);
+    const ReportCell allocated = at("allocated_before_commitment");
+    return {Text::tr("Commitment to the seed: %1, made %2, after %3 {trainee|trainees} had been allocated.",
+                     drawn.commitment, locked, allocated.words()),
+            {allocated}};
   }
   if (drawn.enrolledBeforeLock > 0) {
-    return Text::tr(
-        "Commitment to the seed: %1, made %2, before anybody was allocated and after %3 {trainee|trainees} "
-        "had been enrolled.",
-        drawn.commitment, locked, drawn.enrolledBeforeLock);
+    const ReportCell enrolled = at("enrolled_before_commitment");
+    return {Text::tr("Commitment to the seed: %1, made %2, before anybody was allocated and after %3 "
+                     "{trainee|trainees} had been enrolled.",
+                     drawn.commitment, locked, enrolled.words()),
+            {enrolled}};
   }
   return Text::tr("Commitment to the seed: %1, made %2, before the first enrolment.", drawn.commitment,
                   locked);
@@ -170,20 +190,26 @@ bool allMarksGiven(const CohortInputs& in) {
   return in.trainingMarks.size() == trainees.size() * raters.size() * in.occasions.size();
 }
 
-Text marksSentence(const CohortInputs& in) {
-  const std::string lo = formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0);
-  const std::string hi = formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0);
+ReportParagraph marksSentence(const CohortInputs& in, const Ledger& ledger) {
+  const ResultsAt at(ledger, wholeKey(kTrainingMarks));
+  const ReportCell raters = at("raters");
+  const ReportCell marks = at("raters", kValues);
+  const ReportCell occasions = at("occasions");
+  const ReportCell lowest = at("scale_lowest", fixed(0));
+  const ReportCell highest = at("scale_highest", fixed(0));
   if (in.trainingMarks.empty() || allMarksGiven(in)) {
-    return Text::tr(
-        "%1 {physician|physicians} scored every trainee at %2 {occasion|occasions} on a scale from %3 to %4. "
-        "A trainee's score is the plain mean of these marks.",
-        in.trainingRaters, in.occasions.size(), lo, hi);
+    return {
+        Text::tr("%1 {physician|physicians} scored every trainee at %2 {occasion|occasions} on a scale from "
+                 "%3 to %4. A trainee's score is the plain mean of these marks.",
+                 raters.words(), occasions.words(), lowest.words(), highest.words()),
+        {raters, occasions, lowest, highest}};
   }
-  return Text::tr(
-      "%1 {physician|physicians} gave %2 {mark|marks} at %3 {occasion|occasions} on a scale from %4 to %5; "
-      "not every physician scored every trainee at every occasion. A trainee's score is the plain mean of "
-      "the marks at hand.",
-      in.trainingRaters, in.trainingMarks.size(), in.occasions.size(), lo, hi);
+  return {
+      Text::tr("%1 {physician|physicians} gave %2 {mark|marks} at %3 {occasion|occasions} on a scale from %4 "
+               "to %5; not every physician scored every trainee at every occasion. A trainee's score is the "
+               "plain mean of the marks at hand.",
+               raters.words(), marks.words(), occasions.words(), lowest.words(), highest.words()),
+      {raters, marks, occasions, lowest, highest}};
 }
 
 }  // namespace torsio

@@ -11,7 +11,8 @@
 namespace torsio {
 
 /// States whether raters were blinded, from how each mark was made.
-[[nodiscard]] std::vector<Text> blindingSentences(const CohortInputs& inputs);
+[[nodiscard]] std::vector<ReportParagraph> blindingSentences(const CohortInputs& inputs,
+                                                             const Ledger& ledger);
 /// States which difference the comparison detects, and what it cannot show.
 [[nodiscard]] ReportParagraph detectableSentence(const CohortInputs& inputs, const StudyAnalysis& study,
                                                  const Ledger& ledger);
@@ -20,11 +21,11 @@ namespace torsio {
 /// States where the cohort came from, by whom and when.
 [[nodiscard]] Text importSentence(const CohortOrigin& origin);
 /// States when the seed was committed, relative to enrolment and allocation.
-[[nodiscard]] Text commitmentSentence(const CohortAllocation& allocation);
+[[nodiscard]] ReportParagraph commitmentSentence(const CohortAllocation& allocation, const Ledger& ledger);
 /// States whether the allocation was replayed from its seed, and the result.
 [[nodiscard]] Text replaySentence(const CohortAllocation& allocation);
 /// States how many of the possible marks exist.
-[[nodiscard]] Text marksSentence(const CohortInputs& inputs);
+[[nodiscard]] ReportParagraph marksSentence(const CohortInputs& inputs, const Ledger& ledger);
 
 /// Returns whether every trainee has a mark by every rater at every occasion.
 [[nodiscard]] bool allMarksGiven(const CohortInputs& inputs);

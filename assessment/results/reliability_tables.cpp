@@ -15,7 +15,7 @@ constexpr int kReliabilityDecimals = 3;
 
 /// Returns how many raters it takes, by the lower end of the interval; otherwise why that is not known.
 ReportParagraph neededSentence(const Ledger& ledger, const CohortInputs& in, const RatersNeeded& found) {
-  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = in.occasions.size() - 1});
+  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)});
   const ReportCell fewest = at("raters_needed", fixed(0));
   const ReportCell byEstimate = at("raters_needed_by_estimate", fixed(0));
   const std::string wanted = formatFixed(kWantedDependability, 2);
@@ -60,21 +60,23 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
     return table;
   }
   for (const RatersNeeded::Planned& planned : found.planned) {
-    rows.row({std::to_string(planned.raters)}, {.section = ResultSection::kAgreement,
-                                                .index = ratersIndex(planned.raters),
-                                                .occasion = in.occasions.size() - 1});
+    rows.row(
+        {std::to_string(planned.raters)},
+        {.section = ResultSection::kAgreement, .index = ratersIndex(planned.raters), .occasion = lastOf(in)});
   }
   if (std::any_of(found.planned.begin(), found.planned.end(),
                   [](const auto& planned) { return static_cast<bool>(planned.study); })) {
     table.notes = {neededSentence(ledger, in, found)};
   }
-  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = in.occasions.size() - 1});
-  table.notes.push_back(Text::tr(
-      "Components of variance within groups: trainees %1, raters %2, rest %3. Differences between the "
-      "groups do not count: an effect of the training would make raters look more alike.",
-      at("variance_of_trainees", fixed(kReliabilityDecimals)).words(),
-      at("variance_of_raters", fixed(kReliabilityDecimals)).words(),
-      at("variance_of_rest", fixed(kReliabilityDecimals)).words()));
+  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)});
+  const ReportCell trainees = at("variance_of_trainees", fixed(kReliabilityDecimals));
+  const ReportCell raters = at("variance_of_raters", fixed(kReliabilityDecimals));
+  const ReportCell rest = at("variance_of_rest", fixed(kReliabilityDecimals));
+  table.notes.push_back(
+      {Text::tr("Components of variance within groups: trainees %1, raters %2, rest %3. Differences between "
+                "the groups do not count: an effect of the training would make raters look more alike.",
+                trainees.words(), raters.words(), rest.words()),
+       {trainees, raters, rest}});
   if (found.components->negativeComponent) {
     table.notes.push_back(Text::tr("A negative component counts as 0 in the rows above."));
   }
@@ -99,8 +101,7 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study, const
     const Text none =
         rater.status == RaschStatus::kNoRatings ? Text::tr("no mark here") : Text::tr("only extreme marks");
     const ResultsAt cell(
-        ledger,
-        {.section = ResultSection::kAgreement, .of = study.raters[r], .occasion = in.occasions.size() - 1});
+        ledger, {.section = ResultSection::kAgreement, .of = study.raters[r], .occasion = lastOf(in)});
     table.rows.push_back({study.raters[r], cell("rasch_severity_corrected", kWithInterval, none),
                           cell("rasch_severity", fixed(2), none), cell("rasch_infit", fixed(2), none),
                           cell("rasch_outfit", fixed(2), none)});
@@ -140,8 +141,7 @@ std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const Study
                     {Text::tr("p (Friedman, all occasions)"), "occasions_friedman_p", kAsP}});
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const GroupGain& gain = study.gains->within[g];
-    const ResultKey place{
-        .section = ResultSection::kComparison, .group = g, .occasion = in.occasions.size() - 1};
+    const ResultKey place{.section = ResultSection::kComparison, .group = g, .occasion = lastOf(in)};
     ReportCell p = ResultsAt(ledger, place)("gain_signed_rank_p", kAsP);
     if (gain.ranks && !gain.ranks->exact) {  // random sign changes
       static_cast<Text&>(p) = Text::tr("%1, random changes of sign, standard error %2", p.words(),

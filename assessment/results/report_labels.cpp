@@ -15,10 +15,16 @@ std::string intervalText(const Interval& interval, int decimals = kLabelDecimals
   return filledIn("[%1, %2]", {formatFixed(interval.lower, decimals), formatFixed(interval.upper, decimals)});
 }
 
+std::string equalsP(double p) {
+  return filledIn(p < 0.001 ? "p %1" : "p = %1", {formatP(p)});
+}
+
 Text numberText(double value, Format format, const std::optional<Interval>& interval) {
   switch (format.kind) {
     case Format::Kind::kP:
       return formatP(value);
+    case Format::Kind::kEqualsP:
+      return equalsP(value);
     case Format::Kind::kPercent:
       return Text::verbatim("%1 %", formatFixed(100.0 * value, format.decimals));
     case Format::Kind::kWithInterval:
@@ -82,6 +88,21 @@ ReportCell ResultsAt::operator()(const std::string& statistic, Format format, co
           key};
 }
 
+ReportParagraph valuesOfGroups(const CohortInputs& in, const Ledger& ledger,
+                               const std::vector<std::size_t>& groups, const std::string& statistic,
+                               Format format) {
+  std::vector<Text> values;
+  std::vector<std::shared_ptr<const ResultKey>> keys;
+  for (const std::size_t group : groups) {
+    ResultKey place{
+        .section = ResultSection::kComparison, .group = group, .occasion = in.occasions.size() - 1};
+    const ReportCell value = ResultsAt(ledger, std::move(place))(statistic, format);
+    values.push_back(Text::verbatim("%1 %2", in.groups[group].name, value.words()));
+    keys.push_back(value.key);
+  }
+  return {listed(values), {}, keys};
+}
+
 ResultTable::ResultTable(const Ledger& ledger, ReportTable& table, std::vector<ResultColumn> columns)
     : ledger_(ledger), table_(table), columns_(std::move(columns)) {
   for (const ResultColumn& column : columns_) {
@@ -129,10 +150,6 @@ Text meanTitle(Quantity quantity) {
 
 Text medianTitle(Quantity quantity) {
   return Text::tr("Median: %1", titleWithUnit(quantity));
-}
-
-std::string equalsP(double p) {
-  return filledIn(p < 0.001 ? "p %1" : "p = %1", {formatP(p)});
 }
 
 }  // namespace torsio

@@ -23,6 +23,7 @@ struct Format {
     kFixed,
     kExact,
     kP,             ///< "< 0.001"
+    kEqualsP,       ///< with its letter, for sentences: "p < 0.001", "p = 0.032"
     kPercent,       ///< of a share: "12.5 %"
     kWithInterval,  ///< with the interval `statistic`_95: "1.234 [1.000, 1.500]"
     kInterval,      ///< "[1.0, 1.5]"; without this, an interval has three decimals
@@ -47,6 +48,7 @@ struct Format {
 }
 inline constexpr Format kExactly{Format::Kind::kExact};
 inline constexpr Format kAsP{Format::Kind::kP};
+inline constexpr Format kEqualsP{Format::Kind::kEqualsP};
 inline constexpr Format kWithInterval{Format::Kind::kWithInterval};
 inline constexpr Format kValues{Format::Kind::kValues};
 
@@ -76,6 +78,14 @@ class ResultsAt {
           .against = second,
           .occasion = inputs.occasions.size() - 1};
 }
+/// Results of the comparison of all groups at the last occasion.
+[[nodiscard]] inline ResultsAt resultsAtEnd(const CohortInputs& inputs, const Ledger& ledger) {
+  return {ledger, {.section = ResultSection::kComparison, .occasion = inputs.occasions.size() - 1}};
+}
+/// Lists a result of that comparison for each of these groups: "Group 1 6.2, Group 2 5.9".
+[[nodiscard]] ReportParagraph valuesOfGroups(const CohortInputs& inputs, const Ledger& ledger,
+                                             const std::vector<std::size_t>& groups,
+                                             const std::string& statistic, Format format);
 [[nodiscard]] inline ResultsAt resultsOfPair(const CohortInputs& inputs, const Ledger& ledger,
                                              std::size_t first, std::size_t second) {
   return {ledger, pairKey(inputs, first, second)};
@@ -115,7 +125,5 @@ void addPoint(FigureSeries& series, const ResultsAt& results, const std::string&
 /// Returns "Mean: Time (s)" or "Median: Time (s)", for the column of a quantity.
 [[nodiscard]] Text meanTitle(Quantity quantity);
 [[nodiscard]] Text medianTitle(Quantity quantity);
-/// Formats a p value with its letter: "p < 0.001", "p = 0.032".
-[[nodiscard]] std::string equalsP(double p);
 
 }  // namespace torsio

@@ -47,8 +47,10 @@ struct ReportCell : Text {
 struct ReportParagraph : Text {
   ReportParagraph() = default;
   ReportParagraph(const std::convertible_to<Text> auto& words) : Text(words) {}  // NOLINT: text is one
-  /// `from`: the cells among the arguments of `words`.
-  ReportParagraph(const Text& words, std::initializer_list<ReportCell> from) : Text(words) {
+  /// `from`: the cells among the arguments of `words`; `also`: keys of other results that it states.
+  ReportParagraph(const Text& words, std::initializer_list<ReportCell> from,
+                  std::vector<std::shared_ptr<const ResultKey>> also = {})
+      : Text(words), keys(std::move(also)) {
     for (const ReportCell& cell : from) {
       if (cell.key != nullptr) {
         keys.push_back(cell.key);

@@ -17,6 +17,14 @@
 // Parts of cohortReport(), one per source file.
 namespace torsio {
 
+/// Decimals of points in sentences.
+inline constexpr int kPointDecimals = 1;
+
+/// Returns the index of the last occasion; requires one.
+[[nodiscard]] inline std::size_t lastOf(const CohortInputs& inputs) {
+  return inputs.occasions.size() - 1;
+}
+
 /// The board's one-minute page; requires scores.
 [[nodiscard]] ReportSection boardSection(const CohortInputs& inputs, const StudyAnalysis& study,
                                          const Ledger& ledger);
@@ -64,6 +72,11 @@ struct MarksHash {
 inline constexpr const char* kEvaluationMarks = "evaluation_marks";
 inline constexpr const char* kTrainingMarks = "training_marks";
 inline constexpr const char* kRecordings = "recordings";
+inline constexpr const char* kTrainingTimes = "training_times";
+/// Results about one of these as a whole.
+[[nodiscard]] inline ResultKey wholeKey(const char* source) {
+  return {.section = ResultSection::kRecord, .of = source};
+}
 
 /// Quantities of a recording of other equipment.
 inline constexpr std::array kForeignQuantities{Quantity::kTime, Quantity::kTipPath, Quantity::kIdleTime};
@@ -97,13 +110,14 @@ inline constexpr const char* kMarkMinusOthers = "mark_minus_others";
 /// Who is competent, by which design and with which error rates.
 [[nodiscard]] ReportSection competenceSection(const CohortInputs& inputs, const Ledger& ledger);
 /// Deviations from the protocol.
-[[nodiscard]] ReportSection deviationsSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection deviationsSection(const CohortInputs& inputs, const Ledger& ledger);
 /// Returns the key for inputs.deviations[number].
 [[nodiscard]] ResultKey deviationKey(const CohortInputs& inputs, std::size_t number);
 /// Who signed which mark; requires signatures.
-[[nodiscard]] ReportSection signaturesSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection signaturesSection(const CohortInputs& inputs, const Ledger& ledger);
 [[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs, const Ledger& ledger);
-[[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs, const StudyAnalysis& study,
+                                           const Ledger& ledger);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs, const Ledger& ledger);
 
 /// Returns the effect of more or fewer raters, and each rater's severity on one scale.

@@ -14,12 +14,23 @@
 // Analyses that fill the ledger. Private to assessment/results.
 namespace torsio {
 
+using ResultFlags = std::vector<std::string>;
+
+[[nodiscard]] inline ResultFlags flagIf(bool set, const char* flag) {
+  return set ? ResultFlags{flag} : ResultFlags{};
+}
+
+/// Matches the raters' marks of an occasion and group; empty: of all.
+[[nodiscard]] inline ResultPattern marksAt(std::optional<std::size_t> occasion,
+                                           std::optional<std::size_t> group = std::nullopt) {
+  return {.statistic = "rater_mark", .of = kEach, .group = group, .occasion = occasion};
+}
+
 /// Adds results with a common key and sources that differ in statistic and value.
 class ResultWriter {
  public:
   /// `flags`: of the cohort; `own`: of these results.
-  ResultWriter(Ledger& ledger, ResultKey at, std::vector<Text> flags,
-               const std::vector<std::string>& own = {})
+  ResultWriter(Ledger& ledger, ResultKey at, std::vector<Text> flags, const ResultFlags& own = {})
       : place(std::move(at)), ledger_(ledger), flags_(std::move(flags)) {
     setFlags(own);
   }
@@ -29,7 +40,7 @@ class ResultWriter {
   Origin origin = Origin::kUnplanned;
 
   /// Sets flags of these results in addition to the cohort's.
-  void setFlags(const std::vector<std::string>& own);
+  void setFlags(const ResultFlags& own);
 
   /// Adds a number; empty if undefined.
   void add(const std::string& statistic, const std::optional<double>& value, std::int64_t n);
@@ -53,6 +64,10 @@ class ResultWriter {
   std::string joined_;
 };
 
+/// Adds the evaluation of models: indices, scores and differences, or what is there before a class of raters
+/// has scored everything.
+void addEvaluationResults(const CohortInputs& inputs, Ledger& ledger);
+
 /// Adds the criteria: every scoring sheet used with its anchors, marks per criterion of each group and
 /// trainee, and all single ones (criteria_section.cpp).
 void addCriteriaResults(const CohortInputs& inputs, Ledger& ledger);
@@ -60,7 +75,11 @@ void addCriteriaResults(const CohortInputs& inputs, Ledger& ledger);
 /// Adds who takes part, and their times, runs and learning; `all`: including marks that are not shown.
 void addPracticeResults(const CohortInputs& inputs, const CohortInputs& all, Ledger& ledger);
 
-/// Adds results about raters and groups from the marks of the training study.
-void addStudyResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);
+/// Adds what the record as a whole holds: sources, ways in which marks were given, sums over the recordings.
+void addRecordResults(const CohortInputs& inputs, Ledger& ledger);
+
+/// Add results about raters and groups from the marks of the training study.
+void addAgreementResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);
+void addComparisonResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);
 
 }  // namespace torsio

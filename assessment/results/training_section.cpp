@@ -203,20 +203,24 @@ ReportTable summaryTable(const CohortInputs& in, const Ledger& ledger) {
   table.provenance = provenance(in, Text::tr("group summaries"), n);
   table.provenance.missing = 0;
   std::vector<Text> where;
+  std::vector<std::shared_ptr<const ResultKey>> keys;
   const std::vector<std::vector<std::int64_t>> missing = missingByGroup(in);
   for (std::size_t g = 0; g < missing.size(); ++g) {
     for (std::size_t t = 0; t < missing[g].size(); ++t) {
       table.provenance.missing += missing[g][t];
       if (missing[g][t] > 0) {
-        where.push_back(Text::verbatim("%1, %2: %3", in.groups[g].name, in.occasions[t], missing[g][t]));
+        const ReportCell count = ResultsAt(ledger, {.group = g, .occasion = t})("marks_missing_at_occasion");
+        where.push_back(Text::verbatim("%1, %2: %3", in.groups[g].name, in.occasions[t], count.words()));
+        keys.push_back(count.key);
       }
     }
   }
   if (!where.empty()) {
     table.notes.push_back(
-        Text::tr("Marks missing, short of the number that most trainees have at that "
-                 "occasion: %1.",
-                 listed(where, Text::tr("%1; %2"))));
+        {Text::tr("Marks missing, short of the number that most trainees have at that occasion: %1.",
+                  listed(where, Text::tr("%1; %2"))),
+         {},
+         keys});
   }
   return table;
 }
@@ -247,33 +251,31 @@ ReportTable scoresTable(const CohortInputs& in, const Ledger& ledger) {
 }
 
 /// States by how much a demonstration's training was shortened, from logged and recorded times.
-Text shorteningSentence(const CohortInputs& in) {
-  double noted_min = 0.0;
-  double recorded_min = 0.0;
-  for (const CohortDose& dose : in.doses) {
-    noted_min += dose.virtual_min;
+ReportParagraph shorteningSentence(const Ledger& ledger) {
+  const ResultsAt at(ledger, wholeKey(kTrainingTimes));
+  if (!at.number("noted_for_each_recorded")) {
+    return Text::tr("Training was shortened for this demonstration.");
   }
-  for (const TrialSummaryRow& trial : in.trials) {
-    recorded_min += trial.detorsion.empty() ? trial.minutes : 0.0;
-  }
-  return noted_min > 0.0 && recorded_min > 0.0
-             ? Text::tr(
-                   "Training was shortened for this demonstration: %1 {minute|minutes} of simulated exercise "
+  const ReportCell recorded = at("recorded_virtual_min", fixed(1));
+  const ReportCell noted = at("noted_virtual_min", fixed(1));
+  const ReportCell ratio = at("noted_for_each_recorded", fixed(1));
+  return {Text::tr("Training was shortened for this demonstration: %1 {minute|minutes} of simulated exercise "
                    "stand for %2 {minute|minutes} of the protocol (1 : %3).",
-                   formatFixed(recorded_min, 1), formatFixed(noted_min, 1),
-                   formatFixed(noted_min / recorded_min, 1))
-             : Text::tr("Training was shortened for this demonstration.");
+                   recorded.words(), noted.words(), ratio.words()),
+          {recorded, noted, ratio}};
 }
 
 }  // namespace
 
 ReportSection trainingSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"training", Text::tr("Training study")};
-  section.paragraphs.push_back(marksSentence(in));
+  section.paragraphs.push_back(marksSentence(in, ledger));
   if (in.trainingTimeDivisor > 1) {
-    section.paragraphs.push_back(shorteningSentence(in));
+    section.paragraphs.push_back(shorteningSentence(ledger));
   }
-  section.paragraphs.push_back(Text::tr("Rests taken during training: %1.", in.rests));
+  const ReportCell rested = ResultsAt(ledger, wholeKey(kTrainingTimes))("trainees_who_rested");
+  section.paragraphs.push_back(
+      {Text::tr("Trainees who rested during training: %1.", rested.words()), {rested}});
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     section.figures.push_back(scoresFigure(in, ledger, t));
   }

@@ -68,31 +68,28 @@ ResultKey trialKey(const TrialSummaryRow& trial) {
 
 ReportSection trialsSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"runs", Text::tr("Recorded runs")};
-  double minutes = 0.0;
-  std::int64_t refused = 0;
-  std::int64_t late = 0;
-  std::int64_t cuts = 0;
-  std::int64_t busy = 0;
-  std::int64_t samples = 0;
-  for (const TrialSummaryRow& trial : in.trials) {
-    minutes += trial.minutes;
-    refused += trial.refusedSamples;
-    late += trial.lateTicks;
-    cuts += trial.forceCuts;
-    busy += trial.forceCuts > 0 ? 1 : 0;
-    samples += trial.samples;
-  }
+  const ResultsAt at(ledger, wholeKey(kRecordings));
+  const ReportCell runs = at("minutes", kValues);
+  const ReportCell minutes = at("minutes", fixed(1));
+  const ReportCell samples = at("samples");
+  const ReportCell refused = at("refused_samples");
+  const ReportCell late = at("late_ticks");
+  const ReportCell cuts = at("force_cuts");
+  const ReportCell busy = at("runs_with_force_cuts");
   section.paragraphs.push_back(
-      Text::tr("%1 {run was|runs were} recorded, %2 {minute|minutes} and %3 {sample|samples} in all; samples "
-               "not recorded: %4; late ticks: %5.",
-               in.trials.size(), formatFixed(minutes, 1), samples, refused, late));
-  if (cuts > 0) {
+      {Text::tr(
+           "%1 {run was|runs were} recorded, %2 {minute|minutes} and %3 {sample|samples} in all; samples "
+           "not recorded: %4; late ticks: %5.",
+           runs.words(), minutes.words(), samples.words(), refused.words(), late.words()),
+       {runs, minutes, samples, refused, late}});
+  if (at.number("force_cuts").value_or(0.0) > 0.0) {
     section.paragraphs.push_back(
-        Text::tr("The machine was too busy in runs: %1. Their force was cut for a moment, times in all: %2; "
-                 "they are marked in the data.",
-                 busy, cuts));
+        {Text::tr("The machine was too busy in runs: %1. Their force was cut for a moment, times in all: %2; "
+                  "they are marked in the data.",
+                  busy.words(), cuts.words()),
+         {busy, cuts}});
   }
-  if (refused > 0) {
+  if (at.number("refused_samples").value_or(0.0) > 0.0) {
     section.paragraphs.push_back(
         Text::tr("Runs with samples that were not recorded are incomplete and marked in the data."));
   }

@@ -128,10 +128,13 @@ std::vector<ClassScore> classScores(const CohortInputs& in) {
 ReportSection unfinishedSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"evaluation", Text::tr("Evaluation of the models")};
   const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
+  const ReportCell marks =
+      ResultsAt(ledger, wholeKey(kEvaluationMarks))("count", {}, Text(std::to_string(0)));
   section.paragraphs = {
-      Text::tr("The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once "
-               "every class of raters that has a weight has scored every index of every model.",
-               in.unfinishedEvaluation->marks),
+      {Text::tr("The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once "
+                "every class of raters that has a weight has scored every index of every model.",
+                marks.words()),
+       {marks}},
       Text::tr("Marks are still missing from: %1.", listed(std::vector<Text>(names.begin(), names.end())))};
   if (!in.unfinishedEvaluation->unscored.empty()) {
     section.tables.push_back(unscoredTable(in));

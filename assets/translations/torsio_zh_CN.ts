@@ -6569,10 +6569,6 @@
         <translation>休息时训练阶段停止计时。</translation>
     </message>
     <message>
-        <source>Rests taken during training: %1.</source>
-        <translation>训练期间休息次数：%1。</translation>
-    </message>
-    <message>
         <source>SE</source>
         <translation>标准误</translation>
     </message>
@@ -10549,10 +10545,6 @@
         <translation>无计划</translation>
     </message>
     <message>
-        <source>Recordings make up %1 % of the time noted on the simulator; the rest was spent between the runs, or is not recorded.</source>
-        <translation>录制占模拟器登记时间的 %1 %；其余时间用在各次操作之间，或没有录制。</translation>
-    </message>
-    <message>
         <source>Strictest first. Scores are not corrected for severity, and not every trainee is scored by the same raters: a strict or lenient rater may change their order.</source>
         <translation>最严格者在前。得分未按严格程度校正，且并非每名学员都由相同的评分者评分：严格或宽松的评分者可能改变学员的次序。</translation>
     </message>
@@ -14361,10 +14353,6 @@ audit trail %3</source>
     <message>
         <source>not every trainee was marked by the same raters at the end</source>
         <translation>结束时并非每名学员都由相同的评分者评分</translation>
-    </message>
-    <message>
-        <source>%1 (n = %2)</source>
-        <translation>%1（n = %2）</translation>
     </message>
     <message>
         <source>Raters who scored trainees of some groups only %1: %2. In the analysis of covariance the severity of such a rater counts as a difference between the groups; the linear mixed model allows for it.</source>
@@ -18911,10 +18899,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1目前任何人都还不可能被证明胜任：每个项目至少需要 %2 次练习，而最多者只完成了 %3 次。</translation>
     </message>
     <message>
-        <source>%1 After the runs made, a trainee who is inadequate at one exercise is judged competent at it in at most %2 % of cases; one who is adequate at all of them is not judged competent at one of them in at most %3 %. %4 of %5 {verdict rests|verdicts rest} on too few runs to show anybody competent.</source>
-        <translation>%1按已完成的练习次数，对某一项目能力不足者被误判为在该项目胜任的概率至多为 %2 %；对各项目能力均足够者在其中某一项目未被判为胜任的概率至多为 %3 %。%5 项判定中有 %4 项的练习次数太少，无法证明任何人胜任。</translation>
-    </message>
-    <message>
         <source>not shown yet</source>
         <translation>尚未证明</translation>
     </message>
@@ -19413,6 +19397,18 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Note the time</source>
         <translation>记录用时</translation>
+    </message>
+    <message>
+        <source>%1 After the runs made, a trainee who is inadequate at one exercise is judged competent at it in at most %2 of cases; one who is adequate at all of them is not judged competent at one of them in at most %3. %4 of %5 {verdict rests|verdicts rest} on too few runs to show anybody competent.</source>
+        <translation>%1按已完成的练习次数，对某一项目能力不足者被误判为在该项目胜任的概率至多为 %2；对各项目能力均足够者在其中某一项目未被判为胜任的概率至多为 %3。%5 项判定中有 %4 项的练习次数太少，无法证明任何人胜任。</translation>
+    </message>
+    <message>
+        <source>Recordings make up %1 of the time noted on the simulator; the rest was spent between the runs, or is not recorded.</source>
+        <translation>录制占模拟器登记时间的 %1；其余时间用在各次操作之间，或没有录制。</translation>
+    </message>
+    <message>
+        <source>Trainees who rested during training: %1.</source>
+        <translation>训练期间休息过的学员：%1 名。</translation>
     </message>
 </context>
 <context>

@@ -210,7 +210,7 @@ std::vector<Strange> people() {
        {"A single trainee has a score at both occasions in: Group 1"}},
       {"an arm drops out",
        without([](const TrainingMark& mark) { return mark.group == 2 && mark.occasion > 0; }),
-       {"Group 3 (n = 0)"},
+       {"nobody has a score at both occasions: Group 3"},
        {"Group 1 - Group 3"}},
       {"one group only",
        without([](const TrainingMark& mark) { return mark.group > 0; }),

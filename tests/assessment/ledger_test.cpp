@@ -122,7 +122,7 @@ void expectEveryNumberLeadsToTheRecord(const ReportTable& table, const Ledger& l
   }
 }
 
-/// Collects the numbers that fill in a sentence, but for those in names.
+/// Collects the numbers that fill in a sentence, but for those in names of groups and occasions.
 void collectNumbers(const Text& text, const ResultNames& names, std::vector<std::string>& out) {
   const auto is = [&](const Text& name) { return name == text; };
   if (std::any_of(names.groups.begin(), names.groups.end(), is) ||
@@ -130,29 +130,29 @@ void collectNumbers(const Text& text, const ResultNames& names, std::vector<std:
     return;
   }
   for (const Text& argument : text.arguments()) {
+    if (argument.arguments().empty() && !argument.empty() &&
+        std::string("0123456789[-").find(argument.str()[0]) != std::string::npos) {
+      out.push_back(argument.str());
+    }
     collectNumbers(argument, names, out);
-  }
-  if (text.arguments().empty() && !text.empty() &&
-      std::string("0123456789[-").find(text.str()[0]) != std::string::npos) {
-    out.push_back(text.str());
   }
 }
 
-/// Fails where a sentence of the first page states a number of which it names no result.
-void expectSentencesNameTheirResults(const ReportSection& board, const Ledger& ledger, Follower& follower) {
-  ASSERT_EQ(board.id, "summary");
-  for (std::size_t i = 1; i < board.paragraphs.size(); ++i) {  // the question states no result
-    const ReportParagraph& sentence = board.paragraphs[i];
-    std::vector<std::string> numbers;
-    collectNumbers(sentence, ledger.names(), numbers);
-    std::erase_if(numbers, [](const std::string& number) { return number == "0.80" || number == "20"; });
-    EXPECT_GE(sentence.keys.size(), numbers.size()) << sentence;
-    for (const auto& key : sentence.keys) {
-      ASSERT_NE(key, nullptr) << sentence;
-      const Result* result = ledger.find(*key);
-      ASSERT_NE(result, nullptr) << sentence;
-      EXPECT_TRUE(follower.reachesTheRecord(*result)) << sentence;
-    }
+/// Fails where a sentence states a number of which it names no result.
+void expectSentenceNamesItsResults(const std::string& where, const ReportParagraph& sentence,
+                                   const Ledger& ledger, Follower& follower) {
+  std::vector<std::string> numbers;
+  collectNumbers(sentence, ledger.names(), numbers);
+  std::erase_if(numbers, [&](const std::string& number) {
+    return number == "0.80" || number == "20" ||
+           where == "figure-" + number;  // settings, figures of the paper
+  });
+  EXPECT_GE(sentence.keys.size(), numbers.size()) << where << ": " << sentence;
+  for (const auto& key : sentence.keys) {
+    ASSERT_NE(key, nullptr) << where << ": " << sentence;
+    const Result* result = ledger.find(*key);
+    ASSERT_NE(result, nullptr) << where << ": " << sentence;
+    EXPECT_TRUE(follower.reachesTheRecord(*result)) << where << ": " << sentence;
   }
 }
 
@@ -164,10 +164,20 @@ void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
     EXPECT_TRUE(follower.reachesTheRecord(result)) << keyAddress(result.key, cohort.ledger.names());
   }
   const ReportModel report = cohortReport(in, cohort);
-  expectSentencesNameTheirResults(report.sections.front(), cohort.ledger, follower);
+  const auto expectSentences = [&](const std::string& where, const std::vector<ReportParagraph>& sentences) {
+    for (const ReportParagraph& sentence : sentences) {
+      expectSentenceNamesItsResults(where, sentence, cohort.ledger, follower);
+    }
+  };
   for (const ReportSection& section : report.sections) {
+    if (section.id == "summary") {  // the question, which comes first, names protocols
+      expectSentences(section.id, {section.paragraphs.begin() + 1, section.paragraphs.end()});
+    } else if (section.id != "simulated") {  // settings of the program that simulated
+      expectSentences(section.id, section.paragraphs);
+    }
     for (const ReportTable& table : section.tables) {
       expectEveryNumberLeadsToTheRecord(table, cohort.ledger, follower);
+      expectSentences(table.id, table.notes);
     }
     for (const ReportFigure& figure : section.figures) {
       ReportFigure drawn = figure;
@@ -175,6 +185,7 @@ void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
         return series.faint && figure.kind == FigureKind::kScatter;  // a line for comparison
       });
       expectEveryNumberLeadsToTheRecord(figureTable(drawn), cohort.ledger, follower);
+      expectSentences(figure.id, figure.notes);
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results about raters and groups: the contents of the report's tables and figures of the training study.
+// Results about the groups of the training study: their scores before, on the way and at the end.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,6 +13,7 @@
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/mean_tests.h"
 #include "assessment/statistics/power.h"
+#include "assessment/statistics/shapiro_wilk.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -20,19 +21,6 @@ namespace torsio {
 namespace {
 
 using enum ResultSection;
-using Flags = std::vector<std::string>;
-
-Flags flagIf(bool set, const char* flag) {
-  return set ? Flags{flag} : Flags{};
-}
-
-std::size_t lastOf(const CohortInputs& in) {
-  return in.occasions.size() - 1;
-}
-
-ResultPattern marksAt(std::optional<std::size_t> occasion, std::optional<std::size_t> group = std::nullopt) {
-  return {.statistic = "rater_mark", .of = kEach, .group = group, .occasion = occasion};
-}
 
 /// Returns the scores before and at the end, for trainees with both; `only`: of one group.
 std::vector<ResultPart> endScores(const CohortInputs& in, const StudyAnalysis& study,
@@ -68,160 +56,8 @@ ResultParts courseScores(const CohortInputs& in, const StudyAnalysis& study,
   return partsOf(std::move(parts));
 }
 
-void addCoefficients(ResultWriter& rows, const Outcome<IccResult>& icc, std::int64_t trainees,
-                     std::int64_t n) {
-  if (icc) {
-    rows.addInterval("icc_2_1", icc->agreementSingle.estimate, icc->agreementSingle.interval, n);
-    rows.addInterval("icc_2_k", icc->agreementMean.estimate, icc->agreementMean.interval, n);
-    rows.add("sem_agreement", icc->semAgreement, n);
-    rows.add("sem_of_mean", icc->semMean, n);
-  } else {
-    rows.put("icc_2_1", Undefined{icc.reason()}, n);
-    rows.put("icc_2_k", Undefined{icc.reason()}, n);
-  }
-  rows.addCount("trainees_with_every_mark", trainees, n);
-}
-
-/// Adds pairwise agreement of the raters in whole points.
-void addPoints(ResultWriter& rows, const PointAgreement& points) {
-  const std::vector<double>& kappas = points.kappas;
-  const auto known = [&](auto summary) {
-    return kappas.empty() ? std::nullopt : std::optional<double>(summary());
-  };
-  rows.addCount("rater_pairs", static_cast<std::int64_t>(points.pairs), points.shared);
-  rows.add("kappa_quadratic_median", known([&] { return medianOf(kappas); }), points.shared);
-  rows.add("kappa_quadratic_lowest", known([&] { return *std::min_element(kappas.begin(), kappas.end()); }),
-           points.shared);
-  rows.add("kappa_quadratic_highest", known([&] { return *std::max_element(kappas.begin(), kappas.end()); }),
-           points.shared);
-  const auto share = [&](std::int64_t part) {
-    return points.shared > 0 ? std::optional(static_cast<double>(part) / static_cast<double>(points.shared))
-                             : std::nullopt;
-  };
-  rows.add("share_same_point", share(points.same), points.shared);
-  rows.add("share_within_one_point", share(points.withinOne), points.shared);
-}
-
-/// Adds how many raters are needed: variance components, and the result for each number of raters.
-void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
-  const RatersNeeded& needed = study.needed;
-  if (!needed.components) {
-    return;
-  }
-  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in),
-                    {"complete cases"});
-  rows.madeOf = partsOf({marksAt(lastOf(in))});
-  rows.add("variance_of_trainees", needed.components->at("p").variance, needed.marks);
-  rows.add("variance_of_raters", needed.components->at("r").variance, needed.marks);
-  rows.add("variance_of_rest", needed.components->at("pr").variance, needed.marks);
-  for (const auto& [name, fewest] :
-       {std::pair("raters_needed", needed.fewest), {"raters_needed_by_estimate", needed.fewestByEstimate}}) {
-    rows.add(name, fewest ? std::optional(static_cast<double>(*fewest)) : std::nullopt, needed.marks);
-  }
-  for (const RatersNeeded::Planned& planned : needed.planned) {
-    rows.place.index = ratersIndex(planned.raters);
-    rows.add("dependability", planned.study, &DStudy::dependability, needed.marks);
-    if (planned.study && planned.dependability) {
-      rows.put("dependability_95", *planned.dependability, needed.marks);
-    }
-    rows.add("generalizability", planned.study, &DStudy::generalizability, needed.marks);
-    rows.add("standard_error_of_mean_mark",
-             planned.study ? std::optional(std::sqrt(planned.study->absoluteError)) : std::nullopt,
-             needed.marks);
-  }
-}
-
-/// Adds the raters' severity on one scale.
-void addRasch(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
-  if (!study.rasch) {
-    return;
-  }
-  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in));
-  rows.madeOf = partsOf({marksAt(lastOf(in))});
-  const auto& marks = study.occasions.back().marks;
-  for (std::size_t r = 0; r < study.raters.size(); ++r) {
-    const RaschRater& rater = study.rasch->raters[r];
-    rows.place.of = study.raters[r];
-    const std::int64_t n =
-        std::count_if(marks.begin(), marks.end(), [r](const auto& row) { return row[r].has_value(); });
-    rows.add("rasch_severity", rater.severity, n);
-    rows.add("rasch_error", rater.error, n);
-    if (const std::optional<CorrectedSeverity>& own = study.onOneScale[r]) {
-      rows.addInterval("rasch_severity_corrected", own->severity, own->interval, n);
-    }
-    rows.add("rasch_infit", rater.infit, n);
-    rows.add("rasch_outfit", rater.outfit, n);
-  }
-}
-
-/// Adds agreement at each occasion: overall, with missing marks if there are any, and within each group.
-void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
-  for (std::size_t t = 0; t < study.occasions.size(); ++t) {
-    const OccasionMarks& at = study.occasions[t];
-    ResultWriter rows(ledger, {.section = kAgreement, .occasion = t}, commonFlags(in),
-                      flagIf(at.missing > 0, "marks missing"));
-    rows.madeOf = partsOf({marksAt(t)});
-    addCoefficients(rows, at.icc, at.completeTrainees, at.completeTrainees);
-    addPoints(rows, at.points);
-    rows.add("krippendorff_alpha_interval", at.alpha, &KrippendorffResult::alpha, at.n);
-    if (at.missing > 0) {
-      rows.addCount("trainees_with_marks", std::ssize(at.marks), at.n);
-      rows.add("reml_one_rater", at.reliability, &IncompleteReliability::single, at.n);
-      rows.add("reml_mean", at.reliability, &IncompleteReliability::mean, at.n);
-      rows.add("reml_sem_of_one_rater", at.reliability, &IncompleteReliability::semSingle, at.n);
-      rows.add("reml_sem_of_mean", at.reliability, &IncompleteReliability::semMean, at.n);
-    }
-    for (const GroupAgreement& of : at.groups) {
-      rows.place.group = of.group;
-      rows.madeOf = partsOf({marksAt(t, of.group)});
-      addCoefficients(rows, of.icc, of.trainees, of.trainees);
-    }
-  }
-}
-
-/// Adds each rater compared with the others: one value per trainee, so that the differences are independent.
-void addRaters(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
-  ResultWriter rows(ledger, {.section = kAgreement}, commonFlags(in));
-  rows.madeOf = partsOf({marksAt(std::nullopt)});
-  for (const RaterSeverity& rater : study.severity) {
-    rows.place.of = rater.rater;
-    rows.addInterval("severity_offset", rater.offset, rater.interval, rater.n);
-  }
-  rows.place.occasion = lastOf(in);
-  rows.madeOf = partsOf({marksAt(lastOf(in))});
-  for (std::size_t r = 0; r < study.againstPanel.size(); ++r) {
-    const Outcome<BlandAltmanResult>& against = study.againstPanel[r];
-    rows.place.of = study.raters[r];
-    if (!against) {
-      rows.put("limit_of_agreement", Undefined{against.reason()}, 0);
-      continue;
-    }
-    const auto n = static_cast<std::int64_t>(against->n);
-    rows.add("mean_difference_from_others", against->meanDifference, n);
-    rows.put("limit_of_agreement", against->limits, n);
-  }
-}
-
-/// Adds each mark of the last occasion against the mean of the other raters.
-void addAgainstOthers(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
-  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in));
-  for (std::size_t i = 0; i < study.trainees.size(); ++i) {
-    const std::vector<std::optional<double>>& marks = study.occasions.back().marks[i];
-    rows.place.of = study.trainees[i];
-    rows.madeOf =
-        partsOf({ResultPattern{.statistic = "rater_mark", .of = study.trainees[i], .occasion = lastOf(in)}});
-    for (std::size_t r = 0; r < marks.size(); ++r) {
-      if (const std::optional<double> others = marks[r] ? meanOfOthers(marks, r) : std::nullopt) {
-        rows.place.index = study.raters[r];
-        rows.add(kMarkAndOthers, 0.5 * (*marks[r] + *others), 1);
-        rows.add(kMarkMinusOthers, *marks[r] - *others, 1);
-      }
-    }
-  }
-}
-
 /// Returns a writer for the comparison of groups.
-ResultWriter comparison(const CohortInputs& in, const Flags& flags, ResultParts parts, Ledger& ledger) {
+ResultWriter comparison(const CohortInputs& in, const ResultFlags& flags, ResultParts parts, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kComparison, .occasion = lastOf(in)}, commonFlags(in), flags);
   rows.madeOf = std::move(parts);
   return rows;
@@ -266,6 +102,7 @@ void addCourse(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledge
     addEffect(rows, "mixed_group", *study.course->group, n);
   }
   addEffect(rows, "mixed_time", study.course->time, n);
+  rows.addCount("trainees_without_every_score", std::ssize(study.leftOutOfCourse), n);
   rows.add("greenhouse_geisser_epsilon", study.course->sphericity.greenhouseGeisser, n);
 }
 
@@ -447,8 +284,16 @@ void addPerProtocol(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
   }
 }
 
-/// Adds the data of the residual plots, one row per trainee.
+/// Adds whether the residuals look normal, and the data of their plots, one row per trainee.
 void addResiduals(const CohortInputs& in, const StudyAnalysis& study, ResultWriter& rows) {
+  std::vector<double> all;
+  for (const std::vector<double>& group : study.ancova->residuals) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  if (const Outcome<NormalityTest> shape = shapiroWilk(all)) {
+    rows.add("residuals_shapiro_wilk_w", shape->w, std::ssize(all));
+    rows.add("residuals_shapiro_wilk_p", shape->p, std::ssize(all));
+  }
   for (std::size_t g = 0; g < study.ancova->residuals.size(); ++g) {
     rows.place.group = g;
     for (std::size_t i = 0; i < study.ancova->residuals[g].size(); ++i) {
@@ -479,6 +324,8 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
              n);
     addDetectable(study, n, rows);
     rows.addCount("marks_missing", study.endMissing, study.endMarks + study.endMissing);
+    rows.addCount("trainees_compared", n, n);
+    rows.addCount("trainees_left_out", std::ssize(leftOutTrainees(study)), n);
     addEquivalence(in, study, n, rows);
   }
   if (!study.ancova) {
@@ -487,6 +334,8 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   ResultWriter rows =
       comparison(in, flagIf(!study.asPlanned(), "complete cases"), partsOf(endScores(in, study)), ledger);
   rows.origin = in.hasAnalysisPlan() ? Origin::kPlanned : Origin::kUnplanned;
+  rows.add("ancova_df", study.ancova->group.df1, n);
+  rows.add("ancova_df_error", study.ancova->group.df2, n);
   rows.add("ancova_f", study.ancova->group.f, n);
   rows.add("ancova_p", study.ancova->group.p, n);
   rows.add("ancova_slope", study.ancova->slope, n);
@@ -531,11 +380,34 @@ void addMissingTrainees(const StudyAnalysis& study, ResultWriter& rows) {
   }
 }
 
+/// Adds the fixed effects and variances of the mixed model.
+void addModel(const MixedComparison& model, ResultWriter& rows) {
+  const auto n = static_cast<std::int64_t>(model.marks);
+  rows.addCount("mixed_model_marks", n, n);
+  rows.addCount("mixed_model_trainees", static_cast<std::int64_t>(model.trainees), n);
+  if (model.group) {
+    rows.add("mixed_model_group_df", model.group->df1, n);
+    rows.add("mixed_model_group_df_error", model.group->df2, n);
+    rows.add("mixed_model_group_f", model.group->f, n);
+    rows.add("mixed_model_group_p", model.group->p, n);
+  }
+  rows.add("mixed_model_variance_of_trainees", model.varianceTrainees, n);
+  rows.add("mixed_model_variance_of_raters", model.varianceRaters, n);
+  rows.add("mixed_model_variance_of_rest", model.varianceResidual, n);
+  rows.addInterval("mixed_model_slope", model.slope.value, model.slope.interval, n);
+  for (std::size_t g = 0; g < model.adjusted.size(); ++g) {
+    rows.place.group = model.groups[g];
+    rows.addInterval("mixed_model_adjusted_mean", model.adjusted[g].value, model.adjusted[g].interval, n);
+  }
+  placeAtAll(rows);
+}
+
 /// Adds the comparison with missing marks: the mixed model, and how far missing marks could change it.
 void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   ResultWriter rows = comparison(in, {"marks missing"}, endMarks(in), ledger);
   const std::int64_t n = comparedTrainees(study);
   if (study.mixed) {
+    addModel(*study.mixed, rows);
     for (const MixedComparison::Pair& pair : study.mixed->pairs) {
       placeAtPair(rows, pair.first, pair.second);
       rows.addInterval("mixed_model_difference", pair.difference.value, pair.difference.interval, n);
@@ -573,24 +445,23 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
 
 }  // namespace
 
+std::vector<std::string> leftOutTrainees(const StudyAnalysis& study) {
+  std::vector<std::string> codes;
+  for (const MissingTrainee& trainee : study.missing) {
+    if (trainee.leftOut) {
+      codes.push_back(trainee.trainee);
+    }
+  }
+  return codes;
+}
+
 ResultKey slopesKey(const StudyAnalysis& study, std::size_t baseline) {
   return {.section = kComparison,
           .index = "score before " + formatExact(study.slopes->baselines[baseline]),
           .record = std::to_string(baseline)};
 }
 
-std::string ratersIndex(std::size_t raters) {
-  return "raters " + std::to_string(raters);
-}
-
-void addStudyResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
-  addAgreement(in, study, ledger);
-  addRaters(in, study, ledger);
-  addAgainstOthers(in, study, ledger);
-  if (study.raters.size() >= 2) {
-    addRatersNeeded(in, study, ledger);
-    addRasch(in, study, ledger);
-  }
+void addComparisonResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   if (study.occasions.size() >= 2) {
     addComparison(in, study, ledger);
     addBaseline(in, study, ledger);
