@@ -199,7 +199,8 @@ class DrawnMedian {
   std::vector<std::size_t> drawn_;
 };
 
-Json bootstrapOf(const std::vector<double>& values, const BootstrapRequest& request) {
+Json bootstrapOf(std::vector<double> values, const BootstrapRequest& request) {
+  std::sort(values.begin(), values.end());  // the interval does not depend on the order of the lines
   const double n = static_cast<double>(values.size());
   if (request.everyResample && std::pow(n, n) > kMaxResamples) {
     return undefinedJson("more than seven subjects have more than a million resamples");

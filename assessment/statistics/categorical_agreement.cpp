@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "assessment/statistics/descriptive.h"
@@ -180,6 +181,28 @@ Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& ratings, 
   return AlphaOfCopies(pairable, metric).alpha(std::vector<int>(pairable.units.size(), 1));
 }
 
+namespace {
+
+/// Orders the units by their ratings, so that resampling does not depend on the order of lines or coders.
+std::vector<std::size_t> unitsInOrder(const IncompleteRatings& ratings) {
+  std::vector<std::vector<double>> marks(ratings.front().size());
+  for (std::size_t unit = 0; unit < marks.size(); ++unit) {
+    for (const auto& coder : ratings) {
+      if (coder[unit]) {
+        marks[unit].push_back(*coder[unit]);
+      }
+    }
+    std::sort(marks[unit].begin(), marks[unit].end());
+  }
+  std::vector<std::size_t> order(marks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return marks[a] < marks[b]; });
+  return order;
+}
+
+}  // namespace
+
 Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, AlphaMetric metric,
                                              std::uint64_t seed, int resamples, double confidence) {
   const Outcome<KrippendorffResult> point = krippendorffAlpha(ratings, metric);
@@ -194,7 +217,8 @@ Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, A
   }
   AlphaOfCopies statistic(pairable, metric);
   Random random(seed);
-  const std::size_t units = ratings.front().size();
+  const std::vector<std::size_t> inOrder = unitsInOrder(ratings);
+  const std::size_t units = inOrder.size();
   AlphaBootstrap out;
   out.resamples = resamples;
   std::vector<double> alphas;
@@ -202,7 +226,7 @@ Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, A
   for (int b = 0; b < resamples; ++b) {
     std::fill(copies.begin(), copies.end(), 0);
     for (std::size_t u = 0; u < units; ++u) {
-      ++copies[random.bounded(units)];
+      ++copies[inOrder[random.bounded(units)]];
     }
     const Outcome<KrippendorffResult> alpha = statistic.alpha(copies);
     if (alpha) {

@@ -71,8 +71,9 @@ struct SignedRank {
   double error = 0.0;          ///< standard error of pTwoSided by random sampling; 0 if exact
   double hodgesLehmann = 0.0;  ///< median of the pairwise means of differences
 };
-/// Tests paired differences by Wilcoxon's signed ranks, exact also with ties. If there are too many sign
-/// changes, random ones are drawn. `differences` must be free of rounding noise. Undefined if all are zero.
+/// Tests paired differences by Wilcoxon's signed ranks, exact also with ties and for up to a thousand pairs.
+/// If there are too many sign changes, random ones are drawn. `differences` must be free of rounding noise;
+/// their order does not matter. Undefined if all are zero.
 [[nodiscard]] Outcome<SignedRank> signedRank(std::span<const double> differences,
                                              const MonteCarlo& otherwise = {});
 
