@@ -215,15 +215,21 @@ void TestLrs::talk(QTcpSocket& socket) {
 QByteArray TestLrs::answerTo(const QByteArray& head, const QByteArray& body) {
   const std::lock_guard lock(mutex_);
   const Fault fault = fault_;
-  if (!headerOf(head, "X-Experience-API-Version").startsWith("1.0")) {
-    complaints_.emplace_back("no version header");
+  const QByteArray asked = head.left(head.indexOf("\r\n"));
+  const bool two = fault == Fault::kVersionTwo;
+  if (asked.startsWith("GET /xapi/about ")) {
+    return reply(200, two ? R"({"version": ["2.0.0"]})" : R"({"version": ["1.0.2", "1.0.3"]})");
+  }
+  if (!headerOf(head, "X-Experience-API-Version").startsWith(two ? "2.0" : "1.0")) {
+    if (!two) {
+      complaints_.emplace_back("no version header");
+    }
     return reply(400, "no version");
   }
   const QByteArray expected = "Basic " + (QByteArray(kUser) + ":" + kSecret).toBase64();
   if (headerOf(head, "Authorization") != expected) {
     return reply(401, "who are you?");
   }
-  const QByteArray asked = head.left(head.indexOf("\r\n"));
   if (asked.startsWith("GET /xapi/statements?statementId=")) {
     return read(asked.split('=').at(1).split(' ').front().toStdString(), fault);
   }
@@ -247,6 +253,8 @@ QByteArray TestLrs::answerTo(const QByteArray& head, const QByteArray& body) {
       return reply(404, "no such place");
     case Fault::kRefuses:
       return reply(400, "this statement does not please");
+    case Fault::kAnswers:
+      return reply(status_, "as it was set");
     default:
       return keep(body, fault);
   }

@@ -14,8 +14,8 @@
 
 namespace torsio::testing {
 
-/// A local learning record store that follows xAPI 1.0.3 as far as it matters to a sender: version header,
-/// authentication, format of a statement, one statement per id forever; its faults can be set.
+/// A local learning record store that follows xAPI 1.0.3, or 2.0, as far as it matters to a sender: version
+/// header, authentication, format of a statement, one statement per id forever; its faults can be set.
 class TestLrs {
  public:
   enum class Fault {
@@ -32,6 +32,8 @@ class TestLrs {
     kAlwaysConflicts,  ///< 409 for a known id even if the statement is identical, which is permitted
     kNotReadable,      ///< like kAlwaysConflicts, and 404 when queried
     kRefuses,          ///< 400
+    kVersionTwo,       ///< 400 to a sender of version 1
+    kAnswers,          ///< the status of answerWith()
   };
   struct Stored {
     std::string id{};
@@ -45,6 +47,11 @@ class TestLrs {
 
   [[nodiscard]] std::string endpoint() const;
   void become(Fault fault) { fault_ = fault; }
+  /// Answers every POST with this status.
+  void answerWith(int status) {
+    status_ = status;
+    fault_ = Fault::kAnswers;
+  }
   /// Refuses further statements containing these bytes; empty: none.
   void refuse(const std::string& part);
   /// Stores a statement as if from another program.
@@ -65,6 +72,7 @@ class TestLrs {
   [[nodiscard]] QByteArray read(const std::string& id, Fault fault) const;
 
   std::atomic<Fault> fault_{Fault::kNone};
+  std::atomic<int> status_{200};
   std::atomic<bool> stop_{false};
   quint16 port_ = 0;
   mutable std::mutex mutex_;

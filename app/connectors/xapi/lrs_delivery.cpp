@@ -34,10 +34,19 @@ constexpr std::int64_t kFirstWait_us = kMinute_us / 2;
 constexpr std::int64_t kMaxWait_us = 6 * 60 * kMinute_us;
 constexpr std::int64_t kMaxRetryAfter_us = 24 * 60 * kMinute_us;
 constexpr std::size_t kAnswerShown = 300;
+constexpr std::size_t kMaxDoubted = 3;
+constexpr std::int64_t kMaxTriesAlone = 12;  // over about a day
 
+constexpr int kBadRequest = 400;
 constexpr int kConflict = 409;
 
-enum class Fate { kDelivered, kDead, kLater, kLaterAndStop };
+enum class Fate : std::uint8_t {
+  kDelivered,
+  kDead,     ///< the store has another statement under this id
+  kRefused,  ///< because of the statement, if the store takes others
+  kLater,
+  kLaterAndStop,  ///< because of the sender, its account or the store: the others would fare no better
+};
 
 struct Outcome {
   Fate fate = Fate::kLater;
@@ -65,21 +74,25 @@ bool took(const LrsAnswer& answer, const std::string& id) {
 /// Meaning of an answer other than "accepted" and "known".
 Outcome refused(const LrsAnswer& answer) {
   switch (answer.status) {
+    case 400:
+    case 413:
+    case 422:
+      return {Fate::kRefused, wordsOf(answer), answer.after};
     case 401:
     case 403:
+    case 407:
       return {Fate::kLaterAndStop, Text::tr("the key is refused: %1", wordsOf(answer)), answer.after};
+    case 402:
+      return {Fate::kLaterAndStop,
+              Text::tr("the account at the store is closed or full: %1", wordsOf(answer)), answer.after};
     case 404:
     case 405:
+    case 410:
       return {Fate::kLaterAndStop, Text::tr("no learning record store at this address: %1", wordsOf(answer)),
               answer.after};
-    case 408:
-    case 429:
-      return {Fate::kLaterAndStop, wordsOf(answer), answer.after};
     default:
-      break;
+      return {Fate::kLaterAndStop, wordsOf(answer), answer.after};
   }
-  const bool forGood = answer.status >= 400 && answer.status < 500;
-  return {forGood ? Fate::kDead : Fate::kLaterAndStop, wordsOf(answer), answer.after};
 }
 
 /// The store already has this id: checks that it is the same statement.
@@ -97,7 +110,10 @@ Outcome afterConflict(LrsClient& store, const std::string& id, const std::string
 }
 
 Outcome send(LrsClient& store, const std::string& id, const std::string& statement) {
-  const LrsAnswer answer = store.post(statement);
+  LrsAnswer answer = store.post(statement);
+  if (answer.status == kBadRequest && store.changeVersion()) {
+    answer = store.post(statement);
+  }
   if (answer.status == 200) {
     return took(answer, id)
                ? Outcome{Fate::kDelivered, Text::tr("taken"), {}}
@@ -115,23 +131,26 @@ class Round {
       : connection_(connection), outbox_(connection), identity_(identity), store_(store), now_(now) {}
 
   LrsDelivery run() {
-    for (;;) {
-      const std::vector<LearningEvent> due = outbox_.due(now_(), kBatch);
-      if (due.empty()) {
-        return done_;
-      }
+    sendAll();
+    postponeDoubted();
+    return done_;
+  }
+
+ private:
+  void sendAll() {
+    for (std::vector<LearningEvent> due = outbox_.due(now_(), kBatch); !due.empty();
+         due = outbox_.due(now_(), kBatch)) {
       for (const LearningEvent& event : due) {
         if (outbox_.claim(event, now_() + kClaim_us)) {
           take(event);
         }
         if (done_.stopped) {
-          return done_;
+          return;
         }
       }
     }
   }
 
- private:
   void take(const LearningEvent& event) {
     if (!agreesToLearningRecords(connection_, event.personId)) {
       outbox_.forget(event);
@@ -165,23 +184,62 @@ class Round {
       case Fate::kDelivered:
         outbox_.setDelivered(event, storedSentence(outcome.words), now_us);
         ++done_.delivered;
+        for (const Doubted& one : std::exchange(doubted_, {})) {
+          setAside(one.event, one.outcome);
+        }
         return;
+      case Fate::kRefused:
+        if (done_.delivered == 0) {
+          doubted_.push_back({event, outcome});
+          done_.stopped = doubted_.size() == kMaxDoubted;
+          return;
+        }
+        [[fallthrough]];
       case Fate::kDead:
-        outbox_.setRefused(event, storedSentence(outcome.words), now_us);
-        ++done_.dead;
+        setAside(event, outcome);
         return;
       case Fate::kLater:
       case Fate::kLaterAndStop: {
-        const std::int64_t asked_us = retryAfter_us(outcome.after, now_us);
-        const std::int64_t wait_us =
-            std::max(asked_us, waitBeforeNextTry_us(event.tries + 1, statementId(event)));
-        outbox_.setRetry(event, storedSentence(outcome.words), now_us, now_us + wait_us);
-        ++done_.later;
+        postpone(event, outcome);
         done_.stopped = outcome.fate == Fate::kLaterAndStop;
         return;
       }
     }
   }
+
+  void setAside(const LearningEvent& event, const Outcome& outcome) {
+    outbox_.setRefused(event, storedSentence(outcome.words), now_());
+    ++done_.dead;
+  }
+
+  void postpone(const LearningEvent& event, const Outcome& outcome) {
+    const std::int64_t now_us = now_();
+    const std::int64_t wait_us = std::max(retryAfter_us(outcome.after, now_us),
+                                          waitBeforeNextTry_us(event.tries + 1, statementId(event)));
+    outbox_.setRetry(event, storedSentence(outcome.words), now_us, now_us + wait_us);
+    ++done_.later;
+  }
+
+  /// Deals with statements refused by a store that took none in this round: it may refuse all of them, for a
+  /// version, a size or a setting. A statement that was alone in being refused is set aside after many tries.
+  void postponeDoubted() {
+    const bool all = doubted_.size() == kMaxDoubted;
+    for (Doubted& one : doubted_) {
+      if (!all && one.event.tries + 1 >= kMaxTriesAlone) {
+        setAside(one.event, one.outcome);
+        continue;
+      }
+      if (all) {
+        one.outcome.words = Text::tr("the store takes none of the statements: %1", one.outcome.words);
+      }
+      postpone(one.event, one.outcome);
+    }
+  }
+
+  struct Doubted {
+    LearningEvent event;
+    Outcome outcome;
+  };
 
   Connection& connection_;
   LearningRepository outbox_;
@@ -190,6 +248,7 @@ class Round {
   const UtcClock& now_;
   ExerciseRules rules_;
   LrsDelivery done_;
+  std::vector<Doubted> doubted_;
 };
 
 }  // namespace

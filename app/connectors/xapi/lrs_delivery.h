@@ -17,7 +17,7 @@ class Connection;
 /// Result of one round of sending.
 struct LrsDelivery {
   std::int64_t delivered = 0;
-  std::int64_t dead = 0;       ///< permanently refused
+  std::int64_t dead = 0;       ///< set aside: refused while others were taken
   std::int64_t later = 0;      ///< to be tried again
   std::int64_t forgotten = 0;  ///< nothing to report, or consent was withdrawn
   bool stopped = false;        ///< the store accepts nothing now; the rest waits
@@ -31,8 +31,9 @@ struct LrsDelivery {
 
 /// Sends due entries in the order of their events. Each statement is stored before it is sent, and resent
 /// with the same bytes, so the store has it once even if answers get lost. Stops early, without losing
-/// anything, if the store is unreachable, rejects the key or does not know the address. Throws Error,
-/// DbError.
+/// anything, if the store is unreachable, rejects the key, does not know the address, or takes none of three
+/// statements: that concerns the sender. A statement is set aside for good only where the store takes others,
+/// or after many tries. Throws Error, DbError.
 LrsDelivery deliverLearningRecords(Connection& connection, const LrsIdentity& identity, LrsClient& store,
                                    const UtcClock& now);
 

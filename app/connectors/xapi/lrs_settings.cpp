@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/connectors/xapi/lrs_settings.h"
 
+#include <array>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -138,6 +140,9 @@ namespace {
 
 constexpr int kLook_ms = 100;
 constexpr qint64 kMaxAnswer_bytes = 1 << 20;
+/// Versions that this client speaks, the preferred one first, with the beginning of those they stand for.
+constexpr std::array<const char*, 2> kVersions{"1.0.3", "2.0.0"};
+constexpr std::size_t kSameVersion = 4;  // "1.0." and "2.0."
 
 }  // namespace
 
@@ -147,11 +152,13 @@ struct LrsClient::Talk {
   std::chrono::milliseconds patience;
   const std::atomic<bool>* stop;
   QNetworkAccessManager network{};
+  QByteArray version = kVersions.front();
+  bool asked = false;  // for its versions
 
   [[nodiscard]] QNetworkRequest request(const QUrl& url) const {
     QNetworkRequest request(url);
     request.setHeader(QNetworkRequest::ContentTypeHeader, QStringLiteral("application/json"));
-    request.setRawHeader("X-Experience-API-Version", "1.0.3");
+    request.setRawHeader("X-Experience-API-Version", version);
     request.setRawHeader("Authorization",
                          "Basic " + QByteArray::fromStdString(key.user + ":" + key.secret).toBase64());
     request.setAttribute(QNetworkRequest::RedirectPolicyAttribute, QNetworkRequest::ManualRedirectPolicy);
@@ -217,6 +224,31 @@ LrsAnswer LrsClient::get(const std::string& id) {
   query.addQueryItem(QStringLiteral("statementId"), QString::fromStdString(id));
   url.setQuery(query);
   return talk_->heard(std::unique_ptr<QNetworkReply>(talk_->network.get(talk_->request(url))));
+}
+
+bool LrsClient::changeVersion() {
+  if (std::exchange(talk_->asked, true)) {
+    return false;
+  }
+  QUrl about = talk_->statements;
+  about.setPath(about.path().chopped(QStringLiteral("statements").size()) + QStringLiteral("about"));
+  const LrsAnswer answer =
+      talk_->heard(std::unique_ptr<QNetworkReply>(talk_->network.get(talk_->request(about))));
+  const nlohmann::json said = nlohmann::json::parse(answer.body, nullptr, false);
+  const auto known = said.is_object() ? said.find("version") : said.end();
+  if (answer.status != 200 || known == said.end() || !known->is_array()) {
+    return false;
+  }
+  for (const std::string_view mine : kVersions) {
+    for (const nlohmann::json& theirs : *known) {
+      if (theirs.is_string() &&
+          theirs.get_ref<const std::string&>().starts_with(mine.substr(0, kSameVersion))) {
+        const QByteArray chosen(mine.data(), static_cast<qsizetype>(mine.size()));
+        return std::exchange(talk_->version, chosen) != chosen;
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace torsio

@@ -55,7 +55,8 @@ struct LrsAnswer {
   std::string after{};  ///< Retry-After header; empty: none
 };
 
-/// Client of an xAPI 1.0.3 store. Checks certificates and follows no redirects. Used by the thread that
+/// Client of a store of xAPI 1.0.3 or 2.0 (IEEE 9274.1.1): it speaks 1.0.3 until the store says that it knows
+/// only the other (changeVersion()). Checks certificates and follows no redirects. Used by the thread that
 /// created it, which needs no event loop.
 class LrsClient {
  public:
@@ -72,6 +73,8 @@ class LrsClient {
   [[nodiscard]] LrsAnswer post(const std::string& statement);
   /// Requests the statement with this id.
   [[nodiscard]] LrsAnswer get(const std::string& id);
+  /// Asks the store, once, for its versions. Returns true if the client speaks another one from now on.
+  [[nodiscard]] bool changeVersion();
 
  private:
   struct Talk;

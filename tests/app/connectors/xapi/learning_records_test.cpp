@@ -404,12 +404,60 @@ TEST(LrsDelivery, OneRejectedStatementBlocksNoOther) {
   centre.store().refuse("");
   EXPECT_EQ(retryLearningRecords(centre.asAdministrator()), 1);
   EXPECT_EQ(centre.deliver().delivered, 1);
-  centre.store().become(Fault::kRefuses);
+  EXPECT_EQ(centre.store().stored().size(), 3U);
+}
+
+TEST(LrsDelivery, AStatementRefusedAloneIsSetAsideAfterManyTries) {
+  XapiCentre centre;
+  centre.turnOn();
   centre.enrol("T-01");
-  EXPECT_EQ(centre.deliver().dead, 1);
+  centre.store().become(Fault::kRefuses);
+  int tries = 1;
+  while (centre.deliver().dead == 0 && tries < 100) {
+    EXPECT_EQ(centre.counts().waiting, 1);
+    centre.waitLong();
+    ++tries;
+  }
+  EXPECT_EQ(tries, 12);
   EXPECT_EQ(dropLearningRecords(centre.asAdministrator()), 1);
   EXPECT_EQ(centre.counts().dead, 0);
-  EXPECT_EQ(centre.store().stored().size(), 3U);
+}
+
+/// What concerns the sender, not the statement, must not cost any.
+TEST(LrsDelivery, AStoreThatTakesNoneOfTheStatementsLosesNone) {
+  for (const int status : {400, 402, 406, 412, 413, 415, 422, 425, 426, 431}) {
+    XapiCentre centre;
+    centre.turnOn();
+    for (int i = 0; i < 5; ++i) {
+      centre.enrol("T-01");
+    }
+    centre.store().answerWith(status);
+
+    const LrsDelivery done = centre.deliver();
+
+    EXPECT_TRUE(done.stopped) << status;
+    EXPECT_EQ(done.dead, 0) << status;
+    EXPECT_EQ(centre.counts().waiting, 5) << status;
+    EXPECT_LE(centre.store().posted().size(), 3U) << status;
+    EXPECT_NE(learningRecords(centre.asAdministrator()).trouble.str().find(std::to_string(status)),
+              std::string::npos);
+    centre.store().become(Fault::kNone);
+    centre.waitLong();
+    EXPECT_EQ(centre.deliver().delivered, 5) << status;
+  }
+}
+
+TEST(LrsDelivery, SpeaksVersionTwoToAStoreThatKnowsNoOther) {
+  XapiCentre centre;
+  centre.turnOn();
+  centre.enrol("T-01");
+  centre.enrol("T-01");
+  centre.store().become(Fault::kVersionTwo);
+
+  const LrsDelivery done = centre.deliver();
+
+  EXPECT_EQ(done.delivered, 2);
+  EXPECT_TRUE(centre.store().complaints().empty());
 }
 
 TEST(LrsDelivery, TwoStationsDoNotSendTheSameStatement) {
