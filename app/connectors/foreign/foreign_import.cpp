@@ -2,6 +2,7 @@
 #include "app/connectors/foreign/foreign_import.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "app/connectors/foreign/foreign_motion.h"
 #include "app/outputs/dataset/dataset_study.h"
 #include "app/services/base/build_info.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/device_sample.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
@@ -20,6 +22,40 @@
 namespace torsio {
 
 namespace {
+
+constexpr double kMaxHandReach_m = 3.0;
+constexpr double kMinHandReach_m = 0.002;
+constexpr double kMaxHandSpeed_m_per_s = 3.0;  // mean over a recording
+
+/// How far an instrument moved.
+class Movement {
+ public:
+  void take(const ForeignPose& pose) {
+    const Vec3 at = pose.pose.position_m;
+    if (!first_) {
+      first_ = last_ = at;
+    }
+    path_m_ += norm(at - *last_);
+    reach_m_ = std::max(reach_m_, norm(at - *first_));
+    last_ = at;
+    seconds_ = 1e-6 * static_cast<double>(pose.time_us);
+  }
+  [[nodiscard]] double path_m() const noexcept { return path_m_; }
+  [[nodiscard]] double reach_m() const noexcept { return reach_m_; }
+  [[nodiscard]] double seconds() const noexcept { return seconds_; }
+  /// Whether a hand can have made this movement, or one `scale` times as large. One that stands still can.
+  [[nodiscard]] bool fitsAHand(double scale) const noexcept {
+    return reach_m_ == 0.0 || (scale * reach_m_ >= kMinHandReach_m && scale * reach_m_ <= kMaxHandReach_m &&
+                               scale * path_m_ <= kMaxHandSpeed_m_per_s * seconds_);
+  }
+
+ private:
+  std::optional<Vec3> first_;
+  std::optional<Vec3> last_;
+  double path_m_ = 0.0;
+  double reach_m_ = 0.0;
+  double seconds_ = 0.0;
+};
 
 /// Packs poses into the chunks of a recording.
 class PoseRecorder {
@@ -36,7 +72,9 @@ class PoseRecorder {
     if (std::ssize(samples_) == kSamplesPerChunk) {
       pack();
     }
+    movement_.take(pose);
   }
+  [[nodiscard]] const Movement& movement() const noexcept { return movement_; }
   std::vector<TrialChunk> finish() {
     pack();
     return std::move(chunks_);
@@ -52,7 +90,31 @@ class PoseRecorder {
 
   std::vector<Sample> samples_;
   std::vector<TrialChunk> chunks_;
+  Movement movement_;
 };
+
+/// Refuses movements that no hand makes if another unit of length would make them a hand's.
+void requirePlausibleUnit(const ForeignMap& map, const std::string& file, const Movement& moved) {
+  if (map.unitConfirmed || moved.fitsAHand(1.0)) {
+    return;
+  }
+  std::vector<Text> fitting;
+  for (const auto& [unit, metres] : {std::pair("m", 1.0), {"cm", 1e-2}, {"mm", 1e-3}}) {
+    if (moved.fitsAHand(metres / map.metresPerUnit)) {
+      fitting.push_back(Text::verbatim("\"%1\"", unit));
+    }
+  }
+  if (!fitting.empty()) {
+    refuse(
+        Text::tr("the instrument would have moved %1 m in %2 s, and reached %3 m: no hand does that",
+                 formatFixed(moved.path_m(), 3), formatFixed(moved.seconds(), 1),
+                 formatFixed(moved.reach_m(), 4)),
+        file,
+        Text::tr("Write the right \"unit\" into the map (%1 would fit), or \"unit_confirmed\": true if %2 is "
+                 "right",
+                 listed(fitting), map.unit));
+  }
+}
 
 std::string layoutTitle(ForeignLayout layout) {
   switch (layout) {
@@ -82,6 +144,9 @@ std::string parametersOf(const ForeignMap& map, ForeignLayout layout, const Fore
                               {"file", recording.name},
                               {"file_blake2b", file.contentHash},
                               {"start_known", recording.startedUtc_us.has_value()}};
+  if (map.unitConfirmed) {
+    json["unit_confirmed"] = true;
+  }
   if (map.rate_Hz) {
     json["stated_rate_Hz"] = *map.rate_Hz;
   }
@@ -100,6 +165,7 @@ Trial trialOf(const ForeignMap& map, ForeignLayout layout, const ForeignRecordin
   const ForeignFile file = readForeignMotion(
       map, layout, recording,
       [&](const ForeignPose& pose, std::size_t line) { recorder.take(pose, recording.name, line); });
+  requirePlausibleUnit(map, recording.name, recorder.movement());
   fileHash = file.contentHash;
   Trial trial;
   TrialHeader& header = trial.header;

@@ -83,6 +83,12 @@ class MapPart {
     }
     return json_[key].get<std::string>();
   }
+  [[nodiscard]] bool yes(const char* key) const {
+    if (!json_[key].is_boolean()) {
+      refuseAt(key, Text::tr("neither true nor false"), Text::tr("Write one of them, without quotes"));
+    }
+    return json_[key].get<bool>();
+  }
   [[nodiscard]] double number(const char* key) const {
     if (!has(key) || !json_[key].is_number()) {
       refuseAt(key, Text::tr("the map must say this number"), Text::tr("Write it without quotes"));
@@ -387,15 +393,16 @@ ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
   digest.update(text);
   out.contentHash = digest.hex();
   const MapPart map(json, out.name);
-  map.allow({"cohort", "description", "source", "frame", "unit", "rotation", "rotation_columns", "position",
-             "rate_Hz", "time", "gaps", "instrument", "grip", "groups", "people", "raters", "recordings",
-             "marks"});
+  map.allow({"cohort", "description", "source", "frame", "unit", "unit_confirmed", "rotation",
+             "rotation_columns", "position", "rate_Hz", "time", "gaps", "instrument", "grip", "groups",
+             "people", "raters", "recordings", "marks"});
   out.cohort = map.text("cohort");
   out.description = map.textOr("description", "");
   out.source = map.text("source");
   out.frame = map.text("frame");
   out.unit = map.text("unit");
   out.metresPerUnit = chosenFrom(kLengths, map, "unit");
+  out.unitConfirmed = map.has("unit_confirmed") && map.yes("unit_confirmed");
   out.rotation = rotationOf(map);
   readTimes(map, layout, out);
   readColumns(map, layout, out);

@@ -77,6 +77,7 @@ struct ForeignMap {
   std::string frame{};   ///< axes and origin, in words
   std::string unit{};    ///< "m", "cm" or "mm"
   double metresPerUnit = 1.0;
+  bool unitConfirmed = false;  ///< although the movements would fit another unit better
   RotationForm rotation = RotationForm::kNone;
   std::optional<double> rate_Hz{};  ///< empty: the file contains times
   std::string timeColumn{};         ///< csv only
