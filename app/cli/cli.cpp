@@ -8,12 +8,15 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/cli/usage_errors.h"
 #include "app/connectors/built_in.h"
 #include "app/outputs/charts/graphics_application.h"
 #include "app/services/base/build_info.h"
@@ -114,18 +117,6 @@ bool isCommand(const CLI::App& program, const std::string& word) {
               .empty();
 }
 
-/// Otherwise the parser would only report an unexpected word.
-void requireKnownCommand(const CLI::App& program, const std::string& first) {
-  if (first.empty() || first[0] == '-' || isCommand(program, first)) {
-    return;
-  }
-  std::string names;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    names.append(names.empty() || command->get_name().empty() ? "" : ", ").append(command->get_name());
-  }
-  refuseUsage("no such command", first, "Commands: " + names);
-}
-
 /// One line on standard error for whatever is being thrown, and its exit code. Call inside a catch block.
 int reportFailure() noexcept {
   try {
@@ -139,17 +130,17 @@ int reportFailure() noexcept {
   }
 }
 
-int parse(CLI::App& program, int argc, char** argv) {
+int parse(CLI::App& program, std::vector<std::string> words) {
   refuseNoValues(program);
   try {
-    requireKnownCommand(program, argc > 1 ? argv[1] : "");
-    program.parse(argc, argv);
+    requireKnownCommands(program, words);
+    std::reverse(words.begin(), words.end());  // as the parser wants them
+    program.parse(std::move(words));
     return 0;
   } catch (const CLI::Success& success) {
     return program.exit(success);
   } catch (const CLI::ParseError& error) {
-    std::cerr << "torsio: " << oneLine(error.what())
-              << ". Run 'torsio --help' for the commands and options\n";
+    std::cerr << "torsio: " << oneLine(describedParseError(program, error)) << '\n';
     return static_cast<int>(ErrorCode::kUsage);
   } catch (...) {
     return reportFailure();
@@ -172,7 +163,7 @@ int runCommandLine(int argc, char** argv, std::initializer_list<ProgramAddition>
     for (const ProgramAddition add : windows) {
       add(program);
     }
-    return parse(program, argc, argv);
+    return parse(program, withHelpAsOption({argv + std::min(argc, 1), argv + argc}));
   } catch (...) {
     return reportFailure();
   }

@@ -70,6 +70,39 @@ TEST_F(BadInput, UnknownCommandsAndOptionsAreNamed) {
   expectRefused("twist --organ liver", ErrorCode::kUsage, "liver");
 }
 
+TEST_F(BadInput, AMisspeltWordIsAnsweredByTheOneThatWasMeant) {
+  struct Slip {
+    const char* words;
+    const char* said;
+  };
+  for (const Slip& one :
+       {Slip{"dmeo", "Did you mean 'demo'? Commands: "},
+        {"export workbok",
+         "workbok: no such command. Did you mean 'workbook'? Commands of "
+         "'torsio export': workbook, tables, gradebook"},
+        {"device chek", "Did you mean 'check'?"},
+        {"export", "torsio export: one of its commands is missing. Commands of 'torsio export'"},
+        {"export --language en", "--language: no such command"},
+        {"twist --patern pronation",
+         "--patern, pronation: 'torsio twist' has no option of "
+         "this name. Did you mean '--pattern'?"},
+        {"twist --patern=pronation", "Did you mean '--pattern'?"},
+        {"twist --zzz", "'torsio twist' has no option of this name. Run 'torsio twist --help'"},
+        {"twist --angle sixty", "--angle: 'sixty' is not a number"},
+        {"learning a b", "'torsio learning' takes no further words"}}) {
+    expectRefused(one.words, ErrorCode::kUsage, one.said);
+  }
+}
+
+TEST_F(BadInput, HelpIsACommandToo) {
+  for (const char* words : {"help", "help export", "help export workbook", "export --help"}) {
+    const ProgramRun run = runTorsio(words, folder_);
+    EXPECT_EQ(run.code, 0) << words << run.err;
+    EXPECT_NE(run.out.find("--help"), std::string::npos) << words;
+  }
+  EXPECT_EQ(runTorsio("help twist", folder_).out, runTorsio("twist --help", folder_).out);
+}
+
 TEST_F(BadInput, AMissingOrganFileIsNamed) {
   expectRefused(demoWith("missing.obj"), ErrorCode::kFileMissing, "missing.obj");
   expectNothingWritten();
