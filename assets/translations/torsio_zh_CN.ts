@@ -19410,6 +19410,30 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Trainees who rested during training: %1.</source>
         <translation>训练期间休息过的学员：%1 名。</translation>
     </message>
+    <message>
+        <source>the instrument would have moved %1 m in %2 s, and reached %3 m: no hand does that</source>
+        <translation>器械会在%2秒内移动%1米，并到达%3米处：人手做不到</translation>
+    </message>
+    <message>
+        <source>Write the right &quot;unit&quot; into the map (%1 would fit), or &quot;unit_confirmed&quot;: true if %2 is right</source>
+        <translation>请在映射文件中写入正确的&quot;unit&quot;（%1与数据相符）；如果%2确实正确，请写&quot;unit_confirmed&quot;: true</translation>
+    </message>
+    <message>
+        <source>neither true nor false</source>
+        <translation>既不是true也不是false</translation>
+    </message>
+    <message>
+        <source>Write one of them, without quotes</source>
+        <translation>请写其中之一，不加引号</translation>
+    </message>
+    <message>
+        <source>the account at the store is closed or full: %1</source>
+        <translation>存储库中的账户已关闭或已满：%1</translation>
+    </message>
+    <message>
+        <source>the store takes none of the statements: %1</source>
+        <translation>存储库一条记录也不接收：%1</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
