@@ -187,20 +187,16 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   return scene;
 }
 
-/// Adds whether the law of the wall was checked for all of a run: at its largest twist and highest pressure.
-void addValidity(Json& out, const Scene& scene, const std::vector<Sample>& samples) {
-  OrganState farthest = scene.stateAt(0.0);
+/// Adds whether the law of the wall was checked for all of a run, as its recording says.
+void addValidity(Json& out, const RecordedValidity& recorded, const std::vector<Sample>& samples) {
+  double farthest_rad = 0.0;
   for (const Sample& sample : samples) {
-    if (std::abs(sample.response.angle_rad) > std::abs(farthest.twist.graspAngle_rad)) {
-      farthest.twist.graspAngle_rad = sample.response.angle_rad;
-    }
-    double& pressure_Pa = farthest.hollow.reading.pressure_Pa;
-    pressure_Pa = std::max(pressure_Pa, sample.hollow.pressure_Pa);
+    farthest_rad = std::max(farthest_rad, std::abs(sample.response.angle_rad));
   }
-  const Text beyond = wallLimitsPassed(*scene.hollow, farthest);
-  out["valid"] = beyond.empty();
-  if (!beyond.empty()) {
-    out["beyond"] = beyond.str();
+  out["valid"] = farthest_rad <= recorded.validTo_rad;
+  out["valid_to_rad"] = recorded.validTo_rad;
+  if (farthest_rad > recorded.validTo_rad) {
+    out["beyond"] = recorded.beyond;
   }
 }
 
@@ -259,8 +255,9 @@ void runMetrics(const MetricsArguments& arguments) {
   out["whole"] = metricsJson(whole);
   if (measured.detorsion) {
     out["detorsion"] = detorsionJson(*measured.detorsion, run.rules);
-    if (scene && scene->hollow) {
-      addValidity(out["detorsion"], *scene, samples);
+    const std::string& parameters = scene ? scene->parametersJson : trial.header.parametersJson;
+    if (const std::optional<RecordedValidity> recorded = recordedValidity(parameters)) {
+      addValidity(out["detorsion"], *recorded, samples);
     }
   }
   out["twists"] = Json::array();

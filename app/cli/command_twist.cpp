@@ -109,11 +109,13 @@ void addWallFolds(nlohmann::ordered_json& result, const FoldReport& fold, const 
                      std::abs(state.twist.graspAngle_rad) > organ.onset_rad(state.hollow.reading.pressure_Pa);
 }
 
-/// `beyond`: the limit that the answer passes; empty: none.
-void addValidity(nlohmann::ordered_json& result, const Text& beyond) {
-  result["valid"] = beyond.empty();
-  if (!beyond.empty()) {
-    result["beyond"] = beyond.str();
+/// The limit that the answer passes, and how far a folding wall's torque is off where it passes none.
+void addValidity(nlohmann::ordered_json& result, const WallValidity& validity) {
+  result["valid"] = validity.beyond.empty();
+  if (!validity.beyond.empty()) {
+    result["beyond"] = validity.beyond.str();
+  } else if (validity.torqueError) {
+    result["torque_error_range"] = *validity.torqueError;
   }
 }
 
@@ -214,7 +216,7 @@ void runPattern(const TwistArguments& arguments, const Scene& scene, double setU
   } else {
     addFold(result, fold);
   }
-  addValidity(result, beyondOf(scene, fold, state));
+  addValidity(result, validityOf(scene, fold, state));
   result["peak_shear_pa"] = scene.peakShear_Pa(state);
   result["set_up_ms"] = setUp_ms;
   result["deform_ms"] = deform_ms;
@@ -288,9 +290,9 @@ RodTwistRequest rodRequest(const TwistArguments& arguments, const Scene& scene) 
   return request;
 }
 
-/// Adds what a wall does; returns the limit of its law that it passes.
-Text addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, const Scene& scene,
-             const RodTwistRequest& rod) {
+/// Adds what a wall does; returns how far its law holds.
+WallValidity addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, const Scene& scene,
+                     const RodTwistRequest& rod) {
   WallTwistRequest request;
   request.pressure_Pa = pressureOf_Pa("--pressure-mmhg", arguments.pressure_mmHg.value_or(0.0));
   request.restPressure_Pa = pressureOf_Pa(
@@ -310,7 +312,7 @@ Text addWall(nlohmann::ordered_json& result, const TwistArguments& arguments, co
   result["shortening_mm"] = 1000.0 * wall.shortening_m;
   result["fold_waves"] = wall.waves;
   result["wall_ms"] = wall.setUp_ms;
-  return wall.beyond;
+  return wall.validity;
 }
 
 /// Whether an angle lies within what an accepted organ is asked for: the pattern's target, and half a turn.
@@ -345,13 +347,13 @@ void runRod(const TwistArguments& arguments, const Scene& scene, double setUp_ms
   result["torque_nm"] = twist.torque_Nm;
   result["energy_j"] = twist.energy_J;
   result["inverse_m"] = twist.inverse_m;
-  Text beyond = twist.beyond;
+  WallValidity validity{twist.beyond, {}};
   if (!arguments.wall.empty()) {
-    beyond = addWall(result, arguments, scene, request);
+    validity = addWall(result, arguments, scene, request);
   }
   addReference(result, twist, twist.angle_rad);
   addFold(result, twist.fold);
-  addValidity(result, beyond);
+  addValidity(result, validity);
   result["set_up_ms"] = setUp_ms;
   result["twist_ms"] = twist_ms;
   if (!arguments.out.empty()) {

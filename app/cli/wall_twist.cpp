@@ -65,9 +65,9 @@ double pressureOf_Pa(const char* option, double pressure_mmHg) {
   return pressure_mmHg * kPascalsPerMmHg;
 }
 
-Text beyondOf(const Scene& scene, const FoldReport& fold, const OrganState& state) {
+WallValidity validityOf(const Scene& scene, const FoldReport& fold, const OrganState& state) {
   const Text broken = brokenLimit(scene, fold).reason;
-  return scene.hollow && broken.empty() ? wallLimitsPassed(*scene.hollow, state) : broken;
+  return scene.hollow && broken.empty() ? wallValidity(*scene.hollow, state) : WallValidity{broken, {}};
 }
 
 WallMap wallMap(const std::string& words) {
@@ -124,7 +124,7 @@ WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const 
     WallTwistResult taut;
     taut.torque_Nm = tautStiffness_Nm_per_rad * rod.angle_rad;
     taut.pressure_Pa = request.pressure_Pa;
-    taut.beyond = beyond;
+    taut.validity.beyond = beyond;
     return taut;
   };
   std::optional<WrungOrgan> made;
@@ -158,12 +158,15 @@ WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod, const 
   result.closing_rad = organ.closing_rad(result.pressure_Pa);
   result.shortening_m = organ.at(0.0, result.pressure_Pa).length - state.length;
   result.waves = organ.waves(result.pressure_Pa);
-  result.beyond = wallLimitsPassed({.places = places,
-                                    .length_m = to_m - from_m,
-                                    .shearModulus_Pa = rod.shearModulus_Pa,
-                                    .pressure_Pa = std::max(result.pressure_Pa, request.restPressure_Pa),
-                                    .twist_rad = rod.angle_rad,
-                                    .closing_rad = result.closing_rad});
+  result.validity = wallValidity({.places = places,
+                                  .length_m = to_m - from_m,
+                                  .shearModulus_Pa = rod.shearModulus_Pa,
+                                  .gentLimit = content.gentLimit,
+                                  .restPressure_Pa = request.restPressure_Pa,
+                                  .pressure_Pa = result.pressure_Pa,
+                                  .twist_rad = rod.angle_rad,
+                                  .taut_rad = organ.taut_rad(result.pressure_Pa),
+                                  .closing_rad = result.closing_rad});
   return result;
 }
 

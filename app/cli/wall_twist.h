@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/rod_twist.h"
+#include "sim/scene/hollow_validity.h"
 
 namespace torsio::cli {
 
@@ -27,14 +28,15 @@ struct WallTwistResult {
   double shortening_m = 0.0;   ///< approach of free ends
   int waves = 0;               ///< number of folds around the organ
   double setUp_ms = 0.0;       ///< time to compute the table
-  Text beyond;                 ///< limit of the law of the wall that is passed; empty: none
+  WallValidity validity;       ///< of the law of the wall
 };
 
 /// Converts a pressure option to pascal. Throws Error{kBadParameter} outside 0 to 100 mmHg.
 [[nodiscard]] double pressureOf_Pa(const char* option, double pressure_mmHg);
 
-/// Returns the limit that the organ of a pattern passes: of tissue, or of the law of its wall; empty: none.
-[[nodiscard]] Text beyondOf(const Scene& scene, const FoldReport& fold, const OrganState& state);
+/// Returns the limit that the organ of a pattern passes, of tissue or of the law of its wall, and how far
+/// that law is off.
+[[nodiscard]] WallValidity validityOf(const Scene& scene, const FoldReport& fold, const OrganState& state);
 
 /// Parses `--wall`: a thickness in millimetres, or thicknesses along the organ, `0:2,0.6:3`, each a fraction
 /// of the length and a thickness. Throws Error{kUsage} otherwise.
@@ -46,7 +48,7 @@ struct WallTwistResult {
 
 /// Twists the hollow organ of a scene that `rod` has rotated, as the folded wall of a straight tube with the
 /// organ's perimeters; its torque is scaled by the rod's effects of section and bend. Where the wall finds no
-/// balance, or the organ's own is no thin one, `beyond` says so, and the torque is that of the taut wall.
+/// balance, or the organ's own is no thin one, `validity` says so, and the torque is that of the taut wall.
 /// Throws Error{kBadParameter} for a wall that was asked for or a pressure out of range.
 [[nodiscard]] WallTwistResult wallTwist(const Scene& scene, const RodTwistRequest& rod,
                                         const WallTwistRequest& request);

@@ -11045,10 +11045,6 @@
         <translation>睾丸在精索上转动，与患者体内一样。精索为实心，半径 6 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 0.34 N mm），没有管壁、管腔和皱褶：通畅度始终为 1。血管：这是唯一测量过血流与扭转角关系的器官，数据来自大鼠和公羊。疼痛在 360 度时即可消失，而 27.5% 的患者仍有残余扭转：应检查血流。每转一整圈后停歇的做法来自大鼠卵巢；效果有多大尚不清楚，缺血剂量不计入。颜色不能证明组织存活。刚度、粘连和手指为假设值；仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
     </message>
     <message>
-        <source>An omega loop of sigmoid whose two limbs are wrung between the feet on the root and the top in the hand. The top turns as a whole about the line from the root to it; the limbs are wrung and lie wound round each other. That they press on each other adds no torque here, as it would in a patient, and the mesentery is not drawn. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1. The limbs are 198 mm long on a mean radius of 32 mm (6.3) with a wall over radius of 0.055 to 0.099: inside. Pressure times radius over stiffness times wall is 3.1 at 15 mmHg, held against a second computation up to 0.5 only. The lumen shuts near 140 degrees; letting gas out takes the peak torque from 131 to 27 N mm. Wall, pressure, stiffness, friction and vessels are assumed; pull and jaw are sourced. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
-        <translation>一段 Ω 形的乙状结肠袢，两肢在系膜根部的肠脚与手中的袢顶之间被拧转。袢顶作为整体绕根部到袢顶的直线转动；两肢被拧转并相互缠绕。在患者体内两肢会相互挤压而增加力矩，此处不计；系膜未画出。管壁定律在长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1 的范围内验证过。两肢长 198 mm，平均半径 32 mm（比值 6.3），壁厚与半径之比为 0.055 至 0.099：在范围之内。15 mmHg 时压力乘半径除以刚度与壁厚之积为 3.1，而与另一种计算的对照只做到 0.5。肠腔在约 140 度时闭合；排气使最大力矩从 131 降到 27 N mm。壁厚、压力、刚度、摩擦和血管为假设值；牵拉和钳口的限值有文献来源。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
-    </message>
-    <message>
         <source>Rows of the record sealed</source>
         <translation>记录中的行已封存</translation>
     </message>
@@ -19119,10 +19115,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>胃绕幽门与贲门的连线翻转了半圈：胃大弯位于上方。外科医生先经胃管排气，再把胃大弯向前、向下转回原位。换手时用夹固定：在四分之一圈以外松手，胃会转回去。牵拉会撕裂胃壁。</translation>
     </message>
     <message>
-        <source>The stomach of the task &apos;organo-axial&apos; with a wall: it swings about the straight line from pylorus to cardia, the greater curvature forward and over that line, as in a patient. It is a rod whose antrum has the torque of its wall; the shape belongs to the pressure at the start, and only the torque of the antrum changes when gas is let out. Bends do not narrow the lumen, and the oesophagus is not wrung: patency stays near 1, although in a patient cardia and pylorus are shut. The law of the wall was checked for length over radius 3 to 12 and wall over radius 0.03 to 0.1; the antrum is 63 mm long on a mean radius of 20 mm (3.2) with a wall over radius of 0.19 to 0.4: the thick antrum lies outside. Pressure times radius over stiffness times wall is 1 there, held against a second computation up to 0.5 only. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, what holds pylorus and cardia, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
-        <translation>即任务“organo-axial”中的胃，带有胃壁：如同患者体内，它绕幽门与贲门的直线摆动，胃大弯向前并越过这条线。胃是一根杆，其胃窦具有胃壁的扭矩；形状对应开始时的压力，排气时只有胃窦的扭矩改变。弯曲不会使胃腔变窄，食管不被绞拧：通畅度保持接近 1，而患者的贲门和幽门是闭塞的。胃壁定律的验证范围为长度与半径之比 3 至 12、壁厚与半径之比 0.03 至 0.1；胃窦长 63 mm，平均半径 20 mm（3.2），壁厚与半径之比 0.19 至 0.4：厚的胃窦在范围之外。此处压力乘半径除以刚度与壁厚之积为 1，仅在 0.5 以内与第二种计算比较过。壁厚和空腹胃的压力有文献来源；扭转时的压力、胃壁刚度、幽门和贲门的固定、摩擦和血管为假设。血流随角度的变化仅在睾丸上测量过，在此移用。颜色不能证明存活。用于训练手法和步骤顺序；不能说明任何一位患者的情况。</translation>
-    </message>
-    <message>
         <source>The whole pack of small bowel turns on the stalk of its vessels, and the jejunal limb is wound round the stalk, as the whirl that ultrasound and CT show. The pack lies to the right of the stalk, as malrotated bowel does, and swings round it. The stalk is solid, of radius 8 mm and 60 mm long with an assumed shear modulus of 10 kPa (1.1 N mm a radian); the limb adds no torque and does not shut: patency stays 1. Beyond a whole turn the limb is drawn thinner than it would be. The coils are relief on one body that turns as a whole. Stalk, friction and vessels are assumed; limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
         <translation>整团小肠绕血管蒂转动，空肠支缠绕在蒂上，即超声和 CT 所见的漩涡。肠团位于蒂的右侧，如同旋转不良的肠管，并绕蒂摆动。蒂为实心，半径 8 mm，长 60 mm，剪切模量假设为 10 kPa（每弧度 1.1 N mm）；空肠支不增加扭矩，也不闭塞：通畅度保持为 1。超过一整圈后，空肠支画得比实际细。肠袢是同一物体上的浮雕，整体转动。蒂、摩擦和血管为假设；钳口的限度和失活时间有文献来源（猪空肠）。血流随角度的变化仅在睾丸上测量过，在此移用。颜色不能证明存活。用于训练手法和步骤顺序；不能说明任何一位患者的情况。</translation>
     </message>
@@ -19433,6 +19425,34 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>the store takes none of the statements: %1</source>
         <translation>存储库一条记录也不接收：%1</translation>
+    </message>
+    <message>
+        <source>beyond the checked law of the wall</source>
+        <translation>超出管壁定律的检验范围</translation>
+    </message>
+    <message>
+        <source>folded beyond %1 degrees under a pressure times radius over stiffness times wall of %2; folds are checked up to %3</source>
+        <translation>超过 %1 度后起皱，此时压力乘半径除以刚度与壁厚之积为 %2；起皱后只检验到 %3</translation>
+    </message>
+    <message>
+        <source>Checked with solid elements up to a turn of %1 degrees: the torque is off by %2 to %3 %</source>
+        <translation>转角在 %1 度以内与实体单元对照检验过：力矩误差为 %2 至 %3 %</translation>
+    </message>
+    <message>
+        <source>%1. As it comes, it may be beyond that: %2.</source>
+        <translation>%1。练习开始时可能超出此范围：%2。</translation>
+    </message>
+    <message>
+        <source>A stomach that is held at the cardia; antrum and pylorus are in the hand and turn on the body. In a patient the antrum swings up about the short axis through the middle of both curvatures and the body kinks; the model has no such hinge: it turns the antrum about the stomach&apos;s own axis and wrings the body between cardia and antrum, with the same order of steps and the same blood. The body is 124 mm long on a mean radius of 34 mm. Full of gas it folds near 115 degrees and its lumen shuts near 150; in solid elements a tube under such a pressure folds a sixth later, and then shuts at once. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>胃固定在贲门；胃窦和幽门握在手中，相对胃体转动。在患者体内，胃窦绕穿过大小弯中点的短轴向上翻起，胃体折叠；模型没有这样的铰链：它让胃窦绕胃自身的轴线转动，拧转贲门与胃窦之间的胃体，步骤顺序和血流变化相同。胃体长 124 mm，平均半径 34 mm。充气时它在约 115 度起皱，胃腔在约 150 度闭合；用实体单元计算，在这样的压力下管子起皱要晚六分之一，随后立即闭合。壁厚和空腹时的胃内压有文献来源；扭转时的压力、管壁刚度、摩擦和血管为假设值。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>An omega loop of sigmoid whose two limbs are wrung between the feet on the root and the top in the hand. The top turns as a whole about the line from the root to it; the limbs are wrung and lie wound round each other. That they press on each other adds no torque here, as it would in a patient, and the mesentery is not drawn. The limbs are 198 mm long on a mean radius of 32 mm. Full of gas they fold near 90 degrees and their lumen shuts near 140; in solid elements a tube under such a pressure folds a fifth later. Every trial begins with the lumen shut, where the torque is that of a rope; letting gas out takes the peak torque from 131 to 27 N mm. Wall, pressure, stiffness, friction and vessels are assumed; pull and jaw are sourced. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>一段 Ω 形的乙状结肠袢，两肢在系膜根部的肠脚与手中的袢顶之间被拧转。袢顶作为整体绕根部到袢顶的直线转动；两肢被拧转并相互缠绕。在患者体内两肢会相互挤压而增加力矩，此处不计；系膜未画出。两肢长 198 mm，平均半径 32 mm。充气时它们在约 90 度起皱，肠腔在约 140 度闭合；用实体单元计算，在这样的压力下管子起皱要晚五分之一。每次练习开始时肠腔都已闭合，此时的力矩如同一根绳索；排气使最大力矩从 131 降到 27 N mm。壁厚、压力、刚度、摩擦和血管为假设值；牵拉和钳口的限值有文献来源。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
+    </message>
+    <message>
+        <source>The stomach of the task &apos;organo-axial&apos; with a wall: it swings about the straight line from pylorus to cardia, the greater curvature forward and over that line, as in a patient. It is a rod whose antrum has the torque of its wall; the shape belongs to the pressure at the start, and only the torque of the antrum changes when gas is let out. Bends do not narrow the lumen, and the oesophagus is not wrung: patency stays near 1, although in a patient cardia and pylorus are shut. The antrum is 63 mm long on a mean radius of 20 mm and is wrung by less than 20 degrees: it does not fold. Thickness and the pressure of a fasted stomach are sourced; the pressure of the volvulus, the stiffness of the wall, what holds pylorus and cardia, friction and vessels are assumed. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
+        <translation>即任务“organo-axial”中的胃，带有胃壁：如同患者体内，它绕幽门与贲门的直线摆动，胃大弯向前并越过这条线。胃是一根杆，其胃窦具有胃壁的扭矩；形状对应开始时的压力，排气时只有胃窦的扭矩改变。弯曲不会使胃腔变窄，食管不被绞拧：通畅度保持接近 1，而患者的贲门和幽门是闭塞的。胃窦长 63 mm，平均半径 20 mm，被绞拧不到 20 度，不会起皱。壁厚和空腹胃的压力有文献来源；扭转时的压力、胃壁刚度、幽门和贲门的固定、摩擦和血管为假设。血流随角度的变化仅在睾丸上测量过，在此移用。颜色不能证明存活。用于训练手法和步骤顺序；不能说明任何一位患者的情况。</translation>
     </message>
 </context>
 <context>
@@ -31614,10 +31634,6 @@ T-02,master,17</translation>
     <message>
         <source>How far this scene holds</source>
         <translation>本场景的有效范围</translation>
-    </message>
-    <message>
-        <source>As it comes, it is beyond what was checked: %1.</source>
-        <translation>以其初始状态，已超出验证范围：%1。</translation>
     </message>
 </context>
 <context>

@@ -202,7 +202,7 @@ bool madeOn(SceneDescription scene, const SceneRequest& request) {
   }
   applyWishes(scene, request);
   return parametersText(scene, scene.patterns[place].pattern, request.organFile.has_value(),
-                        request.tissue) == request.recorded;
+                        request.tissue) == withoutValidity(request.recorded);
 }
 
 /// The scene asked for, or its former state where a recording was made on that. `former`: whether its organ
@@ -374,6 +374,9 @@ Scene builtScene(const SceneRequest& request, SceneDescription description, User
   digest.update(parameters);
   if (request.model.any()) {
     digest.update("another model");  // no recording was made with it
+  }
+  if (hollow) {
+    parameters = withValidity(parameters, *hollow);
   }
   std::string organHash = same ? same->organHash : contentHash(mesh);
   TwistPattern chosen = pattern;

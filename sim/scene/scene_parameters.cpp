@@ -9,6 +9,7 @@
 #include "sim/core/error.h"
 #include "sim/core/foreign_recording.h"
 #include "sim/scene/hollow_organ.h"
+#include "sim/scene/hollow_validity.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {
@@ -18,6 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
+constexpr const char* kValidity = "validity";
 
 constexpr std::array kModes{"harmonic", "straight-axis", "automatic"};
 constexpr std::array kSpacings{"angle", "arc-length"};
@@ -269,6 +271,24 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
   return json.dump();
 }
 
+std::string withValidity(const std::string& parameters, const HollowOrgan& organ) {
+  if (organ.tube(0) == nullptr) {
+    return parameters;
+  }
+  Json json = Json::parse(parameters);
+  const ValidTurn valid = validTurn(organ);
+  json[kValidity] = {{"valid_to_rad", valid.to_rad}, {"beyond", valid.beyond.str()}};
+  return json.dump();
+}
+
+std::string withoutValidity(const std::string& parameters) {
+  Json json = Json::parse(parameters, nullptr, false);
+  if (!json.is_object() || json.erase(kValidity) == 0) {
+    return parameters;
+  }
+  return json.dump();
+}
+
 SceneRequest sceneRequestFor(const std::string& parametersJson) {
   const auto json = nlohmann::json::parse(parametersJson, nullptr, false);
   if (json.contains(kForeignParameters)) {
@@ -322,6 +342,20 @@ std::vector<OrganWarning> recordedOrganWarnings(const std::string& parametersJso
     return sceneRequestFor(parametersJson).organWarnings;
   } catch (const Error&) {
     return {};  // of a later version: the recording counts all the same
+  }
+}
+
+std::optional<RecordedValidity> recordedValidity(const std::string& parametersJson) {
+  const auto json = nlohmann::json::parse(parametersJson, nullptr, false);
+  if (!json.is_object() || !json.contains(kValidity)) {
+    return std::nullopt;
+  }
+  const nlohmann::json& validity = json.at(kValidity);
+  try {
+    return RecordedValidity{validity.at("valid_to_rad").get<double>(),
+                            validity.at("beyond").get<std::string>()};
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;  // of a later version
   }
 }
 

@@ -238,12 +238,10 @@ ValidityButton::ValidityButton(QWidget* parent) : QToolButton(parent) {
 
 void ValidityButton::setScene(const Scene* scene) {
   words_.clear();
-  beyond_ = {};
+  checked_ = {};
   if (scene != nullptr && scene->comesTwisted()) {
-    const Detorsion& detorsion = scene->hollow->detorsion();
-    words_ = detorsion.validity;
-    beyond_ = wallLimitsPassed(*scene->hollow,
-                               scene->hollow->stateAt(detorsion.start.sign * detorsion.start.most_rad));
+    words_ = scene->hollow->detorsion().validity;
+    checked_ = validityText(*scene->hollow);
   }
   setVisible(!words_.empty());
 }
@@ -255,9 +253,8 @@ void ValidityButton::retranslate() {
 
 void ValidityButton::tell() {
   QString words = toQString(Text(words_));
-  if (!beyond_.empty()) {
-    words += QStringLiteral("\n\n") +
-             tr("As it comes, it is beyond what was checked: %1.").arg(toQString(beyond_));
+  if (!checked_.empty()) {
+    words += QStringLiteral("\n\n") + toQString(checked_);
   }
   QMessageBox box(QMessageBox::NoIcon, tr("How far this scene holds"), words, QMessageBox::Close, this);
   box.exec();

@@ -80,7 +80,7 @@ class ValidityButton : public QToolButton {
   void tell();
 
   std::string words_;  // as in the scene file
-  Text beyond_;
+  Text checked_;
 };
 
 }  // namespace torsio::gui

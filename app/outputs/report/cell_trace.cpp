@@ -36,6 +36,7 @@
 #include "sim/core/csv_cell.h"
 #include "sim/core/error.h"
 #include "sim/core/text.h"
+#include "sim/scene/hollow_validity.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -209,6 +210,10 @@ class CellTracer::Walk {
                {Text::tr("parameters of the model"), trial.header.parameterHash}}};
       for (const OrganWarning& warning : recordedOrganWarnings(trial.header.parametersJson)) {
         step.madeOf.push_back({Text::tr("warning about the organ"), coded(warning).str()});
+      }
+      const std::optional<RecordedValidity> validity = recordedValidity(trial.header.parametersJson);
+      if (validity && !validity->beyond.empty()) {
+        step.madeOf.push_back({Text::tr("beyond the checked law of the wall"), validity->beyond});
       }
     }
     return step;

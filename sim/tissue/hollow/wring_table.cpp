@@ -20,6 +20,7 @@ constexpr double kLeastPressure = 0.0;
 constexpr double kJump = 0.8;  // of the packed radius, within one step
 constexpr int kJumpHalvings = 4;
 constexpr double kLatestOnset = 0.995;  // of the closing angle
+constexpr double kOnsetOfNone = 0.5;    // of the closing angle, of a wall that closes without folding
 
 struct Mean {
   double radius = 0.0;
@@ -210,7 +211,7 @@ struct WringTable::Path {
         onset = crossing(before.angle, before.shape.folding, after.angle, after.shape.folding);
       }
     }
-    onset = onset > 0.0 ? std::min(onset, kLatestOnset * closing) : 0.5 * closing;
+    onset = onset > 0.0 ? std::min(onset, kLatestOnset * closing) : kOnsetOfNone * closing;
   }
 
   static double crossing(double from, double low, double to, double high) {
@@ -375,6 +376,14 @@ void WringTable::solvedPlaces(std::size_t solved, std::span<WrungPlace> places) 
   const std::size_t nodes = row.places.size() / kAngles;
   const WrungPlace* first = row.places.data() + solved % kAngles * nodes;
   spreadOut(nodes, places, [first](std::size_t i) { return first[i]; });
+}
+
+double WringTable::taut_rad(double pressure) const noexcept {
+  const Between rows = rowsAt(pressure);
+  const auto taut = [](const Row& row) {
+    return row.onset == kOnsetOfNone * row.closing ? row.closing : row.onset;
+  };
+  return taut(*rows.low) + rows.share * (taut(*rows.high) - taut(*rows.low));
 }
 
 double WringTable::closing_rad(double pressure) const noexcept {

@@ -61,6 +61,8 @@ class WringTable {
   [[nodiscard]] std::size_t solvedCount() const noexcept { return rows_.size() * kAngles; }
   /// Writes how a solved tube lies at equal shares of its length, as placesAt() does.
   void solvedPlaces(std::size_t solved, std::span<WrungPlace> places) const noexcept;
+  /// Returns the angle up to which the solved wall is taut everywhere.
+  [[nodiscard]] double taut_rad(double pressure) const noexcept;
   /// Returns the angle at which the narrowest place is packed with wall.
   [[nodiscard]] double closing_rad(double pressure) const noexcept;
   /// Returns the largest torque on the way to closing.

@@ -182,6 +182,10 @@ double WrungOrgan::onset_rad(double pressure_Pa) const {
   return std::min(angle, closing_rad(pressure_Pa));
 }
 
+double WrungOrgan::taut_rad(double pressure_Pa) const noexcept {
+  return table_.taut_rad(pressure_Pa / shear_Pa_);
+}
+
 double WrungOrgan::closing_rad(double pressure_Pa) const noexcept {
   return table_.closing_rad(pressure_Pa / shear_Pa_);
 }

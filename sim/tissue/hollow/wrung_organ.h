@@ -68,6 +68,9 @@ class WrungOrgan {
   /// Returns the angle at which the wall begins to fold, by the shell (foldOnset) at the place that folds
   /// first.
   [[nodiscard]] double onset_rad(double pressure_Pa) const;
+  /// Returns the angle up to which the solved wall is taut everywhere: that of torque_Nm, whereas
+  /// onset_rad is that of the shell.
+  [[nodiscard]] double taut_rad(double pressure_Pa) const noexcept;
   /// Returns the angle at which the narrowest place is packed with wall.
   [[nodiscard]] double closing_rad(double pressure_Pa) const noexcept;
   /// Returns the largest torque on the way to closing, N m.

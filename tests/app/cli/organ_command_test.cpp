@@ -132,18 +132,23 @@ TEST(OrganCommand, SaysWhetherATwistIsValidAndWhichLimitItIsBeyond) {
   const auto packed = twist("--organ intestine --ends clamped-turned --wall 2 --angle 720");
   EXPECT_FALSE(packed.at("valid").get<bool>());
   EXPECT_NE(packed.at("beyond").get<std::string>().find("packed with wall"), std::string::npos);
-  const auto blown = twist("--organ intestine --ends clamped-turned --wall 2 --angle 5 --pressure-mmhg 8");
+  const auto blown = twist("--organ intestine --ends clamped-turned --wall 1 --angle 5 --pressure-mmhg 12");
   EXPECT_FALSE(blown.at("valid").get<bool>());
-  EXPECT_NE(blown.at("beyond").get<std::string>().find("checked up to 0.5"), std::string::npos);
+  EXPECT_NE(blown.at("beyond").get<std::string>().find("checked up to 2.1"), std::string::npos);
   const auto closed = twist("--organ small-bowel-loop --angle 360");
   EXPECT_FALSE(closed.at("valid").get<bool>());
-  // 3 mmHg in so thin a wall is beyond what its law was checked for, and 8 mmHg in a stomach.
-  for (const char* organ :
-       {"small-bowel-loop", "gastric-organo-axial", "gastric-mesentero-axial", "sigmoid"}) {
-    const auto blownUp = twist(std::string("--angle 30 --organ ") + organ);
-    EXPECT_FALSE(blownUp.at("valid").get<bool>()) << organ;
-    EXPECT_NE(blownUp.at("beyond").get<std::string>().find("checked up to 0.5"), std::string::npos) << organ;
+  // Until they fold, all are as checked; folded under their gas, or shut, they are not.
+  for (const char* taut :
+       {"small-bowel-loop --angle 180", "small-bowel-loop --angle=-210", "gastric-organo-axial --angle=-210",
+        "gastric-mesentero-axial --angle 90", "sigmoid --angle 80"}) {
+    const auto checked = twist(std::string("--organ ") + taut);
+    EXPECT_TRUE(checked.at("valid").get<bool>()) << taut;
+    EXPECT_EQ(checked.at("torque_error_range").size(), 2U) << taut;
+    EXPECT_LT(checked.at("torque_error_range").at(1), 0.1) << taut;
   }
+  const auto folds = twist("--organ gastric-mesentero-axial --angle 130");
+  EXPECT_NE(folds.at("beyond").get<std::string>().find("folds are checked up to 0.5"), std::string::npos);
+  EXPECT_FALSE(folds.contains("torque_error_range"));
   EXPECT_TRUE(twist("--organ testis --angle 30").at("valid").get<bool>());
   // Each angle beyond closing says so, however far.
   for (const char* angle : {"180", "250", "720"}) {
@@ -205,6 +210,30 @@ TEST(OrganCommand, StoresAWarningWithRecordings) {
       "replay " + trial.at("trial").get<std::string>() + " --verify --json" + organ + database, folder);
   ASSERT_EQ(replayed.code, 0) << replayed.err;
   EXPECT_TRUE(nlohmann::json::parse(replayed.out).at("identical").get<bool>());
+}
+
+// Each recording of an organ that comes twisted says how far the law of its wall was checked; a replay needs
+// none of it.
+TEST(OrganCommand, RecordingsSayHowFarTheirWallWasChecked) {
+  const auto folder = emptyFolder("wall-recorded");
+  const std::string database = " --database " + (folder / "torsio.sqlite").string();
+  for (const bool valid : {true, false}) {
+    const std::string organ = valid ? "small-bowel-loop" : "sigmoid";
+    const ProgramRun recorded = runTorsio("record --json --duration 2 --organ " + organ + database, folder);
+    ASSERT_EQ(recorded.code, 0) << recorded.err;
+    const std::string trial = nlohmann::json::parse(recorded.out).at("trial").get<std::string>();
+
+    const ProgramRun measured = runTorsio("metrics " + trial + database, folder);
+    const ProgramRun replayed = runTorsio("replay " + trial + " --verify --json" + database, folder);
+
+    ASSERT_EQ(measured.code, 0) << measured.err;
+    const auto detorsion = nlohmann::json::parse(measured.out).at("detorsion");
+    EXPECT_EQ(detorsion.at("valid"), valid) << organ;
+    EXPECT_EQ(detorsion.contains("beyond"), !valid) << organ;
+    EXPECT_NEAR(detorsion.at("valid_to_rad").get<double>(), valid ? 3.72 : 1.57, 0.02) << organ;
+    ASSERT_EQ(replayed.code, 0) << replayed.err;
+    EXPECT_TRUE(nlohmann::json::parse(replayed.out).at("identical").get<bool>());
+  }
 }
 
 TEST(OrganCommand, AcceptsItsUnitAsAFactor) {
