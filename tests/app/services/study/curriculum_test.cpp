@@ -17,6 +17,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
+#include "sim/scene/scene_file.h"
 #include "tests/app/support/study_centre.h"
 #include "tests/support/refusal.h"
 
@@ -50,6 +51,18 @@ TEST(CurriculumTemplates, AllCanBePublished) {
         curriculumProblems(one.content, centre.assets(), OccasionRepository(centre.connection()).all())
             .empty())
         << one.id;
+  }
+}
+
+// The course and free practice judge an untwisting alike: the limits are those of the scenes.
+TEST(CurriculumTemplates, TheCourseOfUntwistingHasTheLimitsOfItsScenes) {
+  StudyCentre centre;
+  for (const TrainingModule& module : shipped(centre, "volvulus").modules) {
+    const SceneDescription scene = readSceneFile(centre.assets(), module.sceneId);
+    const TwistPattern& pattern = scene.patterns.front().pattern;
+
+    EXPECT_EQ(module.maxForce_N, pattern.forceLimit_N) << module.id;
+    EXPECT_EQ(module.maxTorque_Nm, pattern.torqueLimit_Nm) << module.id;
   }
 }
 
