@@ -143,6 +143,24 @@ TEST(RodOfOrgan, ANodeLiesWhereItIsAskedForAndThinPartsGetShorterElements) {
   EXPECT_GT(rod.elements.front().length_m, 1.3 * rod.elements.back().length_m);
 }
 
+// An axis that turns by more than half a turn within one element: the rod has no way to lie at rest. Formerly
+// a broken contract, on organs that had been accepted.
+TEST(RodOfOrgan, RefusesAnAxisThatTurnsBackWithinAnElement) {
+  const double turns_rad = 1.5 * kTurn;
+  const double reach_m = 0.030;
+  const double rise_m = 0.060;
+  const TriangleMesh helix = testing::sweep(testing::circleOutline(0.008, 24), 120, [&](double t) {
+    const double c = std::cos(turns_rad * t);
+    const double s = std::sin(turns_rad * t);
+    const Vec3 out{c, s, 0};
+    const Vec3 along = normalized(Vec3{-reach_m * turns_rad * s, reach_m * turns_rad * c, rise_m});
+    return testing::SweepFrame{Vec3{reach_m * c, reach_m * s, rise_m * t}, out, cross(along, out), 1.0};
+  });
+
+  EXPECT_EQ(testing::refusalCode([&] { (void)rodOf(helix, {.elements = 2}); }), ErrorCode::kBadMesh);
+  EXPECT_EQ(rodOf(helix).elements.size(), static_cast<std::size_t>(kRodElements));
+}
+
 TEST(RodOfOrgan, RefusesMaterialsAndDivisionsWithoutMeaning) {
   const SectionLattice lattice = latticeOf(testing::prism(testing::circleOutline(0.030, 48), kLength_m, 24));
   const SolvedSections sections = SolvedSections::solve(lattice, {});
