@@ -149,15 +149,14 @@ TEST(WallValidity, TheRangeOfTheTorqueHoldsForEveryTubeOfSolidElements) {
     const WrungShape shape = turned(run, waves);
     const std::vector<WallPlace> places(5, {0.020, 0.020 * run.thinness});
     const double turn_rad = radians(run.angle_deg);
-    const WallValidity validity =
-        wallValidity({.places = places,
-                      .length_m = 0.020 * run.length,
-                      .shearModulus_Pa = kShear_Pa,
-                      .gentLimit = run.gentLimit,
-                      .pressure_Pa = run.pressure * kShear_Pa * run.thinness,
-                      .twist_rad = turn_rad,
-                      .taut_rad = shape.folding < 0.0 ? kTurn : 0.0,
-                      .closing_rad = kTurn});
+    const WallValidity validity = wallValidity({.places = places,
+                                                .length_m = 0.020 * run.length,
+                                                .shearModulus_Pa = kShear_Pa,
+                                                .gentLimit = run.gentLimit,
+                                                .pressure_Pa = run.pressure * kShear_Pa * run.thinness,
+                                                .twist_rad = turn_rad,
+                                                .taut_rad = shape.folding < 0.0 ? kTurn : 0.0,
+                                                .closing_rad = kTurn});
     if (!validity.torqueError) {
       ++beyond;
       continue;
@@ -193,8 +192,7 @@ TEST(WallValidity, ShippedSpansHaveTheTorqueOfSolidElementsAsFarAsTheyAreValid) 
     if (!validity.torqueError) {
       continue;
     }
-    const double torque_Nm =
-        organ.tube(span)->torque_Nm(radians(angle_deg), lies.hollow.reading.pressure_Pa);
+    const double torque_Nm = organ.tube(span)->torque_Nm(radians(angle_deg), lies.hollow.reading.pressure_Pa);
     const double error = torque_Nm / (1e-3 * torque_Nmm) - 1.0;
     EXPECT_GT(error, validity.torqueError->at(0)) << id << ' ' << angle_deg;
     EXPECT_LT(error, validity.torqueError->at(1)) << id << ' ' << angle_deg;
@@ -210,7 +208,8 @@ struct ShippedValidity {
 
 class ShippedWall : public ::testing::TestWithParam<ShippedValidity> {};
 
-// assets/scenes/README.md: the stomach that turns across and the sigmoid come folded under their gas, or shut.
+// assets/scenes/README.md: the stomach that turns across and the sigmoid come folded under their gas, or
+// shut.
 TEST_P(ShippedWall, IsValidUpToTheTurnThatTheDocumentsSay) {
   const HollowOrgan& organ = *twistedOrgan(GetParam().scene).hollow;
 
