@@ -11,6 +11,7 @@
 
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/metrics/signal.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 
@@ -42,16 +43,43 @@ TrialTrace evenTrace(std::span<const std::int64_t> times_us, std::span<const Sam
   return trace;
 }
 
-/// Returns the ranges without long gaps, [first, last).
+bool samePose(const Sample& a, const Sample& b) {
+  return a.device.position == b.device.position && a.device.orientation == b.device.orientation;
+}
+
+/// Returns for each sample whether it repeats a pose that stays the same for more than kFrozenPose_us; the
+/// first of them is a pose.
+std::vector<bool> frozenSamples(std::span<const std::int64_t> times_us, std::span<const Sample> samples) {
+  std::vector<bool> frozen(samples.size(), false);
+  for (std::size_t first = 0; first < samples.size();) {
+    std::size_t last = first;
+    while (last + 1 < samples.size() && samePose(samples[first], samples[last + 1])) {
+      ++last;
+    }
+    if (times_us[last] - times_us[first] > kFrozenPose_us) {
+      std::fill(frozen.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                frozen.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
+    }
+    first = last + 1;
+  }
+  return frozen;
+}
+
+/// Returns the ranges without long gaps and repeated poses, [first, last).
 std::vector<std::pair<std::size_t, std::size_t>> stretches(const TrialHeader& header,
-                                                           std::span<const std::int64_t> times_us) {
+                                                           std::span<const std::int64_t> times_us,
+                                                           std::span<const Sample> samples) {
+  const std::vector<bool> frozen = frozenSamples(times_us, samples);
   const double longest_us =
       std::max(1e6 * kLargestGap_s, kSamplesInGap * static_cast<double>(header.tickPeriod_us));
   std::vector<std::pair<std::size_t, std::size_t>> found;
   std::size_t first = 0;
   for (std::size_t i = 1; i <= times_us.size(); ++i) {
-    if (i == times_us.size() || static_cast<double>(times_us[i] - times_us[i - 1]) > longest_us) {
-      found.emplace_back(first, i);
+    if (i == times_us.size() || frozen[i] != frozen[i - 1] ||
+        static_cast<double>(times_us[i] - times_us[i - 1]) > longest_us) {
+      if (!frozen[i - 1]) {
+        found.emplace_back(first, i);
+      }
       first = i;
     }
   }
@@ -74,7 +102,7 @@ Outcome<TrialMetrics> measureForeign(const TrialHeader& header, std::span<const 
   std::int64_t seen_us = 0;
   double path_m = 0.0;
   double idle_s = 0.0;
-  for (const auto& [first, last] : stretches(header, times.us)) {
+  for (const auto& [first, last] : stretches(header, times.us, samples)) {
     const std::int64_t span_us = times.us[last - 1] - times.us[first];
     seen_us += span_us;
     if (span_us < kGridStep_us) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "sim/core/ids.h"
@@ -14,6 +15,9 @@ inline constexpr std::string_view kForeignScene = "foreign";
 inline constexpr std::string_view kForeignModel = "foreign recording";
 /// The one key of the parameters of such a recording: source, frame, unit, how it was read.
 inline constexpr const char* kForeignParameters = "foreign";
+
+/// A pose that is the same bit for bit for longer is no pose of a hand: the instrument was out of view.
+inline constexpr std::int64_t kFrozenPose_us = 200'000;
 
 /// Whether a recording of this scene came from other equipment. Any thread.
 [[nodiscard]] inline bool isForeign(const SceneId& scene) {

@@ -4,13 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <igtl_header.h>
+#include <igtl_position.h>
 #include <igtl_string.h>
 #include <igtl_tdata.h>
 #include <igtl_transform.h>
 #include <igtl_util.h>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "sim/core/error.h"
 #include "sim/core/pose.h"
@@ -28,6 +33,7 @@ constexpr std::uint16_t kStatusFine = 1;
 constexpr std::uint16_t kUtf8 = 106;  // MIBenum
 constexpr std::size_t kExtendedHead = 12;
 constexpr double kFraction = 0x1p-32;
+constexpr double kUnitTolerance = 0.01;  // of the length of a quaternion
 
 std::string nameIn(const char* text, std::size_t longest) {
   return {text, std::find(text, text + longest, '\0')};
@@ -45,7 +51,7 @@ std::string kindOf(const igtl_header& head) {
 }
 
 bool isRead(const std::string& kind) {
-  return kind == "TRANSFORM" || kind == "TDATA" || kind == "STATUS";
+  return kind == "TRANSFORM" || kind == "POSITION" || kind == "TDATA" || kind == "STATUS";
 }
 
 /// A type name has capitals, digits and underscores.
@@ -75,10 +81,57 @@ std::optional<Pose> poseOf(const std::array<float, 12>& t) {
   return Pose{place_m, *rotation};
 }
 
-void addPose(const std::array<float, 12>& numbers, const std::string& instrument, const igtl_header& head,
-             IgtlNews& news) {
-  if (const std::optional<Pose> pose = poseOf(numbers)) {
-    news.poses.push_back({instrument, *pose, timeOf(head)});
+/// Replaces control characters, which must not reach the screen.
+std::string plainText(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7f; },
+      ' ');
+  return text;
+}
+
+/// What a sender adds to a message, by name.
+using Metadata = std::map<std::string, std::string>;
+
+/// Content of a message.
+struct Content {
+  std::span<const std::byte> body;
+  Metadata said;  ///< of versions 2 and 3
+};
+
+std::string inCapitals(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+/// Returns why the sender says that a pose is none; empty: it is one. A pressed switch is no reason.
+std::string lostBy(const Metadata& said, const std::string& instrument) {
+  static const std::set<std::string> kSeen{"OK", "TOOL_OK", "VALID", "TRACKED", "VISIBLE"};
+  static const std::set<std::string> kNo{"0", "FALSE", "NO", "INVALID"};
+  for (const std::string& owner : {std::string(), instrument}) {
+    for (const char* key : {"TransformStatus", "ToolStatus", "Status"}) {
+      const auto status = said.find(owner + key);
+      if (status != said.end() && !kSeen.contains(inCapitals(status->second)) &&
+          inCapitals(status->second).find("SWITCH") == std::string::npos) {
+        return plainText(status->second.empty() ? std::string(key) : status->second);
+      }
+    }
+    for (const char* key : {"TransformValid", "Valid"}) {
+      const auto valid = said.find(owner + key);
+      if (valid != said.end() && kNo.contains(inCapitals(valid->second))) {
+        return std::string(key) + " = " + valid->second;
+      }
+    }
+  }
+  return {};
+}
+
+void addPose(const std::optional<Pose>& pose, const std::string& instrument, const igtl_header& head,
+             const Metadata& said, IgtlNews& news) {
+  if (std::string lost = lostBy(said, instrument); !lost.empty()) {
+    news.poses.push_back({instrument, {}, timeOf(head), std::move(lost)});
+  } else if (pose) {
+    news.poses.push_back({instrument, *pose, timeOf(head), {}});
   } else {
     ++news.refused;
   }
@@ -92,37 +145,84 @@ std::uint64_t bigEndian(std::span<const std::byte> bytes) {
   return value;
 }
 
+/// Metadata: a count, then for each the lengths of name and value with the value's encoding between them,
+/// then names and values. Entries of impossible sizes end the list.
+Metadata metadataIn(std::span<const std::byte> heads, std::span<const std::byte> words) {
+  constexpr std::size_t kEntry = 8;
+  Metadata said;
+  if (heads.size() < 2) {
+    return said;
+  }
+  std::uint64_t left = bigEndian(heads.first(2));
+  for (heads = heads.subspan(2); left > 0 && heads.size() >= kEntry; heads = heads.subspan(kEntry), --left) {
+    const std::uint64_t name = bigEndian(heads.first(2));
+    const std::uint64_t value = bigEndian(heads.subspan(4, 4));
+    if (name + value > words.size()) {
+      break;
+    }
+    const auto* const text = reinterpret_cast<const char*>(words.data());
+    said[std::string(text, name)] = nameIn(text + name, value);
+    words = words.subspan(name + value);
+  }
+  return said;
+}
+
 /// Content of a body: all of it, or from version 2 on the part between extended header and metadata. Empty:
 /// impossible sizes.
-std::span<const std::byte> contentOf(const igtl_header& head, std::span<const std::byte> body) {
+Content contentOf(const igtl_header& head, std::span<const std::byte> body) {
   if (head.version < 2) {
-    return body;
+    return {body, {}};
   }
   if (body.size() < kExtendedHead) {
     return {};
   }
   const std::uint64_t front = bigEndian(body.first(2));
-  const std::uint64_t behind = bigEndian(body.subspan(2, 2)) + bigEndian(body.subspan(4, 4));
+  const std::uint64_t heads = bigEndian(body.subspan(2, 2));
+  const std::uint64_t behind = heads + bigEndian(body.subspan(4, 4));
   if (front < kExtendedHead || front + behind > body.size()) {
     return {};
   }
-  return body.subspan(front, body.size() - front - behind);
+  const std::span<const std::byte> tail = body.last(behind);
+  return {body.subspan(front, body.size() - front - behind),
+          metadataIn(tail.first(heads), tail.subspan(heads))};
 }
 
-void readTransform(const igtl_header& head, std::span<const std::byte> content, IgtlNews& news) {
+void readTransform(const igtl_header& head, const Content& content, IgtlNews& news) {
   std::array<float, 12> numbers{};
   static_assert(sizeof numbers == IGTL_TRANSFORM_SIZE);
-  if (content.size() != sizeof numbers) {
+  if (content.body.size() != sizeof numbers) {
     ++news.refused;
     return;
   }
-  std::memcpy(numbers.data(), content.data(), sizeof numbers);
+  std::memcpy(numbers.data(), content.body.data(), sizeof numbers);
   igtl_transform_convert_byte_order(numbers.data());
-  addPose(numbers, nameIn(head.device_name, sizeof head.device_name), head, news);
+  addPose(poseOf(numbers), nameIn(head.device_name, sizeof head.device_name), head, content.said, news);
 }
 
-void readTracking(const igtl_header& head, std::span<const std::byte> content, IgtlNews& news) {
+/// Position in millimetres and a whole quaternion, x y z w; a message without rotation is refused.
+void readPosition(const igtl_header& head, const Content& content, IgtlNews& news) {
+  igtl_position position;
+  if (content.body.size() != sizeof position) {
+    ++news.refused;
+    return;
+  }
+  std::memcpy(&position, content.body.data(), sizeof position);
+  igtl_position_convert_byte_order(&position);
+  const auto& q = position.quaternion;
+  const double length = std::sqrt(static_cast<double>(q[0]) * q[0] + static_cast<double>(q[1]) * q[1] +
+                                  static_cast<double>(q[2]) * q[2] + static_cast<double>(q[3]) * q[3]);
+  const Vec3 place_m{position.position[0] * kMillimetre_m, position.position[1] * kMillimetre_m,
+                     position.position[2] * kMillimetre_m};
+  std::optional<Pose> pose;
+  if (std::abs(length - 1.0) < kUnitTolerance && isFinite(place_m) && norm(place_m) <= kFarthest_m) {
+    pose = Pose{place_m, Quat{q[3] / length, q[0] / length, q[1] / length, q[2] / length}};
+  }
+  addPose(pose, nameIn(head.device_name, sizeof head.device_name), head, content.said, news);
+}
+
+void readTracking(const igtl_header& head, const Content& whole, IgtlNews& news) {
   static_assert(sizeof(igtl_tdata_element) == IGTL_TDATA_ELEMENT_SIZE);
+  std::span<const std::byte> content = whole.body;
   if (content.size() % sizeof(igtl_tdata_element) != 0) {
     ++news.refused;
     return;
@@ -133,16 +233,8 @@ void readTracking(const igtl_header& head, std::span<const std::byte> content, I
     igtl_tdata_convert_byte_order(&element, 1);
     std::array<float, 12> numbers{};
     std::memcpy(numbers.data(), element.transform, sizeof numbers);
-    addPose(numbers, nameIn(element.name, sizeof element.name), head, news);
+    addPose(poseOf(numbers), nameIn(element.name, sizeof element.name), head, whole.said, news);
   }
-}
-
-/// Replaces control characters, which must not reach the screen.
-std::string plainText(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7f; },
-      ' ');
-  return text;
 }
 
 /// Code (2 bytes), sub-code (8), name (20) and message.
@@ -215,13 +307,15 @@ void IgtlReader::readBody(IgtlNews& news) const {
     ++news.refused;
     return;
   }
-  const std::span<const std::byte> content = contentOf(head, body_);
+  const Content content = contentOf(head, body_);
   if (kind == "TRANSFORM") {
     readTransform(head, content, news);
+  } else if (kind == "POSITION") {
+    readPosition(head, content, news);
   } else if (kind == "TDATA") {
     readTracking(head, content, news);
   } else {
-    readStatus(content, news);
+    readStatus(content.body, news);
   }
 }
 

@@ -18,9 +18,10 @@ inline constexpr std::uint16_t kIgtlPort = 18944;
 
 /// Pose of an instrument as sent by a tracker.
 struct TrackedPose {
-  std::string instrument{};               ///< device of a TRANSFORM, or name in a TDATA list
+  std::string instrument{};               ///< device of a TRANSFORM or POSITION, or name in a TDATA list
   Pose pose{};                            ///< instrument to tracker reference
   std::optional<std::int64_t> sent_us{};  ///< UTC by the sender's clock; empty: not sent
+  std::string lost{};  ///< why the sender says that this is no pose, "OUT_OF_VIEW"; empty: it is one
 };
 
 /// Messages read so far.
@@ -31,8 +32,10 @@ struct IgtlNews {
   std::int64_t others = 0;              ///< ignored messages of other types
 };
 
-/// Parses an OpenIGTLink stream: TRANSFORM, TDATA and STATUS with header versions 1 to 3; other messages are
-/// skipped without buffering. Lengths on the wire are in millimetres. One thread.
+/// Parses an OpenIGTLink stream: TRANSFORM, POSITION, TDATA and STATUS with header versions 1 to 3; other
+/// messages are skipped without buffering. From version 2 on, metadata tell whether a pose is one: PLUS and
+/// Slicer send TransformStatus ("OK", "OUT_OF_VIEW" ...) and TransformValid. Lengths on the wire are in
+/// millimetres. One thread.
 class IgtlReader {
  public:
   /// Parses the next bytes; messages may be split anywhere. Throws Error{kBadData} if this is not OpenIGTLink

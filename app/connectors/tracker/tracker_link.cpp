@@ -19,6 +19,7 @@
 #include "sim/core/clock.h"
 #include "sim/core/device_sample.h"
 #include "sim/core/error.h"
+#include "sim/core/foreign_recording.h"
 
 namespace torsio {
 
@@ -97,6 +98,7 @@ struct TrackerLink::State {
   std::int64_t connected_us = 0;
   std::int64_t heard_us = 0;
   std::int64_t posed_us = 0;
+  std::int64_t changed_us = 0;  // when the pose last changed
   bool askedForTracking = false;
 
   explicit State(const TrackerPlace& where) : place(where) {}
@@ -120,6 +122,7 @@ struct TrackerLink::State {
 
   void take(const IgtlNews& news, std::int64_t arrived_us);
   void takePose(const TrackedPose& pose, std::int64_t arrived_us);
+  bool isFrozen(const Pose& pose, std::int64_t arrived_us);
   void keep(const Pose& pose, const TrackerClock::Moment& moment);
   void look(std::int64_t now_us);
   void talk(QTcpSocket& socket);
@@ -142,6 +145,14 @@ void TrackerLink::State::keep(const Pose& pose, const TrackerClock::Moment& mome
   static_cast<void>(ring->push(sample));  // a full ring counts its losses
 }
 
+/// Returns whether the pose has been the same bit for bit for longer than a hand can hold it so.
+bool TrackerLink::State::isFrozen(const Pose& pose, std::int64_t arrived_us) {
+  if (changed_us == 0 || !(pose == view.pose)) {
+    changed_us = arrived_us;
+  }
+  return arrived_us - changed_us > kFrozenPose_us;
+}
+
 void TrackerLink::State::takePose(const TrackedPose& pose, std::int64_t arrived_us) {
   std::vector<std::string>& seen = view.instruments;
   if (std::find(seen.begin(), seen.end(), pose.instrument) == seen.end() && seen.size() < kMaxInstruments) {
@@ -154,12 +165,22 @@ void TrackerLink::State::takePose(const TrackedPose& pose, std::int64_t arrived_
     return;
   }
   const std::optional<TrackerClock::Moment> moment = times.take(pose.sent_us, arrived_us);
-  if (!moment) {
+  if (!moment && pose.lost.empty()) {
     ++view.counts.refused;
     return;
   }
-  view.counts.missing += moment->place - places;
-  places = moment->place + 1;
+  if (moment) {
+    view.counts.missing += moment->place - places;
+    places = moment->place + 1;
+  }
+  if (!pose.lost.empty()) {
+    ++view.counts.missing;
+    view.trouble = Text::tr("the tracker does not see the instrument: %1", pose.lost);
+    return;
+  }
+  if (isFrozen(pose.pose, arrived_us)) {
+    view.trouble = Text::tr("the pose has not changed by a bit: is the instrument out of view?");
+  }
   view.counts.late += moment->late ? 1 : 0;
   ++view.counts.received;
   view.stage = TrackerStage::kTracking;

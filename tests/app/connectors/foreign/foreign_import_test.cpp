@@ -409,7 +409,8 @@ TEST(ForeignMeasures, AreUndefinedIfTheyWouldBeMisleading) {
   std::vector<Sample> samples(100);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i].tick = static_cast<std::int64_t>(i);
-    samples[i].device = quantize({.time_us = static_cast<std::int64_t>(20'000 * i), .pose = {}}, {});
+    const Pose pose{{1e-4 * static_cast<double>(i), 0.0, 0.0}, {}};
+    samples[i].device = quantize({.time_us = static_cast<std::int64_t>(20'000 * i), .pose = pose}, {});
   }
   EXPECT_TRUE(measureForeign(header, samples));
   for (std::size_t i = 50; i < samples.size(); ++i) {
@@ -424,6 +425,27 @@ TEST(ForeignMeasures, AreUndefinedIfTheyWouldBeMisleading) {
   EXPECT_NEAR(foreignAttempt(header, samples).values.at(Quantity::kTime), 2.1, 1e-9);
   header.tickPeriod_us = 66'667;
   EXPECT_EQ(measureForeign(header, samples).reason(), "fewer than 20 samples a second were recorded");
+}
+
+/// Trackers that lose an instrument repeat its last pose.
+TEST(ForeignMeasures, ARepeatedPoseIsNoIdleHand) {
+  TrialHeader header;
+  header.sceneId = std::string(kForeignScene);
+  header.tickPeriod_us = 20'000;
+  const auto recorded = [](std::size_t repeated) {
+    std::vector<Sample> samples(1'000);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const std::size_t shown = i >= 500 && i < 500 + repeated ? 500 : i;
+      const Pose pose{{1e-6 * static_cast<double>(shown), 0.0, 0.0}, {}};  // slow: idle all the time
+      samples[i].tick = static_cast<std::int64_t>(i);
+      samples[i].device = quantize({.time_us = static_cast<std::int64_t>(20'000 * i), .pose = pose}, {});
+    }
+    return samples;
+  };
+  EXPECT_NEAR(*measureForeign(header, recorded(10))->at(Quantity::kIdleTime), 19.98, 0.01);
+  EXPECT_NEAR(*measureForeign(header, recorded(41))->at(Quantity::kIdleTime), 19.98 - 0.82, 0.05);
+  EXPECT_EQ(measureForeign(header, recorded(101)).reason(),
+            "the instrument was seen for 89 % of the time only");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <functional>
 #include <igtlImageMessage.h>
+#include <igtlPositionMessage.h>
 #include <igtlStatusMessage.h>
 #include <igtlTrackingDataMessage.h>
 #include <igtlTransformMessage.h>
@@ -55,6 +56,67 @@ bool becomes(const std::function<bool()>& done) {
 
 TrackerPlace placeOf(const FakeTracker& tracker) {
   return {.port = tracker.port()};
+}
+
+using Bytes = std::vector<std::byte>;
+
+Bytes bytesOf(igtl::MessageBase& message) {
+  message.Pack();
+  const auto* const first = static_cast<const std::byte*>(message.GetPackPointer());
+  return {first, first + message.GetPackSize()};
+}
+
+void addNumber(Bytes& bytes, std::uint64_t number, int count) {
+  for (int i = count - 1; i >= 0; --i) {
+    bytes.push_back(static_cast<std::byte>(number >> static_cast<unsigned>(8 * i)));
+  }
+}
+
+/// The same message with the header of version 2: an extended header before the content, then for each entry
+/// of the metadata the lengths of name and value with its encoding between them, then names and values.
+Bytes extended(const Bytes& plain,
+               const std::vector<std::pair<std::string, std::string>>& said = {{"TransformStatus", "OK"}}) {
+  constexpr std::uint64_t kAscii = 3;  // MIBenum
+  Bytes heads;
+  Bytes words;
+  addNumber(heads, said.size(), 2);
+  for (const auto& [name, value] : said) {
+    addNumber(heads, name.size(), 2);
+    addNumber(heads, kAscii, 2);
+    addNumber(heads, value.size(), 4);
+    for (const char c : name + value) {
+      words.push_back(static_cast<std::byte>(c));
+    }
+  }
+  Bytes body;
+  addNumber(body, 12, 2);
+  addNumber(body, heads.size(), 2);
+  addNumber(body, words.size(), 4);
+  addNumber(body, 7, 4);  // number of the message
+  body.insert(body.end(), plain.begin() + IGTL_HEADER_SIZE, plain.end());
+  body.insert(body.end(), heads.begin(), heads.end());
+  body.insert(body.end(), words.begin(), words.end());
+  igtl_header head;
+  std::memcpy(&head, plain.data(), sizeof head);
+  igtl_header_convert_byte_order(&head);
+  head.version = 2;
+  head.body_size = body.size();
+  head.crc = crc64(reinterpret_cast<unsigned char*>(body.data()), body.size(), 0);
+  igtl_header_convert_byte_order(&head);
+  Bytes message(sizeof head);
+  std::memcpy(message.data(), &head, sizeof head);
+  message.insert(message.end(), body.begin(), body.end());
+  return message;
+}
+
+/// A TRANSFORM of version 2 with metadata, as PLUS and Slicer send it.
+Bytes transformSaying(const std::string& name, const std::string& value) {
+  const auto message = igtl::TransformMessage::New();
+  igtl::Matrix4x4 matrix;
+  igtl::IdentityMatrix(matrix);
+  message->SetDeviceName(kStylus);
+  message->SetMatrix(matrix);
+  return extended(bytesOf(*message), {{"Operator", "somebody"}, {name, value}});
 }
 
 /// A tracker of 100 Hz with regular timing: the instrument moves on a circle of 20 mm, twice per second.
@@ -141,6 +203,25 @@ TEST(TrackerLink, CountsUnusablePoses) {
 
   ASSERT_TRUE(becomes([&] { return link.view().counts.refused == 3; }));
   EXPECT_EQ(link.view().counts.received, 1);
+}
+
+TEST(TrackerLink, CountsPosesThatTheTrackerSaysAreNoneAsMissing) {
+  FakeTracker tracker;
+  const TrackerLink link(placeOf(tracker));
+  ASSERT_TRUE(tracker.wait());
+  const Bytes seen = transformSaying("TransformStatus", "OK");
+  const Bytes lost = transformSaying("TransformStatus", "TOOL_OUT_OF_VIEW");
+  const auto send = [&](const Bytes& bytes) {
+    return tracker.sendBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  };
+
+  ASSERT_TRUE(send(seen) && send(lost) && send(lost));
+
+  ASSERT_TRUE(becomes([&] { return link.view().counts.missing == 2; }));
+  EXPECT_EQ(link.view().counts.received, 1);
+  EXPECT_EQ(link.view().trouble.str(), "the tracker does not see the instrument: TOOL_OUT_OF_VIEW");
+  ASSERT_TRUE(send(seen));
+  EXPECT_TRUE(becomes([&] { return link.view().trouble.empty(); }));
 }
 
 TEST(TrackerLink, WaitsForATrackerThatConnects) {
@@ -377,14 +458,6 @@ TEST(InstrumentOutlet, ReportsWhyNobodyCanConnect) {
 
 // Decoding of messages encoded by the library; the outlet's tests go the other way.
 
-using Bytes = std::vector<std::byte>;
-
-Bytes bytesOf(igtl::MessageBase& message) {
-  message.Pack();
-  const auto* const first = static_cast<const std::byte*>(message.GetPackPointer());
-  return {first, first + message.GetPackSize()};
-}
-
 /// Rotated by 90 degrees about z, and shifted.
 Bytes transform(float x_mm = 10.0F, float first = 0.0F) {
   const auto message = igtl::TransformMessage::New();
@@ -472,29 +545,38 @@ TEST(IgtlMessages, DoNotDependOnHowTheBytesAreSplit) {
   }
 }
 
-/// Header version 2: an extended header before the content, metadata after it.
-Bytes extended(const Bytes& plain) {
-  const std::string metadata = "\0\1TransformStatus OK";
-  Bytes body(12);
-  body[1] = std::byte{12};
-  body[3] = std::byte{2};
-  body[7] = static_cast<std::byte>(metadata.size());
-  body.insert(body.end(), plain.begin() + IGTL_HEADER_SIZE, plain.end());
-  body.resize(body.size() + 2);
-  for (const char c : metadata) {
-    body.push_back(static_cast<std::byte>(c));
+TEST(IgtlMessages, HearWhatASenderSaysOfAPose) {
+  struct Case {
+    const char* name;
+    const char* value;
+    const char* lost;
+  };
+  for (const Case& one : {Case{"TransformStatus", "OK", ""},
+                          {"TransformStatus", "TOOL_OUT_OF_VIEW", "TOOL_OUT_OF_VIEW"},
+                          {"TransformStatus", "OUT_OF_VOLUME", "OUT_OF_VOLUME"},
+                          {"TransformStatus", "TOOL_SWITCH1_IS_ON", ""},
+                          {"TransformValid", "true", ""},
+                          {"TransformValid", "0", "TransformValid = 0"},
+                          {"StylusToReferenceStatus", "INVALID", "INVALID"},
+                          {"ProbeToReferenceStatus", "INVALID", ""},
+                          {"Status", "in\x1b[2Jview", "in [2Jview"}}) {
+    const IgtlNews news = read(transformSaying(one.name, one.value));
+    ASSERT_EQ(news.poses.size(), 1U) << one.name;
+    EXPECT_EQ(news.poses[0].lost, one.lost) << one.name;
   }
-  igtl_header head;
-  std::memcpy(&head, plain.data(), sizeof head);
-  igtl_header_convert_byte_order(&head);
-  head.version = 2;
-  head.body_size = body.size();
-  head.crc = crc64(reinterpret_cast<unsigned char*>(body.data()), body.size(), 0);
-  igtl_header_convert_byte_order(&head);
-  Bytes message(sizeof head);
-  std::memcpy(message.data(), &head, sizeof head);
-  message.insert(message.end(), body.begin(), body.end());
-  return message;
+}
+
+TEST(IgtlMessages, DecodeAPositionWithItsRotation) {
+  const auto message = igtl::PositionMessage::New();
+  message->SetDeviceName("Stylus");
+  message->SetPosition(10.0F, 20.0F, -30.0F);
+  message->SetQuaternion(0.0F, 0.0F, 0.70710678F, 0.70710678F);
+
+  const IgtlNews news = read(bytesOf(*message));
+
+  ASSERT_EQ(news.poses.size(), 1U);
+  EXPECT_NEAR(news.poses[0].pose.position_m.z, -0.030, 1e-9);
+  EXPECT_NEAR(rotate(news.poses[0].pose.orientation, {1.0, 0.0, 0.0}).y, 1.0, 1e-6);
 }
 
 TEST(IgtlMessages, DecodeTheHeaderOfVersionTwoThatSlicerAndPlusSend) {
