@@ -19458,6 +19458,14 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>A closed loop of small bowel, 26 mm wide, on a narrow mesenteric root. It turns about the axis of its mesentery, from between its feet to between its limbs: both limbs cross and wind round each other, as in a patient; the mesentery is drawn for the eye only, and the pressure of the limbs on each other is not modelled. The limbs are 103 mm long on a mean radius of 12 mm. The lumen shuts near 214 degrees, later than the 180 of surgeons. Wall, pressure, stiffness of the wall, friction and the length of the vessels are assumed; the limits of the jaw and the time to loss are sourced (pig jejunum). Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
         <translation>一段宽 26 mm 的小肠闭袢，系膜根狭窄。肠袢绕系膜轴转动，该轴从两足之间通向两支之间：如同患者体内，两支相互交叉、缠绕；系膜仅为示意，两支之间的压力未建模。两支长 103 mm，平均半径 12 mm。肠腔在约 214 度时闭塞，晚于外科医生所说的 180 度。壁厚、压力、肠壁刚度、摩擦和血管长度为假设；钳口的限度和失活时间有文献来源（猪空肠）。血流随角度的变化仅在睾丸上测量过，在此移用。颜色不能证明存活。用于训练手法和步骤顺序；不能说明任何一位患者的情况。</translation>
     </message>
+    <message>
+        <source>the tracker does not see the instrument: %1</source>
+        <translation>跟踪器看不到器械：%1</translation>
+    </message>
+    <message>
+        <source>the pose has not changed by a bit: is the instrument out of view?</source>
+        <translation>位姿毫无变化：器械是否不在视野内？</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
