@@ -101,6 +101,8 @@ json checkJson(const SheetCheck& check) {
           {"watched_too_little", check.watchedTooLittle},
           {"watched_share", check.watchedShare},
           {"speed_not_allowed", check.speedNotAllowed},
+          {"soon_after_call_s",
+           check.soonAfterCall_us ? json(*check.soonAfterCall_us / kSecond_us) : json(nullptr)},
           {"all_the_same", check.allTheSame},
           {"far_apart", check.farApart},
           {"overall_outside", check.overallOutside}};

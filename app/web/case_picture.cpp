@@ -349,6 +349,7 @@ CasePicture casePicture(BlindedRecording recording, const std::filesystem::path&
   } catch (const Error&) {
     picture.organ.clear();  // a user's own organ is not here: only traces are shown
   }
+  picture.length_us = playback->duration_us();
   BinaryContainer container;
   columns.writeTo(container);
   container.meta()["task"] = taskJson(recording.task);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <list>
@@ -23,8 +24,9 @@ struct CasePicture {
   std::string recording{};  ///< traces and instrument, 60 frames per second
   std::string organ{};      ///< movement of the organ; empty: the organ is not on this machine
   std::shared_ptr<const std::string>
-      body{};                ///< the body that `organ` refers to (organ_shelf.h); keeps it on the shelf
-  float farthest_mm = 0.0F;  ///< largest deviation of a vertex in the shapes kept
+      body{};                  ///< the body that `organ` refers to (organ_shelf.h); keeps it on the shelf
+  std::int64_t length_us = 0;  ///< of the recording
+  float farthest_mm = 0.0F;    ///< largest deviation of a vertex in the shapes kept
 };
 
 /// Maximum deviation of a drawn vertex from the window's display, mm.

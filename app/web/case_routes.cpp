@@ -29,7 +29,7 @@ using nlohmann::json;
 
 SheetCheck checkOf(SessionContext& context, const OpenedSheet& opened, const Sheet& sheet,
                    const WatchLog& watched) {
-  return checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(context));
+  return checkSheet(opened, sheet, watched, viewingRules(context), context.now_us());
 }
 
 json taskOf(SessionContext& context, const OpenedSheet& opened) {
@@ -51,7 +51,7 @@ HttpResponse answerCase(Call& call) {
   const AssignmentId id = caseOf(call);
   const OpenedSheet opened = openSheet(call.context, id);
   const ViewingRules rules = viewingRules(call.context);
-  call.session->played = id;
+  call.session->played = id.text();
   call.session->reported = call.now;
   return jsonAnswer({{"label", opened.shown.label},
                      {"live", opened.shown.live},
@@ -91,15 +91,19 @@ HttpResponse answerSave(Call& call) {
   }
 }
 
+/// Returns the time since the last report of the same recording, by the server's clock, and starts anew.
+std::int64_t passedSinceReport_us(Call& call, const std::string& recording) {
+  const bool same = call.session->played == recording;
+  const auto passed = same ? call.now - call.session->reported : SteadyTime::duration::zero();
+  call.session->played = recording;
+  call.session->reported = call.now;
+  return std::chrono::duration_cast<std::chrono::microseconds>(passed).count();
+}
+
 HttpResponse answerViewing(Call& call) {
   const AssignmentId id = caseOf(call);
-  const bool same = call.session->played == id;
-  const auto passed = same ? call.now - call.session->reported : SteadyTime::duration::zero();
-  call.session->played = id;
-  call.session->reported = call.now;
-  const OpenedSheet opened =
-      reportViewing(call.context, id, playedOf(call.body),
-                    std::chrono::duration_cast<std::chrono::microseconds>(passed).count());
+  const std::int64_t passed_us = passedSinceReport_us(call, id.text());
+  const OpenedSheet opened = reportViewing(call.context, id, playedOf(call.body), passed_us);
   return jsonAnswer({{"watched", watchedJson(opened.watched)},
                      {"share", opened.watched.share()},
                      {"worked_us", opened.watched.worked_us()},
@@ -192,14 +196,27 @@ constexpr std::int64_t kMaxSteps = 1'000'000;
 
 const char* const kCampaign = "campaign ";
 
-json modelJson(const EvaluationFormModel& model) {
-  return {{"label", model.hiddenLabel},
-          {"sheet", sheetJson(evaluationSheet(model))},
-          {"submitted", model.submitted},
-          {"recorded", model.recorded}};
+std::string keyOf(const CampaignId& campaignId, const std::string& label) {
+  return kCampaign + campaignId.text() + " " + label;
+}
+
+/// What this session watched of a model; empty if nothing.
+WatchLog watchedOf(const Call& call, const CampaignId& campaignId, const std::string& label) {
+  const auto found = call.session->modelsWatched.find(keyOf(campaignId, label));
+  return found == call.session->modelsWatched.end() ? WatchLog() : found->second;
+}
+
+json modelJson(const Call& call, const EvaluationForm& form, const EvaluationFormModel& model,
+               const ViewingRules& rules) {
+  const WatchLog watched = watchedOf(call, form.campaignId, model.hiddenLabel);
+  return {
+      {"label", model.hiddenLabel},      {"sheet", sheetJson(evaluationSheet(model))},
+      {"watched", watchedJson(watched)}, {"check", checkJson(checkEvaluation(form, model, watched, rules))},
+      {"submitted", model.submitted},    {"recorded", model.recorded}};
 }
 
 json formsJson(Call& call) {
+  const ViewingRules rules = evaluationRules(call.context);
   json forms = json::array();
   for (const EvaluationForm& form : evaluationForms(call.context)) {
     json rubric = rubricJson(evaluationRubric(form), call.wording);
@@ -208,14 +225,16 @@ json formsJson(Call& call) {
       const std::optional<IndexMeaning> meaning = indexMeaning(form.indexIds[i]);
       rubric["rows"][i]["description"] = meaning ? said(call, meaning->definition) : "";
     }
-    json models = jsonList(form.models, [&](const EvaluationFormModel& model) { return modelJson(model); });
+    json models = jsonList(
+        form.models, [&](const EvaluationFormModel& model) { return modelJson(call, form, model, rules); });
     forms.push_back({{"form", call.session->handleFor(kCampaign + form.campaignId.text())},
                      {"title", form.title},
                      {"complete", form.complete()},
                      {"rubric", std::move(rubric)},
                      {"models", std::move(models)}});
   }
-  return {{"forms", std::move(forms)}};
+  return {{"forms", std::move(forms)},
+          {"rules", {{"minimum_watched", rules.minimumWatched}, {"speeds", rules.speeds}}}};
 }
 
 /// Returns the model of an address, among those assigned to the actor.
@@ -236,29 +255,55 @@ HttpResponse answerForms(Call& call) {
   return jsonAnswer(formsJson(call));
 }
 
+json checkOfModel(Call& call, const CampaignId& campaignId, const std::string& label) {
+  for (const EvaluationForm& form : evaluationForms(call.context)) {
+    for (const EvaluationFormModel& model : form.models) {
+      if (form.campaignId == campaignId && model.hiddenLabel == label) {
+        return checkJson(
+            checkEvaluation(form, model, watchedOf(call, campaignId, label), evaluationRules(call.context)));
+      }
+    }
+  }
+  return nullptr;
+}
+
 HttpResponse answerScore(Call& call) {
   const auto [campaignId, label] = modelOf(call);
   const auto index = static_cast<std::size_t>(call.body.whole("index", 1, kMaxIndices));
   saveEvaluationScore(call.context, campaignId, label, index - 1,
                       call.body.wholeOrNone("score_steps", -kMaxSteps, kMaxSteps));
-  return jsonAnswer({{"revision", 0}});
+  return jsonAnswer({{"revision", 0}, {"check", checkOfModel(call, campaignId, label)}});
 }
 
 HttpResponse answerSubmitModel(Call& call) {
   const auto [campaignId, label] = modelOf(call);
   return sealing(call, SignatureMeaning::kScored, [&, &campaign = campaignId, &model = label] {
-    submitEvaluation(call.context, campaign, model);
+    submitEvaluation(call.context, campaign, model, watchedOf(call, campaign, model));
     return jsonAnswer(formsJson(call));
   });
 }
 
 std::shared_ptr<const CasePicture> modelPicture(Call& call) {
   const auto [campaignId, label] = modelOf(call);
-  return call.desk.pictures().of(kCampaign + campaignId.text() + " " + label,
-                                 [&, &campaign = campaignId, &model = label] {
-                                   return casePicture(loadEvaluationRecording(call.context, campaign, model),
-                                                      assetsFolder(), call.desk.shelf());
-                                 });
+  return call.desk.pictures().of(keyOf(campaignId, label), [&, &campaign = campaignId, &model = label] {
+    return casePicture(loadEvaluationRecording(call.context, campaign, model), assetsFolder(),
+                       call.desk.shelf());
+  });
+}
+
+HttpResponse answerModelViewing(Call& call) {
+  const auto [campaignId, label] = modelOf(call);
+  const std::string key = keyOf(campaignId, label);
+  const std::int64_t passed_us = passedSinceReport_us(call, key);
+  WatchLog& log =
+      call.session->modelsWatched.try_emplace(key, WatchLog(modelPicture(call)->length_us)).first->second;
+  log = creditedLog(std::move(log),
+                    playable(playedOf(call.body), evaluationRules(call.context), Text::tr("model %1", label)),
+                    passed_us);
+  return jsonAnswer({{"watched", watchedJson(log)},
+                     {"share", log.share()},
+                     {"worked_us", log.worked_us()},
+                     {"check", checkOfModel(call, campaignId, label)}});
 }
 
 }  // namespace
@@ -267,6 +312,7 @@ std::vector<Route> evaluationRoutes() {
   constexpr auto kIn = RouteAccess::kSignedIn;
   return withPicture({{"GET", "/api/evaluation", kIn, answerForms},
                       {"PUT", "/api/evaluation/*/*", kIn, answerScore},
+                      {"POST", "/api/evaluation/*/*/viewing", kIn, answerModelViewing},
                       sealingRoute("/api/evaluation/*/*/submit", answerSubmitModel)},
                      "/api/evaluation/*/*", modelPicture);
 }

@@ -80,6 +80,7 @@ HttpResponse answerSeverity(Call& call) {
                      {"own_mean_points", orNull(severity.ownMean_points)},
                      {"panel_mean_points", orNull(severity.panelMean_points)},
                      {"waiting", severity.waiting},
+                     {"sealed", severity.sealed},
                      {"lowest_points", severity.lowest_points},
                      {"used", severity.used}});
 }
@@ -106,7 +107,7 @@ json discrepancyJson(const Call& call, const DiscrepancyCase& one) {
 HttpResponse answerDiscrepancies(Call& call) {
   json cases = jsonList(discrepancyCases(call.context),
                         [&](const DiscrepancyCase& one) { return discrepancyJson(call, one); });
-  return jsonAnswer({{"cases", std::move(cases)}});
+  return jsonAnswer({{"cases", std::move(cases)}, {"sealed", casesSealedForNow(call.context)}});
 }
 
 HttpResponse answerKeep(Call& call) {

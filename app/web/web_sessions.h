@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/services/access/session_context.h"
+#include "app/services/review/watch_log.h"
 #include "assessment/domain/ids.h"
 
 namespace torsio::web {
@@ -45,8 +46,10 @@ struct WebSession {
   [[nodiscard]] std::string handleOf(const AssignmentId& assignmentId);
   [[nodiscard]] std::optional<AssignmentId> caseOf(const std::string& handle) const;
 
-  /// The recording being played: a rater cannot watch two at once.
-  AssignmentId played{};
+  /// The recording being played (a case, or a model of an evaluation): a rater cannot watch two at once.
+  std::string played{};
+  /// What was watched of the models of evaluations, by campaign and label.
+  std::map<std::string, WatchLog> modelsWatched{};
   SteadyTime reported{};  ///< time of its last report
 
  private:

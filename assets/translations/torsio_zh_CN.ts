@@ -19466,6 +19466,26 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>the pose has not changed by a bit: is the instrument out of view?</source>
         <translation>位姿毫无变化：器械是否不在视野内？</translation>
     </message>
+    <message>
+        <source>Raters see the panel&apos;s marks only after all their own sheets of the occasion</source>
+        <translation>评分者交齐自己在该时点的全部评分表后，才能看到其他评分者的评分</translation>
+    </message>
+    <message>
+        <source>the panel&apos;s marks wait until you have submitted all your own sheets of this occasion</source>
+        <translation>您交齐该时点的全部评分表后，才会显示其他评分者的评分</translation>
+    </message>
+    <message>
+        <source>Finish your queue first</source>
+        <translation>请先完成您的队列</translation>
+    </message>
+    <message>
+        <source>Cases whose panel waits until you have submitted all your own sheets of the occasion: %1.</source>
+        <translation>交齐您在该时点的全部评分表后才显示其他评分的案例：%1。</translation>
+    </message>
+    <message>
+        <source>The trainee was called only %1 s ago. Is that intended?</source>
+        <translation>学员 %1 秒前才被呼叫。确定这样评分吗？</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -20467,6 +20487,10 @@ C：夹子。V：排气。1、2、3：观察、触摸搏动、多普勒。
         <source>Show all (%1, late: %2)</source>
         <translation>全部显示（%1，逾期 %2）</translation>
     </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CampaignDialog</name>
@@ -21052,6 +21076,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source> points</source>
         <translation> 分</translation>
+    </message>
+    <message>
+        <source>Raters see the panel&apos;s marks only after all their own sheets of the occasion</source>
+        <translation>评分者交齐自己在该时点的全部评分表后，才能看到其他评分者的评分</translation>
     </message>
 </context>
 <context>
@@ -23446,6 +23474,18 @@ Leave it empty to remove it.</source>
         <source>Nine indices for each model, after each run. The letters hide the models; the order is drawn for you alone.</source>
         <translation>每次操作后为每个模型评九项指标。字母对应的模型不公开，顺序因人而异。</translation>
     </message>
+    <message>
+        <source>Watched %1 % so far; at least %2 % is asked.</source>
+        <translation>已观看 %1 %，至少需要 %2 %。</translation>
+    </message>
+    <message>
+        <source>It was played at a speed that is not allowed.</source>
+        <translation>播放速度超出允许范围。</translation>
+    </message>
+    <message>
+        <source>All nine have the same mark. Is that intended? Press again to seal them.</source>
+        <translation>九项评分全部相同，确定吗？再按一次即封存。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::ExerciseEditor</name>
@@ -24993,6 +25033,10 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>The overall mark is outside the rows&apos; range. Press again to seal the sheet.</source>
         <translation>总分超出各行分数的范围。再按一次即封存评分表。</translation>
+    </message>
+    <message>
+        <source>The trainee was called only %1 s ago. Press again to seal the sheet.</source>
+        <translation>学员 %1 秒前才被呼叫。再按一次即封存评分表。</translation>
     </message>
 </context>
 <context>
@@ -30069,6 +30113,10 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>No case is complete yet.</source>
         <translation>尚无完成的案例。</translation>
+    </message>
+    <message>
+        <source>Cases whose panel waits until you have submitted all your own sheets of the occasion: %1.</source>
+        <translation>交齐您在该时点的全部评分表后才显示其他评分的案例：%1。</translation>
     </message>
 </context>
 <context>

@@ -229,6 +229,13 @@ export class CasePage {
   }
 
   // Interface for SubmitBar. Throws Refusal, NoConnection.
+  /// Brings `check` up to date before the rater is asked.
+  async freshCheck() {
+    await this.reporter.report();
+    if (!this.opened.live) return;
+    await this.keeper.settled();
+    this.check = (await api.get(this.path)).check; // how long ago the trainee was called
+  }
   async sendSubmit(password) {
     await this.reporter.report();
     await this.keeper.settled();

@@ -29,10 +29,13 @@ export class DiscrepancyPage {
     this.load().catch(() => {}); // keeps what was typed
   }
 
-  #draw({ cases }) {
+  #draw({ cases, sealed }) {
     this.element.replaceChildren(h('h1', {}, t('Discrepancy review')),
       h('p', { class: 'quiet' }, t("Only cases that everyone has submitted, and only where your mark differs from the others'. Nobody is named.")),
-      ...(cases.length > 0 ? cases.map((one) => this.#case(one)) : [h('p', {}, t('No disagreements are waiting for you.'))]));
+      ...(cases.length > 0 ? cases.map((one) => this.#case(one)) : [h('p', {}, t('No disagreements are waiting for you.'))]),
+      sealed > 0
+        ? h('p', { class: 'quiet' }, t('Cases whose panel waits until you have submitted all your own sheets of the occasion: %1.', figure(sealed)))
+        : '');
   }
   #decision(one) {
     const words = { keep: t('kept'), move: t('moved'), third: t('adjudicator requested') };

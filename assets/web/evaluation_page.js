@@ -5,7 +5,7 @@ import { api, NoConnection, Refusal } from './api.js';
 import { playedKeys } from './case_keys.js';
 import { button, h, say, show } from './dom.js';
 import { DraftKeeper } from './draft_keeper.js';
-import { joinedSentences } from './numbers.js';
+import { figure, joinedSentences } from './numbers.js';
 import { Player } from './player.js';
 import { problemText } from './problem.js';
 import { SaveStatus } from './save_status.js';
@@ -13,8 +13,11 @@ import { SheetEditor } from './sheet_editor.js';
 import { SheetView } from './sheet_view.js';
 import { shownPassword, signed } from './signing.js';
 import { t } from './texts.js';
+import { ViewingReporter } from './viewing_reporter.js';
 
-const kSpeeds = [0.5, 1, 2];
+function percent(share) {
+  return t('%1 %', figure(Math.floor(100 * share + 0.1)));
+}
 
 export class EvaluationPage {
   element = h('div', { class: 'case-page' });
@@ -36,8 +39,9 @@ export class EvaluationPage {
     this.form = this.forms.find((one) => !one.complete) ?? this.forms.at(-1);
     this.#openFirst();
   }
-  #take({ forms }) {
+  #take({ forms, rules }) {
     this.forms = forms;
+    this.rules = rules;
     this.form = forms.find((one) => one.form === this.form?.form) ?? null;
   }
   #openFirst() {
@@ -48,6 +52,7 @@ export class EvaluationPage {
   async #open(model) {
     await this.keeper?.settled();
     this.player?.pause();
+    this.reporter?.close();
     this.model = model;
     this.#asking = false;
     this.status = new SaveStatus();
@@ -61,8 +66,13 @@ export class EvaluationPage {
     this.editor = new SheetEditor(this.form.rubric, model.sheet);
     this.keeper = new DraftKeeper({
       put: (sheet) => this.#put(sheet),
-      onSaved: () => {},
+      onSaved: ({ check }) => this.#checked(check),
       onChange: (keeper) => this.status.show(keeper),
+    });
+    this.check = model.check;
+    this.reporter = new ViewingReporter({
+      post: (body, options) => api.post(`${this.path}/viewing`, body, options),
+      onAnswer: (answer, unreported) => this.#viewed(answer, unreported),
     });
     this.view = new SheetView(this.form.rubric, null, { edited: () => this.#edited(), out: () => this.submit.focus() });
     this.view.setEditor(this.editor);
@@ -85,7 +95,10 @@ export class EvaluationPage {
       button(one.submitted ? t('%1. Model %2, submitted', i + 1, one.label) : t('%1. Model %2', i + 1, one.label),
         () => this.#open(one), { 'aria-pressed': String(one === model) })));
     this.player = model.recorded
-      ? new Player(this.path, { rules: { speeds: kSpeeds } }, { played: () => this.frame.active(), paused: () => {} })
+      ? new Player(this.path, { rules: this.rules, watched: model.watched }, {
+        played: (stretch) => this.#played(stretch),
+        paused: () => this.reporter.report(),
+      })
       : null;
     const left = this.player?.element ?? h('p', { class: 'sentence' },
       t('There is no recording of this model here: score what you experienced at the station.'));
@@ -115,13 +128,29 @@ export class EvaluationPage {
   /// Saves the changed marks one by one.
   async #put(sheet) {
     const { path, stored, model } = this;
+    let check = null;
     for (const { code, score_steps } of sheet.rows) {
       if (stored.get(code) === score_steps) continue;
-      await api.put(path, { index: Number(code), score_steps });
+      ({ check } = await api.put(path, { index: Number(code), score_steps }));
       stored.set(code, score_steps);
     }
     model.sheet = sheet;
-    return { revision: 0, check: null };
+    return { revision: 0, check };
+  }
+  #played(stretch) {
+    this.frame.active();
+    if (this.model.submitted) return;
+    this.reporter.played(stretch);
+    this.player.setWatched(this.model.watched, this.reporter.unreported);
+  }
+  #viewed({ watched, check }, unreported) {
+    this.model.watched = watched;
+    this.player.setWatched(watched, unreported);
+    this.#checked(check);
+  }
+  #checked(check) {
+    if (check) this.check = check;
+    this.#refresh();
   }
   #edited() {
     this.#asking = false;
@@ -134,7 +163,11 @@ export class EvaluationPage {
     const words = submitted
       ? this.form.complete ? t('All models are submitted. Thank you.') : t('submitted and sealed')
       : open.length > 0 ? t('Still open: %1.', open.map((code) => this.view.nameOf(code)).join(t(', ')))
-      : this.#asking ? t('All are scored. Press again to seal them; sealed marks stay as they are.') : '';
+      : this.check.watched_too_little ? t('Watched %1 so far; at least %2 is asked.', percent(this.check.watched_share), percent(this.rules.minimum_watched))
+      : this.check.speed_not_allowed ? t('It was played at a speed that is not allowed.')
+      : this.#asking ? joinedSentences([
+        this.check.all_the_same ? t('All rows have the same mark. Is that intended?') : '',
+        t('All are scored. Press again to seal them; sealed marks stay as they are.')]) : '';
     say(this.text, words);
     this.submit.disabled = this.#busy;
   }
@@ -149,7 +182,10 @@ export class EvaluationPage {
       return;
     }
     if (!this.#asking) {
-      this.#asking = true;
+      await this.reporter.report();
+      await this.keeper.settled();
+      this.#asking = !this.check.watched_too_little && !this.check.speed_not_allowed;
+      if (!this.#asking) this.player?.play.focus();
       this.#refresh();
       return;
     }
@@ -177,10 +213,12 @@ export class EvaluationPage {
 
   async settle() {
     this.player?.pause();
+    await this.reporter?.report();
     await this.keeper?.settled();
   }
   left() {
     this.player?.pause();
+    this.reporter?.close();
   }
   resume() {
     if (this.keeper) this.keeper.resume();

@@ -102,7 +102,7 @@ export class SubmitBar {
     this.page.pause();
     this.refresh();
     if (!this.#ready()) this.#lead();
-    this.#heard = this.page.reporter.report().then(() => this.refresh(), () => {});
+    this.#heard = this.page.freshCheck().then(() => this.refresh(), () => {});
   }
   /// Goes to what is missing.
   #lead() {
@@ -125,6 +125,7 @@ export class SubmitBar {
       parts.push(check.watched_too_little ? t('Watched %1 so far; at least %2 is asked.', share, least) : t('Watched %1.', share));
     }
     if (check.speed_not_allowed) parts.push(t('It was played at a speed that is not allowed.'));
+    if (check.soon_after_call_s !== null && this.#asking) parts.push(t('The trainee was called only %1 s ago. Is that intended?', figure(check.soon_after_call_s)));
     if (check.all_the_same) parts.push(t('All rows have the same mark. Is that intended?'));
     if (check.far_apart) parts.push(t('The rows lie far apart. Is that intended?'));
     if (check.overall_outside) parts.push(t("The overall mark is outside the rows' range. Is that intended?"));

@@ -82,7 +82,7 @@ class Case:
             unanswered.append("")
         little = not self.live and self.share() < 0.8
         return {"may_submit": not unanswered and not little, "unanswered": unanswered, "watched_too_little": little,
-                "watched_share": self.share(), "speed_not_allowed": False}
+                "watched_share": self.share(), "speed_not_allowed": False, "soon_after_call_s": None}
 
     def play(self, played):
         now = time.monotonic()

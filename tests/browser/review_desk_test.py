@@ -552,6 +552,38 @@ def test_small_and_large(browser, url, desk):
     browser.resize(1280, 800)
 
 
+def out_of_sight(browser, *wanted):
+    """Returns those that are not wholly in the window."""
+    return browser.run("return arguments[0].filter((css) => { const at = document.querySelector(css).getBoundingClientRect();"
+                       "return at.top < 0 || at.bottom > innerHeight; })", list(wanted))
+
+
+def test_everything_fits_a_low_window(browser, url, desk):
+    """As in a browser on a laptop of 1366 by 768: 625 pixels are left."""
+    open_case(browser, url)
+    desk.call("c4")
+    browser.there(".traces")
+    bars = 0 if type(browser) is Browser else browser.run("return outerHeight - innerHeight")
+    for width, height in ((1366, 625), (1024, 600)):
+        browser.resize(width, height + bars)
+        browser.until("all is in sight", lambda: not out_of_sight(browser, ".play", ".traces", ".last-rows .row", ".submit"))
+    browser.run("location.hash = '#live'")
+    browser.says(".live-sheet", "Case 4B")
+    browser.until("all is in sight", lambda: not out_of_sight(browser, ".last-rows .row", ".submit"))
+    browser.resize(3840, 2160)
+    browser.run("location.hash = '#case/c1'")
+    browser.there(".transport")
+    gap = browser.run("const rows = document.querySelector('.rows').lastElementChild.getBoundingClientRect();"
+                      "return document.querySelector('.last-rows').getBoundingClientRect().top - rows.bottom")
+    check(f"no void before the overall mark: {gap}", gap < 60)
+    browser.resize(320, 640)  # 450 pixels wide in Firefox
+    browser.run("location.hash = '#'")
+    browser.there(".cases")
+    tall = browser.run("return document.querySelector('.top').getBoundingClientRect().height")
+    check(f"the header leaves room for the page: {tall}", tall < 110)
+    browser.resize(1280, 800)
+
+
 def main():
     kind = Firefox if "--firefox" in sys.argv else Browser
     names = [name for name in sys.argv[1:] if name != "--firefox"]

@@ -325,7 +325,7 @@ void CasePage::askSubmit() {
 
 void CasePage::submit() {
   const SheetCheck check =
-      checkSheet(opened_.rubric, sheet_->editor()->sheet(), opened_.shown.live, watched_, rules_);
+      checkSheet(opened_, sheet_->editor()->sheet(), watched_, rules_, shell().session().now_us());
   if (!check.mayBeSubmitted()) {
     if (!check.unanswered.empty()) {
       sheet_->setCurrentRow(check.unanswered.front());

@@ -194,7 +194,7 @@ void CasePage::showAll() {
 
 void CasePage::showCheck() {
   const SheetCheck check =
-      checkSheet(opened_.rubric, sheet_->editor()->sheet(), opened_.shown.live, watched_, rules_);
+      checkSheet(opened_, sheet_->editor()->sheet(), watched_, rules_, shell().session().now_us());
   stripText_->setText(checkText(check));
   setLook(stripText_, "caution", !check.mayBeSubmitted());
   stripGo_->setText(tr("Submit and seal (Ctrl+Enter)"));

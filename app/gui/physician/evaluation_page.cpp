@@ -2,6 +2,7 @@
 #include "app/gui/physician/evaluation_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 
@@ -66,6 +67,11 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   connect(sheet_, &SheetEditorPanel::heldBack, this,
           [this] { this->shell().notify(tr("This is the next model. Change its sheet first")); });
   connect(submit_, &QPushButton::clicked, this, &EvaluationPage::submit);
+  connect(replay_, &ReplayPanel::played, this, [this](qint64 from, qint64 to, double speed) {
+    watched().played(from, to, speed);
+    sheet_->touched();
+    showWatched();
+  });
   connect(campaigns_, &QComboBox::activated, this, [this](int at) {
     campaign_ = static_cast<std::size_t>(at);
     openFirst();
@@ -76,6 +82,14 @@ EvaluationPage::~EvaluationPage() = default;
 
 const EvaluationForm* EvaluationPage::form() const {
   return campaign_ < forms_.size() ? &forms_[campaign_] : nullptr;
+}
+
+WatchLog& EvaluationPage::watched() {
+  return watched_[{form()->campaignId, model()->hiddenLabel}];
+}
+
+void EvaluationPage::showWatched() {
+  replay_->setWatched(watched().spans());
 }
 
 const EvaluationFormModel* EvaluationPage::model() const {
@@ -145,9 +159,15 @@ void EvaluationPage::openRecording() {
         return loadForShowing(loadEvaluationRecording(own, id, label), assets);
       },
       [this, ticket](std::shared_ptr<LoadedRecording> loaded) {
-        if (ticket == loads_) {
-          replay_->show(std::move(loaded));
+        if (ticket != loads_) {
+          return;
         }
+        if (watched().length_us() == 0) {
+          watched() = WatchLog(loaded->playback.duration_us());
+        }
+        replay_->setSpeeds(evaluationRules(this->shell().session()).speeds);
+        replay_->show(std::move(loaded));
+        showWatched();
       });
 }
 
@@ -195,17 +215,33 @@ void EvaluationPage::submit() {
     sheet_->takeFocus();
     return;
   }
+  const ViewingRules rules = evaluationRules(shell().session());
+  const SheetCheck check = checkEvaluation(*form(), *one, watched(), rules);
+  if (!check.mayBeSubmitted()) {
+    said_.say(
+        [check, least = rules.minimumWatched] {
+          return check.watchedTooLittle ? tr("Watched %1 % so far; at least %2 % is asked.")
+                                              .arg(std::floor(check.watchedShare * 100.0))
+                                              .arg(std::round(least * 100.0))
+                                        : tr("It was played at a speed that is not allowed.");
+        },
+        true);
+    return;
+  }
   if (!sheet_->asking()) {
     sheet_->setAsking(true);
-    said_.say(
-        [] { return tr("All nine are scored. Press again to seal them; sealed marks stay as they are."); });
+    said_.say([check] {
+      return check.allTheSame
+                 ? tr("All nine have the same mark. Is that intended? Press again to seal them.")
+                 : tr("All nine are scored. Press again to seal them; sealed marks stay as they are.");
+    });
     return;
   }
   if (!readyToSign(this, shell(), SignatureMeaning::kScored)) {
     return;
   }
   attempt(shell(), [&] {
-    submitEvaluation(shell().session(), form()->campaignId, one->hiddenLabel);
+    submitEvaluation(shell().session(), form()->campaignId, one->hiddenLabel, watched());
     shell().notify(tr("Model %1 is submitted and sealed").arg(toQString(one->hiddenLabel)));
     read();
     openFirst();

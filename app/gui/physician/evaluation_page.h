@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/gui/base/page.h"
@@ -51,6 +54,9 @@ class EvaluationPage : public Page {
   void showModels();
   void showAll();
   void showDefinition();
+  /// What was watched of the open model.
+  [[nodiscard]] WatchLog& watched();
+  void showWatched();
 
   PageHeading* heading_;
   QComboBox* campaigns_;
@@ -65,6 +71,7 @@ class EvaluationPage : public Page {
   std::vector<EvaluationForm> forms_;
   std::size_t campaign_ = 0;
   std::size_t model_ = 0;
+  std::map<std::pair<CampaignId, std::string>, WatchLog> watched_;  // by campaign and hidden label
 };
 
 }  // namespace torsio::gui

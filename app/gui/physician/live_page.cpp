@@ -27,6 +27,7 @@
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
 #include "assessment/domain/ids.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::gui {
 
@@ -205,6 +206,10 @@ void LivePage::followCall() {
   called_.label()->show();
 }
 
+bool LivePage::callsGoOn() const {
+  return torsio::callsGoOn(lines_, shell().session().now_us());
+}
+
 QString LivePage::stateText(const QueueLine& line) const {
   if (line.state == SheetState::kSubmitted) {
     return tr("submitted");
@@ -336,7 +341,8 @@ void LivePage::submit() {
   if (sheet_->editor() == nullptr || opened_.state == SheetState::kSubmitted) {
     return;
   }
-  const SheetCheck check = checkSheet(opened_.rubric, sheet_->editor()->sheet(), true, opened_.watched, {});
+  const SheetCheck check =
+      checkSheet(opened_, sheet_->editor()->sheet(), opened_.watched, {}, shell().session().now_us());
   if (!check.mayBeSubmitted()) {
     said_.say([left = check.unanswered.size()] { return tr("Still open: %1").arg(left); }, true);
     sheet_->setCurrentRow(check.unanswered.front());
@@ -348,6 +354,9 @@ void LivePage::submit() {
     said_.say([check] {
       return check.allTheSame ? tr("All rows have the same mark. Press again to seal the sheet.")
              : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
+             : check.soonAfterCall_us
+                 ? tr("The trainee was called only %1 s ago. Press again to seal the sheet.")
+                       .arg(*check.soonAfterCall_us / kSecond_us)
              : check.overallOutside
                  ? tr("The overall mark is outside the rows' range. Press again to seal the sheet.")
                  : tr("Everything is scored. Press again to seal the sheet.");

@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include "app/gui/base/awaits_calls.h"
 #include "app/gui/base/page.h"
 #include "app/gui/physician/sheet_editor_panel.h"
 #include "app/services/review/case_sheet.h"
@@ -28,7 +29,7 @@ class SheetEditorPanel;
 
 /// The sheet for the real arm, which opens automatically when an administrator calls a case; with timer and
 /// targets for fingers. A started sheet is never replaced: the next call waits beside it.
-class LivePage : public Page {
+class LivePage : public Page, public AwaitsCalls {
   Q_OBJECT
 
  public:
@@ -40,6 +41,7 @@ class LivePage : public Page {
   [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
+  [[nodiscard]] bool callsGoOn() const override;
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

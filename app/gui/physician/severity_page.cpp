@@ -159,6 +159,9 @@ void SeverityPage::showSeverity() {
   thanks_->setText(
       severity_.waiting > 0
           ? tr("Your cases that wait for the others: %1. Thank you for your time.").arg(severity_.waiting)
+      : severity_.sealed > 0
+          ? tr("Cases whose panel waits until you have submitted all your own sheets of the occasion: %1.")
+                .arg(severity_.sealed)
           : tr("Thank you for your time. Reports never correct your marks silently."));
   std::vector<Row> rows;
   for (const SeverityCase& one : severity_.cases) {

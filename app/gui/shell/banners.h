@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QTimer>
 
+#include "app/services/access/boot_clock.h"
 #include "app/services/access/idle_guard.h"
 
 namespace torsio {
@@ -27,7 +28,8 @@ class IdleWarning : public QLabel {
   IdleWarning(const Clock* clock, const IdleLimits& limits, QWidget* parent = nullptr);
 
   void setLimits(const IdleLimits& limits) { guard_.setLimits(limits); }
-  /// Call about once a second. `watched`: a desk is shown; `busy`: a run is in progress on it.
+  /// Call about once a second. `watched`: a desk is shown; `busy`: a run is in progress on it, or
+  /// it waits for calls.
   void watch(bool watched, bool busy, End end);
 
  Q_SIGNALS:
@@ -38,7 +40,7 @@ class IdleWarning : public QLabel {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  MonotonicClock machineClock_;
+  BootClock machineClock_;
   IdleGuard guard_;
 };
 

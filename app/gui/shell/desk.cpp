@@ -18,6 +18,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/awaits_calls.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/page.h"
 #include "app/gui/base/translated_text.h"
@@ -307,6 +308,11 @@ void Desk::databaseAnswered() {
 
 bool Desk::busy() const {
   return current_ != nullptr && current_->busy();
+}
+
+bool Desk::staysOpen() const {
+  const auto* const waiting = dynamic_cast<const AwaitsCalls*>(current_);
+  return busy() || (waiting != nullptr && waiting->callsGoOn());
 }
 
 bool Desk::mayLeave() {

@@ -67,6 +67,9 @@ class Desk : public QWidget {
   void openHome(const QString& lastPage = {});
   /// True during a scored run: no lock, no sign-out, no closing.
   [[nodiscard]] bool busy() const;
+  /// Returns whether an idle desk is not locked: during a scored run, and on a page that waits for calls
+  /// while they are going on.
+  [[nodiscard]] bool staysOpen() const;
   /// Returns whether the desk may be left now; tells the user why not.
   [[nodiscard]] bool mayLeave();
 

@@ -210,7 +210,7 @@ void MainWindow::toggleFullScreen() {
 
 void MainWindow::watchIdleness() {
   const bool watched = desk_ != nullptr && stack_->currentWidget() == desk_;
-  idle_->watch(watched, watched && desk_->busy(),
+  idle_->watch(watched, watched && desk_->staysOpen(),
                watched && endsWhenLeft() ? IdleWarning::End::kSignOut : IdleWarning::End::kLock);
 }
 

@@ -12,6 +12,7 @@
 #include "app/services/access/audit_service.h"
 #include "app/services/base/build_info.h"
 #include "app/services/base/csv_table.h"
+#include "app/services/review/panel_opening.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
@@ -121,11 +122,12 @@ std::string endOf(const TrialListing& trial) {
 }
 
 /// Returns whether a version was made when its rater could know the other raters' marks.
-bool afterPanel(const SheetRepository& sheets, const SubmittedMark& mark) {
+bool afterPanel(Connection& connection, const SubmittedMark& mark) {
   if (mark.version < 2) {
     return false;
   }
-  const std::optional<std::int64_t> opened_us = sheets.panelOpenedUtc_us(mark.enrolmentId, mark.occasionCode);
+  const std::optional<std::int64_t> opened_us =
+      panelOpenedToUtc_us(connection, mark.enrolmentId, mark.occasionCode, mark.raterId);
   return opened_us && mark.submittedUtc_us > *opened_us;
 }
 
@@ -173,7 +175,6 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const
   std::vector<Cells> lines{{"trainee", "rater", "occasion", "version", "score", "not_assessable", "trial",
                             "submitted_utc", "moved_after_panel", "signature", "signed_by", "signed_utc",
                             "signature_reason", "password_shown_utc", "criteria_mean"}};
-  SheetRepository sheets(session.connection());
   const SheetsOfCohort rubrics(session.connection(), cohortId);
   const std::map<std::string, Signature> signatures =
       SignatureRepository(session.connection()).all(SignedKind::kTrainingMark);
@@ -182,7 +183,7 @@ std::size_t exportMarks(SessionContext& session, const CohortId& cohortId, const
         {mark.traineeCode, mark.raterCode, mark.occasionCode, std::to_string(mark.version),
          mark.score_steps ? formatExact(pointsFromSteps(*mark.score_steps, mark.scale)) : std::string(),
          mark.score_steps ? "no" : "yes", mark.trialId, formatUtc(mark.submittedUtc_us),
-         afterPanel(sheets, mark) ? "yes" : "no"});
+         afterPanel(session.connection(), mark) ? "yes" : "no"});
     addSignature(lines.back(), signatures, mark);
     lines.back().push_back(rubrics.meanOf(mark));
   }

@@ -143,6 +143,7 @@ template bool centreSetting<kTwoPeople>(Connection&);
 template double centreSetting<kMinimumWatched_percent>(Connection&);
 template std::vector<double> centreSetting<kPlaybackSpeeds>(Connection&);
 template double centreSetting<kDiscrepancy_points>(Connection&);
+template bool centreSetting<kPanelWaits>(Connection&);
 template int centreSetting<kSignMinutes>(Connection&);
 template int centreSetting<kIdleWarn_min>(Connection&);
 template int centreSetting<kIdleLock_min>(Connection&);

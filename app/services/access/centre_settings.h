@@ -78,6 +78,9 @@ inline constexpr CentreSetting kDiscrepancy_points =
     setting::number("review.alignment_points", "2", 0.1, 100,
                     Text::tr("Distance from the other raters' mean that calls for a discrepancy review"),
                     Text::tr("%1 points"));
+inline constexpr CentreSetting kPanelWaits = setting::yesNo(
+    "review.panel_waits", "yes",
+    Text::tr("Raters see the panel's marks only after all their own sheets of the occasion"), true);
 inline constexpr CentreSetting kSignMinutes = setting::whole(
     "sign_minutes", "15", 0, 60, Text::verbatim("One password entry signs for (0: one signature)"),
     Text::verbatim("%1 min"));
@@ -107,11 +110,15 @@ inline constexpr CentreSetting kLearningRecordStore = setting::words(
 inline constexpr CentreSetting kLanguage =
     setting::words("language", 10, Text::verbatim("Language at sign-in"), "the first run");
 
-inline constexpr std::array kCentreSettings{
-    &kTwoPeople,       &kMinimumWatched_percent, &kPlaybackSpeeds,      &kDiscrepancy_points,
-    &kSignMinutes,     &kIdleWarn_min,           &kIdleLock_min,        &kCopyKeep_days,
-    &kGradedWithMouse, &kSoundAtLimit,           &kKioskCodes,          &kBrowserAddress,
-    &kMailServer,      &kLearningRecords,        &kLearningRecordStore, &kLanguage};
+inline constexpr std::array kCentreSettings{&kTwoPeople,       &kMinimumWatched_percent,
+                                            &kPlaybackSpeeds,  &kDiscrepancy_points,
+                                            &kPanelWaits,      &kSignMinutes,
+                                            &kIdleWarn_min,    &kIdleLock_min,
+                                            &kCopyKeep_days,   &kGradedWithMouse,
+                                            &kSoundAtLimit,    &kKioskCodes,
+                                            &kBrowserAddress,  &kMailServer,
+                                            &kLearningRecords, &kLearningRecordStore,
+                                            &kLanguage};
 
 template <SettingKind Kind>
 using SettingValue = std::tuple_element_t<static_cast<std::size_t>(Kind),

@@ -10,6 +10,7 @@
 
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/signing.h"
+#include "app/services/review/panel_opening.h"
 #include "app/services/review/sheet_editor.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
@@ -29,12 +30,7 @@ namespace torsio {
 namespace {
 
 nlohmann::json seenJson(const BlindedCase& shown, const WatchLog& watched) {
-  nlohmann::json json;
-  if (!shown.live) {
-    json["watched"] = std::round(watched.share() * 1000.0) / 1000.0;
-    json["slowest"] = watched.slowest();
-    json["fastest"] = watched.fastest();
-  }
+  nlohmann::json json = shown.live ? nlohmann::json() : viewingNote(watched);
   json["worked_s"] = watched.worked_us() / 1'000'000;
   return json;
 }
@@ -60,9 +56,18 @@ void requireCalled(SessionContext& session, const Assignment& assignment) {
 
 }  // namespace
 
+nlohmann::json viewingNote(const WatchLog& watched) {
+  return {{"watched", std::round(watched.share() * 1000.0) / 1000.0},
+          {"slowest", watched.slowest()},
+          {"fastest", watched.fastest()}};
+}
+
 ViewingRules viewingRules(SessionContext& session) {
   session.require(Operation::kMarkSubmit);
-  Connection& connection = session.connection();
+  return centreViewingRules(session.connection());
+}
+
+ViewingRules centreViewingRules(Connection& connection) {
   return {.minimumWatched = centreSetting<kMinimumWatched_percent>(connection) / 100.0,
           .speeds = centreSetting<kPlaybackSpeeds>(connection)};
 }
@@ -84,10 +89,16 @@ OpenedSheet openSheet(SessionContext& session, const AssignmentId& assignmentId)
   if (const auto sealed = sheets.submitted(assignmentId)) {
     opened.sheet = *sealed;
     opened.state = SheetState::kSubmitted;
-    opened.panelOpen = sheets.panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode).has_value();
+    opened.panelOpen = panelOpenedToUtc_us(session.connection(), assignment.enrolmentId,
+                                           assignment.occasionCode, assignment.raterId)
+                           .has_value();
   } else if (const auto draft = sheets.draft(assignmentId)) {
     opened.sheet = *draft;
     opened.state = SheetState::kDraft;
+  }
+  if (opened.shown.live) {
+    opened.calledUtc_us = CallRepository(session.connection())
+                              .lastCalledUtc_us(assignment.enrolmentId, assignment.occasionCode);
   }
   if (opened.state != SheetState::kSubmitted) {
     requireCalled(session, assignment);
@@ -130,6 +141,26 @@ SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool liv
   return checkSheetLines(lines, seen, rules);
 }
 
+SheetCheck checkSheet(const OpenedSheet& opened, const Sheet& sheet, const WatchLog& watched,
+                      const ViewingRules& rules, std::int64_t now_us) {
+  SheetCheck check = checkSheet(opened.rubric, sheet, opened.shown.live, watched, rules);
+  if (opened.calledUtc_us) {
+    check.soonAfterCall_us = soonAfterCall_us(*opened.calledUtc_us, now_us);
+  }
+  return check;
+}
+
+void requireWatched(const SheetCheck& check, const Text& where) {
+  if (check.watchedTooLittle) {
+    refuse(Text::tr("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
+           where, Text::tr("Play the rest before you submit"));
+  }
+  if (check.speedNotAllowed) {
+    refuse(Text::tr("the recording was played at a speed that is not allowed"), where,
+           Text::tr("Play it again at an allowed speed"));
+  }
+}
+
 void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                  const WatchLog& watchedHere) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
@@ -139,15 +170,7 @@ void submitSheet(SessionContext& session, const AssignmentId& assignmentId, cons
   watched.join(opened.watched);
   const SheetCheck check =
       checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
-  const Text where = Text::tr("case %1", opened.shown.label);
-  if (check.watchedTooLittle) {
-    refuse(Text::tr("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
-           where, Text::tr("Play the rest before you submit"));
-  }
-  if (check.speedNotAllowed) {
-    refuse(Text::tr("the recording was played at a speed that is not allowed"), where,
-           Text::tr("Play it again at an allowed speed"));
-  }
+  requireWatched(check, Text::tr("case %1", opened.shown.label));
   const MarkId markId = session.ids().newUuid();
   Transaction transaction(session.connection());
   SheetRepository(session.connection()).submit(assignmentId, markId, sheet, "", session.now_us());
@@ -174,8 +197,8 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
   if (!sheets.submitted(assignmentId)) {
     refuse(Text::tr("this sheet is not submitted yet"), where, Text::tr("Fill it in and submit it"));
   }
-  if (panel == PanelMarks::kUnseen &&
-      sheets.panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode)) {
+  if (panel == PanelMarks::kUnseen && panelOpenedToUtc_us(session.connection(), assignment.enrolmentId,
+                                                          assignment.occasionCode, assignment.raterId)) {
     refuse(Text::tr("the marks of the panel are open now"), where,
            Text::tr("Move your mark with a reason; it is flagged as moved after the panel's marks"));
   }
@@ -193,9 +216,8 @@ void amendSheet(SessionContext& session, const AssignmentId& assignmentId, const
 
 std::vector<SheetVersion> sheetVersions(SessionContext& session, const AssignmentId& assignmentId) {
   const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
-  const std::optional<std::int64_t> opened_us =
-      SheetRepository(session.connection())
-          .panelOpenedUtc_us(assignment.enrolmentId, assignment.occasionCode);
+  const std::optional<std::int64_t> opened_us = panelOpenedToUtc_us(
+      session.connection(), assignment.enrolmentId, assignment.occasionCode, assignment.raterId);
   std::vector<SheetVersion> versions;
   for (const SubmittedMark& mark :
        RatingRepository(session.connection())
@@ -229,6 +251,14 @@ void requirePlayable(const PlayedStretch& stretch, const ViewingRules& rules, co
 
 }  // namespace
 
+std::vector<PlayedStretch> playable(std::vector<PlayedStretch> played, const ViewingRules& rules,
+                                    const Text& where) {
+  for (const PlayedStretch& stretch : played) {
+    requirePlayable(stretch, rules, where);
+  }
+  return played;
+}
+
 WatchLog creditedLog(WatchLog log, const std::vector<PlayedStretch>& played, std::int64_t passed_us) {
   double left_us = static_cast<double>(std::max<std::int64_t>(passed_us, 0)) + kLateReport_us;
   for (const PlayedStretch& stretch : played) {
@@ -247,15 +277,13 @@ OpenedSheet reportViewing(SessionContext& session, const AssignmentId& assignmen
   Transaction transaction(session.connection());
   OpenedSheet opened = openSheet(session, assignmentId);
   const Text where = Text::tr("case %1", opened.shown.label);
-  for (const PlayedStretch& stretch : played) {
-    requirePlayable(stretch, rules, where);
-  }
+  const std::vector<PlayedStretch> stretches = playable(played, rules, where);
   if (opened.shown.live || opened.state == SheetState::kSubmitted) {
     refuse(opened.shown.live ? Text::tr("this case is scored live and has no recording")
                              : Text::tr("the sheet was submitted already"),
            where, Text::tr("Read the queue again"));
   }
-  opened.watched = creditedLog(std::move(opened.watched), played, passed_us);
+  opened.watched = creditedLog(std::move(opened.watched), stretches, passed_us);
   DeskRepository(session.connection()).saveDraftViewing(assignmentId, opened.watched.stored());
   transaction.commit();
   return opened;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "app/services/access/session_context.h"
 #include "app/services/review/blinded_case.h"
 #include "app/services/review/watch_log.h"
@@ -30,8 +32,9 @@ struct OpenedSheet {
   RubricRevision rubric{};
   Sheet sheet{};  ///< the draft, or the latest sealed version
   SheetState state = SheetState::kOpen;
-  bool panelOpen = false;  ///< all raters have submitted: the others' marks may be shown
+  bool panelOpen = false;  ///< the others' marks may be shown (panel_opening.h)
   WatchLog watched{};
+  std::optional<std::int64_t> calledUtc_us{};  ///< live: the latest call
 };
 /// kMarkSubmit, the actor's case. Throws Error{kBadData} for a live case that was neither called nor
 /// submitted.
@@ -46,6 +49,18 @@ std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId
 /// Checks a sheet against its rubric with the rules of assessment/domain/rating. Pure function.
 [[nodiscard]] SheetCheck checkSheet(const RubricRevision& rubric, const Sheet& sheet, bool live,
                                     const WatchLog& watched, const ViewingRules& rules);
+
+/// Checks an opened sheet as it stands on the page; `now_us`: of the session, for the time since the call.
+/// Pure function.
+[[nodiscard]] SheetCheck checkSheet(const OpenedSheet& opened, const Sheet& sheet, const WatchLog& watched,
+                                    const ViewingRules& rules, std::int64_t now_us);
+
+/// Returns the centre's viewing rules. The caller has checked a right.
+[[nodiscard]] ViewingRules centreViewingRules(Connection& connection);
+/// Returns what was watched of a recording, for the audit trail.
+[[nodiscard]] nlohmann::json viewingNote(const WatchLog& watched);
+/// Throws Error{kBadData} if too little of the recording was watched, or at a speed that is not allowed.
+void requireWatched(const SheetCheck& check, const Text& where);
 
 /// Seals the sheet with the viewing data. kMarkSubmit, the actor's case; audited. Throws Error{kBadData} if
 /// checkSheet() finds problems, DbError{kUnique} if it was submitted before.
@@ -84,6 +99,10 @@ struct PlayedStretch {
 /// A longer time without a key press or playback counts as a break.
 inline constexpr std::int64_t kLongestPause_us = 60'000'000;
 
+/// Returns what a player reports. Throws Error{kBadParameter} for a reversed stretch and a speed that is not
+/// allowed. Pure function.
+[[nodiscard]] std::vector<PlayedStretch> playable(std::vector<PlayedStretch> played,
+                                                  const ViewingRules& rules, const Text& where);
 /// Adds a player's report, limited to what the elapsed time allows at each stretch's speed. `log`: previous
 /// state; `passed_us`: since the last report of the same player, by a clock that the player does not control.
 /// Anything beyond it, plus half a second for delays, is cut off at the end. Pure function.

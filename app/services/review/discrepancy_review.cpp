@@ -7,6 +7,7 @@
 
 #include "app/services/access/centre_settings.h"
 #include "app/services/review/case_sheet.h"
+#include "app/services/review/panel_opening.h"
 #include "app/services/review/sheet_editor.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
@@ -77,6 +78,10 @@ Assignment committedCase(SessionContext& session, const AssignmentId& assignment
     refuse(Text::tr("not everybody has submitted this case yet"), Text::tr("case %1", found.caseLabel),
            Text::tr("Wait until all have committed"));
   }
+  if (panelWaitsForOwnSheets(session.connection(), found.enrolmentId, found.occasionCode, found.raterId)) {
+    refuse(Text::tr("the panel's marks wait until you have submitted all your own sheets of this occasion"),
+           Text::tr("case %1", found.caseLabel), Text::tr("Finish your queue first"));
+  }
   return found;
 }
 
@@ -109,6 +114,10 @@ std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session) {
   const std::string& rater = session.actor().personId;
   std::vector<DiscrepancyCase> found;
   for (const Assignment& assignment : desk.committed(rater)) {
+    if (panelWaitsForOwnSheets(session.connection(), assignment.enrolmentId, assignment.occasionCode,
+                               assignment.raterId)) {
+      continue;
+    }
     const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
     const RubricRevision rubric = rubrics.revision(assignment.rubricRevisionId).value();
     DiscrepancyCase line;
@@ -138,6 +147,17 @@ std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session) {
     found.push_back(std::move(line));
   }
   return found;
+}
+
+std::size_t casesSealedForNow(SessionContext& session) {
+  session.require(Operation::kMarkSubmit);
+  const std::vector<Assignment> committed =
+      DeskRepository(session.connection()).committed(session.actor().personId);
+  return static_cast<std::size_t>(
+      std::count_if(committed.begin(), committed.end(), [&](const Assignment& assignment) {
+        return panelWaitsForOwnSheets(session.connection(), assignment.enrolmentId, assignment.occasionCode,
+                                      assignment.raterId);
+      }));
 }
 
 void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
@@ -204,6 +224,11 @@ OwnSeverity ownSeverity(SessionContext& session) {
   std::vector<double> panel;
   const std::vector<Assignment> committed = desk.committed(rater);
   for (const Assignment& assignment : committed) {
+    if (panelWaitsForOwnSheets(session.connection(), assignment.enrolmentId, assignment.occasionCode,
+                               assignment.raterId)) {
+      ++out.sealed;
+      continue;
+    }
     const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.occasionCode);
     auto line = compared(marks, rater);
     if (!line) {

@@ -38,13 +38,17 @@ struct DiscrepancyCase {
 };
 
 /// Returns only discrepancies, in the rater's own order; a case with a changed mark stays listed with its
-/// decision while it still differs. kMarkSubmit. Ignores cases that not all raters have submitted.
+/// decision while it still differs. kMarkSubmit. Ignores cases whose panel is not open to the actor
+/// (panel_opening.h).
 [[nodiscard]] std::vector<DiscrepancyCase> discrepancyCases(SessionContext& session);
+/// Returns the number of cases that all have submitted, but whose panel waits for the actor's own sheets of
+/// the occasion. kMarkSubmit.
+[[nodiscard]] std::size_t casesSealedForNow(SessionContext& session);
 
 /// Keeps the mark. kMarkSubmit, the actor's case, submitted by all; audited.
 void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);
 /// Adds a version to the actor's sheet; both are kept. Throws Error{kBadParameter} without a reason,
-/// {kBadData} unless all raters have submitted. kMarkSubmit, the actor's case; audited.
+/// {kBadData} unless the panel is open. kMarkSubmit, the actor's case; audited.
 void moveMark(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
               const std::string& reason);
 /// Changes the actor's submitted sheet with amendSheet() while the panel's marks are hidden, with moveMark()
@@ -72,6 +76,7 @@ struct OwnSeverity {
   std::optional<double> ownMean_points{};
   std::optional<double> panelMean_points{};
   std::size_t waiting = 0;     ///< submitted cases that others have not submitted
+  std::size_t sealed = 0;      ///< cases whose panel waits for the actor's own sheets of the occasion
   double lowest_points = 0.0;  ///< lowest mark of the scale
   double highest_points = 10.0;
   std::vector<std::size_t> used{};  ///< frequency of each whole point from lowest to highest

@@ -10,6 +10,7 @@
 #include "app/services/base/assets.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/recording/recorded_run.h"
+#include "app/services/review/case_sheet.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/instrument.h"
@@ -240,9 +241,31 @@ void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,
                            static_cast<std::int64_t>(index + 1), score_steps, session.now_us());
 }
 
-void submitEvaluation(SessionContext& session, const CampaignId& campaignId, const std::string& hiddenLabel) {
+ViewingRules evaluationRules(SessionContext& session) {
+  session.require(Operation::kEvaluationSubmit);
+  return centreViewingRules(session.connection());
+}
+
+SheetCheck checkEvaluation(const EvaluationForm& form, const EvaluationFormModel& model,
+                           const WatchLog& watched, const ViewingRules& rules) {
+  std::vector<SheetLine> lines;
+  for (std::size_t i = 0; i < model.scores.size(); ++i) {
+    lines.push_back({std::to_string(i + 1), form.scale, {model.scores[i], {}}});
+  }
+  std::optional<RecordingWatched> seen;
+  if (model.recorded) {
+    const double share = watched.length_us() == 0 ? 0.0 : watched.share();  // 0: not opened yet
+    seen = RecordingWatched{share, watched.slowest(), watched.fastest()};
+  }
+  return checkSheetLines(lines, seen, rules);
+}
+
+void submitEvaluation(SessionContext& session, const CampaignId& campaignId, const std::string& hiddenLabel,
+                      const WatchLog& watched) {
   const OpenForm open = ownForm(session, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
+  const SheetCheck check =
+      checkEvaluation(open.form, open.form.models[model], watched, evaluationRules(session));
   const std::vector<std::optional<std::int64_t>>& scores = open.form.models[model].scores;
   std::vector<EvaluationMark> marks;
   for (std::size_t i = 0; i < scores.size(); ++i) {
@@ -260,6 +283,7 @@ void submitEvaluation(SessionContext& session, const CampaignId& campaignId, con
     mark.demonstration = open.demonstration;
     marks.push_back(std::move(mark));
   }
+  requireWatched(check, Text::tr("model %1", hiddenLabel));
   Transaction transaction(session.connection());
   EvaluationRepository(session.connection(), session.station()).submit(campaignId, marks);
   for (const EvaluationMark& mark : marks) {
@@ -270,7 +294,8 @@ void submitEvaluation(SessionContext& session, const CampaignId& campaignId, con
   }
   DeskRepository(session.connection())
       .removeEvaluationDraft(campaignId, session.actor().personId, open.models[model].code);
-  session.note(AuditAction::kEvaluationForm, AuditObject::kEvaluationCampaign, campaignId);
+  session.note(AuditAction::kEvaluationForm, AuditObject::kEvaluationCampaign, campaignId,
+               open.form.models[model].recorded ? viewingNote(watched) : nlohmann::json());
   transaction.commit();
   endSigning(session);
 }

@@ -8,10 +8,12 @@
 
 #include "app/services/access/session_context.h"
 #include "app/services/review/blinded_case.h"
+#include "app/services/review/watch_log.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/instrument.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/rating/sheet_check.h"
 
 namespace torsio {
 
@@ -55,8 +57,16 @@ struct EvaluationForm {
 void saveEvaluationScore(SessionContext& session, const CampaignId& campaignId,
                          const std::string& hiddenLabel, std::size_t index,
                          std::optional<std::int64_t> score_steps);
-/// Seals the marks of one model. kEvaluationSubmit, the actor's form; audited. Throws Error{kBadData} naming
-/// the first index without a mark.
-void submitEvaluation(SessionContext& session, const CampaignId& campaignId, const std::string& hiddenLabel);
+/// Returns the viewing rules of evaluations, which are those of cases. kEvaluationSubmit.
+[[nodiscard]] ViewingRules evaluationRules(SessionContext& session);
+/// Checks the marks of a model like a sheet. `watched`: of its recording, with length 0 if it was not opened;
+/// ignored without a recording. Pure function.
+[[nodiscard]] SheetCheck checkEvaluation(const EvaluationForm& form, const EvaluationFormModel& model,
+                                         const WatchLog& watched, const ViewingRules& rules);
+/// Seals the marks of one model. `watched` is known only to the page: it is audited, not stored with the
+/// draft. kEvaluationSubmit, the actor's form; audited. Throws Error{kBadData} naming the first index without
+/// a mark, or if too little of the recording was watched.
+void submitEvaluation(SessionContext& session, const CampaignId& campaignId, const std::string& hiddenLabel,
+                      const WatchLog& watched);
 
 }  // namespace torsio

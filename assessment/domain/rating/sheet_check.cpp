@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kSpeedTolerance = 1e-3;  // stored in thousandths
 constexpr double kFarApart = 0.7;         // of the scale, between the lowest and the highest row
-constexpr std::size_t kMinRows = 3;       // needed to tell a pattern from chance
+constexpr std::int64_t kSoonAfterCall_us = 30'000'000;
+constexpr std::size_t kMinRows = 3;  // needed to tell a pattern from chance
 
 double shareOfScale(std::int64_t steps, const ScoreScale& scale) {
   return static_cast<double>(steps - scale.lo) / static_cast<double>(scale.hi - scale.lo);
@@ -79,6 +80,11 @@ SheetCheck checkSheetLines(std::span<const SheetLine> lines, const std::optional
   check.speedNotAllowed = !excused && (watched->slowest < slowest - kSpeedTolerance ||
                                        watched->fastest > fastest + kSpeedTolerance);
   return check;
+}
+
+std::optional<std::int64_t> soonAfterCall_us(std::int64_t calledUtc_us, std::int64_t now_us) {
+  const std::int64_t since_us = now_us - calledUtc_us;
+  return since_us >= 0 && since_us < kSoonAfterCall_us ? std::optional(since_us) : std::nullopt;
 }
 
 namespace {

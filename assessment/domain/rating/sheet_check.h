@@ -64,6 +64,8 @@ struct SheetCheck {
   bool farApart = false;        ///< three or more rows that span at least 0.7 of their scales
   bool overallOutside = false;  ///< the overall mark lies outside the range of three or more rows
   double watchedShare = 1.0;    ///< 0..1; 1 for a live case
+  /// Time since the trainee was called, if it is too short for a performance; live cases only.
+  std::optional<std::int64_t> soonAfterCall_us{};
   /// True if nothing prevents submission; suspected slips are only advice.
   [[nodiscard]] bool mayBeSubmitted() const noexcept {
     return unanswered.empty() && !watchedTooLittle && !speedNotAllowed;
@@ -76,6 +78,9 @@ struct SheetCheck {
 [[nodiscard]] SheetCheck checkSheetLines(std::span<const SheetLine> lines,
                                          const std::optional<RecordingWatched>& watched,
                                          const ViewingRules& rules);
+
+/// Returns the time since a call for SheetCheck::soonAfterCall_us; empty: long enough.
+[[nodiscard]] std::optional<std::int64_t> soonAfterCall_us(std::int64_t calledUtc_us, std::int64_t now_us);
 
 /// A paper sheet as typed in by one person.
 struct PaperEntry {

@@ -57,6 +57,14 @@ bool CallRepository::wasCalled(const EnrolmentId& enrolmentId, const std::string
              .value_or(0) > 0;
 }
 
+std::optional<std::int64_t> CallRepository::lastCalledUtc_us(const EnrolmentId& enrolmentId,
+                                                             const std::string& occasionCode) const {
+  return selectFirst(connection_,
+                     "SELECT called_utc_us FROM live_call WHERE enrolment_id = ? AND occasion = ?"
+                     " AND cancelled = FALSE ORDER BY called_utc_us DESC LIMIT 1",
+                     {enrolmentId, occasionCode}, readInt64);
+}
+
 std::vector<CallNotice> CallRepository::noticesFor(const RaterId& raterId) const {
   return selectAll(connection_,
                    "SELECT a.id, c.room, c.called_utc_us, c.ended_utc_us FROM assignment a"

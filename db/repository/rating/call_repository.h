@@ -30,6 +30,9 @@ class CallRepository {
 
   /// True if the case was ever called; cancelled calls do not count.
   [[nodiscard]] bool wasCalled(const EnrolmentId& enrolmentId, const std::string& occasionCode) const;
+  /// When a case was last called; cancelled calls do not count.
+  [[nodiscard]] std::optional<std::int64_t> lastCalledUtc_us(const EnrolmentId& enrolmentId,
+                                                             const std::string& occasionCode) const;
   /// The newest call of each case assigned to a rater, without cancelled ones, oldest first.
   [[nodiscard]] std::vector<CallNotice> noticesFor(const RaterId& raterId) const;
   /// Text that differs after each call, end and cancellation, of any cohort.

@@ -277,6 +277,15 @@ std::optional<DiscrepancyDecision> DiscrepancyRepository::latest(const Assignmen
   return all.empty() ? std::nullopt : std::optional(all.back());
 }
 
+bool DiscrepancyRepository::decidedBy(const EnrolmentId& enrolmentId, const std::string& occasionCode,
+                                      const RaterId& raterId) const {
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM alignment_decision d JOIN assignment a ON a.id = d.assignment_id"
+                     " WHERE a.enrolment_id = ? AND a.occasion = ? AND a.rater_id = ?",
+                     {enrolmentId, occasionCode, raterId}, readInt64)
+             .value_or(0) > 0;
+}
+
 std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCohort(const CohortId& cohortId) const {
   return selectAll(
       connection_,

@@ -86,6 +86,9 @@ class DiscrepancyRepository {
   /// Oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> history(const AssignmentId& assignmentId) const;
   [[nodiscard]] std::optional<DiscrepancyDecision> latest(const AssignmentId& assignmentId) const;
+  /// True if a rater has decided on this case.
+  [[nodiscard]] bool decidedBy(const EnrolmentId& enrolmentId, const std::string& occasionCode,
+                               const RaterId& raterId) const;
   /// The newest decision of every assignment of a cohort, oldest first.
   [[nodiscard]] std::vector<DiscrepancyDecision> ofCohort(const CohortId& cohortId) const;
 

@@ -356,6 +356,27 @@ std::optional<std::int64_t> SheetRepository::panelOpenedUtc_us(const EnrolmentId
   return first.size() < 2 ? std::nullopt : std::optional(*std::max_element(first.begin(), first.end()));
 }
 
+std::optional<std::int64_t> SheetRepository::ownSheetsDoneUtc_us(const EnrolmentId& enrolmentId,
+                                                                 const std::string& occasionCode,
+                                                                 const RaterId& raterId) const {
+  const std::vector<std::optional<std::int64_t>> first =
+      selectAll(connection_,
+                "SELECT (SELECT MIN(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id)"
+                " FROM assignment a JOIN enrolment e ON e.id = a.enrolment_id"
+                " JOIN enrolment o ON o.cohort_id = e.cohort_id"
+                " WHERE o.id = ? AND a.occasion = ? AND a.rater_id = ? AND " +
+                    isAskedFor("a"),
+                {enrolmentId, occasionCode, raterId}, [](RowReader& row) { return row.maybeInt64(); });
+  std::int64_t done_us = 0;
+  for (const std::optional<std::int64_t>& one : first) {
+    if (!one) {
+      return std::nullopt;
+    }
+    done_us = std::max(done_us, *one);
+  }
+  return done_us;
+}
+
 std::vector<CohortId> SheetRepository::cohortsWithRaterWork(std::int64_t fromUtc_us,
                                                             std::int64_t toUtc_us) const {
   return selectAll(

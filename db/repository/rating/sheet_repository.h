@@ -59,6 +59,12 @@ class SheetRepository {
   [[nodiscard]] std::optional<std::int64_t> panelOpenedUtc_us(const EnrolmentId& enrolmentId,
                                                               const std::string& occasionCode) const;
 
+  /// When a rater had first submitted every own sheet of this occasion in the cohort of the case: 0 without
+  /// any; empty: not yet. Withdrawn sheets do not count.
+  [[nodiscard]] std::optional<std::int64_t> ownSheetsDoneUtc_us(const EnrolmentId& enrolmentId,
+                                                                const std::string& occasionCode,
+                                                                const RaterId& raterId) const;
+
   /// Cohorts with a call to the real arm in [from, to) or still open, or with outstanding sheets due by `to`.
   [[nodiscard]] std::vector<CohortId> cohortsWithRaterWork(std::int64_t fromUtc_us,
                                                            std::int64_t toUtc_us) const;

@@ -39,7 +39,18 @@ TEST(WebPages, AnEvaluationIsScoredAndSubmittedUnderItsLetters) {
   }
   EXPECT_EQ(client.send("POST", path + "/submit", json::object()).status, 400) << "one is open";
   EXPECT_EQ(client.send("PUT", path, {{"index", 9}, {"score_steps", 101}}).status, 400);
-  EXPECT_EQ(client.send("PUT", path, {{"index", 9}, {"score_steps", 100}}).status, 200);
+  const json scored = client.send("PUT", path, {{"index", 9}, {"score_steps", 100}}).json();
+  EXPECT_TRUE(scored.at("check").at("watched_too_little"));
+  EXPECT_EQ(client.send("POST", path + "/submit", json::object()).status, 400) << "nobody has watched it";
+  const auto watch = [&](double speed) {
+    return client.send(
+        "POST", path + "/viewing",
+        {{"played", {{{"from_us", 0}, {"to_us", 600'000}, {"speed", speed}}}}, {"open", true}});
+  };
+  EXPECT_EQ(watch(3.0).status, 400) << "a speed that the centre does not allow";
+  const WebAnswer watched = watch(1.0);
+  ASSERT_EQ(watched.status, 200) << watched.body;
+  EXPECT_FALSE(watched.json().at("check").at("watched_too_little")) << watched.body;
   const WebAnswer sealed = client.send("POST", path + "/submit", json::object());
   ASSERT_EQ(sealed.status, 200) << sealed.body;
   EXPECT_TRUE(sealed.json().at("forms").at(0).at("models").at(0).at("submitted"));

@@ -47,6 +47,7 @@ CentreSettingsCard::CentreSettingsCard(ShellContext& shell, QWidget* parent)
       lock_(named(new QSpinBox(this), "idleLock")),
       mouse_(named(new QCheckBox(this), "gradedWithMouse")),
       sound_(named(new QCheckBox(this), "soundAtLimit")),
+      panel_(named(new QCheckBox(this), "panelWaits")),
       two_(named(new QCheckBox(this), "twoPeople")),
       cards_(named(new QCheckBox(this), "kioskCodes")),
       sign_(named(new QSpinBox(this), "signMinutes")),
@@ -90,6 +91,7 @@ CentreSettingsCard::CentreSettingsCard(ShellContext& shell, QWidget* parent)
                ? QString()
                : tr("Write speeds from 0.1 to 4, with commas between: 0.5, 1, 1.5. 1 is as recorded.");
   });
+  content()->addWidget(panel_);
   content()->addWidget(mouse_);
   content()->addWidget(sound_);
   content()->addWidget(two_);
@@ -121,6 +123,7 @@ void CentreSettingsCard::read() {
     const IdleLimits limits = centreIdleLimits(connection);
     lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
     warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
+    panel_->setChecked(centreSetting<kPanelWaits>(connection));
     mouse_->setChecked(centreSetting<kGradedWithMouse>(connection));
     sound_->setChecked(centreSetting<kSoundAtLimit>(connection));
     two_->setChecked(centreSetting<kTwoPeople>(connection));
@@ -141,6 +144,7 @@ void CentreSettingsCard::keep() {
     setCentreSetting<kMinimumWatched_percent>(session, watched_->value());
     changeCentreSetting(session, kPlaybackSpeeds, speeds_->text().remove(QLatin1Char(' ')).toStdString());
     setCentreSetting<kDiscrepancy_points>(session, apart_->value());
+    setCentreSetting<kPanelWaits>(session, panel_->isChecked());
     setCentreSetting<kGradedWithMouse>(session, mouse_->isChecked());
     setCentreSetting<kSoundAtLimit>(session, sound_->isChecked());
     setCentreSetting<kSignMinutes>(session, sign_->value());
@@ -168,6 +172,7 @@ void CentreSettingsCard::retranslate() {
   nameField(lockLabel_, tr("and &lock after"));
   warn_->setSuffix(tr(" min"));
   lock_->setSuffix(tr(" min"));
+  panel_->setText(tr("Raters see the panel's marks only after all their own sheets of the occasion"));
   mouse_->setText(tr("&Grade runs with mouse and keyboard"));
   sound_->setText(tr("Play a sound when a l&imit is reached (not in a shared room)"));
   two_->setText(

@@ -41,6 +41,7 @@ class CentreSettingsCard : public Card {
   QSpinBox* lock_;
   QCheckBox* mouse_;
   QCheckBox* sound_;
+  QCheckBox* panel_;
   QCheckBox* two_;
   QCheckBox* cards_;
   QLabel* signLabel_ = nullptr;

@@ -54,6 +54,7 @@ CallBar::CallBar(ShellContext& shell, QWidget* parent)
       occasion_(named(new QComboBox(this), "callOccasion")),
       room_(named(new QLineEdit(this), "callRoom")),
       call_(named(primaryButton(this), "call")),
+      refused_(named(sentence(this, false), "callRefused")),
       lines_(nullptr),
       scroll_(named(new QScrollArea(this), "calls")),
       more_(named(linkButton(this), "allCalls")) {
@@ -67,7 +68,8 @@ CallBar::CallBar(ShellContext& shell, QWidget* parent)
   roomLabel_ = addField(row, room_);
   occasionLabel_ = addField(row, occasion_);
   row->addWidget(call_);
-  row->addStretch(1);
+  row->addWidget(refused_, 1);  // beside the button, so that nothing moves under the pointer
+  setLook(refused_, "caution", true);
   column->addLayout(row);
   auto* ground = new QWidget;
   lines_ = new QGridLayout(ground);
@@ -111,9 +113,23 @@ void CallBar::callTyped() {
     code_->setFocus();
     return;
   }
-  attempt(shell_, [&] { call(enrolmentWithCode(shell_.session(), cohortId_, typed)); });
+  refused_->clear();
+  attempt(shell_, [&] { orSayWhyNot([&] { call(enrolmentWithCode(shell_.session(), cohortId_, typed)); }); });
   code_->selectAll();
   code_->setFocus();
+}
+
+/// Shows here why a call was refused, and leaves other errors to the caller.
+void CallBar::orSayWhyNot(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kBadData) {
+      throw;
+    }
+    refused_->setText(
+        tr("%1. %2").arg(capitalised(toQString(error.happenedText())), toQString(error.remedyText())));
+  }
 }
 
 void CallBar::call(const EnrolmentId& enrolmentId) {
@@ -121,7 +137,8 @@ void CallBar::call(const EnrolmentId& enrolmentId) {
                       .enrolmentId = enrolmentId,
                       .occasionCode = occasion_->currentData().toString().toStdString(),
                       .room = room_->text().trimmed().toStdString()};
-  attempt(shell_, [&] {
+  refused_->clear();
+  const auto act = [&] {
     if (request.room.empty()) {
       room_->setFocus();
       shell_.notify(tr("Enter the room of the real arm."));
@@ -141,7 +158,8 @@ void CallBar::call(const EnrolmentId& enrolmentId) {
     callTrainee(shell_.session(), request);
     code_->clear();
     Q_EMIT changed();
-  });
+  };
+  attempt(shell_, [&] { orSayWhyNot(act); });
 }
 
 QString CallBar::lineText(const CalledCase& called, const QString& missing) const {
@@ -213,6 +231,7 @@ void CallBar::showCalls(const std::vector<CalledCase>& calls) {
   }
   calls_ = calls;
   lineTexts_ = lines;
+  refused_->clear();
   for (QWidget* part : shown_) {
     part->hide();
     part->deleteLater();

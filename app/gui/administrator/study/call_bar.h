@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ class CallBar : public QWidget {
 
  private:
   void callTyped();
+  void orSayWhyNot(const std::function<void()>& act);
   void copyReminder(const CalledCase& called);
   void addLine(int row, const CalledCase& called);
   [[nodiscard]] QString lineText(const CalledCase& called, const QString& missing) const;
@@ -58,6 +60,7 @@ class CallBar : public QWidget {
   QLabel* roomLabel_ = nullptr;
   QLineEdit* room_;
   QPushButton* call_;
+  QLabel* refused_;  // why a call was refused; goes with the next change of the calls
   QGridLayout* lines_;
   QScrollArea* scroll_;
   QPushButton* more_;

@@ -267,13 +267,15 @@ void TodaysSessionsPage::showContent() {
                                 "Curricula, Cohorts, Allocation, Scoring.")
                            : tr("Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts."));
   callBar_->showCalls(calls_);
-  clock_->setInterval(std::any_of(calls_.begin(), calls_.end(),
-                                  [](const CalledCase& called) { return !called.call.endedUtc_us; })
-                          ? kReadCalls_ms
-                          : kReadAgain_ms);
+  clock_->setInterval(callsGoOn() ? kReadCalls_ms : kReadAgain_ms);
   alerts_->showAlerts(board_ ? dayAlerts(*board_) : std::vector<DayAlert>{});
   showStations();
   showButtons();
+}
+
+bool TodaysSessionsPage::callsGoOn() const {
+  return std::any_of(calls_.begin(), calls_.end(),
+                     [](const CalledCase& called) { return !called.call.endedUtc_us; });
 }
 
 const DayBoardRow* TodaysSessionsPage::current() const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/gui/base/awaits_calls.h"
 #include "app/gui/base/page.h"
 #include "app/services/devices/device_readiness.h"
 #include "app/services/study/day_board.h"
@@ -26,7 +27,7 @@ class PageHeading;
 
 /// The board of the day: activities, remaining time, running recordings, missing sheets. Refreshes itself
 /// every few seconds while visible.
-class TodaysSessionsPage : public Page {
+class TodaysSessionsPage : public Page, public AwaitsCalls {
   Q_OBJECT
 
  public:
@@ -35,6 +36,7 @@ class TodaysSessionsPage : public Page {
   void enter(const QVariant& argument) override;
   bool leave() override;
   void retranslate() override;
+  [[nodiscard]] bool callsGoOn() const override;
 
  protected:
   void customEvent(QEvent* event) override;

@@ -33,6 +33,7 @@
 #include "app/services/study/live_call.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/sheet_check.h"
+#include "sim/core/time_units.h"
 #include "tests/app/gui/physician/desk_of.h"
 #include "tests/app/gui/support/visible_texts.h"
 #include "tests/app/support/review_centre.h"
@@ -101,6 +102,27 @@ TEST_F(LivePageFollows, OpensTheSheetOfTheCaseThatIsCalled) {
   ASSERT_NE(editorOf(page), nullptr);
   scoreAll();
   EXPECT_EQ(openSheet(desk_.session(), centre_.cases(0, true).at(1)).state, SheetState::kSubmitted);
+}
+
+TEST_F(LivePageFollows, IsNotLockedWhileCallsGoOn) {
+  auto& page = desk_.open<LivePage>();
+  EXPECT_FALSE(page.callsGoOn());
+  const LiveCallId id = call(1, "room 1");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return page.callsGoOn(); }, kPatience_ms));
+  end(id);
+  EXPECT_TRUE(page.callsGoOn()) << "the next trainee is on the way";
+  centre_.passTime_us(31 * kMinute_us);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !page.callsGoOn(); }, kPatience_ms));
+}
+
+TEST_F(LivePageFollows, AsksWhenASheetIsReadyRightAfterTheCall) {
+  auto& page = desk_.open<LivePage>();
+  call(1, "room 1");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return editorOf(page) != nullptr; }, kPatience_ms));
+  centre_.passTime_us(12'000'000);
+  desk_.press({Qt::Key_6, Qt::Key_Down, Qt::Key_7, Qt::Key_Down, Qt::Key_5});
+  desk_.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(wordsOf(page).join(u' ').contains(QStringLiteral("The trainee was called only 12 s ago")));
 }
 
 TEST_F(LivePageFollows, StartsTheNextSheetAtItsFirstRow) {

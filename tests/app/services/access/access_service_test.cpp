@@ -200,7 +200,8 @@ TEST(CentreSettings, AnAdministratorSetsWhatRatersMustWatchAndEachChangeIsAudite
             "Two people for passwords, roles, erasing, restoring and the allocation: no\n"
             "Share of a recording that a rater must have watched: 50 %\n"
             "Playback speeds that raters may use: 0.5,1,2\n"
-            "Distance from the other raters' mean that calls for a discrepancy review: 1.5 points\n");
+            "Distance from the other raters' mean that calls for a discrepancy review: 1.5 points\n"
+            "Raters see the panel's marks only after all their own sheets of the occasion: yes\n");
 }
 
 TEST(CentreSettings, InvalidValuesAreRejectedAndStoredOnesFallBackToTheDefault) {

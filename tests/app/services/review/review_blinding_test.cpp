@@ -137,6 +137,46 @@ TEST(DiscrepancyReview, MarksOfOthersAreHiddenUntilAllHaveSubmitted) {
   EXPECT_DOUBLE_EQ(*severity.difference_points, -5.5);
 }
 
+TEST(DiscrepancyReview, ThePanelWaitsForTheRatersOwnSheetsOfTheOccasion) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto first = centre.physician(0);
+  const AssignmentId done = centre.caseAbout(0, 0);
+  submitSheet(*first, done, reviewSheet(2, 2, 2), watchedWhole());
+  for (std::size_t trainee = 0; trainee < 2; ++trainee) {
+    submitSheet(*centre.physician(1), centre.caseAbout(1, trainee), reviewSheet(8, 8, 8), watchedWhole());
+  }
+
+  EXPECT_TRUE(discrepancyCases(*first).empty());
+  EXPECT_EQ(casesSealedForNow(*first), 1U);
+  EXPECT_TRUE(ownSeverity(*first).cases.empty());
+  EXPECT_EQ(ownSeverity(*first).sealed, 1U);
+  EXPECT_FALSE(openSheet(*first, done).panelOpen);
+  EXPECT_EQ(refusalCode([&] { keepMark(*first, done, ""); }), ErrorCode::kBadData);
+  EXPECT_EQ(discrepancyCases(*centre.physician(1)).size(), 1U) << "who has finished sees the panel";
+  centre.passTime_us(1'000'000);
+  amendSheet(*first, done, reviewSheet(3, 3, 3), "a slip");
+  EXPECT_FALSE(sheetVersions(*first, done).back().afterPanel) << "the panel was not seen";
+
+  centre.passTime_us(1'000'000);
+  submitSheet(*first, centre.caseAbout(0, 1), reviewSheet(8, 8, 8), watchedWhole());
+  EXPECT_EQ(discrepancyCases(*first).size(), 1U);
+  EXPECT_EQ(ownSeverity(*first).cases.size(), 2U);
+  EXPECT_TRUE(openSheet(*first, done).panelOpen);
+  EXPECT_FALSE(sheetVersions(*first, done).back().afterPanel);
+}
+
+TEST(DiscrepancyReview, TheCentreMayOpenThePanelOfEachCase) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  setCentreSetting<kPanelWaits>(*centre.administrator(), false);
+  const auto first = centre.physician(0);
+  submitSheet(*first, centre.caseAbout(0, 0), reviewSheet(2, 2, 2), watchedWhole());
+  submitSheet(*centre.physician(1), centre.caseAbout(1, 0), reviewSheet(8, 8, 8), watchedWhole());
+
+  EXPECT_EQ(discrepancyCases(*first).size(), 1U);
+  EXPECT_EQ(casesSealedForNow(*first), 0U);
+  EXPECT_EQ(ownSeverity(*first).cases.size(), 1U);
+}
+
 TEST(DiscrepancyReview, ShowsOnlyDisagreementsAndRemembersDecisions) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto first = centre.physician(0);
@@ -282,6 +322,28 @@ TEST(RaterCalibration, AWithdrawnRunCannotBeRestoredOrWithdrawnAgain) {
   EXPECT_EQ(referenceRows(*office)[0].number, 1U);
 }
 
+TEST(EvaluationForm, SealsNothingThatNobodyWatched) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  centre.addTwoModels(true, {"PM,FEM"});
+  const CampaignId campaignId = "campaign";
+  const auto desk = centre.physician(0);
+  for (std::size_t i = 0; i < 9; ++i) {
+    saveEvaluationScore(*desk, campaignId, "K", i, 70);
+  }
+  const EvaluationForm form = evaluationForms(*desk)[0];
+  WatchLog half(2'000'000);
+  half.played(0, 1'000'000, 1.0);
+
+  const SheetCheck unopened = checkEvaluation(form, form.models[0], WatchLog(), evaluationRules(*desk));
+  EXPECT_TRUE(unopened.watchedTooLittle);
+  EXPECT_TRUE(unopened.allTheSame);
+  EXPECT_EQ(refusalCode([&] { submitEvaluation(*desk, campaignId, "K", WatchLog()); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { submitEvaluation(*desk, campaignId, "K", half); }), ErrorCode::kBadData);
+
+  submitEvaluation(*desk, campaignId, "K", watchedWhole());
+  EXPECT_TRUE(evaluationForms(*desk)[0].models[0].submitted);
+}
+
 TEST(EvaluationForm, HidesTheModelsAndKeepsTheRatersOrder) {
   ReviewCentre centre(ReviewCentre::Setup{});
   centre.addTwoModels(false, {"FEM,PM", "PM,FEM"});
@@ -297,12 +359,12 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheRatersOrder) {
   for (std::size_t i = 0; i < 8; ++i) {
     saveEvaluationScore(*desk, campaignId, "M", i, 73);
   }
-  EXPECT_EQ(refusalCode([&] { submitEvaluation(*desk, campaignId, "M"); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusalCode([&] { submitEvaluation(*desk, campaignId, "M", WatchLog()); }), ErrorCode::kBadData);
   saveEvaluationScore(*desk, campaignId, "M", 8, 100);
   EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on disk
   EXPECT_EQ(refusalCode([&] { saveEvaluationScore(*desk, campaignId, "M", 8, 101); }), ErrorCode::kBadData);
 
-  submitEvaluation(*desk, campaignId, "M");
+  submitEvaluation(*desk, campaignId, "M", WatchLog());
 
   EXPECT_TRUE(evaluationForms(*desk)[0].models[0].submitted);
   EXPECT_EQ(EvaluationRepository(centre.connection()).marks(campaignId).size(), 9U);
@@ -371,7 +433,7 @@ TEST(ReviewDesk, EveryChangeIsAuditedAndTheTrailVerifies) {
   auditedBy(*desk, "alignment.third", [&] { askForAdjudicator(*desk, own, "far apart"); });
   auditedBy(*desk, "alignment.keep", [&] { keepMark(*desk, own, ""); });
   auditedBy(*desk, "alignment.move", [&] { moveMark(*desk, own, reviewSheet(7, 7, 7), "seen again"); });
-  auditedBy(*desk, "evaluation.form", [&] { submitEvaluation(*desk, campaign.id, "K"); });
+  auditedBy(*desk, "evaluation.form", [&] { submitEvaluation(*desk, campaign.id, "K", WatchLog()); });
 }
 
 constexpr std::int64_t kLater_us = 1'000'000;
