@@ -19,6 +19,7 @@ using DesignId = Id<struct DesignIdTag>;          ///< of an allocation
 using AllocationId = Id<struct AllocationIdTag>;  ///< one person put into one group
 using ExposureId = Id<struct ExposureIdTag>;
 using DeviationId = Id<struct DeviationIdTag>;
+using ImportId = Id<struct ImportIdTag>;  ///< of an imported study
 using FreezeId = Id<struct FreezeIdTag>;  ///< of a frozen data set
 
 // The curriculum. While it is being written, modules and arms carry their codes in place of ids.

@@ -108,9 +108,9 @@ std::string headValue(const std::string& text, const std::string& key, const std
   refuse(Text::tr("the line \"%1...\" is missing", start), name, Text::tr("Add it"));
 }
 
-/// `existing`: the record held rows before the first of the steps.
-void applyStep(Connection& connection, const Migration& step, const MigrationOptions& options,
-               bool existing) {
+/// `seals`: seals rows that an older version left unsealed; after the last step only, as the rules know the
+/// tables of all of them.
+void applyStep(Connection& connection, const Migration& step, const MigrationOptions& options, bool seals) {
   Transaction transaction(connection);
   if (connection.engine() == Engine::kPostgresql) {
     connection.executeVerbatim(kAdvisoryLock);
@@ -132,7 +132,7 @@ void applyStep(Connection& connection, const Migration& step, const MigrationOpt
       " applied_utc_us) VALUES (?, ?, ?, ?, ?, ?, ?)",
       {step.version, step.name, step.description, step.checksum, step.compatibleFrom, options.softwareVersion,
        now_us});
-  if (existing && hasTable(connection, "row_seal")) {
+  if (seals && hasTable(connection, "row_seal")) {
     sealUnsealed(connection, kSealedOnUpgrade, now_us);
   }
   transaction.commit();
@@ -254,7 +254,7 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
   }
   for (const Migration& step : migrations) {
     if (step.version > state.version) {
-      applyStep(connection, step, options, state.version > 0);
+      applyStep(connection, step, options, state.version > 0 && step.version == state.known);
     }
   }
   return report;

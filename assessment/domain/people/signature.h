@@ -52,6 +52,7 @@ enum class DutyAct : std::uint8_t {
   kRevealAllocation,  ///< subject: the design
   kOnePerson,         ///< switch off the two-person rule
   kInvite,            ///< invitation link for an account with scoring or study rights; subject: the user
+  kFreezeInterim,     ///< freeze a cohort of which sheets are missing; subject: the cohort
   kEnd,               ///< number of acts
 };
 inline constexpr auto kDutyActs = std::to_array<Term<DutyAct>>({
@@ -62,6 +63,7 @@ inline constexpr auto kDutyActs = std::to_array<Term<DutyAct>>({
     {DutyAct::kRevealAllocation, "reveal_allocation", Text::tr("Open the allocation")},
     {DutyAct::kOnePerson, "one_person", Text::tr("One person is enough from now on")},
     {DutyAct::kInvite, "invite", Text::tr("Invitation")},
+    {DutyAct::kFreezeInterim, "freeze_interim", Text::tr("Freeze an interim state")},
 });
 [[nodiscard]] constexpr const auto& termsOf(DutyAct) noexcept {
   return kDutyActs;

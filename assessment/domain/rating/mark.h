@@ -41,6 +41,7 @@ struct SubmittedMark {
   std::string amendReason{};    ///< required from version 2 on
   std::int64_t submittedUtc_us = 0;
   bool demonstration = false;
+  ImportId importId{};             ///< the import it came with; empty: given in this record
   std::string traineeCode{};       ///< filled when read
   std::string raterCode{};         ///< filled when read
   std::string groupCode{};         ///< filled when read

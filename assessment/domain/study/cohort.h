@@ -89,6 +89,19 @@ struct RunningTrial {
   std::int64_t startedUtc_us = 0;
 };
 
+/// Where an imported study came from. Its rows refer to it. Append-only.
+struct StudyImport {
+  ImportId id{};
+  CohortId cohortId{};
+  std::string layout{};            ///< "Torsio", "JIGSAWS"
+  std::string source{};            ///< as the data name it
+  std::string contentHash{};       ///< BLAKE2b-256
+  std::string earlierJson = "[]";  ///< where the source had it from, oldest first
+  std::string signedBy{};          ///< public key whose signature was checked; empty: unsigned
+  UserId importedBy{};
+  std::int64_t importedUtc_us = 0;
+};
+
 /// A named snapshot of a cohort's data. Append-only.
 struct DataFreeze {
   FreezeId id{};

@@ -113,17 +113,18 @@ struct CompetenceDesign {
   std::int64_t experts = 0;      ///< number of experts for kExperts; otherwise 0
   double adequate = 0.05;        ///< share of runs that a competent trainee fails
   double inadequate = 0.3;       ///< share that a trainee who is not competent fails; greater than `adequate`
-  std::int64_t attempts = 50;    ///< number of runs for which the two error rates hold
+  std::int64_t attempts = 80;    ///< number of runs for which the two error rates hold
   double falsePassMost = 0.025;  ///< alpha: largest probability that an inadequate trainee passes
   double falseFailMost = 0.10;   ///< beta: largest probability that an adequate trainee does not pass
   // How a trainee's runs depend on each other (assessment/statistics/cusum.h). The values here are assumed
-  // until the centre has enough runs.
-  double sessionCorrelation = 0.15;
-  double lagCorrelation = 0.1;
+  // until the centre has enough runs: more than where days differ by SD 1 logit, which gives 0.42, so that
+  // both error rates stated with them are upper bounds for that, and for a lag correlation up to 0.4.
+  double sessionCorrelation = 0.45;
+  double lagCorrelation = 0.0;
   std::int64_t runsPerSession = 5;
   std::int64_t dependenceRuns = 0;  ///< number of runs from which they were estimated; 0: assumed
   std::int64_t validDays = 0;       ///< days that a verdict lasts after the last run; 0: it does not expire
-  double limit = 7.33;   ///< of the sum; follows from the other numbers (assessment/attempt/competence.h)
+  double limit = 11.30;  ///< of the sum; follows from the other numbers (assessment/attempt/competence.h)
   std::string reason{};  ///< required for kChosen; optional otherwise
   friend bool operator==(const CompetenceDesign&, const CompetenceDesign&) = default;
 };

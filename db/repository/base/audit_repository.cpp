@@ -146,6 +146,7 @@ constexpr std::array kSubjects{
     " JOIN person p ON p.id = t.trainee_id WHERE x.id",  // a question has the id of its remark
     "SELECT x.id, p.code FROM duty_request x JOIN person p ON p.id = x.subject WHERE x.id",
     "SELECT x.id, u.login FROM duty_request x JOIN app_user u ON u.id = x.subject WHERE x.id",
+    "SELECT x.id, c.name FROM duty_request x JOIN cohort c ON c.id = x.subject WHERE x.id",
     "SELECT x.id, c.name FROM allocation_design x JOIN cohort c ON c.id = x.cohort_id WHERE x.id",
     "SELECT x.id, c.name || ': ' || x.number FROM curriculum_version x"
     " JOIN curriculum c ON c.id = x.curriculum_id WHERE x.id",

@@ -117,6 +117,8 @@ inline constexpr std::array kSealRules{
 
     SealRule{"cohort", Sealing::kEachChange, "id"},
     SealRule{"cohort_state", Sealing::kOnce, "cohort_id, sequence"},
+    SealRule{"study_import", Sealing::kOnce, "id"},
+    SealRule{"study_statement", Sealing::kOnce, "cohort_id, item, sequence"},
     SealRule{"training_group", Sealing::kEachChange, "id"},
     SealRule{"enrolment", Sealing::kEachChange, "id"},
     SealRule{"allocation_design", Sealing::kOnce, "id"},

@@ -146,6 +146,8 @@ inline constexpr std::array kPersonRules{
     PersonRule{"centre", ""},
     PersonRule{"cohort", ""},
     PersonRule{"cohort_state", ""},
+    PersonRule{"study_import", ""},
+    PersonRule{"study_statement", ""},
     PersonRule{"consent_purpose", ""},
     PersonRule{"consent_text", ""},
     PersonRule{"consent_version", ""},

@@ -21,12 +21,12 @@ constexpr auto kMark = rowColumns<SubmittedMark>(
     "training_mark",
     "id, enrolment_id, rater_id, occasion, version, trial_id, score_steps, scale_lo_steps, scale_hi_steps,"
     " steps_per_point, not_assessable_reason, comment, assignment_id, amend_reason, submitted_utc_us,"
-    " demonstration",
+    " demonstration, import_id",
     &SubmittedMark::id, &SubmittedMark::enrolmentId, &SubmittedMark::raterId, &SubmittedMark::occasionCode,
     &SubmittedMark::version, OrNull{&SubmittedMark::trialId}, &SubmittedMark::score_steps,
     &SubmittedMark::scale, OrNull{&SubmittedMark::notAssessableReason}, OrNull{&SubmittedMark::comment},
     OrNull{&SubmittedMark::assignmentId}, OrNull{&SubmittedMark::amendReason},
-    &SubmittedMark::submittedUtc_us, &SubmittedMark::demonstration);
+    &SubmittedMark::submittedUtc_us, &SubmittedMark::demonstration, OrNull{&SubmittedMark::importId});
 
 SubmittedMark markWithCodes(RowReader& row) {
   SubmittedMark mark = kMark(row);

@@ -295,10 +295,17 @@ void SheetRepository::submit(const AssignmentId& assignmentId, const MarkId& mar
   mark.demonstration = assignment.demonstration;
   if (storedVersion) {
     mark.version = *storedVersion;
-  } else if (!amendReason.empty()) {
-    RatingRepository ratings(connection_);
-    mark.version = static_cast<std::int64_t>(
-        1 + ratings.history(mark.enrolmentId, mark.raterId, mark.occasionCode).size());
+  } else {
+    const std::vector<SubmittedMark> earlier =
+        RatingRepository(connection_).history(mark.enrolmentId, mark.raterId, mark.occasionCode);
+    if (std::any_of(earlier.begin(), earlier.end(),
+                    [](const SubmittedMark& one) { return !one.importId.empty(); })) {
+      refuse(Text::tr("the mark of this case was imported and cannot be changed"), assignment.caseLabel,
+             Text::tr("Let the sheet be withdrawn"));
+    }
+    if (!amendReason.empty()) {
+      mark.version = static_cast<std::int64_t>(1 + earlier.size());
+    }
   }
   for (const SheetRow& row : sheet.rows) {
     mark.rows.push_back({rubric.id, row.code, row.score_steps, row.notAssessableReason});

@@ -27,6 +27,13 @@ constexpr auto kAllocation = rowColumns<AllocationEntry>(
 constexpr auto kCentre = rowColumns<Centre>("centre", "id, name, created_utc_us, demonstration", &Centre::id,
                                             &Centre::name, &Centre::createdUtc_us, &Centre::demonstration);
 
+constexpr auto kImport = rowColumns<StudyImport>(
+    "study_import",
+    "id, cohort_id, layout, source, content_hash, earlier_json, signed_by, imported_by, imported_utc_us",
+    &StudyImport::id, &StudyImport::cohortId, &StudyImport::layout, &StudyImport::source,
+    &StudyImport::contentHash, &StudyImport::earlierJson, OrNull{&StudyImport::signedBy},
+    &StudyImport::importedBy, &StudyImport::importedUtc_us);
+
 constexpr auto kExposure = rowColumns<Exposure>(
     "exposure", "id, enrolment_id, phase_id, kind, started_utc_us, duration_us, recorded_by, demonstration",
     &Exposure::id, &Exposure::enrolmentId, OrNull{&Exposure::phaseId}, &Exposure::kind,
@@ -110,6 +117,48 @@ void StudyRepository::setCohortState(const CohortId& cohortId, CohortState state
       " VALUES (?, (SELECT COALESCE(MAX(s.sequence), 0) + 1 FROM cohort_state s WHERE s.cohort_id = ?),"
       " ?, ?, ?, ?)",
       {cohortId, cohortId, storedText(state), reason, changedBy, utc_us});
+}
+
+void StudyRepository::addStatement(const StudyStatement& statement) {
+  connection_.execute(
+      "INSERT INTO study_statement (cohort_id, item, sequence, statement, stated_by, stated_utc_us)"
+      " VALUES (?, ?, (SELECT COALESCE(MAX(s.sequence), 0) + 1 FROM study_statement s WHERE s.cohort_id = ?"
+      " AND s.item = ?), ?, ?, ?)",
+      {statement.cohortId, storedText(statement.item), statement.cohortId, storedText(statement.item),
+       statement.statement, statement.statedBy, statement.statedUtc_us});
+}
+
+StudyStatements StudyRepository::statements(const CohortId& cohortId) const {
+  StudyStatements newest;
+  Statement row = connection_.prepare(
+      "SELECT item, statement FROM study_statement WHERE cohort_id = ? ORDER BY item, sequence");
+  row.execute({cohortId});
+  while (row.step()) {
+    RowReader read(row);
+    const auto item = readTerm<StudyItem>(read);
+    newest[item] = read.text();
+  }
+  std::erase_if(newest, [](const auto& one) { return one.second.empty(); });
+  return newest;
+}
+
+void StudyRepository::addImport(const StudyImport& import) {
+  connection_.prepare(kImport.insert()).execute(kImport.values(import));
+}
+
+std::vector<StudyImport> StudyRepository::imports(const CohortId& cohortId) const {
+  return selectAll(
+      connection_,
+      kImport.select("i") + " FROM study_import i WHERE i.cohort_id = ? ORDER BY i.imported_utc_us, i.id",
+      {cohortId}, kImport);
+}
+
+std::int64_t StudyRepository::importedTrials(const CohortId& cohortId) const {
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM study_import i JOIN trial t ON t.import_id = i.id"
+                     " WHERE i.cohort_id = ?",
+                     {cohortId}, readInt64)
+      .value_or(0);
 }
 
 Cohort StudyRepository::cohort(const CohortId& cohortId) const {

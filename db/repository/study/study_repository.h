@@ -11,6 +11,7 @@
 #include "assessment/domain/study/allocation.h"
 #include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/protocol_terms.h"
+#include "assessment/domain/study/study_statement.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
@@ -31,6 +32,14 @@ class StudyRepository {
   /// `state`: not kDraft, which is only implied before the first allocation.
   void setCohortState(const CohortId& cohortId, CohortState state, const std::string& reason,
                       const std::string& changedBy, std::int64_t utc_us);
+  /// Appends a version of a statement.
+  void addStatement(const StudyStatement& statement);
+  [[nodiscard]] StudyStatements statements(const CohortId& cohortId) const;
+  void addImport(const StudyImport& import);
+  /// Oldest first.
+  [[nodiscard]] std::vector<StudyImport> imports(const CohortId& cohortId) const;
+  /// Counts the recordings that came with an import.
+  [[nodiscard]] std::int64_t importedTrials(const CohortId& cohortId) const;
   [[nodiscard]] std::vector<StudyGroup> groups(const CohortId& cohortId) const;
 
   void enrol(std::span<const Enrolment> enrolments);

@@ -183,7 +183,8 @@ std::vector<IdempotentColumn> contextColumns(const TrialContext& context, Kind k
           {"host_name", textOrNull(context.host.name), kind},
           {"host_os", textOrNull(context.host.os), kind},
           {"host_cpu", textOrNull(context.host.cpu), kind},
-          {"host_gpu", textOrNull(context.host.gpu), kind}};
+          {"host_gpu", textOrNull(context.host.gpu), kind},
+          {"import_id", textOrNull(context.importId), kind}};
 }
 
 /// Returns " IN (?,?,?)".
@@ -343,7 +344,7 @@ std::optional<TrialContext> TrialRepository::context(const TrialId& trialId) con
   return selectFirst(
       connection_,
       "SELECT station, enrolment_id, module_id, phase_id, attempt_mode, host_name, host_os, host_cpu, "
-      "host_gpu"
+      "host_gpu, import_id"
       " FROM trial WHERE id = ?",
       {trialId}, [](RowReader& row) {
         return TrialContext{
@@ -352,7 +353,8 @@ std::optional<TrialContext> TrialRepository::context(const TrialId& trialId) con
             .moduleId = row.text(),
             .phaseId = row.text(),
             .attemptMode = readMaybeTerm<AttemptMode>(row),
-            .host = {.name = row.text(), .os = row.text(), .cpu = row.text(), .gpu = row.text()}};
+            .host = {.name = row.text(), .os = row.text(), .cpu = row.text(), .gpu = row.text()},
+            .importId = row.text()};
       });
 }
 
