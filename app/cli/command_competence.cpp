@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <memory>
@@ -197,8 +198,13 @@ CompetenceDesign designFrom(const std::string& file) {
   return design;
 }
 
-Json shareJson(const SimulatedShare& share) {
-  return {{"failure_rate", share.failureRate}, {"declared", share.declared}, {"printed", share.printed}};
+/// `trainees`: how many were simulated, from which the standard error of `declared` follows.
+Json shareJson(const SimulatedShare& share, std::int64_t trainees) {
+  return {
+      {"failure_rate", share.failureRate},
+      {"declared", share.declared},
+      {"standard_error", std::sqrt(share.declared * (1.0 - share.declared) / static_cast<double>(trainees))},
+      {"printed", share.printed}};
 }
 
 void simulate(const SimulateArguments& arguments) {
@@ -213,7 +219,8 @@ void simulate(const SimulateArguments& arguments) {
                ") of those who fail " + formatFixed(100.0 * share.failureRate, 0) + " %";
       };
       std::cout << scenario.name << ": " << shown(scenario.inadequate) << ", " << shown(scenario.adequate)
-                << "; " << scenario.description << "\n";
+                << "; before the centre has enough runs: " << shown(scenario.assumedInadequate) << ", "
+                << shown(scenario.assumedAdequate) << "; " << scenario.description << "\n";
     }
     return;
   }
@@ -223,7 +230,9 @@ void simulate(const SimulateArguments& arguments) {
     json["failure_rate"] = scenario.inadequate.failureRate;
     json["declared"] = scenario.inadequate.declared;
     json["printed"] = scenario.inadequate.printed;
-    json["adequate"] = shareJson(scenario.adequate);
+    json["adequate"] = shareJson(scenario.adequate, arguments.trainees);
+    json["assumed"] = {{"inadequate", shareJson(scenario.assumedInadequate, arguments.trainees)},
+                       {"adequate", shareJson(scenario.assumedAdequate, arguments.trainees)}};
     json["session_correlation"] = scenario.design.sessionCorrelation;
     json["lag_correlation"] = scenario.design.lagCorrelation;
     json["runs_per_session"] = scenario.design.runsPerSession;

@@ -22,7 +22,7 @@ constexpr std::int64_t kTwists = 10;     // of a whole run
 constexpr std::int64_t kMostMisses = 2;  // with which it passes: four in five must be on target
 constexpr std::int64_t kRunsPerDay = 5;
 constexpr std::int64_t kBetweenRuns_us = std::int64_t{600} * 1'000'000;
-constexpr std::int64_t kCentre = 1'000;  // trainees from whom the dependence is estimated
+constexpr std::int64_t kCentre = 2'000;  // trainees from whom the dependence is estimated
 
 /// The exercise that is simulated.
 AttemptRules simulatedExercise(double tolerance_rad) {
@@ -247,6 +247,8 @@ std::vector<CompetenceScenario> simulateCompetence(const CompetenceDesign& desig
     }
     out.inadequate = simulatedShare(scenario, out.design, exercise, design.inadequate, trainees, random);
     out.adequate = simulatedShare(scenario, out.design, exercise, design.adequate, trainees, random);
+    out.assumedInadequate = simulatedShare(scenario, design, exercise, design.inadequate, trainees, random);
+    out.assumedAdequate = simulatedShare(scenario, design, exercise, design.adequate, trainees, random);
     all.push_back(std::move(out));
   }
   return all;

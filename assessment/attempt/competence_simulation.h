@@ -24,6 +24,9 @@ struct CompetenceScenario {
   CompetenceDesign design{};  ///< planned with the dependence estimated from simulated trainees of this kind
   SimulatedShare inadequate{};
   SimulatedShare adequate{};
+  /// The same before a centre has enough runs: by the design as given, with the dependence that it assumes.
+  SimulatedShare assumedInadequate{};
+  SimulatedShare assumedAdequate{};
 };
 
 inline constexpr std::int64_t kMaxSimulatedTrainees = 100'000;

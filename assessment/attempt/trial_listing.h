@@ -28,6 +28,7 @@ struct TrialContext {
   PhaseId phaseId{};          ///< empty: no phase
   std::optional<AttemptMode> attemptMode{};  ///< at the time; empty for free practice
   RecordingHost host{};
+  ImportId importId{};  ///< the import it came with; empty: recorded in this record
   friend bool operator==(const TrialContext&, const TrialContext&) = default;
 };
 

@@ -226,7 +226,7 @@ Text assumptionText(const CompetenceDesign& design) {
   const Text origin =
       design.dependenceRuns > 0
           ? Text::tr("estimated from %1 {run|runs} of this centre", design.dependenceRuns)
-          : Text::tr("assumed, until a design is registered after %1 {run|runs} of %2 {person|people}",
+          : Text::tr("assumed high, until a design is registered after %1 {run|runs} of %2 {person|people}",
                      kMinDependenceAttempts, kMinDependencePeople);
   return Text::tr(
       "This holds for a failure rate that does not change, with correlations of %1 among the runs of one "

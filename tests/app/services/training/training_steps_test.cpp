@@ -286,7 +286,7 @@ CompetenceDesign stricter(TrainingCentre& centre) {
   CompetenceDesign design;
   design.moduleId = centre.module("first");
   design.inadequate = 0.4;
-  design.attempts = 30;
+  design.attempts = 50;
   return design;
 }
 
@@ -296,7 +296,7 @@ TEST(CompetenceDesigns, ApplyToTraineesWhoStartAfterTheirRegistration) {
   centre.passTime_us(kMinute_us);
   const CompetenceDesign stored = registerCompetence(asAdministrator(centre), stricter(centre));
   EXPECT_EQ(stored.version, 1);
-  EXPECT_EQ(stored.limit, 6.90);
+  EXPECT_EQ(stored.limit, 11.25);
   EXPECT_EQ(stored.dependenceRuns, 0);  // too few runs to estimate how they depend on each other
   EXPECT_DOUBLE_EQ(stored.tolerance_rad, radians(5.0));
   centre.passTime_us(kMinute_us);
@@ -318,7 +318,7 @@ TEST(CompetenceDesigns, ApplyToTraineesWhoStartAfterTheirRegistration) {
   centre.attempt("first", "practice", kExpertSkill);
   const Transcript paper = transcript(centre.session(), centre.person());
   EXPECT_EQ(paper.modules.front().competence.design, stored);
-  EXPECT_EQ(paper.modules.front().competence.planned.attempts, 30);
+  EXPECT_EQ(paper.modules.front().competence.planned.attempts, 50);
   EXPECT_EQ(paper.modules.front().competence.errors.attempts, 1);
 }
 
@@ -615,7 +615,7 @@ TEST(Trend, ShowsEveryAttemptAndTheDistanceToTheThreshold) {
   EXPECT_LE(*way.distance, 0.0);
   EXPECT_EQ(way.competence.level, SkillLevel::kNotShown);
   EXPECT_EQ(way.competence.attempts, 2U);  // runs
-  EXPECT_EQ(way.competence.attemptsUntilLevel, 23U);
+  EXPECT_EQ(way.competence.attemptsUntilLevel, 36U);
   EXPECT_EQ(way.competence.design.version, 0);
   EXPECT_TRUE(way.curve.empty());
   EXPECT_FALSE(way.noCurveReason.empty());
