@@ -68,6 +68,7 @@ ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& st
   ReportTable table =
       itemOf<ReportTable>(in, "table-agreement-groups", Text::tr("Agreement of the raters within each group"),
                           Text::tr("Shrout and Fleiss ICC(2,1), ICC(2,k), each group alone"));
+  table.annex = true;
   ResultTable rows(ledger, table,
                    {{Text::tr("Occasion")},
                     {Text::tr("Group")},
@@ -93,6 +94,7 @@ ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const
   ReportTable table = itemOf<ReportTable>(
       in, "table-kappa", Text::tr("Agreement of the raters in whole points, pair by pair"),
       Text::tr("Cohen's kappa with quadratic weights; marks rounded to whole points"));
+  table.annex = true;
   ResultTable rows(ledger, table,
                    {{Text::tr("Occasion")},
                     {Text::tr("Pairs of raters"), "rater_pairs"},

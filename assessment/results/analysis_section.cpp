@@ -112,6 +112,7 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in, const Ledger& led
   ReportTable table =
       itemOf<ReportTable>(in, "table-friedman", Text::tr("Order of the models over all raters"),
                           Text::tr("Friedman on the raters' own comprehensive scores"));
+  table.annex = true;
   ResultTable rows(ledger, table,
                    {{Text::tr("Model")}, {Text::tr("Mean rank (1 is lowest)"), "mean_rank", fixed(2)}});
   table.provenance.formulaVersion = kEvaluationFormulaVersion;

@@ -166,17 +166,19 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
                  in.freeze->name));
   }
   if (in.freeze && in.freeze->interim()) {
-    out.emplace_back(
-        Text::tr("Interim: these data were frozen when %1 of %2 sheets were in (%3). Looking at results "
-                 "before the end of a "
-                 "study makes false findings more likely.",
-                 in.freeze->sheetsSubmitted, in.freeze->sheetsAsked, in.freeze->whyIncomplete));
+    out.emplace_back(Text::tr(
+        "Interim: these data were frozen when %1 of %2 sheets were in (%3). %4 Looking at results "
+        "before the end of a study makes false findings more likely.",
+        in.freeze->sheetsSubmitted, in.freeze->sheetsAsked, in.freeze->whyIncomplete,
+        in.freeze->askedBy.empty()
+            ? Text::tr("One person alone decided to look.")
+            : Text::tr("%1 asked for this look, and %2 agreed.", in.freeze->askedBy, in.freeze->frozenBy)));
   }
   if (in.imported) {
-    out.emplace_back(
-        Text::tr("This study was imported: %1. How its marks were given and its groups were made is not in "
-                 "this record.",
-                 importSentence(*in.imported)));
+    out.emplace_back(Text::tr(
+        "This study was imported: %1. How its marks (%2) were given, its recordings (%3) made and its "
+        "groups drawn is not in this record.",
+        importSentence(*in.imported), in.imported->marks, in.imported->recordings));
   }
   addWithdrawn(ledger, out);
   const bool compared = study.primaryMethod() != PrimaryMethod::kNone;

@@ -226,7 +226,7 @@ ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, c
   if (otherwise == 0) {
     static_cast<Text&>(out) = Text::tr(
         "Training: all %1 {trainee|trainees} received what was planned for their group, within %2 %.",
-        asPlanned, std::lround(100.0 * (1.0 - kLeastShare)));
+        asPlanned, std::lround(100.0 * kWithinShare));
     return out;
   }
   const Text who = Text::tr(

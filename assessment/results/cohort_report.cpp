@@ -190,44 +190,15 @@ ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>&
   }
   report.sections.push_back(methodsSection(in, study ? *study : StudyAnalysis{}, ledger));
   report.sections.push_back(provenanceSection(in, ledger));
+  if (!in.trainees.empty()) {
+    report.sections.push_back(checklistSection(in, report));
+  }
   for (ReportSection& section : report.sections) {
     for (ReportFigure& figure : section.figures) {
       figure.valuesStand = Text::tr("The program shows them under Results.");
     }
   }
   return report;
-}
-
-/// Tables and figures that a reviewer looks up: ids, or with a hyphen at the end their beginnings.
-constexpr std::array<std::string_view, 24> kAnnex{"figure-classes",
-                                                  "figure-courses-",
-                                                  "figure-qq",
-                                                  "figure-residuals",
-                                                  "table-agreement-groups",
-                                                  "table-allocation",
-                                                  "table-chain",
-                                                  "table-competence",
-                                                  "table-criteria-trainees-",
-                                                  "table-deviations",
-                                                  "table-foreign-learning",
-                                                  "table-friedman",
-                                                  "table-indices-",
-                                                  "table-kappa",
-                                                  "table-learning",
-                                                  "table-mark-signatures",
-                                                  "table-missing",
-                                                  "table-provenance",
-                                                  "table-rasch",
-                                                  "table-sheet-",
-                                                  "table-sources",
-                                                  "table-training-scores",
-                                                  "table-training-summary",
-                                                  "table-trial-hashes"};
-
-bool isAnnex(const std::string& id) {
-  return std::any_of(kAnnex.begin(), kAnnex.end(), [&](std::string_view annex) {
-    return annex.ends_with('-') ? id.starts_with(annex) : id == annex;
-  });
 }
 
 /// Moves what only a reviewer looks up behind the report, in the order of its sections.
@@ -237,7 +208,7 @@ void moveToAnnex(ReportModel& report) {
     ReportSection rest{"annex-" + section.id, Text::tr("Annex: %1", section.title)};
     const auto move = [](auto& from, auto& to) {
       const auto kept =
-          std::stable_partition(from.begin(), from.end(), [](const auto& item) { return !isAnnex(item.id); });
+          std::stable_partition(from.begin(), from.end(), [](const auto& item) { return !item.annex; });
       to.assign(std::make_move_iterator(kept), std::make_move_iterator(from.end()));
       from.erase(kept, from.end());
     };

@@ -14,6 +14,7 @@
 #include "assessment/attempt/competence.h"
 #include "assessment/attempt/run_verdict.h"
 #include "assessment/domain/ids.h"
+#include "assessment/domain/study/study_statement.h"
 #include "assessment/results/report_model.h"
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
@@ -79,6 +80,7 @@ struct CohortFreeze {
   std::int64_t sheetsAsked = 0;  ///< of raters, when it was frozen; 0: not known
   std::int64_t sheetsSubmitted = 0;
   std::string whyIncomplete{};
+  std::string askedBy{};  ///< of an interim state: the other person who asked for it; empty: nobody did
   [[nodiscard]] bool interim() const noexcept { return sheetsSubmitted < sheetsAsked; }
 };
 
@@ -89,6 +91,10 @@ struct CohortOrigin {
   std::string contentHash;
   std::string importedBy;  ///< sign-in name, or id
   std::int64_t importedUtc_us = 0;
+  std::vector<std::string> earlier{};  ///< where the source had it from, oldest first
+  std::string signedBy{};              ///< public key whose signature was checked; empty: unsigned
+  std::int64_t marks = 0;              ///< that came with it
+  std::int64_t recordings = 0;
 };
 
 /// A deviation from the protocol.
@@ -256,6 +262,8 @@ struct CohortInputs {
   std::optional<double> equivalenceMargin;
   /// Returns whether the record states how the groups were to be compared: the margin is set with the cohort.
   [[nodiscard]] bool hasAnalysisPlan() const noexcept { return equivalenceMargin.has_value(); }
+
+  StudyStatements statements;  ///< what the study says about itself
 
   std::vector<CohortGroup> groups;
   std::vector<CohortTrainee> trainees;

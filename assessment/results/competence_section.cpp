@@ -81,6 +81,7 @@ ReportFigure sumsFigure(const CohortInputs& in, const Ledger& ledger) {
 
 ReportTable verdictsTable(const CohortInputs& in, const Ledger& ledger) {
   auto table = competenceItem<ReportTable>(in, "table-competence", Text::tr("Competence of every trainee"));
+  table.annex = true;
   table.individual = true;
   ResultTable rows(ledger, table,
                    {{Text::tr("Group")},

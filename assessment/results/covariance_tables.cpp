@@ -287,9 +287,11 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
   ReportFigure fitted =
       itemOf<ReportFigure>(in, "figure-residuals", Text::tr("Residuals of the analysis of covariance"),
                            Text::tr("score at the end minus what the model says"));
+  fitted.annex = true;
   ReportFigure normal =
       itemOf<ReportFigure>(in, "figure-qq", Text::tr("Residuals against a normal distribution"),
                            Text::tr("residuals in order against normal quantiles at (i - 0.5) / n"));
+  normal.annex = true;
   fitted.xLabel = Text::tr("what the model says (points)");
   fitted.yLabel = Text::tr("residual (points)");
   fitted.references = {{0.0, Text::tr("as the model says")}};

@@ -132,6 +132,7 @@ ReportTable sheetTable(const CohortInputs& in, const Ledger& ledger, std::size_t
   ReportTable table =
       itemOf<ReportTable>(in, "table-sheet-" + std::to_string(number + 1),
                           Text::tr("Scoring sheet as the raters saw it: %1", titleOf(sheet)), Text());
+  table.annex = true;
   table.columns = {Text::tr("Criterion"), Text::tr("Scale"), Text::tr("Weight"),
                    Text::tr("What the marks mean (anchors)")};
   for (const ReportedCriterion& criterion : sheet.criteria) {
@@ -198,6 +199,7 @@ ReportTable traineesTable(const CohortInputs& in, const Ledger& ledger, std::siz
   ReportTable table = itemOf<ReportTable>(in, "table-criteria-trainees-" + std::to_string(number + 1),
                                           Text::tr("Criteria by trainee: %1", titleOf(in.sheets[number])),
                                           Text::tr("mean over the raters"));
+  table.annex = true;
   table.individual = true;
   table.columns =
       columnsOf(in.sheets[number], {Text::tr("Trainee"), Text::tr("Occasion"), Text::tr("Raters")});

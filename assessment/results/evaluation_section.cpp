@@ -208,6 +208,7 @@ ReportFigure boxesFigure(const CohortInputs& in, const Ledger& ledger) {
 ReportFigure classesFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure out = figure(in, "figure-classes", Text::tr("Mean score by class of raters"),
                             FigureKind::kHeatMap, Text::tr("class means of Eq. 25"));
+  out.annex = true;
   out.xLabel = Text::tr("index");
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
@@ -257,6 +258,7 @@ ReportTable comprehensiveTable(const CohortInputs& in, const Ledger& ledger) {
 ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-indices-" + model.model;
+  table.annex = true;
   table.title = Text::tr("Model %1: exact values by index", model.model);
   ResultTable rows(ledger, table,
                    {{Text::tr("Index")},

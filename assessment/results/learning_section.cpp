@@ -61,6 +61,7 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<PracticeCour
   ReportTable table =
       itemOf<ReportTable>(in, "table-learning", Text::tr("Learning of every trainee on the simulator"),
                           Text::tr("exponential learning curve"));
+  table.annex = true;
   table.individual = true;
   ResultTable rows(
       ledger, table,

@@ -159,6 +159,7 @@ std::optional<ReportTable> missingTable(const CohortInputs& in, const StudyAnaly
   }
   ReportTable table = itemOf<ReportTable>(in, "table-missing", Text::tr("Trainees of whom marks are missing"),
                                           Text::tr("counts"));
+  table.annex = true;
   table.individual = true;
   ResultTable rows(ledger, table,
                    {{Text::tr("Trainee")},

@@ -131,6 +131,7 @@ ReportSection participantsSection(const CohortInputs& in, const Ledger& ledger) 
   if (!in.allocation.design.empty()) {
     section.tables.push_back(
         pairsTable("table-allocation", Text::tr("Design of the allocation"), in.allocation.design));
+    section.tables.back().annex = true;
   }
   return section;
 }
@@ -159,6 +160,7 @@ ReportSection deviationsSection(const CohortInputs& in, const Ledger& ledger) {
        {reported, kinds}});
   ReportTable table;
   table.id = "table-deviations";
+  table.annex = true;
   table.title = Text::tr("Deviations from the protocol");
   table.individual = true;
   table.columns = {Text::tr("When"), Text::tr("Trainee"), Text::tr("Kind"), Text::tr("What happened")};
@@ -188,6 +190,7 @@ ReportSection signaturesSection(const CohortInputs& in, const Ledger& ledger) {
        {with, without}});
   ReportTable table;
   table.id = "table-mark-signatures";
+  table.annex = true;
   table.title = Text::tr("Who signed which mark");
   table.individual = true;
   table.columns = {Text::tr("Signed by"), Text::tr("Trainee"), Text::tr("Occasion"), Text::tr("Version"),

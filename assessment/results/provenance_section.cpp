@@ -16,6 +16,7 @@ constexpr std::size_t kPrintedDigits = 16;
 ReportTable versionsTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-provenance";
+  table.annex = true;
   table.title = Text::tr("Where the numbers come from");
   table.columns = {Text::tr("Item"), Text::tr("Value")};
   table.rows = {
@@ -51,6 +52,7 @@ ReportTable versionsTable(const CohortInputs& in) {
 ReportTable sourcesTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-sources";
+  table.annex = true;
   table.title = Text::tr("What each part is computed from");
   table.columns = {Text::tr("Part of the report"), Text::tr("Source"), Text::tr("Count"),
                    Text::tr("Hash of the source")};
@@ -105,6 +107,7 @@ ReportTable chainTable(const CohortInputs& in, const Ledger& ledger) {
   }
   ReportTable table;
   table.id = "table-chain";
+  table.annex = true;
   table.title = Text::tr("From every trainee's scores back to marks and recordings");
   table.individual = true;
   table.columns = {Text::tr("Trainee"), Text::tr("Marks behind the scores"),
@@ -121,6 +124,7 @@ ReportTable chainTable(const CohortInputs& in, const Ledger& ledger) {
 ReportTable trialsTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-trial-hashes";
+  table.annex = true;
   table.title = Text::tr("Recorded runs");
   table.individual = true;
   table.columns = {Text::tr("Run"),     Text::tr("Trainee"), Text::tr("Phase"),       Text::tr("Model"),

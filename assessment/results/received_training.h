@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -24,6 +25,8 @@ inline constexpr std::array kEveryReceived{Received::kAsPlanned, Received::kNoth
                                            Received::kTooMuch, Received::kOtherGroup};
 inline constexpr double kLeastShare = 0.8;
 inline constexpr double kMostShare = 1.2;
+/// How far training as planned may be from the plan, as a share of it.
+inline constexpr double kWithinShare = std::max(1.0 - kLeastShare, kMostShare - 1.0);
 
 /// Returns "as_planned", "nothing" ..., the word in cohort.csv.
 [[nodiscard]] std::string_view wordOf(Received received) noexcept;

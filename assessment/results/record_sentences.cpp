@@ -125,10 +125,18 @@ ReportParagraph detectableSentence(const CohortInputs& in, const StudyAnalysis& 
 }
 
 Text importSentence(const CohortOrigin& origin) {
-  return Text::tr("from %1 (%2, hash %3) by %4 on %5",
-                  origin.source.empty() ? Text(Text::tr("a file without a name")) : Text(origin.source),
-                  origin.layout, origin.contentHash.substr(0, kPrintedHash), origin.importedBy,
-                  formatUtc(origin.importedUtc_us));
+  const Text from = Text::tr(
+      "from %1 (%2, hash %3) by %4 on %5",
+      origin.source.empty() ? Text(Text::tr("a file without a name")) : Text(origin.source), origin.layout,
+      origin.contentHash.substr(0, kPrintedHash), origin.importedBy, formatUtc(origin.importedUtc_us));
+  const Text vouched = origin.signedBy.empty() ? Text::tr("%1, signed by nobody", from)
+                                               : Text::tr("%1, signed with the key %2", from,
+                                                          origin.signedBy.substr(0, kPrintedHash));
+  if (origin.earlier.empty()) {
+    return vouched;
+  }
+  std::vector<Text> steps(origin.earlier.begin(), origin.earlier.end());
+  return Text::tr("%1; imported there from %2", vouched, listed(steps));
 }
 
 std::vector<Text> originSentences(const CohortInputs& in) {

@@ -86,6 +86,7 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
 ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   auto table = itemOf<ReportTable>(in, "table-rasch", Text::tr("Raters on one scale, last occasion"),
                                    Text::tr("many-facet Rasch model, joint maximum likelihood"));
+  table.annex = true;
   table.individual = true;
   table.columns = {Text::tr("Rater"), Text::tr("Severity, corrected (logits) [95 %]"),
                    Text::tr("Joint estimate"), Text::tr("Infit"), Text::tr("Outfit")};

@@ -67,6 +67,7 @@ struct ReportTable {
   std::vector<Text> columns;
   std::vector<std::vector<ReportCell>> rows;  ///< each as long as `columns`; numbers are already formatted
   bool individual = false;                    ///< lists single people: not part of an aggregated report
+  bool annex = false;                         ///< only a reviewer looks it up: behind the report
   std::vector<ReportParagraph> notes;
   Provenance provenance;
 };
@@ -146,6 +147,7 @@ struct ReportFigure {
   std::optional<double> yMin;  ///< of the value axis, in either orientation
   std::optional<double> yMax;
   bool individual = false;      ///< shows single people: not part of an aggregated report
+  bool annex = false;           ///< only a reviewer looks it up: behind the report
   bool valuesInLabels = false;  ///< labels or a table of the section have the values: no table of its own
   std::vector<ReportParagraph> notes;
   Provenance provenance;

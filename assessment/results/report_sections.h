@@ -119,6 +119,9 @@ inline constexpr const char* kMarkMinusOthers = "mark_minus_others";
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs, const StudyAnalysis& study,
                                            const Ledger& ledger);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs, const Ledger& ledger);
+/// Returns what the study says about itself, and checklists of what its report should contain and where
+/// `report` has it; call with all other sections.
+[[nodiscard]] ReportSection checklistSection(const CohortInputs& inputs, const ReportModel& report);
 
 /// Returns the effect of more or fewer raters, and each rater's severity on one scale.
 [[nodiscard]] std::vector<ReportTable> reliabilityTables(const CohortInputs& inputs,

@@ -128,6 +128,7 @@ ReportFigure meansFigure(const CohortInputs& in, const Ledger& ledger) {
 ReportFigure coursesFigure(const CohortInputs& in, const Ledger& ledger, std::size_t group) {
   ReportFigure out;
   out.id = "figure-courses-" + std::to_string(group + 1);
+  out.annex = true;
   const CohortGroup& shown = in.groups[group];
   out.title = shown.protocol.empty()
                   ? Text::tr("Course of every trainee, %1", shown.name)
@@ -176,6 +177,7 @@ ReportFigure coursesFigure(const CohortInputs& in, const Ledger& ledger, std::si
 ReportTable summaryTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-training-summary";
+  table.annex = true;
   table.title = Text::tr("Training study: groups at each occasion");
   ResultTable rows(
       ledger, table,
@@ -228,6 +230,7 @@ ReportTable summaryTable(const CohortInputs& in, const Ledger& ledger) {
 ReportTable scoresTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-training-scores";
+  table.annex = true;
   table.title = Text::tr("Training study: score of every trainee");
   table.individual = true;
   table.columns = {Text::tr("Group"), Text::tr("Number"), Text::tr("Trainee")};

@@ -204,6 +204,7 @@ ReportTable foreignCourses(const CohortInputs& in, const Ledger& ledger,
   ReportTable table = itemOf<ReportTable>(in, "table-foreign-learning",
                                           Text::tr("Learning of every trainee on other equipment"),
                                           Text::tr("exponential learning curve"));
+  table.annex = true;
   table.individual = true;
   table.columns = {Text::tr("Group"), Text::tr("Trainee"), Text::tr("Measure"),        Text::tr("Runs"),
                    Text::tr("First"), Text::tr("Last"),    Text::tr("Left in the end")};

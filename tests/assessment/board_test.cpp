@@ -225,13 +225,20 @@ std::vector<Strange> people() {
        with([](CohortInputs& in) {
          in.freeze = CohortFreeze{"first look", "b", 1, "admin", true, 900, 2, "the board meets"};
        }),
-       {"Interim: these data were frozen when 2 of 900 sheets were in (the board meets)"}},
+       {"Interim: these data were frozen when 2 of 900 sheets were in (the board meets). One person alone "
+        "decided to look."}},
+      {"frozen by two with sheets missing",
+       with([](CohortInputs& in) {
+         in.freeze = CohortFreeze{"first look", "b", 1, "second", true, 900, 2, "the board meets", "admin"};
+       }),
+       {"admin asked for this look, and second agreed."},
+       {"One person alone"}},
       {"imported",
        with([](CohortInputs& in) {
          in.imported = CohortOrigin{"Torsio", "set", std::string(64, 'c'), "admin", 1'767'600'000'000'000};
        }),
        {"This study was imported: from set (Torsio, hash cccccccccccccccc) by admin on 2026-01-05 08:00 "
-        "UTC"}},
+        "UTC, signed by nobody"}},
       {"simulated",
        with([](CohortInputs& in) { in.demonstration = true; }),
        {kAsPlanned},

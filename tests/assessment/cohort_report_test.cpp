@@ -413,5 +413,39 @@ TEST(FormatFixed, IsIndependentOfLocaleAndHasNoNegativeZero) {
   EXPECT_EQ(formatP(0.0001), "< 0.001");
 }
 
+/// Returns the answer to an item of a checklist; empty without it.
+std::string answerIn(const ReportModel& report, const std::string& checklist, const std::string& item) {
+  for (const ReportSection& section : report.sections) {
+    for (const ReportTable& table : section.tables) {
+      for (const std::vector<ReportCell>& row : table.rows) {
+        if (table.id == checklist && row.front().str() == item) {
+          return row.back().str();
+        }
+      }
+    }
+  }
+  return {};
+}
+
+TEST(Checklist, FillsItselfWhereTheRecordKnows) {
+  CohortInputs in = testing::demonstrationCohort();
+  const ReportModel without = cohortReport(in);
+  EXPECT_EQ(answerIn(without, "table-statements", "Registration"), "not recorded: registry, number and date");
+  EXPECT_EQ(answerIn(without, "table-checklist-consort", "2"), "not recorded");
+  EXPECT_EQ(answerIn(without, "table-checklist-consort", "6"), "not recorded");
+  EXPECT_EQ(answerIn(without, "table-checklist-consort", "22a"), "see \"Flow of participants\"");
+  EXPECT_EQ(answerIn(without, "table-checklist-consort", "16b"), "not recorded") << "nothing was frozen";
+
+  in.statements = {{StudyItem::kRegistration, "ChiCTR 1, 2026-01-05"}};
+  in.freeze = CohortFreeze{"final", "b", 1, "admin", true};
+  in.allocation = {};
+  const ReportModel with = cohortReport(in);
+  EXPECT_EQ(answerIn(with, "table-statements", "Registration"), "ChiCTR 1, 2026-01-05");
+  EXPECT_EQ(answerIn(with, "table-checklist-consort", "2"), "see \"What the study says about itself\"");
+  EXPECT_EQ(answerIn(with, "table-checklist-consort", "16b"), "the data were frozen when every sheet was in");
+  EXPECT_EQ(answerIn(with, "table-checklist-consort", "18"), "not recorded") << "no groups were drawn";
+  EXPECT_EQ(answerIn(with, "table-checklist-grras", "11"), "see \"Raters\"");
+}
+
 }  // namespace
 }  // namespace torsio

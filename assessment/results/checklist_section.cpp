@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the study says about itself, and the items that three guidelines ask a report for: CONSORT 2025
+// (randomised trials), GRRAS 2011 (reliability and agreement), Cheng et al. 2016 (simulation research,
+// elements beyond CONSORT).
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "assessment/results/report_sections.h"
+#include "sim/core/text.h"
+
+namespace torsio {
+
+namespace {
+
+using Sentence = Text (*)(const CohortInputs& in);
+
+/// An item of a guideline and what in the record answers it.
+struct ChecklistItem {
+  std::string_view number;
+  Phrase asks;
+  StudyItem stated = StudyItem::kEnd;  ///< this statement
+  std::string_view where{};            ///< a section, table or figure with this id
+  Sentence said = nullptr;             ///< a sentence; empty: not recorded
+};
+/// Answered by what the study says about itself.
+constexpr ChecklistItem stated(std::string_view number, Phrase asks, StudyItem by) {
+  return {.number = number, .asks = asks, .stated = by};
+}
+/// Answered by a part of the report.
+constexpr ChecklistItem shown(std::string_view number, Phrase asks, std::string_view where) {
+  return {.number = number, .asks = asks, .where = where};
+}
+/// Answered by a sentence, and by that part of the report.
+constexpr ChecklistItem told(std::string_view number, Phrase asks, Sentence said,
+                             std::string_view where = {}) {
+  return {.number = number, .asks = asks, .where = where, .said = said};
+}
+/// Answered by nothing in the record.
+constexpr ChecklistItem open(std::string_view number, Phrase asks) {
+  return {.number = number, .asks = asks};
+}
+
+Text designOf(const CohortInputs& in) {
+  if (in.allocation.method.empty()) {
+    return {};
+  }
+  return in.equivalenceMargin
+             ? Text::tr(
+                   "%1 parallel {group|groups}, drawn; differences, and equivalence within a planned "
+                   "margin",
+                   in.groups.size())
+             : Text::tr("%1 parallel {group|groups}, drawn; differences", in.groups.size());
+}
+Text interimOf(const CohortInputs& in) {
+  if (!in.freeze) {
+    return {};
+  }
+  return in.freeze->interim() ? Text::tr("this report is an interim look; see the first page")
+                              : Text::tr("the data were frozen when every sheet was in");
+}
+Text concealmentOf(const CohortInputs& in) {
+  return in.allocation.commitment.empty() ? Text() : Text::tr("by a sealed seed with a published hash");
+}
+Text implementationOf(const CohortInputs& in) {
+  return in.allocation.commitment.empty() ? Text() : Text::tr("drawn by the program from the sealed seed");
+}
+Text blindedOf(const CohortInputs& in) {
+  const MarkWays& ways = in.markWays;
+  return ways.blinded + ways.live + ways.entered == 0
+             ? Text()
+             : Text::tr("raters: %1 of %2 {mark|marks} under case labels", ways.blinded,
+                        ways.blinded + ways.live + ways.entered);
+}
+Text stationsOf(const CohortInputs& in) {
+  return in.trials.empty() ? Text() : Text::verbatim("Torsio %1", in.softwareVersion);
+}
+Text unitOf(const CohortInputs& in) {
+  return in.trainingMarks.empty() ? Text() : Text::tr("the trainee; repeated marks: see Methods");
+}
+Text independentlyOf(const CohortInputs& in) {
+  return in.markWays.blinded + in.markWays.live == 0
+             ? Text()
+             : Text::tr("yes: nobody sees another's mark before submitting");
+}
+Text dataOf(const CohortInputs& in) {
+  return in.trainingMarks.empty() ? Text() : Text::tr("in the table of numbers (CSV) and the data set");
+}
+
+using Items = std::span<const ChecklistItem>;
+
+constexpr std::array kConsort{
+    open("1a", Text::tr("Title names a randomised trial")),
+    shown("1b", Text::tr("Structured summary"), "summary"),
+    stated("2", Text::tr("Registration"), StudyItem::kRegistration),
+    stated("3", Text::tr("Protocol and plan of the analysis"), StudyItem::kProtocol),
+    stated("4", Text::tr("Sharing of data and programs"), StudyItem::kDataAccess),
+    stated("5a", Text::tr("Funding and the part of funders"), StudyItem::kFunding),
+    stated("5b", Text::tr("Conflicts of interest"), StudyItem::kInterests),
+    open("6", Text::tr("Background and rationale")),
+    open("7", Text::tr("Objectives: benefits and harms")),
+    stated("8", Text::tr("Involvement of patients or the public"), StudyItem::kInvolvement),
+    told("9", Text::tr("Design: type, ratio, framework"), designOf),
+    shown("10", Text::tr("Changes after the start"), "deviations"),
+    stated("11", Text::tr("Setting and places"), StudyItem::kPlace),
+    stated("12a", Text::tr("Eligibility of participants"), StudyItem::kEligibility),
+    open("12b", Text::tr("Eligibility of sites and of those who teach")),
+    shown("13", Text::tr("Interventions, to be repeated by others"), "table-participants"),
+    shown("14", Text::tr("Outcomes, planned, with their times"), "training"),
+    stated("15", Text::tr("How harms were defined and looked for"), StudyItem::kHarms),
+    stated("16a", Text::tr("Sample size and its assumptions"), StudyItem::kSampleSize),
+    told("16b", Text::tr("Interim analyses and stopping"), interimOf),
+    shown("17a", Text::tr("How the sequence was made"), "participants"),
+    shown("17b", Text::tr("Kind of randomisation and restrictions"), "table-allocation"),
+    told("18", Text::tr("Concealment of the allocation"), concealmentOf),
+    told("19", Text::tr("Who enrolled and assigned, with what access"), implementationOf),
+    told("20a", Text::tr("Who was blinded"), blindedOf),
+    told("20b", Text::tr("How blinding was done"), blindedOf, "methods"),
+    shown("21a", Text::tr("Statistical methods"), "methods"),
+    shown("21b", Text::tr("Who is in each analysis"), "comparisons"),
+    shown("21c", Text::tr("How missing data were handled"), "table-bounds"),
+    shown("21d", Text::tr("Additional analyses, planned or not"), "comparisons"),
+    shown("22a", Text::tr("Flow of participants"), "table-flow"),
+    shown("22b", Text::tr("Losses and exclusions, with reasons"), "table-flow"),
+    stated("23a", Text::tr("Dates of recruitment and follow-up"), StudyItem::kRecruitment),
+    open("23b", Text::tr("Why the trial ended")),
+    shown("24a", Text::tr("Interventions as delivered"), "table-dose"),
+    shown("24b", Text::tr("Other training during the trial"), "deviations"),
+    shown("25", Text::tr("Baseline data by group"), "table-participants"),
+    shown("26", Text::tr("Numbers analysed, effects and precision"), "table-ancova"),
+    stated("27", Text::tr("Harms in each group"), StudyItem::kHarms),
+    shown("28", Text::tr("Other analyses"), "table-mixed-anova"),
+    open("29", Text::tr("Interpretation")),
+    shown("30", Text::tr("Limitations"), "summary"),
+};
+
+constexpr std::array kGrras{
+    open("1", Text::tr("Title or abstract names reliability or agreement")),
+    shown("2", Text::tr("The instrument of measurement"), "criteria"),
+    stated("3", Text::tr("Population of subjects"), StudyItem::kEligibility),
+    shown("4", Text::tr("Population of raters"), "raters"),
+    open("5", Text::tr("What is known, and why this study")),
+    stated("6", Text::tr("How the numbers of raters, subjects and replicates were chosen"),
+           StudyItem::kSampleSize),
+    stated("7", Text::tr("How subjects and raters were sampled"), StudyItem::kRecruitment),
+    told("8", Text::tr("Process of rating, with blinding"), blindedOf, "methods"),
+    told("9", Text::tr("Whether ratings were independent"), independentlyOf),
+    shown("10", Text::tr("Statistical analysis"), "methods"),
+    shown("11", Text::tr("Actual numbers of raters, subjects and replicates"), "raters"),
+    shown("12", Text::tr("Characteristics of raters and subjects"), "table-participants"),
+    shown("13", Text::tr("Reliability and agreement with their uncertainty"), "table-agreement"),
+    shown("14", Text::tr("Practical relevance"), "table-raters-needed"),
+    told("15", Text::tr("Detailed results"), dataOf),
+};
+
+constexpr std::array kSimulation{
+    open("1", Text::tr("Title, abstract or key words say simulation")),
+    open("2", Text::tr("Simulation as the subject or as the method of research")),
+    open("5", Text::tr("Rationale of the training, exposures and confounders")),
+    shown("6", Text::tr("Assessment: setting, instrument, simulator, timing"), "criteria"),
+    shown("6", Text::tr("Validity and reliability of the assessment"), "table-agreement"),
+    told("11", Text::tr("Against bias where blinding is impossible"), blindedOf, "methods"),
+    told("12", Text::tr("Unit of analysis and repeated measures"), unitOf),
+    shown("15", Text::tr("Earlier experience of participants"), "table-participants"),
+    shown("17", Text::tr("Agreement between raters"), "table-agreement"),
+    shown("20", Text::tr("Limits of research by simulation"), "methods"),
+    open("21", Text::tr("From simulation to patients")),
+    stated("25", Text::tr("Simulator, and interests in it"), StudyItem::kInterests),
+    open("-", Text::tr("Participants' orientation to the simulator")),
+    told("-", Text::tr("Simulator type"), stationsOf),
+    stated("-", Text::tr("Environment"), StudyItem::kPlace),
+    shown("-", Text::tr("Scenario and exercises"), "runs"),
+    shown("-", Text::tr("Instructional design: duration, timing, repetitions"), "table-dose"),
+    open("-", Text::tr("Feedback and debriefing")),
+};
+
+/// Returns the title of the section, table or figure with this id; empty if the report has none.
+Text titleIn(const ReportModel& report, std::string_view id) {
+  for (const ReportSection& section : report.sections) {
+    if (section.id == id) {
+      return section.title;
+    }
+    for (const ReportTable& table : section.tables) {
+      if (table.id == id) {
+        return table.title;
+      }
+    }
+    for (const ReportFigure& figure : section.figures) {
+      if (figure.id == id) {
+        return figure.title;
+      }
+    }
+  }
+  return {};
+}
+
+/// Returns what answers an item, and where; empty: nothing.
+Text answerOf(const ChecklistItem& item, const CohortInputs& in, const ReportModel& report,
+              const Text& statements) {
+  const Text said = item.said == nullptr ? Text() : item.said(in);
+  if (item.said != nullptr && said.empty()) {
+    return {};
+  }
+  const Text title = item.stated != StudyItem::kEnd
+                         ? (in.statements.contains(item.stated) ? statements : Text())
+                         : titleIn(report, item.where);
+  if (title.empty()) {
+    return said;
+  }
+  return said.empty() ? Text::tr("see \"%1\"", title) : Text::tr("%1; see \"%2\"", said, title);
+}
+
+ReportTable statementsTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-statements";
+  table.annex = true;
+  table.title = Text::tr("What the study says about itself");
+  table.columns = {Text::tr("Item"), Text::tr("Statement")};
+  for (const Term<StudyItem>& item : kStudyItems) {
+    const auto stated = in.statements.find(item.value);
+    table.rows.push_back({Text(item.label), stated == in.statements.end()
+                                                ? Text::tr("not recorded: %1", Text(hintOf(item.value)))
+                                                : Text(stated->second)});
+  }
+  if (!in.statements.empty()) {
+    table.notes = {Text::tr("As entered by the centre; the program cannot check it.")};
+  }
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+ReportTable checklist(const std::string& id, const Text& title, Items items, const CohortInputs& in,
+                      const ReportModel& report, const Text& statements) {
+  ReportTable table;
+  table.id = id;
+  table.title = title;
+  table.annex = true;
+  table.columns = {Text::tr("Item"), Text::tr("Asks for"), Text::tr("In this report")};
+  for (const ChecklistItem& item : items) {
+    const Text answer = answerOf(item, in, report, statements);
+    table.rows.push_back({Text(std::string(item.number)), Text(item.asks),
+                          answer.empty() ? Text::tr("not recorded") : answer});
+  }
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+}  // namespace
+
+ReportSection checklistSection(const CohortInputs& in, const ReportModel& report) {
+  ReportSection section{"checklists", Text::tr("Study and checklists")};
+  section.tables = {statementsTable(in)};
+  const Text statements = section.tables.front().title;
+  section.tables.push_back(checklist("table-checklist-consort", Text::tr("CONSORT 2025: a randomised trial"),
+                                     kConsort, in, report, statements));
+  section.tables.push_back(checklist("table-checklist-grras",
+                                     Text::tr("GRRAS 2011: reliability and agreement"), kGrras, in, report,
+                                     statements));
+  section.tables.push_back(checklist("table-checklist-simulation",
+                                     Text::tr("Cheng et al. 2016: research by simulation"), kSimulation, in,
+                                     report, statements));
+  return section;
+}
+
+}  // namespace torsio
