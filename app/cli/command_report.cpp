@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -16,8 +17,11 @@
 #include "app/outputs/report/report_export.h"
 #include "app/outputs/report/report_names.h"
 #include "app/outputs/wording/wording.h"
+#include "app/services/access/two_people.h"
 #include "app/services/base/assets.h"
 #include "app/services/maintenance/maintenance_desk.h"
+#include "app/services/study/frozen_data.h"
+#include "app/services/study/study_statements.h"
 
 namespace torsio::cli {
 
@@ -113,6 +117,108 @@ void addCohort(CLI::App& report) {
   command->callback([arguments] { writeCohort(*arguments); });
 }
 
+struct FreezeArguments {
+  std::string database = "torsio.sqlite";
+  ReportNames names;
+  std::string name;
+  std::string whyIncomplete;
+  MaintenanceOptions maintenance;
+};
+
+void freeze(const FreezeArguments& given) {
+  const Maintainer maintainer = given.maintenance.maintainer();
+  MaintenanceDesk desk(maintainer, given.database);
+  const ReportRequest of = reportNamed(desk.session(), given.names);
+  if (!given.whyIncomplete.empty()) {
+    desk.handOver(maintainer, {.act = DutyAct::kFreezeInterim,
+                               .subject = of.cohortId,
+                               .shown = given.names.cohort,
+                               .reason = given.whyIncomplete});
+  }
+  std::vector<CampaignId> campaigns;
+  if (!of.campaignId.empty()) {
+    campaigns.push_back(of.campaignId);
+  }
+  const FrozenRow row = freezeData(desk.session(), of.cohortId, given.name, campaigns, given.whyIncomplete);
+  std::cout << "Frozen as \"" << row.name << "\", " << row.sheets.submitted << " of " << row.sheets.asked
+            << " sheets, " << row.contentHash << "\n";
+}
+
+void addFreeze(CLI::App& report) {
+  auto arguments = std::make_shared<FreezeArguments>();
+  CLI::App* command =
+      report.add_subcommand("freeze", "Freezes the data of a cohort under a name, signed with your password");
+  addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
+      ->capture_default_str();
+  command->add_option("--cohort", arguments->names.cohort, "Name of the cohort")->required();
+  command->add_option("--evaluation", arguments->names.campaign,
+                      "Name of the evaluation of models; default: the oldest with marks");
+  command->add_option("--name", arguments->name, "Name of the data set")->required();
+  command->add_option("--incomplete", arguments->whyIncomplete,
+                      "Why an interim state is frozen, where sheets are missing");
+  addSignIn(*command, arguments->maintenance, "--as")->required();
+  addSecondPerson(*command, arguments->maintenance);
+  command->callback([arguments] { freeze(*arguments); });
+}
+
+struct StatementArguments {
+  std::string database = "torsio.sqlite";
+  std::string cohort;
+  StudyItem item = StudyItem::kEnd;
+  std::string statement;
+  MaintenanceOptions maintenance;
+  bool json = false;
+};
+
+void setStatement(const StatementArguments& given) {
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
+  const CohortId cohort = reportNamed(desk.session(), {.cohort = given.cohort}).cohortId;
+  StudyStatements all = studyStatements(desk.session(), cohort);
+  if (given.item != StudyItem::kEnd) {
+    if (given.statement.empty()) {
+      all.erase(given.item);
+    } else {
+      all[given.item] = given.statement;
+    }
+    setStudyStatements(desk.session(), cohort, all);
+  }
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const Term<StudyItem>& item : kStudyItems) {
+    const auto stated = all.find(item.value);
+    const std::string words = stated == all.end() ? std::string() : stated->second;
+    json[std::string(item.stored)] = words;
+    if (!given.json) {
+      std::cout << item.stored << ": "
+                << (words.empty() ? "not recorded (" + std::string(hintOf(item.value).english()) + ")"
+                                  : words)
+                << "\n";
+    }
+  }
+  if (given.json) {
+    printJson(json);
+  }
+}
+
+void addStatement(CLI::App& report) {
+  auto arguments = std::make_shared<StatementArguments>();
+  CLI::App* command = report.add_subcommand(
+      "statement", "Shows or changes what a study says about itself: registration, ethics approval ...");
+  addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
+      ->capture_default_str();
+  command->add_option("--cohort", arguments->cohort, "Name of the cohort; default: the oldest");
+  std::map<std::string, StudyItem> items;
+  for (const Term<StudyItem>& item : kStudyItems) {
+    items.emplace(item.stored, item.value);
+  }
+  CLI::Option* item = command->add_option("ITEM", arguments->item, "Item to change, as listed");
+  item->transform(CLI::CheckedTransformer(items));
+  command->add_option("STATEMENT", arguments->statement, "What it says from now on; empty: take it back")
+      ->needs(item);
+  command->add_flag("--json", arguments->json, "Print JSON");
+  addSignIn(*command, arguments->maintenance, "--as")->required();
+  command->callback([arguments] { setStatement(*arguments); });
+}
+
 }  // namespace
 
 void addReport(CLI::App& program) {
@@ -121,6 +227,8 @@ void addReport(CLI::App& program) {
   CLI::App* report = program.add_subcommand("report", "The cohort report");
   report->require_subcommand(1);
   addCohort(*report);
+  addFreeze(*report);
+  addStatement(*report);
   CLI::App* command = report->add_subcommand(
       "trace", "Traces a number to its marks, criteria, scoring sheet, recording and program");
   addDatabaseArgument(*command, "--database", arguments->trace.record,

@@ -38,7 +38,8 @@ json verdictJson(const Call& call, const CompetenceVerdict& verdict) {
   return {{"level", said(call, competenceLevelText(verdict))},
           {"able", isAble(verdict.level)},
           {"design", said(call, competenceRuleText(verdict))},
-          {"errors", said(call, competenceErrorText(verdict))}};
+          {"made", said(call, competenceMadeText(verdict))},
+          {"errors", said(call, competenceErrorText(verdict.design))}};
 }
 
 /// The verdict on a run: its stored word for the page, and the word that the page shows.

@@ -18815,10 +18815,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>由本中心的 %1 次练习估计</translation>
     </message>
     <message>
-        <source>assumed, until a design is registered after %1 {run|runs} of %2 {person|people}</source>
-        <translation>为假定值，直到有 %2 人共 %1 次练习之后登记了新标准</translation>
-    </message>
-    <message>
         <source>This holds for a failure rate that does not change, with correlations of %1 among the runs of one session of %2 and %3 between successive runs (%4).</source>
         <translation>前提是失败率不变，同一时段（%2 次）内各次练习之间的相关为 %1，相邻两次练习之间的相关为 %3（%4）。</translation>
     </message>
@@ -18969,14 +18965,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Wait for the others, or say why an interim state is frozen: every report of it says so</source>
         <translation>请等待其余评分表，或说明为何冻结中期状态：每份相关报告都会注明</translation>
-    </message>
-    <message>
-        <source>Interim: these data were frozen when %1 of %2 sheets were in (%3). Looking at results before the end of a study makes false findings more likely.</source>
-        <translation>中期：这些数据在收到 %2 份评分表中的 %1 份时被冻结（%3）。在研究结束前查看结果会增加错误发现的可能。</translation>
-    </message>
-    <message>
-        <source>This study was imported: %1. How its marks were given and its groups were made is not in this record.</source>
-        <translation>本研究为导入：%1。分数如何给出、分组如何形成，不在本记录中。</translation>
     </message>
     <message>
         <source>interim</source>
@@ -19485,6 +19473,538 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>The trainee was called only %1 s ago. Is that intended?</source>
         <translation>学员 %1 秒前才被呼叫。确定这样评分吗？</translation>
+    </message>
+    <message>
+        <source>the study was changed after it was signed</source>
+        <translation>研究在签名后被更改</translation>
+    </message>
+    <message>
+        <source>the study lists another recording under this name</source>
+        <translation>研究中此名称下是另一份录制</translation>
+    </message>
+    <message>
+        <source>assumed high, until a design is registered after %1 {run|runs} of %2 {person|people}</source>
+        <translation>从高假定，直到有 %2 人的 %1 次操作并登记方案为止</translation>
+    </message>
+    <message>
+        <source>this statement is too long</source>
+        <translation>此说明过长</translation>
+    </message>
+    <message>
+        <source>Shorten it, and refer to the protocol</source>
+        <translation>请缩短，并注明详见研究方案</translation>
+    </message>
+    <message>
+        <source>Statement about a study changed</source>
+        <translation>更改研究说明</translation>
+    </message>
+    <message>
+        <source>Freeze an interim state</source>
+        <translation>冻结中期数据</translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation>注册</translation>
+    </message>
+    <message>
+        <source>Protocol and plan of the analysis</source>
+        <translation>研究方案与分析计划</translation>
+    </message>
+    <message>
+        <source>Ethics approval</source>
+        <translation>伦理审批</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>地点</translation>
+    </message>
+    <message>
+        <source>Eligibility</source>
+        <translation>入选条件</translation>
+    </message>
+    <message>
+        <source>Recruitment</source>
+        <translation>招募</translation>
+    </message>
+    <message>
+        <source>Sample size</source>
+        <translation>样本量</translation>
+    </message>
+    <message>
+        <source>Harms</source>
+        <translation>不良事件</translation>
+    </message>
+    <message>
+        <source>Funding</source>
+        <translation>资助</translation>
+    </message>
+    <message>
+        <source>Interests</source>
+        <translation>利益关系</translation>
+    </message>
+    <message>
+        <source>Access to data</source>
+        <translation>数据获取</translation>
+    </message>
+    <message>
+        <source>Involvement of patients or the public</source>
+        <translation>患者或公众参与</translation>
+    </message>
+    <message>
+        <source>registry, number and date</source>
+        <translation>注册机构、编号和日期</translation>
+    </message>
+    <message>
+        <source>where both can be read</source>
+        <translation>两者的查阅处</translation>
+    </message>
+    <message>
+        <source>committee, number and date</source>
+        <translation>委员会、批件号和日期</translation>
+    </message>
+    <message>
+        <source>hospital or school, town and country</source>
+        <translation>医院或学校、城市和国家</translation>
+    </message>
+    <message>
+        <source>who could take part, and who could not</source>
+        <translation>哪些人可以参加，哪些人不可以</translation>
+    </message>
+    <message>
+        <source>first and last day of recruitment and of follow-up</source>
+        <translation>招募与随访的起止日期</translation>
+    </message>
+    <message>
+        <source>how the number of trainees was chosen, with its assumptions</source>
+        <translation>学员人数如何确定及其假设</translation>
+    </message>
+    <message>
+        <source>how they were looked for, and which there were</source>
+        <translation>如何发现，发生了哪些</translation>
+    </message>
+    <message>
+        <source>who paid or supplied, and their part in the study</source>
+        <translation>资助或供应方及其在研究中的作用</translation>
+    </message>
+    <message>
+        <source>of the authors, also in the simulator and its makers</source>
+        <translation>作者的利益关系，包括与模拟器及其制造者的关系</translation>
+    </message>
+    <message>
+        <source>where coded data, codebook and programs can be had</source>
+        <translation>编码数据、变量说明和程序的获取处</translation>
+    </message>
+    <message>
+        <source>in design, conduct and report; or that there was none</source>
+        <translation>在设计、实施和报告中的参与；或说明没有参与</translation>
+    </message>
+    <message>
+        <source>Interim: these data were frozen when %1 of %2 sheets were in (%3). %4 Looking at results before the end of a study makes false findings more likely.</source>
+        <translation>中期结果：冻结数据时，%2 份评分表中已交 %1 份（%3）。%4在研究结束前查看结果会使假阳性更容易出现。</translation>
+    </message>
+    <message>
+        <source>One person alone decided to look.</source>
+        <translation>由一人单独决定查看。</translation>
+    </message>
+    <message>
+        <source>%1 asked for this look, and %2 agreed.</source>
+        <translation>由 %1 提出查看，%2 同意。</translation>
+    </message>
+    <message>
+        <source>This study was imported: %1. How its marks (%2) were given, its recordings (%3) made and its groups drawn is not in this record.</source>
+        <translation>本研究为导入数据：%1。其评分（%2）如何给出、录制（%3）如何产生、分组如何抽签，均不在本记录中。</translation>
+    </message>
+    <message>
+        <source>%1 parallel {group|groups}, drawn; differences, and equivalence within a planned margin</source>
+        <translation>%1 个平行组，随机抽签分组；检验差异及预定界值内的等效性</translation>
+    </message>
+    <message>
+        <source>%1 parallel {group|groups}, drawn; differences</source>
+        <translation>%1 个平行组，随机抽签分组；检验差异</translation>
+    </message>
+    <message>
+        <source>this report is an interim look; see the first page</source>
+        <translation>本报告为中期查看；见首页</translation>
+    </message>
+    <message>
+        <source>the data were frozen when every sheet was in</source>
+        <translation>全部评分表交齐后冻结数据</translation>
+    </message>
+    <message>
+        <source>by a sealed seed with a published hash</source>
+        <translation>种子密封，其散列值事先公布</translation>
+    </message>
+    <message>
+        <source>drawn by the program from the sealed seed</source>
+        <translation>由程序用密封的种子抽签</translation>
+    </message>
+    <message>
+        <source>raters: %1 of %2 {mark|marks} under case labels</source>
+        <translation>评分者：%2 个评分中有 %1 个以案例编号进行</translation>
+    </message>
+    <message>
+        <source>the trainee; repeated marks: see Methods</source>
+        <translation>学员；重复评分见“方法”</translation>
+    </message>
+    <message>
+        <source>yes: nobody sees another&apos;s mark before submitting</source>
+        <translation>是：提交前看不到他人的评分</translation>
+    </message>
+    <message>
+        <source>in the table of numbers (CSV) and the data set</source>
+        <translation>见数值表 (CSV) 和数据集</translation>
+    </message>
+    <message>
+        <source>Title names a randomised trial</source>
+        <translation>标题注明随机试验</translation>
+    </message>
+    <message>
+        <source>Structured summary</source>
+        <translation>结构式摘要</translation>
+    </message>
+    <message>
+        <source>Sharing of data and programs</source>
+        <translation>数据与程序的共享</translation>
+    </message>
+    <message>
+        <source>Funding and the part of funders</source>
+        <translation>资助及资助方的作用</translation>
+    </message>
+    <message>
+        <source>Conflicts of interest</source>
+        <translation>利益冲突</translation>
+    </message>
+    <message>
+        <source>Background and rationale</source>
+        <translation>背景与理由</translation>
+    </message>
+    <message>
+        <source>Objectives: benefits and harms</source>
+        <translation>目的：获益与危害</translation>
+    </message>
+    <message>
+        <source>Design: type, ratio, framework</source>
+        <translation>设计：类型、比例、框架</translation>
+    </message>
+    <message>
+        <source>Changes after the start</source>
+        <translation>开始后的更改</translation>
+    </message>
+    <message>
+        <source>Setting and places</source>
+        <translation>研究场所与地点</translation>
+    </message>
+    <message>
+        <source>Eligibility of participants</source>
+        <translation>参与者的入选条件</translation>
+    </message>
+    <message>
+        <source>Eligibility of sites and of those who teach</source>
+        <translation>研究场所和带教者的条件</translation>
+    </message>
+    <message>
+        <source>Interventions, to be repeated by others</source>
+        <translation>干预措施，足以让他人重复</translation>
+    </message>
+    <message>
+        <source>Outcomes, planned, with their times</source>
+        <translation>预定的结局及其时点</translation>
+    </message>
+    <message>
+        <source>How harms were defined and looked for</source>
+        <translation>不良事件的定义与发现方式</translation>
+    </message>
+    <message>
+        <source>Sample size and its assumptions</source>
+        <translation>样本量及其假设</translation>
+    </message>
+    <message>
+        <source>Interim analyses and stopping</source>
+        <translation>中期分析与终止规则</translation>
+    </message>
+    <message>
+        <source>How the sequence was made</source>
+        <translation>随机序列的产生</translation>
+    </message>
+    <message>
+        <source>Kind of randomisation and restrictions</source>
+        <translation>随机化类型与限制</translation>
+    </message>
+    <message>
+        <source>Concealment of the allocation</source>
+        <translation>分组隐藏</translation>
+    </message>
+    <message>
+        <source>Who enrolled and assigned, with what access</source>
+        <translation>谁入组、谁分组，能否看到序列</translation>
+    </message>
+    <message>
+        <source>Who was blinded</source>
+        <translation>对谁设盲</translation>
+    </message>
+    <message>
+        <source>How blinding was done</source>
+        <translation>如何设盲</translation>
+    </message>
+    <message>
+        <source>Statistical methods</source>
+        <translation>统计方法</translation>
+    </message>
+    <message>
+        <source>Who is in each analysis</source>
+        <translation>各项分析包括哪些人</translation>
+    </message>
+    <message>
+        <source>How missing data were handled</source>
+        <translation>缺失数据的处理</translation>
+    </message>
+    <message>
+        <source>Additional analyses, planned or not</source>
+        <translation>其他分析，是否预定</translation>
+    </message>
+    <message>
+        <source>Losses and exclusions, with reasons</source>
+        <translation>失访与剔除及其原因</translation>
+    </message>
+    <message>
+        <source>Dates of recruitment and follow-up</source>
+        <translation>招募与随访日期</translation>
+    </message>
+    <message>
+        <source>Why the trial ended</source>
+        <translation>试验为何结束</translation>
+    </message>
+    <message>
+        <source>Interventions as delivered</source>
+        <translation>实际实施的干预</translation>
+    </message>
+    <message>
+        <source>Other training during the trial</source>
+        <translation>试验期间的其他训练</translation>
+    </message>
+    <message>
+        <source>Baseline data by group</source>
+        <translation>各组基线数据</translation>
+    </message>
+    <message>
+        <source>Numbers analysed, effects and precision</source>
+        <translation>分析人数、效应与精度</translation>
+    </message>
+    <message>
+        <source>Harms in each group</source>
+        <translation>各组不良事件</translation>
+    </message>
+    <message>
+        <source>Other analyses</source>
+        <translation>其他分析</translation>
+    </message>
+    <message>
+        <source>Interpretation</source>
+        <translation>解释</translation>
+    </message>
+    <message>
+        <source>Limitations</source>
+        <translation>局限</translation>
+    </message>
+    <message>
+        <source>Title or abstract names reliability or agreement</source>
+        <translation>标题或摘要注明信度或一致性</translation>
+    </message>
+    <message>
+        <source>The instrument of measurement</source>
+        <translation>测量工具</translation>
+    </message>
+    <message>
+        <source>Population of subjects</source>
+        <translation>受评者总体</translation>
+    </message>
+    <message>
+        <source>Population of raters</source>
+        <translation>评分者总体</translation>
+    </message>
+    <message>
+        <source>What is known, and why this study</source>
+        <translation>已知内容与本研究的理由</translation>
+    </message>
+    <message>
+        <source>How the numbers of raters, subjects and replicates were chosen</source>
+        <translation>评分者、受评者和重复次数如何确定</translation>
+    </message>
+    <message>
+        <source>How subjects and raters were sampled</source>
+        <translation>受评者与评分者的抽样</translation>
+    </message>
+    <message>
+        <source>Process of rating, with blinding</source>
+        <translation>评分过程与设盲</translation>
+    </message>
+    <message>
+        <source>Whether ratings were independent</source>
+        <translation>评分是否独立</translation>
+    </message>
+    <message>
+        <source>Statistical analysis</source>
+        <translation>统计分析</translation>
+    </message>
+    <message>
+        <source>Actual numbers of raters, subjects and replicates</source>
+        <translation>评分者、受评者和重复的实际数目</translation>
+    </message>
+    <message>
+        <source>Characteristics of raters and subjects</source>
+        <translation>评分者与受评者的特征</translation>
+    </message>
+    <message>
+        <source>Reliability and agreement with their uncertainty</source>
+        <translation>信度与一致性及其不确定度</translation>
+    </message>
+    <message>
+        <source>Practical relevance</source>
+        <translation>实际意义</translation>
+    </message>
+    <message>
+        <source>Detailed results</source>
+        <translation>详细结果</translation>
+    </message>
+    <message>
+        <source>Title, abstract or key words say simulation</source>
+        <translation>标题、摘要或关键词注明模拟</translation>
+    </message>
+    <message>
+        <source>Simulation as the subject or as the method of research</source>
+        <translation>模拟是研究对象还是研究方法</translation>
+    </message>
+    <message>
+        <source>Rationale of the training, exposures and confounders</source>
+        <translation>训练的理由、暴露与混杂因素</translation>
+    </message>
+    <message>
+        <source>Assessment: setting, instrument, simulator, timing</source>
+        <translation>评价：场所、工具、模拟器、时间</translation>
+    </message>
+    <message>
+        <source>Validity and reliability of the assessment</source>
+        <translation>评价的效度与信度</translation>
+    </message>
+    <message>
+        <source>Against bias where blinding is impossible</source>
+        <translation>无法设盲时如何防止偏倚</translation>
+    </message>
+    <message>
+        <source>Unit of analysis and repeated measures</source>
+        <translation>分析单位与重复测量</translation>
+    </message>
+    <message>
+        <source>Earlier experience of participants</source>
+        <translation>参与者以往经验</translation>
+    </message>
+    <message>
+        <source>Agreement between raters</source>
+        <translation>评分者之间的一致性</translation>
+    </message>
+    <message>
+        <source>Limits of research by simulation</source>
+        <translation>模拟研究的局限</translation>
+    </message>
+    <message>
+        <source>From simulation to patients</source>
+        <translation>从模拟到患者</translation>
+    </message>
+    <message>
+        <source>Simulator, and interests in it</source>
+        <translation>模拟器及相关利益</translation>
+    </message>
+    <message>
+        <source>Participants&apos; orientation to the simulator</source>
+        <translation>参与者熟悉模拟器的过程</translation>
+    </message>
+    <message>
+        <source>Simulator type</source>
+        <translation>模拟器类型</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>环境</translation>
+    </message>
+    <message>
+        <source>Scenario and exercises</source>
+        <translation>情境与练习</translation>
+    </message>
+    <message>
+        <source>Instructional design: duration, timing, repetitions</source>
+        <translation>教学设计：时长、时间安排、重复次数</translation>
+    </message>
+    <message>
+        <source>Feedback and debriefing</source>
+        <translation>反馈与复盘</translation>
+    </message>
+    <message>
+        <source>see &quot;%1&quot;</source>
+        <translation>见“%1”</translation>
+    </message>
+    <message>
+        <source>%1; see &quot;%2&quot;</source>
+        <translation>%1；见“%2”</translation>
+    </message>
+    <message>
+        <source>What the study says about itself</source>
+        <translation>研究自述</translation>
+    </message>
+    <message>
+        <source>Statement</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>not recorded: %1</source>
+        <translation>未记录：%1</translation>
+    </message>
+    <message>
+        <source>As entered by the centre; the program cannot check it.</source>
+        <translation>由中心填写；程序无法核实。</translation>
+    </message>
+    <message>
+        <source>Asks for</source>
+        <translation>要求</translation>
+    </message>
+    <message>
+        <source>In this report</source>
+        <translation>在本报告中</translation>
+    </message>
+    <message>
+        <source>Study and checklists</source>
+        <translation>研究说明与清单</translation>
+    </message>
+    <message>
+        <source>CONSORT 2025: a randomised trial</source>
+        <translation>CONSORT 2025：随机试验</translation>
+    </message>
+    <message>
+        <source>GRRAS 2011: reliability and agreement</source>
+        <translation>GRRAS 2011：信度与一致性</translation>
+    </message>
+    <message>
+        <source>Cheng et al. 2016: research by simulation</source>
+        <translation>Cheng 等 2016：模拟研究</translation>
+    </message>
+    <message>
+        <source>%1, signed by nobody</source>
+        <translation>%1，无人签名</translation>
+    </message>
+    <message>
+        <source>%1, signed with the key %2</source>
+        <translation>%1，以密钥 %2 签名</translation>
+    </message>
+    <message>
+        <source>%1; imported there from %2</source>
+        <translation>%1；此前从 %2 导入</translation>
+    </message>
+    <message>
+        <source>the mark of this case was imported and cannot be changed</source>
+        <translation>此案例的评分为导入数据，不能更改</translation>
+    </message>
+    <message>
+        <source>Let the sheet be withdrawn</source>
+        <translation>请撤回该评分表</translation>
     </message>
 </context>
 <context>
@@ -21358,6 +21878,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Everybody</source>
         <translation>全部人员</translation>
+    </message>
+    <message>
+        <source>A&amp;bout the study…</source>
+        <translation>研究说明(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Registration, ethics approval, eligibility and what else a reviewer asks</source>
+        <translation>注册、伦理审批、入选条件等审稿人会问的内容</translation>
     </message>
 </context>
 <context>
@@ -28389,6 +28917,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>%1 asks to invite %2. Do you know of it, and is it right? You get the links, and hand each to its person.</source>
         <translation>%1 申请邀请 %2 登录。您是否知情并同意？您将得到链接，请分别转交本人。</translation>
     </message>
+    <message>
+        <source>Freeze %1 here, under a name and with your own reason: that confirms the request</source>
+        <translation>请在此冻结 %1，填写名称和您自己的理由：这样即确认申请</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RestorePage</name>
@@ -30597,6 +31129,25 @@ T-02,master,17</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::StatementsDialog</name>
+    <message>
+        <source>About the study %1</source>
+        <translation>关于研究 %1</translation>
+    </message>
+    <message>
+        <source>What a reviewer asks and the record cannot know. The report prints each statement, or that it is not recorded. Earlier versions are kept. No names of trainees.</source>
+        <translation>审稿人会问、而记录无法得知的内容。报告会印出每项说明，或注明未记录。以前的版本会保留。请勿填写学员姓名。</translation>
+    </message>
+    <message>
+        <source>Too long: shorten it, and refer to the protocol.</source>
+        <translation>过长：请缩短，并注明详见研究方案。</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
     </message>
 </context>
 <context>

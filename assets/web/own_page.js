@@ -21,7 +21,8 @@ export function verdictTexts() {
     const how = joinedSentences([verdict.design, verdict.errors]);
     const told = said.has(how) ? t('Competence is judged as in “%1”.', said.get(how)) : how;
     if (!said.has(how)) said.set(how, title);
-    return h('div', { class: 'verdict' }, h('p', { class: verdict.able ? 'good' : '' }, verdict.level), h('p', { class: 'quiet' }, told));
+    return h('div', { class: 'verdict' }, h('p', { class: verdict.able ? 'good' : '' }, verdict.level),
+      h('p', { class: 'quiet' }, joinedSentences([verdict.made, told])));
   };
 }
 

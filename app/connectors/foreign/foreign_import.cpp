@@ -244,6 +244,7 @@ ForeignOutcome importForeign(SessionContext& session, ForeignLayout layout, cons
   outcome.trials = study.trials.size();
   outcome.marks = study.marks.size();
   outcome.contentHash = all.hex();
+  study.origin = {.layout = layoutTitle(layout), .source = map.source, .contentHash = outcome.contentHash};
   const nlohmann::ordered_json what{{"layout", layoutTitle(layout)}, {"source", map.source},
                                     {"people", map.people.size()},   {"raters", map.raters.size()},
                                     {"recordings", outcome.trials},  {"samples", outcome.samples},
@@ -271,6 +272,9 @@ DatasetOutcome importDataset(SessionContext& session, const std::filesystem::pat
     digest.update(landed.trial.summary.contentHash);
   }
   outcome.contentHash = digest.hex();
+  study.origin.layout = "Torsio";
+  study.origin.source = study.markComment;
+  study.origin.contentHash = outcome.contentHash;
   const nlohmann::ordered_json what{{"layout", "Torsio"},
                                     {"source", study.markComment},
                                     {"simulated", study.cohort.demonstration},

@@ -233,6 +233,7 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
   }
   if (request.whole) {
     contents.studyJson = datasetStudyJson(connection, data);
+    contents.studySeal = datasetSeal(contents.studyJson);
   }
   std::vector<std::filesystem::path> files = writeDataset(contents, request.layout, folder);
   return noted(session, data.request, "dataset", std::ssize(data.inputs.trainees), false, data.pseudonyms,

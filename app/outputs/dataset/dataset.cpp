@@ -130,6 +130,9 @@ class DatasetWriter {
       addText({kDatasetStudyFile, "What another record needs besides", "application/json"},
               contents_.studyJson);
     }
+    if (!contents_.studySeal.empty()) {
+      addText({kDatasetSealFile, "Signature of the study", "application/json"}, contents_.studySeal);
+    }
     addText({"metrics.json", "Definition of each metric", "application/json"}, metricsJson());
     if (!contents_.curriculumJson.empty()) {
       addText({"curriculum.json", "Curriculum of the cohort", "application/json"}, contents_.curriculumJson);

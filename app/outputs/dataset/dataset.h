@@ -56,6 +56,7 @@ struct DatasetContents {
   std::vector<std::string> origin{};  ///< sentences: simulated, imported from where
   ProgressCallback progress{};        ///< called before each recording; may throw to cancel
   std::string studyJson{};            ///< dataset_study.h; if not empty, complete recordings are written too
+  std::string studySeal{};            ///< signature of it; empty: none
 };
 
 /// Reports that a recording is about to be written.

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/maintenance/signing_key.h"
+#include "app/services/maintenance/station_anchor.h"
 #include "app/services/scoring/scoring_service.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/study/curriculum.h"
@@ -18,6 +20,7 @@
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/contracts.h"
+#include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/record/content_hash.h"
@@ -129,13 +132,36 @@ void addTimesJson(StudyRepository& study, const CohortId& cohortId, const Curric
   }
 }
 
+/// Where the cohort was imported from, oldest first.
+Study originJson(const StudyRepository& study, const CohortId& cohortId) {
+  Study steps = Study::array();
+  for (const StudyImport& import : study.imports(cohortId)) {
+    if (const Study earlier = Study::parse(import.earlierJson, nullptr, false); earlier.is_array()) {
+      steps.insert(steps.end(), earlier.begin(), earlier.end());
+    }
+    steps.push_back({{"layout", import.layout},
+                     {"source", import.source},
+                     {"hash", import.contentHash},
+                     {"signed_by", import.signedBy},
+                     {"imported_utc_us", import.importedUtc_us}});
+  }
+  return steps;
+}
+
+std::string sealedText(const std::string& studyJson) {
+  Digest digest;
+  digest.update(studyJson);
+  return "torsio-study 1 " + digest.hex();
+}
+
 /// Reads study.json part by part.
 class StudyReader {
  public:
   explicit StudyReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   LandedStudy read() {
-    const Study json = Study::parse(readFile(folder_ / kDatasetStudyFile), nullptr, false);
+    const std::string text = readFile(folder_ / kDatasetStudyFile);
+    const Study json = Study::parse(text, nullptr, false);
     if (json.is_discarded() || !json.is_object() || json.value("format", "") != kStudyFormat) {
       refuse(Text::tr("not a study of a data set of Torsio"), (folder_ / kDatasetStudyFile).string(),
              Text::tr("Export the data set anew, with --whole"));
@@ -144,6 +170,7 @@ class StudyReader {
       readCohort(json);
       readPeople(json);
       readRest(json);
+      readOrigin(json, text);
     } catch (const nlohmann::json::exception&) {
       refuse(Text::tr("the study of the data set is damaged"), (folder_ / kDatasetStudyFile).string(),
              Text::tr("Export the data set anew, with --whole"));
@@ -155,6 +182,31 @@ class StudyReader {
   }
 
  private:
+  void readOrigin(const Study& json, const std::string& text) {
+    if (json.contains("origin") && json.at("origin").is_array()) {
+      study_.origin.earlierJson = json.at("origin").dump();
+    }
+    if (json.contains("statements")) {
+      for (const auto& [item, statement] : json.at("statements").items()) {
+        if (const auto known = fromStoredText<StudyItem>(item)) {
+          study_.statements[*known] = statement.get<std::string>();
+        }
+      }
+    }
+    const std::filesystem::path file = folder_ / kDatasetSealFile;
+    if (!std::filesystem::exists(file)) {
+      return;
+    }
+    const Study seal = Study::parse(readFile(file), nullptr, false);
+    const std::string key = seal.is_object() ? seal.value("public_key", "") : std::string();
+    const std::string signature = seal.is_object() ? seal.value("signature", "") : std::string();
+    if (!isPublicKey(key) || !isSignature(signature) || !genuine(sealedText(text), signature, key)) {
+      refuse(Text::tr("the study was changed after it was signed"), file.string(),
+             Text::tr("Export the data set anew, with --whole"));
+    }
+    study_.origin.signedBy = key;
+  }
+
   static std::string textIn(const Study& json, const char* key) { return json.at(key).get<std::string>(); }
 
   /// Each record names its file.
@@ -245,6 +297,10 @@ class StudyReader {
     for (const Study& one : json.at("recordings")) {
       LandedTrial landed;
       landed.trial = readTrialFile(folder_ / textIn(one, "file"));
+      if (one.value("content_hash", landed.trial.summary.contentHash) != landed.trial.summary.contentHash) {
+        refuse(Text::tr("the study lists another recording under this name"), textIn(one, "file"),
+               Text::tr("Export the data set anew, with --whole"));
+      }
       landed.person = knownIn(one, "trainee", known_);
       landed.place = placeIn(one);
       if (one.contains("mode")) {
@@ -278,6 +334,12 @@ std::string datasetStudyJson(Connection& connection, const ExchangeData& data) {
   if (cohort.equivalenceMargin) {
     json["cohort"]["equivalence_margin"] = *cohort.equivalenceMargin;
   }
+  if (Study origin = originJson(study, cohortId); !origin.empty()) {
+    json["origin"] = std::move(origin);
+  }
+  for (const auto& [item, statement] : data.inputs.statements) {
+    json["statements"][std::string(storedText(item))] = statement;
+  }
   if (version) {
     for (const Curriculum& curriculum : CurriculumRepository(connection).curricula()) {
       if (curriculum.id == version->curriculumId) {
@@ -306,7 +368,9 @@ std::string datasetStudyJson(Connection& connection, const ExchangeData& data) {
   json["recordings"] = Study::array();
   for (const TrialSummaryRow& trial : data.inputs.trials) {
     const auto context = TrialRepository(connection).context(trial.trialId);
-    Study one{{"file", "recordings/" + trial.trialId.text() + ".torsio"}, {"trainee", trial.trainee}};
+    Study one{{"file", "recordings/" + trial.trialId.text() + ".torsio"},
+              {"trainee", trial.trainee},
+              {"content_hash", trial.contentHash}};
     places.addModule(context.value().moduleId, one);
     places.addPhase(context->phaseId, one);
     if (context->attemptMode) {
@@ -315,6 +379,13 @@ std::string datasetStudyJson(Connection& connection, const ExchangeData& data) {
     json["recordings"].push_back(std::move(one));
   }
   return json.dump(2) + "\n";
+}
+
+std::string datasetSeal(const std::string& studyJson) {
+  const std::optional<StationSignature> signature = signedByStation(sealedText(studyJson));
+  return signature
+             ? Study{{"public_key", signature->publicKey}, {"signature", signature->signature}}.dump(2) + "\n"
+             : std::string();
 }
 
 LandedStudy readDatasetStudy(const std::filesystem::path& folder) {

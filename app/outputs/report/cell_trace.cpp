@@ -33,6 +33,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/core/clock.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/error.h"
 #include "sim/core/text.h"
@@ -64,7 +65,7 @@ CohortInputs wholeInputs(Connection& connection, const CohortId& cohortId, const
   TrialDigests digests(assetsFolder());
   inputs.trials = digests.read(connection, cohortId, 0);
   const CurriculumVersionId version = StudyRepository(connection).cohort(cohortId).curriculumVersionId;
-  inputs.competence = digests.readCompetence(connection, version, inputs.trainees, 0);
+  inputs.competence = digests.readCompetence(connection, version, inputs.trainees, utcNow_us());
   return inputs;
 }
 

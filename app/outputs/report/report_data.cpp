@@ -39,8 +39,14 @@ void addFreeze(SessionContext& session, const ReportRequest& request, CohortInpu
     if (row.id != request.frozenId) {
       continue;
     }
-    CohortFreeze freeze{row.name, row.contentHash,  row.createdUtc_us,    row.createdBy,
-                        true,     row.sheets.asked, row.sheets.submitted, row.whyIncomplete};
+    CohortFreeze freeze{.name = row.name,
+                        .contentHash = row.contentHash,
+                        .frozenUtc_us = row.createdUtc_us,
+                        .frozenBy = row.createdBy,
+                        .sheetsAsked = row.sheets.asked,
+                        .sheetsSubmitted = row.sheets.submitted,
+                        .whyIncomplete = row.whyIncomplete,
+                        .askedBy = row.askedBy};
     const FrozenCheck check = compareWithFrozen(session, row.id);
     freeze.unchanged = check.same;
     inputs.freeze = std::move(freeze);

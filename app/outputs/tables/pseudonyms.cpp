@@ -206,10 +206,17 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
   in.centre.clear();
   if (in.freeze) {
     in.freeze->frozenBy = names.of("A", in.freeze->frozenBy);
+    if (!in.freeze->askedBy.empty()) {
+      in.freeze->askedBy = names.of("A", in.freeze->askedBy);
+    }
+  }
+  if (in.imported) {
+    in.imported->importedBy = names.of("A", in.imported->importedBy);
   }
   if (!withFreeText) {  // names of cohorts, groups, data sets and scoring sheets, and descriptions
     in.title = CohortInputs().title;
     in.facts.clear();
+    in.statements.clear();
     if (in.freeze) {
       in.freeze->name = names.of("F", in.freeze->name);
     }

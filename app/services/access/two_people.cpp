@@ -67,6 +67,8 @@ void requireRightTo(SessionContext& session, DutyAct act) {
       return session.require(Operation::kDatabaseRestore);
     case DutyAct::kRevealAllocation:
       return session.requireEither(Operation::kAllocationReveal, Operation::kStudySetup);
+    case DutyAct::kFreezeInterim:
+      return session.require(Operation::kResultsCompute);
     case DutyAct::kOnePerson:
       return session.require(Operation::kSettingsEdit);
     case DutyAct::kEnd:
@@ -200,6 +202,13 @@ std::string shownOf(SessionContext& session, const DutyRequest& request) {
   return detailOf(request).value("shown", "");
 }
 
+bool isOpen(SessionContext& session, const DutyWish& wish) {
+  const std::vector<DutyRequest> open = openIn(session);
+  return std::any_of(open.begin(), open.end(), [&](const DutyRequest& request) {
+    return request.act == wish.act && request.subject == wish.subject;
+  });
+}
+
 void requireAskable(SessionContext& session, const DutyWish& wish) {
   if (wish.reason.empty()) {
     refuseParameter(Text::tr("a request needs a reason"), Text::tr("two people"),
@@ -214,11 +223,9 @@ void requireAskable(SessionContext& session, const DutyWish& wish) {
                   Text::tr("Let other administrators ask for it and confirm it"));
     }
   }
-  for (const DutyRequest& request : openIn(session)) {
-    if (request.act == wish.act && request.subject == wish.subject) {
-      refuse(Text::tr("this is asked for already"), Text::tr("two people"),
-             Text::tr("Let another administrator confirm it, or withdraw the request first"));
-    }
+  if (isOpen(session, wish)) {
+    refuse(Text::tr("this is asked for already"), Text::tr("two people"),
+           Text::tr("Let another administrator confirm it, or withdraw the request first"));
   }
 }
 
@@ -344,6 +351,11 @@ UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::stri
   }
   close(session, *request, DutyDecision::kConfirmed, request->reason);
   return request->requestedBy;
+}
+
+bool isRequested(SessionContext& session, const DutyWish& wish) {
+  requireRightTo(session, wish.act);
+  return isOpen(session, wish);
 }
 
 bool secondPersonIsThere(SessionContext& session, DutyAct act, const std::string& subject) {

@@ -52,6 +52,9 @@ struct DutyWish {
 /// exist.
 std::string askSecondPerson(SessionContext& session, const DutyWish& wish);
 
+/// Returns whether the act is requested by anybody, not yet decided. Requires the right to the act.
+[[nodiscard]] bool isRequested(SessionContext& session, const DutyWish& wish);
+
 /// A pending request.
 struct OpenRequest {
   DutyRequest request{};

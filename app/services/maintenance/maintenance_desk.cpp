@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/maintenance/maintenance_desk.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -48,6 +47,14 @@ void requireSignedIn(const SignInAnswer& answer, const std::string& login) {
   }
 }
 
+/// Signs in; what follows may be signed, since the password has just been entered.
+void enterAs(SessionContext& session, const std::string& login, const std::string& password) {
+  requireSignedIn(signIn(session, login, password), login);
+  Actor actor = session.actor();
+  actor.passwordShownUtc_us = session.now_us();
+  session.setActor(actor);
+}
+
 }  // namespace
 
 MaintenanceDesk::MaintenanceDesk(const Maintainer& maintainer, const std::string& locator)
@@ -68,7 +75,7 @@ MaintenanceDesk::MaintenanceDesk(const Maintainer& maintainer, Connection opened
 
 void MaintenanceDesk::enter(const Maintainer& maintainer, const std::string& owned) {
   if (!maintainer.login.empty()) {
-    requireSignedIn(signIn(session_, maintainer.login, maintainer.password()), maintainer.login);
+    enterAs(session_, maintainer.login, maintainer.password());
     return;
   }
   if (maintainer.systemAccount.empty()) {
@@ -83,15 +90,10 @@ void MaintenanceDesk::handOver(const Maintainer& maintainer, const DutyWish& wis
   if (maintainer.secondLogin.empty()) {
     return;
   }
-  const std::vector<OpenRequest> open = openRequests(session());
-  const bool asked = std::any_of(open.begin(), open.end(), [&](const OpenRequest& one) {
-    return one.request.act == wish.act && one.request.subject == wish.subject;
-  });
-  if (!asked) {
+  if (!isRequested(session(), wish)) {
     (void)askSecondPerson(session(), wish);
   }
-  requireSignedIn(signIn(session_, maintainer.secondLogin, maintainer.secondPassword()),
-                  maintainer.secondLogin);
+  enterAs(session_, maintainer.secondLogin, maintainer.secondPassword());
 }
 
 }  // namespace torsio

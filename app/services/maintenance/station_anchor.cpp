@@ -57,6 +57,15 @@ bool remindOfKey() {
   return true;
 }
 
+std::optional<StationSignature> signedByStation(const std::string& text) {
+  const StationAnchor anchor = stationAnchor();
+  if (anchor.key.empty()) {
+    return std::nullopt;
+  }
+  const SecretKey key = readKey(anchor.key);
+  return StationSignature{publicOf(key), signedWith(key, text)};
+}
+
 LeftHead witnessHead(Connection& connection, std::int64_t now_us) {
   const StationAnchor anchor = stationAnchor();
   LeftHead head{.line = anchoredHead(connection, anchor.key, now_us), .witness = anchor.witness};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ void setStationAnchor(const StationAnchor& anchor);
 
 /// Returns true once at a station without a key, so that the reminder is shown once.
 [[nodiscard]] bool remindOfKey();
+
+/// A signature of this station's key.
+struct StationSignature {
+  std::string publicKey{};
+  std::string signature{};
+};
+/// Signs a text with this station's key; empty without a key. Throws Error if the key cannot be used.
+[[nodiscard]] std::optional<StationSignature> signedByStation(const std::string& text);
 
 /// The head of a record at sign-off.
 struct LeftHead {

@@ -76,8 +76,17 @@ CohortAllocation checkedAllocation(StudyRepository& study, const CohortId& cohor
   return shown;
 }
 
-/// Returns where an imported cohort came from, as the audit trail says; empty: it was made here.
-std::optional<CohortOrigin> originOf(Connection& connection, const CohortId& cohortId) {
+std::string loginOf(Connection& connection, const std::string& user) {
+  for (const UserAccount& one : AccessRepository(connection).users()) {
+    if (one.id.text() == user) {
+      return one.login;
+    }
+  }
+  return user;
+}
+
+/// Returns where a cohort came from that was imported before schema 3, as the audit trail says.
+std::optional<CohortOrigin> olderOriginOf(Connection& connection, const CohortId& cohortId) {
   const std::vector<AuditEntry> entries =
       AuditRepository(connection).entries({.objectKind = AuditObject::kCohort, .objectId = cohortId.text()});
   const auto found = std::find_if(entries.begin(), entries.end(), [](const AuditEntry& entry) {
@@ -88,18 +97,41 @@ std::optional<CohortOrigin> originOf(Connection& connection, const CohortId& coh
   }
   const nlohmann::json what = nlohmann::json::parse(found->newJson, nullptr, false);
   CohortOrigin origin;
-  origin.importedBy = found->actor;
+  origin.importedBy = loginOf(connection, found->actor);
   origin.importedUtc_us = found->atUtc_us;
   if (what.is_object()) {
     origin.layout = what.value("layout", "");
     origin.source = what.value("source", "");
     origin.contentHash = what.value("hash", "");
   }
-  for (const UserAccount& user : AccessRepository(connection).users()) {
-    if (user.id.text() == found->actor) {
-      origin.importedBy = user.login;
+  return origin;
+}
+
+/// Returns where an imported cohort came from; empty: it was made here.
+std::optional<CohortOrigin> originOf(Connection& connection, const CohortId& cohortId) {
+  const std::vector<StudyImport> imports = StudyRepository(connection).imports(cohortId);
+  if (imports.empty()) {
+    return olderOriginOf(connection, cohortId);
+  }
+  const StudyImport& import = imports.front();
+  CohortOrigin origin{.layout = import.layout,
+                      .source = import.source,
+                      .contentHash = import.contentHash,
+                      .importedBy = loginOf(connection, import.importedBy),
+                      .importedUtc_us = import.importedUtc_us,
+                      .signedBy = import.signedBy};
+  const nlohmann::json earlier = nlohmann::json::parse(import.earlierJson, nullptr, false);
+  if (earlier.is_array()) {
+    for (const nlohmann::json& step : earlier) {
+      if (step.is_object()) {
+        origin.earlier.push_back(step.value("source", "") + " (" + step.value("layout", "") + ")");
+      }
     }
   }
+  for (const SubmittedMark& mark : RatingRepository(connection).marks(cohortId)) {
+    origin.marks += mark.importId.empty() ? 0 : 1;
+  }
+  origin.recordings = StudyRepository(connection).importedTrials(cohortId);
   return origin;
 }
 
@@ -278,6 +310,7 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   inputs.softwareVersion = softwareVersion();
   inputs.programHash = programHash();
   inputs.equivalenceMargin = study.cohort(cohortId).equivalenceMargin;
+  inputs.statements = study.statements(cohortId);
   const std::vector<StudyGroup> groups = study.groups(cohortId);
   addGroups(connection, cohortId, groups, inputs);
   std::map<std::string, Trainee> trainees;

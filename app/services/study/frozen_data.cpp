@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/signing.h"
+#include "app/services/access/two_people.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/rating/assignment.h"
@@ -142,12 +143,16 @@ Manifest manifestOf(SessionContext& session, const CohortId& cohortId,
   return manifest;
 }
 
-json manifestJson(const Manifest& manifest, const SheetCount& sheets, const std::string& whyIncomplete) {
+json manifestJson(const Manifest& manifest, const SheetCount& sheets, const std::string& whyIncomplete,
+                  const UserId& askedBy) {
   json out{{"format", kFrozenFormat},
            {"rows", manifest},
            {"sheets", {{"asked", sheets.asked}, {"submitted", sheets.submitted}}}};
   if (!whyIncomplete.empty()) {
     out["why_incomplete"] = whyIncomplete;
+  }
+  if (!askedBy.empty()) {
+    out["asked_by"] = askedBy.text();
   }
   return out;
 }
@@ -163,12 +168,14 @@ struct Frozen {
   Manifest rows;
   SheetCount sheets;
   std::string whyIncomplete;
+  std::string askedBy;  // a user
 };
 
 Frozen frozenFrom(const DataFreeze& stored) {
   try {
     const json all = json::parse(stored.manifestJson);
-    Frozen out{all.at("rows").get<Manifest>(), {}, all.value("why_incomplete", "")};
+    Frozen out{
+        all.at("rows").get<Manifest>(), {}, all.value("why_incomplete", ""), all.value("asked_by", "")};
     if (all.contains("sheets")) {
       out.sheets = {all.at("sheets").at("asked").get<std::int64_t>(),
                     all.at("sheets").at("submitted").get<std::int64_t>()};
@@ -180,11 +187,31 @@ Frozen frozenFrom(const DataFreeze& stored) {
   }
 }
 
-FrozenRow rowOf(const DataFreeze& stored, const std::string& createdBy) {
+/// Sign-in names by user.
+std::map<std::string, std::string> loginsIn(Connection& connection) {
+  std::map<std::string, std::string> loginOf;
+  for (const UserAccount& user : AccessRepository(connection).users()) {
+    loginOf.emplace(user.id, user.login);
+  }
+  return loginOf;
+}
+
+FrozenRow rowOf(const DataFreeze& stored, const std::map<std::string, std::string>& loginOf) {
+  const auto named = [&](const std::string& user) {
+    const auto known = loginOf.find(user);
+    return known == loginOf.end() ? user : known->second;
+  };
   Frozen frozen = frozenFrom(stored);
   Manifest& manifest = frozen.rows;
-  FrozenRow row{stored.id, stored.cohortId, stored.name,         stored.contentHash, {}, stored.createdUtc_us,
-                createdBy, frozen.sheets,   frozen.whyIncomplete};
+  FrozenRow row{.id = stored.id,
+                .cohortId = stored.cohortId,
+                .name = stored.name,
+                .contentHash = stored.contentHash,
+                .createdUtc_us = stored.createdUtc_us,
+                .createdBy = named(stored.createdBy),
+                .sheets = frozen.sheets,
+                .whyIncomplete = frozen.whyIncomplete,
+                .askedBy = named(frozen.askedBy)};
   row.counts = {.enrolments = manifest["enrolment"].size(),
                 .allocations = manifest["allocation"].size(),
                 .exposures = manifest["exposure"].size(),
@@ -231,6 +258,11 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
   }
 }
 
+/// Returns whether freezing this state is an interim look at real data.
+bool twoDecide(const Cohort& cohort, const SheetCount& sheets) {
+  return !sheets.complete() && !cohort.demonstration;
+}
+
 }  // namespace
 
 SheetCount sheetCount(SessionContext& session, const CohortId& cohortId) {
@@ -243,6 +275,12 @@ SheetCount sheetCount(SessionContext& session, const CohortId& cohortId) {
     }
   }
   return count;
+}
+
+bool mayFreezeNow(SessionContext& session, const CohortId& cohortId) {
+  session.require(Operation::kResultsCompute);
+  return !twoDecide(StudyRepository(session.connection()).cohort(cohortId), sheetCount(session, cohortId)) ||
+         secondPersonIsThere(session, DutyAct::kFreezeInterim, cohortId);
 }
 
 FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const std::string& name,
@@ -266,12 +304,14 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
         cohort.name,
         Text::tr("Wait for the others, or say why an interim state is frozen: every report of it says so"));
   }
+  const UserId askedBy =
+      twoDecide(cohort, sheets) ? requireSecondPerson(session, DutyAct::kFreezeInterim, cohortId) : UserId();
   DataFreeze freeze;
   freeze.id = session.ids().newUuid();
   freeze.cohortId = cohortId;
   freeze.name = name;
   freeze.manifestJson =
-      manifestJson(manifestOf(session, cohortId, campaignIds), sheets, whyIncomplete).dump();
+      manifestJson(manifestOf(session, cohortId, campaignIds), sheets, whyIncomplete, askedBy).dump();
   freeze.contentHash = hashOfText(freeze.manifestJson);
   freeze.createdBy = session.actor().userId;
   freeze.createdUtc_us = session.now_us();
@@ -283,19 +323,15 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
                  .demonstration = freeze.demonstration});
   transaction.commit();
   endSigning(session);
-  return rowOf(freeze, session.actor().login);
+  return rowOf(freeze, loginsIn(session.connection()));
 }
 
 std::vector<FrozenRow> frozenData(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kResultsCompute);
-  std::map<std::string, std::string> loginOf;  // by user
-  for (const UserAccount& user : AccessRepository(session.connection()).users()) {
-    loginOf.emplace(user.id, user.login);
-  }
+  const std::map<std::string, std::string> loginOf = loginsIn(session.connection());
   std::vector<FrozenRow> rows;
   for (const DataFreeze& stored : FreezeRepository(session.connection()).list(cohortId)) {
-    const auto known = loginOf.find(stored.createdBy);
-    rows.push_back(rowOf(stored, known == loginOf.end() ? stored.createdBy : known->second));
+    rows.push_back(rowOf(stored, loginOf));
   }
   return rows;
 }

@@ -40,16 +40,20 @@ struct FrozenRow {
   std::string createdBy{};  ///< sign-in name
   SheetCount sheets{};      ///< when it was frozen; of older ones not known: 0
   std::string whyIncomplete{};
+  std::string askedBy{};  ///< sign-in name of the other person who asked for an interim state; empty: nobody
 };
 
 /// Counts the sheets of a cohort. kResultsCompute.
 [[nodiscard]] SheetCount sheetCount(SessionContext& session, const CohortId& cohortId);
 
+/// Returns whether freezeData() would do without another person's request, or has one. kResultsCompute.
+[[nodiscard]] bool mayFreezeNow(SessionContext& session, const CohortId& cohortId);
 /// Stores a named manifest of everything that a report of the cohort (and of `campaignIds`) is based on.
 /// Copies and locks nothing: the hashes show later whether the data changed. Audited. kResultsCompute. Throws
-/// Error{kBadParameter} for an empty or used name, an unknown cohort or campaign; {kBadData} if sheets are
-/// missing (sheetCount()) and `whyIncomplete` is empty: means of a few marks are an interim look at the
-/// study.
+/// Error{kBadParameter} for an empty or used name, an unknown cohort or campaign. If sheets are missing
+/// (sheetCount()), this is an interim look at the study: Error{kBadData} if `whyIncomplete` is empty,
+/// SecondPersonNeeded{kFreezeInterim, cohort} unless another person asked for it (simulated cohorts need
+/// nobody).
 FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const std::string& name,
                      const std::vector<CampaignId>& campaignIds = {}, const std::string& whyIncomplete = {});
 /// Oldest first. kResultsCompute.

@@ -11,6 +11,7 @@
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_content.h"
 #include "app/services/study/curriculum_service.h"
+#include "app/services/study/study_statements.h"
 #include "assessment/domain/people/person.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/study/curriculum.h"
@@ -43,6 +44,8 @@ class Landing {
     addOccasions();
     addCurriculumVersion();
     outcome_.cohortId = addCohort(session_, study_.cohort);
+    setStudyStatements(session_, outcome_.cohortId, study_.statements);
+    addOrigin();
     addPeople();
     addRaters();
     enrol();
@@ -82,6 +85,15 @@ class Landing {
   void notePerson(const Person& person, const std::string& part) {
     session_.note(AuditAction::kPersonAdd, AuditObject::kPerson, person.id,
                   {{"code", person.code}, {"part", part}});
+  }
+
+  void addOrigin() {
+    StudyImport& origin = study_.origin;
+    origin.id = session_.ids().newUuid();
+    origin.cohortId = outcome_.cohortId;
+    origin.importedBy = session_.actor().userId;
+    origin.importedUtc_us = session_.now_us();
+    StudyRepository(session_.connection()).addImport(origin);
   }
 
   void addPeople() {
@@ -237,6 +249,7 @@ class Landing {
     context.moduleId = moduleOf(landed.place);
     context.phaseId = phaseOf(landed.place);
     context.attemptMode = landed.mode;
+    context.importId = study_.origin.id;
     trials.setContext(std::move(context));
     trials.import(landed.trial);
   }
@@ -254,6 +267,7 @@ class Landing {
       mark.comment = study_.markComment;
       mark.submittedUtc_us = session_.now_us();
       mark.demonstration = study_.cohort.demonstration;
+      mark.importId = study_.origin.id;
       if (landed.trial) {
         mark.trialId = study_.trials.at(*landed.trial).trial.header.trialId;
       }

@@ -13,7 +13,9 @@
 #include "app/services/base/progress.h"
 #include "app/services/study/cohort_service.h"
 #include "assessment/domain/rating/instrument.h"
+#include "assessment/domain/study/cohort.h"
 #include "assessment/domain/study/protocol_terms.h"
+#include "assessment/domain/study/study_statement.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -85,6 +87,10 @@ struct LandedStudy {
   std::vector<LandedExposure> exposures{};
   std::vector<LandedDeviation> deviations{};
   std::string markComment{};  ///< stored with each mark: its origin
+  /// Layout, source, hash, where the source had it from, and who signed it; landStudy() sets the rest. Every
+  /// imported mark and recording refers to it.
+  StudyImport origin{};
+  StudyStatements statements{};
 };
 
 /// Result of an import.

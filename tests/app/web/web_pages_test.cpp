@@ -212,7 +212,7 @@ TEST(WebPages, PassedAndMasteredAreShownWithTheirErrorRates) {
 
   const auto hasRates = [](const json& verdict) {
     return verdict.at("errors").get<std::string>().find(
-               "are declared competent within the 50 runs planned") != std::string::npos;
+               "are declared competent within the 80 runs planned") != std::string::npos;
   };
   ASSERT_EQ(own.at("modules").size(), 1U) << own.dump();
   EXPECT_TRUE(hasRates(own.at("modules")[0].at("verdict")));

@@ -241,11 +241,8 @@ bool offerToAskForAll(QWidget* parent, ShellContext& shell, const std::vector<Du
   if (!wantsToAsk(parent)) {
     return false;
   }
-  const std::vector<OpenRequest> open = openRequests(shell.session());
   for (const DutyWish& wish : wishes) {
-    if (std::none_of(open.begin(), open.end(), [&](const OpenRequest& one) {
-          return one.request.act == wish.act && one.request.subject == wish.subject;
-        })) {
+    if (!isRequested(shell.session(), wish)) {
       static_cast<void>(askSecondPerson(shell.session(), wish));
     }
   }

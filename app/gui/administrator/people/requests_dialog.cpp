@@ -190,15 +190,21 @@ void RequestsDialog::confirm() {
     case DutyAct::kRevealAllocation:
       return goTo(PageId::kAllocation,
                   tr("The keeper of the allocation opens it on this page: that confirms the request"));
+    case DutyAct::kFreezeInterim:
+      return goTo(PageId::kReports,
+                  tr("Freeze %1 here, under a name and with your own reason: that confirms "
+                     "the request")
+                      .arg(toQString(request.shown)),
+                  toQString(request.request.subject));
     default:
       return confirmAccount(request);
   }
 }
 
 /// Another page confirms this request and reports there: this dialog would hide its notification.
-void RequestsDialog::goTo(PageId page, const QString& sentence) {
+void RequestsDialog::goTo(PageId page, const QString& sentence, const QVariant& argument) {
   accept();
-  shell_.open(page);
+  shell_.open(page, argument);
   shell_.notify(sentence);
 }
 

@@ -29,7 +29,7 @@ class RequestsDialog : public QDialog {
   void showButtons();
   void confirm();
   void decline();
-  void goTo(PageId page, const QString& sentence);
+  void goTo(PageId page, const QString& sentence, const QVariant& argument = {});
   void erase(const OpenRequest& request);
   void confirmAccount(const OpenRequest& request);
   /// Confirms several requests; shows the second halves of their start passwords together.

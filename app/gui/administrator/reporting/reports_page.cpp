@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/reporting/export_dialog.h"
 #include "app/gui/administrator/reporting/report_preview.h"
 #include "app/gui/base/language.h"
@@ -116,10 +117,14 @@ ReportsPage::ReportsPage(ShellContext& shell)
   retranslate();
 }
 
-void ReportsPage::enter(const QVariant&) {
+void ReportsPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
     SessionContext& session = shell().session();
     fillCohorts(cohort_, session, CohortFirst::kStudy);
+    {
+      const QSignalBlocker quiet(cohort_);
+      chooseId(cohort_, argument.toString().toStdString());
+    }
     fillCampaigns(campaign_, session, tr("none"));
     fillFrozen();
     compute();
@@ -252,6 +257,20 @@ std::optional<std::string> ReportsPage::askWhyIncomplete() {
 }
 
 bool ReportsPage::freeze(const std::string& name, const std::string& whyIncomplete) {
+  const DutyWish look{.act = DutyAct::kFreezeInterim,
+                      .subject = chosenId(cohort_),
+                      .shown = cohort_->currentText().toStdString(),
+                      .reason = whyIncomplete};
+  bool now = whyIncomplete.empty();
+  const bool known = attempt(shell(), [&] {
+    now = now || mayFreezeNow(shell().session(), look.subject);
+    if (!now) {  // before the password: whoever asks signs nothing
+      (void)offerToAsk(this, shell(), look);
+    }
+  });
+  if (!known || !now) {
+    return false;
+  }
   if (!readyToSign(this, shell(), SignatureMeaning::kFroze)) {
     return false;
   }

@@ -25,6 +25,7 @@ class ReportsPage : public Page {
  public:
   explicit ReportsPage(ShellContext& shell);
 
+  /// `argument`: the cohort to show; may be empty.
   void enter(const QVariant& argument) override;
   void retranslate() override;
 

@@ -15,11 +15,13 @@
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
 #include "app/gui/administrator/study/cohort_dialogs.h"
+#include "app/gui/administrator/study/statements_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/services/access/all_or_none.h"
+#include "app/services/study/study_statements.h"
 
 namespace torsio::gui {
 
@@ -48,6 +50,7 @@ CohortsPage::CohortsPage(ShellContext& shell)
       allocate_(listButton(table_)),
       rename_(named(listButton(table_), "renameCohort")),
       life_(named(listButton(table_), "cohortState")),
+      about_(named(listButton(table_), "aboutStudy")),
       archived_(named(new QCheckBox(this), "archived")),
       membersTitle_(named(new QLabel(this), "cardTitle")),
       members_(named(new DataTable(QStringLiteral("cohort-members"), this), "members")),
@@ -73,6 +76,7 @@ CohortsPage::CohortsPage(ShellContext& shell)
   });
   connect(rename_, &QPushButton::clicked, this, &CohortsPage::rename);
   connect(life_, &QPushButton::clicked, this, &CohortsPage::changeLife);
+  connect(about_, &QPushButton::clicked, this, &CohortsPage::state);
   connect(archived_, &QCheckBox::toggled, this, &CohortsPage::showContent);
   connect(state_, &QPushButton::clicked, this, &CohortsPage::changeState);
   connect(table_, &DataTable::currentChanged, this, &CohortsPage::showMembers);
@@ -148,6 +152,7 @@ void CohortsPage::showMembers() {
   rename_->setEnabled(one && shell().may(Operation::kStudySetup));
   life_->setEnabled(row != nullptr && row->cohort.state != CohortState::kDraft &&
                     shell().may(Operation::kStudySetup));
+  about_->setEnabled(one);
   allocate_->setEnabled(one && shell().may(Operation::kAllocationView));
   state_->setEnabled(false);
   membersTitle_->setText(row == nullptr ? QString()
@@ -286,6 +291,21 @@ void CohortsPage::rename() {
   }
 }
 
+void CohortsPage::state() {
+  const CohortRow* row = current();
+  if (row == nullptr) {
+    return;
+  }
+  const CohortId id = row->cohort.id;
+  attempt(shell(), [&] {
+    StatementsDialog dialog(toQString(Text(row->cohort.name)), studyStatements(shell().session(), id),
+                            shell().may(Operation::kStudySetup), this);
+    if (dialog.exec() == QDialog::Accepted) {
+      setStudyStatements(shell().session(), id, dialog.statements());
+    }
+  });
+}
+
 void CohortsPage::changeLife() {
   const CohortRow* row = current();
   if (row == nullptr) {
@@ -314,6 +334,8 @@ void CohortsPage::retranslate() {
   allocate_->setText(tr("&Allocation"));
   rename_->setText(tr("&Rename\u2026"));
   life_->setText(tr("Clo&se or archive\u2026"));
+  about_->setText(tr("A&bout the study\u2026"));
+  about_->setToolTip(tr("Registration, ethics approval, eligibility and what else a reviewer asks"));
   archived_->setText(tr("Show arch&ived"));
   state_->setText(tr("&Withdraw or reinstate\u2026"));
   table_->setColumns({{tr("Name")},

@@ -37,6 +37,8 @@ class CohortsPage : public Page {
   void changeState();
   void rename();
   void changeLife();
+  /// Shows what the study says about itself, to be changed.
+  void state();
   [[nodiscard]] const CohortRow* current() const;
   [[nodiscard]] std::vector<const CohortRow*> chosen(const std::function<bool(const CohortRow&)>& fits) const;
 
@@ -51,6 +53,7 @@ class CohortsPage : public Page {
   QPushButton* allocate_;
   QPushButton* rename_;
   QPushButton* life_;
+  QPushButton* about_;
   QCheckBox* archived_;
   QLabel* membersTitle_;
   DataTable* members_;

@@ -9,13 +9,19 @@
 
 #include "app/connectors/foreign/foreign_import.h"
 #include "app/outputs/dataset/cohort_exchange.h"
+#include "app/services/maintenance/anchor.h"
+#include "app/services/maintenance/station_anchor.h"
 #include "app/services/study/cohort_service.h"
+#include "app/services/study/scoring_plan.h"
+#include "app/services/study/study_statements.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/study/curriculum.h"
 #include "assessment/results/cohort_report.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/rubric_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -179,10 +185,10 @@ TEST(DatasetImport, RestoresTheSameFiles) {
   // These describe the record itself: head of its trail, times of enrolment and of marks, where it came from.
   EXPECT_THAT(
       differing(own.path() / "first", own.path() / "second"),
-      ::testing::AllOf(
-          ::testing::Contains("data/numbers.csv"),
-          ::testing::IsSubsetOf({"README.md", "data/agreement.csv", "data/comparison.csv", "data/marks.csv",
-                                 "data/numbers.csv", "data/participants.csv", "datapackage.json"})));
+      ::testing::AllOf(::testing::Contains("data/numbers.csv"),
+                       ::testing::IsSubsetOf({"README.md", "data/agreement.csv", "data/comparison.csv",
+                                              "data/marks.csv", "data/numbers.csv", "data/participants.csv",
+                                              "datapackage.json", "study.json"})));
   EXPECT_THAT(readFile(own.path() / "second" / "README.md"),
               ::testing::HasSubstr("Imported from first (Torsio, hash "));
   EXPECT_THAT(readFile(own.path() / "first" / "README.md"), ::testing::Not(::testing::HasSubstr("Imported")));
@@ -210,6 +216,8 @@ TEST(DatasetImport, AnImportedStudyIsCalledImported) {
   EXPECT_EQ(in.imported->source, "set");
   EXPECT_EQ(in.imported->contentHash, done.contentHash);
   EXPECT_EQ(in.imported->importedBy, "administrator");
+  EXPECT_EQ(in.imported->marks, 24);
+  EXPECT_EQ(in.imported->recordings, 4);
   EXPECT_FALSE(in.demonstration);
   const ReportModel report = cohortReport(in);
   std::string said;
@@ -217,6 +225,67 @@ TEST(DatasetImport, AnImportedStudyIsCalledImported) {
     said += paragraph.str() + "\n";
   }
   EXPECT_THAT(said, ::testing::HasSubstr("This study was imported: from set (Torsio, hash "));
+}
+
+TEST(DatasetImport, TheOriginTravelsOnAndIsSigned) {
+  const OwnFolder own;
+  StudyCentre first;
+  const CohortId cohort = studyIn(first);
+  setStudyStatements(first.as("administrator"), cohort, {{StudyItem::kEthics, "board, 12/26"}});
+  const std::string key = makeAnchorKey(own.path() / "key");
+  setStationAnchor({.key = own.path() / "key"});
+  exportWhole(first, cohort, own.path() / "first");
+  StudyCentre second;
+  const CohortId there =
+      importDataset(second.as("administrator"), own.path() / "first", second.assets(), "").landed.cohortId;
+  setStationAnchor({});
+  exportWhole(second, there, own.path() / "second");
+  StudyCentre third;
+  const CohortId last =
+      importDataset(third.as("administrator"), own.path() / "second", third.assets(), "").landed.cohortId;
+
+  EXPECT_EQ(reportOf(second, there).imported->signedBy, key);
+  const CohortInputs in = reportOf(third, last);
+  EXPECT_TRUE(in.imported->signedBy.empty());
+  EXPECT_EQ(in.imported->earlier, std::vector<std::string>{"first (Torsio)"});
+  EXPECT_EQ(in.statements, (StudyStatements{{StudyItem::kEthics, "board, 12/26"}}));
+  for (const SubmittedMark& mark : RatingRepository(third.connection()).marks(last)) {
+    EXPECT_FALSE(mark.importId.empty());
+  }
+  const fs::path study = own.path() / "first" / "study.json";
+  writeFileAtomically(study, readFile(study) + " ");
+  StudyCentre fourth;
+  try {
+    importDataset(fourth.as("administrator"), own.path() / "first", fourth.assets(), "");
+    ADD_FAILURE() << "a changed study was imported";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.happened(), "the study was changed after it was signed");
+  }
+}
+
+TEST(DatasetImport, AnImportedMarkIsNotChanged) {
+  const OwnFolder own;
+  StudyCentre first;
+  const CohortId cohort = studyIn(first);
+  exportWhole(first, cohort, own.path() / "set");
+  StudyCentre second;
+  const CohortId there =
+      importDataset(second.as("administrator"), own.path() / "set", second.assets(), "").landed.cohortId;
+  const std::string rubric = second.addPaperRubric();
+  const SubmittedMark mark = RatingRepository(second.connection()).marks(there).front();
+  createAssignments(
+      second.as("administrator"),
+      {.cohortId = there, .occasionCodes = {"pre"}, .raterIds = {mark.raterId}, .rubricRevisionId = rubric});
+  SheetRepository sheets(second.connection());
+  const AssignmentId asked = sheets.queue(mark.raterId).front().assignmentId;
+  const RubricRevision revision = RubricRepository(second.connection()).revision(rubric).value();
+
+  try {
+    sheets.submit(asked, "m-1", evenSheet(revision, 70, 70), "", kStudyTime_us);
+    ADD_FAILURE() << "an imported mark was changed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.happened(), "the mark of this case was imported and cannot be changed");
+  }
 }
 
 TEST(DatasetImport, ASimulatedStudyStaysSimulated) {

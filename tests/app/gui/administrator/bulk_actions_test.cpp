@@ -6,6 +6,7 @@
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -17,13 +18,16 @@
 #include "app/connectors/built_in.h"
 #include "app/gui/administrator/people/roster_page.h"
 #include "app/gui/administrator/reporting/report_preview.h"
+#include "app/gui/administrator/reporting/reports_page.h"
 #include "app/gui/administrator/scoring/scoring_page.h"
 #include "app/gui/administrator/station/maintenance_page.h"
+#include "app/gui/administrator/study/cohorts_page.h"
 #include "app/gui/administrator/study/todays_sessions_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/services/access/centre_settings.h"
+#include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
 #include "app/services/maintenance/retention.h"
 #include "app/services/people/people_service.h"
@@ -33,6 +37,7 @@
 #include "app/services/study/day_plan.h"
 #include "app/services/study/live_call.h"
 #include "app/services/study/scoring_plan.h"
+#include "app/services/study/study_statements.h"
 #include "assessment/domain/people/retention.h"
 #include "assessment/results/report_model.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -364,6 +369,51 @@ TEST(RetentionQueue, AsksOnceForASecondPersonToEraseSeveral) {
 
   EXPECT_EQ(child<DataTable>(*page, "queue").visibleRows(), 2);
   EXPECT_EQ(office.centre.audited("duty.request"), 2);
+}
+
+TEST(InterimFreeze, IsAskedForByOneAndDoneByAnother) {
+  AdministratorDesk office;
+  const PaperStudy study = office.centre.addStudy(2, 2);
+  createAssignments(office.centre.as("administrator"), study.plan());
+  setCentreSetting<kTwoPeople>(office.centre.as("administrator"), true);
+  auto page = office.open<ReportsPage>("administrator");
+  answer([](QDialog& dialog) {
+    EXPECT_EQ(dialog.objectName(), QStringLiteral("askSecondPerson"));
+    dialog.accept();
+  });
+
+  EXPECT_FALSE(page->freeze("look", "the board meets"));
+
+  EXPECT_EQ(office.centre.audited("duty.request"), 1);
+  EXPECT_EQ(office.centre.audited("dataset.freeze"), 0);
+  auto other = office.open<ReportsPage>("statistician", toQString(study.cohortId.text()));
+  showPassword(office.centre.session(), kStudyPassword);
+  EXPECT_TRUE(other->freeze("look", "the board meets"));
+  other->settle();
+  ASSERT_NE(other->inputs(), nullptr);
+  ASSERT_TRUE(other->inputs()->freeze.has_value());
+  EXPECT_TRUE(other->inputs()->freeze->interim());
+  EXPECT_EQ(other->inputs()->freeze->askedBy, "administrator");
+}
+
+TEST(AboutAStudy, IsStatedInADialogAndKept) {
+  AdministratorDesk office;
+  const CohortId cohort = office.centre.addStudy(2).cohortId;
+  auto page = office.open<CohortsPage>("administrator", toQString(cohort.text()));
+  answer([](QDialog& dialog) {
+    child<QPlainTextEdit>(dialog, "ethics").setPlainText(QStringLiteral(" board of the house, 12/26 "));
+    dialog.accept();
+  });
+  child<QPushButton>(*page, "aboutStudy").click();
+  EXPECT_EQ(studyStatements(office.centre.as("administrator"), cohort),
+            (StudyStatements{{StudyItem::kEthics, "board of the house, 12/26"}}));
+
+  auto reader = office.open<CohortsPage>("statistician", toQString(cohort.text()));
+  answer([](QDialog& dialog) {
+    EXPECT_TRUE(child<QPlainTextEdit>(dialog, "ethics").isReadOnly());
+    dialog.reject();
+  });
+  child<QPushButton>(*reader, "aboutStudy").click();
 }
 
 TEST(ReportPreview, ShowsTheNumberOfRowsOfALongTableAndAllRowsOnRequest) {

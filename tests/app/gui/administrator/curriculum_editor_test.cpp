@@ -425,21 +425,21 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   auto* store = &child<QPushButton>(dialog, "register");
   EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("shipped with the exercise")));
   EXPECT_TRUE(preview->text().contains(
-      QStringLiteral("and 2.3\u00a0% are declared competent within the 50 runs planned")));
+      QStringLiteral("and 2.5\u00a0% are declared competent within the 80 runs planned")));
   EXPECT_TRUE(store->isEnabled());
   EXPECT_TRUE(sentencesWhole(dialog));
   EXPECT_EQ(child<QComboBox>(dialog, "interrupted").count(), 0);  // nothing to excuse
   EXPECT_FALSE(child<QPushButton>(dialog, "excuse-run").isEnabled());
 
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(20.0);
-  EXPECT_TRUE(preview->text().contains(QStringLiteral("41.0\u00a0%")));  // of competent trainees would fail
+  EXPECT_TRUE(preview->text().contains(QStringLiteral("35.2\u00a0%")));  // of competent trainees would fail
   EXPECT_FALSE(store->isEnabled());
   EXPECT_TRUE(sentencesWhole(dialog));
   EXPECT_LE(dialog.height(), 700);                            // on a small screen
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(5.0);  // below that of the competent
   EXPECT_FALSE(store->isEnabled());
   child<QDoubleSpinBox>(dialog, "inadequate").setValue(40.0);
-  child<QSpinBox>(dialog, "attempts").setValue(30);
+  child<QSpinBox>(dialog, "attempts").setValue(50);
   ASSERT_TRUE(store->isEnabled());
   child<QComboBox>(dialog, "source").setCurrentIndex(2);
   EXPECT_FALSE(store->isEnabled());  // set by hand: needs a reason
@@ -451,7 +451,7 @@ TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {
   EXPECT_TRUE(child<QLabel>(dialog, "in-force").text().contains(QStringLiteral("expires after 365 days")));
   const ExerciseDesigns stored = competenceDesigns(desk.centre.session(), version).front();
   ASSERT_EQ(stored.registered.size(), 1U);
-  EXPECT_EQ(stored.registered.front().attempts, 30);
+  EXPECT_EQ(stored.registered.front().attempts, 50);
   EXPECT_EQ(desk.centre.audited("competence.register"), 1);
 }
 

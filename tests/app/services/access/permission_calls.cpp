@@ -49,6 +49,7 @@
 #include "app/services/study/paper_sheets.h"
 #include "app/services/study/rubric_service.h"
 #include "app/services/study/scoring_plan.h"
+#include "app/services/study/study_statements.h"
 #include "app/services/training/attempts.h"
 #include "app/services/training/debrief.h"
 #include "app/services/training/next_steps.h"
@@ -123,6 +124,10 @@ std::vector<ServiceCall> administratorCalls() {
       {O::kStudySetup, "askSecondPerson, to open the allocation",
        [](W w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kRevealAllocation}); },
        O::kAllocationReveal},
+      {O::kResultsCompute, "askSecondPerson, to freeze an interim state",
+       [](W w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kFreezeInterim}); }},
+      {O::kResultsCompute, "isRequested",
+       [](W w, Path) { (void)isRequested(w, {.act = DutyAct::kFreezeInterim}); }},
       {O::kUserManage, "confirmRequest", [](W w, Path) { (void)confirmRequest(w, kNoSuch); }},
       {O::kUserManage, "askSecondPerson, for an account",
        [](W w, Path) { (void)askSecondPerson(w, {.subject = kNoSuch, .reason = "why"}); }},
@@ -231,6 +236,8 @@ std::vector<ServiceCall> studyCalls() {
        [](W w, Path) { (void)expertTolerance_deg(w, kNoSuch, kNoSuch); }},
       {O::kCurriculumEdit, "addRubric", [](W w, Path) { (void)addRubric(w, "", {}); }},
       {O::kStudySetup, "addCohort", [](W w, Path) { (void)addCohort(w, {}); }},
+      {O::kPersonViewCoded, "studyStatements", [](W w, Path) { (void)studyStatements(w, kNoSuch); }},
+      {O::kStudySetup, "setStudyStatements", [](W w, Path) { setStudyStatements(w, kNoSuch, {}); }},
       {O::kStudySetup, "renameCohort", [](W w, Path) { renameCohort(w, kNoSuch, "name"); }},
       {O::kStudySetup, "setCohortState",
        [](W w, Path) { setCohortState(w, kNoSuch, CohortState::kClosed, "why"); }},
@@ -267,6 +274,7 @@ std::vector<ServiceCall> studyCalls() {
       {O::kAllocationView, "allocationDesigns", [](W w, Path) { (void)allocationDesigns(w, kNoSuch); }},
       {O::kAllocationView, "checkAllocation", [](W w, Path) { (void)checkAllocation(w, kNoSuch); }},
       {O::kAllocationReveal, "revealSeed", [](W w, Path) { (void)revealSeed(w, kNoSuch); }},
+      {O::kResultsCompute, "mayFreezeNow", [](W w, Path) { (void)mayFreezeNow(w, kNoSuch); }},
       {O::kResultsCompute, "freezeData", [](W w, Path) { (void)freezeData(w, kNoSuch, ""); }},
       {O::kResultsCompute, "frozenData", [](W w, Path) { (void)frozenData(w, kNoSuch); }},
       {O::kAllocationView, "allocations", [](W w, Path) { (void)allocations(w, kNoSuch); }},

@@ -13,10 +13,13 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/signing.h"
 #include "app/services/maintenance/person_package.h"
+#include "app/services/study/frozen_data.h"
+#include "app/services/study/scoring_plan.h"
 #include "assessment/domain/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/signature_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/time_units.h"
 #include "tests/app/support/study_centre.h"
@@ -229,6 +232,33 @@ TEST_F(TwoPeople, ARequestExpiresAfterTwoWeeksAndCanBeDeclined) {
 
   EXPECT_THROW(erasePersonRecord(asSecond(), person, "asked"), SecondPersonNeeded);
   EXPECT_TRUE(openRequests(asSecond()).empty());
+}
+
+TEST_F(TwoPeople, NobodyLooksAtUnfinishedMarksAlone) {
+  const PaperStudy study = centre_.addStudy(2, 2);
+  createAssignments(asFirst(), study.plan());
+  const DutyWish look{.act = DutyAct::kFreezeInterim,
+                      .subject = study.cohortId,
+                      .shown = "Study",
+                      .reason = "the board meets"};
+  EXPECT_FALSE(mayFreezeNow(asFirst(), study.cohortId));
+  EXPECT_THROW(freezeData(asFirst(), study.cohortId, "interim", {}, "the board meets"), SecondPersonNeeded);
+
+  (void)askSecondPerson(asFirst(), look);
+  EXPECT_TRUE(isRequested(asFirst(), look));
+  EXPECT_EQ(openRequests(asSecond()).at(0).shown, "Study");
+  EXPECT_THROW(freezeData(asFirst(), study.cohortId, "interim", {}, "the board meets"), SecondPersonNeeded);
+  EXPECT_TRUE(frozenData(asFirst(), study.cohortId).empty());
+  EXPECT_TRUE(mayFreezeNow(asSecond(), study.cohortId));
+  showPassword(centre_.session(), kStudyPassword);
+  const FrozenRow frozen = freezeData(centre_.session(), study.cohortId, "interim", {}, "the board meets");
+
+  EXPECT_EQ(frozen.askedBy, "administrator");
+  EXPECT_EQ(frozen.createdBy, "second");
+  EXPECT_EQ(frozenData(asFirst(), study.cohortId).at(0).askedBy, "administrator");
+  EXPECT_FALSE(mayFreezeNow(asSecond(), study.cohortId)) << "one request, one look";
+  EXPECT_EQ(centre_.audited("duty.confirm"), 1);
+  EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty());
 }
 
 TEST_F(TwoPeople, TurningTheRuleOffNeedsTwoIfThereAreTwo) {

@@ -12,18 +12,21 @@
 #include <gtest/gtest.h>
 
 #include "app/outputs/report/coded_tables.h"
+#include "app/outputs/report/report_data.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/audit_service.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/devices/device_readiness.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/people/people_service.h"
+#include "app/services/recording/trial_digests.h"
 #include "app/services/study/allocation_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/day_board.h"
 #include "app/services/study/day_plan.h"
 #include "app/services/study/frozen_data.h"
 #include "app/services/study/scoring_plan.h"
+#include "app/services/study/study_statements.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/domain/study/cohort.h"
@@ -112,6 +115,27 @@ TEST(CohortService, UsersWithoutTheRightToAllocationsSeeNoGroups) {
     EXPECT_TRUE(enrolment.groupCode.empty());
     EXPECT_EQ(enrolment.numberInGroup, 0);
   }
+}
+
+TEST(StudyStatements, AreKeptInEachVersionAndAudited) {
+  SixTrainees study;
+  SessionContext& session = study.centre.as("administrator");
+  setStudyStatements(session, study.cohortId,
+                     {{StudyItem::kEthics, "board of the house, 12/26"}, {StudyItem::kPlace, "Bern"}});
+  setStudyStatements(session, study.cohortId, {{StudyItem::kEthics, "board of the house, 13/26"}});
+
+  EXPECT_EQ(studyStatements(session, study.cohortId),
+            (StudyStatements{{StudyItem::kEthics, "board of the house, 13/26"}}));
+  EXPECT_EQ(study.centre.audited("cohort.statement"), 4);
+  setStudyStatements(session, study.cohortId, {{StudyItem::kEthics, "board of the house, 13/26"}});
+  EXPECT_EQ(study.centre.audited("cohort.statement"), 4) << "nothing changed";
+  EXPECT_EQ(study.centre.rowCounts().at("study_statement"), 4);
+  EXPECT_THROW(setStudyStatements(session, study.cohortId,
+                                  {{StudyItem::kHarms, std::string(kLongestStatement + 1, 'x')}}),
+               Error);
+  EXPECT_TRUE(verifyAuditTrail(study.centre.connection()).empty());
+  TrialDigests digests(study.centre.assets());
+  EXPECT_EQ(reportInputs(session, {.cohortId = study.cohortId}, digests).statements.size(), 1U);
 }
 
 TEST(FrozenData, ShowsLaterDifferences) {
