@@ -19,9 +19,10 @@ inline constexpr double kLeastSeen = 0.95;
 /// Measures a recording of other equipment (isForeign()): time, path and idle time of the tip, with positions
 /// interpolated linearly. All other metrics are undefined, never 0: "not applicable: foreign recording". A
 /// gap is longer than both 20 ms and two and a half samples; path and idle time are those outside gaps,
-/// nothing is interpolated within one. A pose that stays the same bit for bit for more than kFrozenPose_us is a
-/// gap too: a tracker that has lost the instrument repeats its last pose. Missing ticks (Sample::tick) count as lost. Undefined as a whole with
-/// fewer than two samples, a rate below kSlowestForeign_Hz, or a share below kLeastSeen. Any thread.
+/// nothing is interpolated within one. A pose that stays the same bit for bit for more than kFrozenPose_us is
+/// a gap too: a tracker that has lost the instrument repeats its last pose. Missing ticks (Sample::tick)
+/// count as lost. Undefined as a whole with fewer than two samples, a rate below kSlowestForeign_Hz, or a
+/// share below kLeastSeen. Any thread.
 [[nodiscard]] Outcome<TrialMetrics> measureForeign(const TrialHeader& header,
                                                    std::span<const Sample> samples);
 
