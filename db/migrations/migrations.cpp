@@ -213,6 +213,14 @@ SchemaState checkSchema(Connection& connection, const std::vector<Migration>& mi
   }
   state.version = applied.back().version;
   state.compatibleFrom = applied.back().compatibleFrom;
+  for (std::size_t i = 1; i < applied.size(); ++i) {
+    if (applied[i].version != applied[i - 1].version + 1) {  // steps are applied one after the other
+      throw Error(ErrorCode::kVerifyFailed,
+                  Text::tr("its list of schema steps was changed: step %1 is followed by step %2",
+                           applied[i - 1].version, applied[i].version),
+                  connection.location(), Text::tr("Restore the latest backup"));
+    }
+  }
   const bool readable = connection.readOnly() && state.compatibleFrom <= state.known;
   if (state.version > state.known && !readable) {
     newerSchema(state, connection.location());

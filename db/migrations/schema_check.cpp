@@ -226,7 +226,12 @@ Connection freshRecord() {
 std::vector<SchemaFinding> schemaFindings(Connection& connection,
                                           const std::map<std::string, std::string>& serverParts) {
   const bool sqlite = connection.engine() == Engine::kSqlite;
-  if (const SchemaState state = checkSchema(connection, embeddedMigrations()); state.version != state.known) {
+  const SchemaState state = checkSchema(connection, embeddedMigrations());
+  if (state.version > state.known) {
+    return {{"step " + std::to_string(state.version),
+             "is not known to this program, so the schema was not compared: check with the newest program"}};
+  }
+  if (state.version != state.known) {
     return {};
   }
   Connection fresh = freshRecord();

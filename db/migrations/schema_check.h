@@ -19,8 +19,9 @@ struct SchemaFinding {
 /// are detected. SQLite: every table, index, trigger and view. PostgreSQL: every column, reference, key,
 /// index, trigger (its action, and whether it is enabled) and function, the number of checks, and any rules,
 /// settings and tables of other schemas that would bypass the triggers or make an account read something
-/// else. Empty: no difference, or the record is newer than this program. `serverParts`: additional parts of a
-/// prepared server, which must be present completely or not at all.
+/// else. A record newer than this program is a finding, as nothing was compared. Empty: no difference, or an
+/// older record. `serverParts`: additional parts of a prepared server, which must be present completely or
+/// not at all.
 [[nodiscard]] std::vector<SchemaFinding> schemaFindings(
     Connection& connection, const std::map<std::string, std::string>& serverParts = {});
 

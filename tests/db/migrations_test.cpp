@@ -13,6 +13,7 @@
 #include "db/connection/locator.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
+#include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/record_copy.h"
@@ -126,6 +127,37 @@ TEST_F(MigrationsTest, AllowReadingANewerCompatibleDatabase) {
   }
   Connection reader = openDatabase(locator(), OpenMode::kReadOnly);
   EXPECT_EQ(checkSchema(reader, {first}).version, 2);
+}
+
+TEST_F(MigrationsTest, AForgedStepIsFoundByEveryCheck) {
+  const auto forge = [this](std::int64_t version) {
+    Connection connection = open();
+    connection.execute("DELETE FROM schema_migration WHERE name = 'forged'", {});
+    connection.execute(
+        "INSERT INTO schema_migration (version, name, description, checksum, compatible_from, "
+        "software_version,"
+        " applied_utc_us) VALUES (?, 'forged', 'nothing', '00', 1, 'none', 1)",
+        {version});
+  };
+  {
+    Connection connection = open();
+    migrate(connection, embeddedMigrations(), kOptions);
+    EXPECT_TRUE(schemaFindings(connection).empty());
+  }
+  const std::int64_t newest = embeddedMigrations().back().version;
+  forge(newest + 1'000);
+  for (const OpenMode mode : {OpenMode::kReadOnly, OpenMode::kReadWrite}) {
+    Connection connection = openDatabase(locator(), mode);
+    const Refusal refusal = refusalFrom([&] { (void)schemaFindings(connection); });
+    EXPECT_EQ(refusal.code, ErrorCode::kVerifyFailed);
+    EXPECT_NE(refusal.text.find("is followed by step " + std::to_string(newest + 1'000)), std::string::npos)
+        << refusal.text;
+  }
+  forge(newest + 1);
+  Connection reader = openDatabase(locator(), OpenMode::kReadOnly);
+  const std::vector<SchemaFinding> findings = schemaFindings(reader);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].part, "step " + std::to_string(newest + 1));
 }
 
 TEST_F(MigrationsTest, RefuseAMigrationThatWasEditedAfterItWasApplied) {

@@ -270,8 +270,8 @@ TEST_F(RecordSafety, ChecksOfInvalidRecordsReportItAndChangeNothing) {
     connection.executeVerbatim("PRAGMA journal_mode = DELETE");
   };
   const std::string newer =
-      "INSERT INTO schema_migration SELECT 99, 'later', '', checksum, 99, software_version, applied_utc_us"
-      " FROM schema_migration WHERE version = 1";
+      "INSERT INTO schema_migration SELECT max(version) + 1, 'later', '', checksum, 99, software_version,"
+      " applied_utc_us FROM schema_migration";
   const std::vector<NoRecord> all{
       {"nothing", [](const std::string&) {}, ErrorCode::kFileMissing},
       {"a pipe", [](const std::string& path) { mkfifo(path.c_str(), 0600); }, ErrorCode::kFileUnreadable},
