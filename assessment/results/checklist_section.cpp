@@ -74,7 +74,7 @@ Text blindedOf(const CohortInputs& in) {
                         ways.blinded + ways.live + ways.entered);
 }
 Text stationsOf(const CohortInputs& in) {
-  return in.trials.empty() ? Text() : Text::verbatim("Torsio %1", in.softwareVersion);
+  return in.trials.empty() ? Text() : Text::tr("the simulator of Torsio %1", in.softwareVersion);
 }
 Text unitOf(const CohortInputs& in) {
   return in.trainingMarks.empty() ? Text() : Text::tr("the trainee; repeated marks: see Methods");
@@ -91,7 +91,7 @@ Text dataOf(const CohortInputs& in) {
 using Items = std::span<const ChecklistItem>;
 
 constexpr std::array kConsort{
-    open("1a", Text::tr("Title names a randomised trial")),
+    open("1a", Text::tr("Title names a randomised study")),
     shown("1b", Text::tr("Structured summary"), "summary"),
     stated("2", Text::tr("Registration"), StudyItem::kRegistration),
     stated("3", Text::tr("Protocol and plan of the analysis"), StudyItem::kProtocol),
@@ -124,9 +124,9 @@ constexpr std::array kConsort{
     shown("22a", Text::tr("Flow of participants"), "table-flow"),
     shown("22b", Text::tr("Losses and exclusions, with reasons"), "table-flow"),
     stated("23a", Text::tr("Dates of recruitment and follow-up"), StudyItem::kRecruitment),
-    open("23b", Text::tr("Why the trial ended")),
+    open("23b", Text::tr("Why the study ended")),
     shown("24a", Text::tr("Interventions as delivered"), "table-dose"),
-    shown("24b", Text::tr("Other training during the trial"), "deviations"),
+    shown("24b", Text::tr("Other training during the study"), "deviations"),
     shown("25", Text::tr("Baseline data by group"), "table-participants"),
     shown("26", Text::tr("Numbers analysed, effects and precision"), "table-ancova"),
     stated("27", Text::tr("Harms in each group"), StudyItem::kHarms),
@@ -252,7 +252,7 @@ ReportSection checklistSection(const CohortInputs& in, const ReportModel& report
   ReportSection section{"checklists", Text::tr("Study and checklists")};
   section.tables = {statementsTable(in)};
   const Text statements = section.tables.front().title;
-  section.tables.push_back(checklist("table-checklist-consort", Text::tr("CONSORT 2025: a randomised trial"),
+  section.tables.push_back(checklist("table-checklist-consort", Text::tr("CONSORT 2025: a randomised study"),
                                      kConsort, in, report, statements));
   section.tables.push_back(checklist("table-checklist-grras",
                                      Text::tr("GRRAS 2011: reliability and agreement"), kGrras, in, report,

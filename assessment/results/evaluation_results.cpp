@@ -148,6 +148,8 @@ void addUnfinishedEvaluation(const CohortInputs& in, Ledger& ledger) {
     addMarks(in, ratings, marks);
   }
   ResultWriter rows(ledger, {.section = kEvaluation}, commonFlags(in), {"unfinished"});
+  rows.madeOf = partsOf({RecordRef{RecordKind::kCampaign}});
+  rows.addCount("marks_in_so_far", in.unfinishedEvaluation->marks, in.unfinishedEvaluation->marks);
   for (const ClassScore& of : classScores(in)) {
     rows.place.model = of.model;
     rows.place.raterClass = in.instrument.classes[of.raterClass].id;

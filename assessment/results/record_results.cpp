@@ -98,8 +98,10 @@ void addWaysOfMarks(const CohortInputs& in, Ledger& ledger) {
   rows.addCount("given_live", ways.live, all);
   rows.addCount("entered_without_sheet", ways.entered, all);
   rows.addCount("not_assessable", in.notAssessable, marks);
-  rows.addCount("signed", std::ssize(in.signatures), marks);
-  rows.addCount("not_signed", in.unsignedMarks, marks);
+  if (!in.signatures.empty()) {
+    rows.addCount("signed", std::ssize(in.signatures), marks);
+    rows.addCount("not_signed", in.unsignedMarks, marks);
+  }
 }
 
 /// Adds how the marks of the evaluation of models were given.

@@ -128,8 +128,7 @@ std::vector<ClassScore> classScores(const CohortInputs& in) {
 ReportSection unfinishedSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"evaluation", Text::tr("Evaluation of the models")};
   const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
-  const ReportCell marks =
-      ResultsAt(ledger, wholeKey(kEvaluationMarks))("count", {}, Text(std::to_string(0)));
+  const ReportCell marks = ResultsAt(ledger, {.section = ResultSection::kEvaluation})("marks_in_so_far");
   section.paragraphs = {
       {Text::tr("The evaluation is not finished: %1 {mark is|marks are} in so far. Scores are computed once "
                 "every class of raters that has a weight has scored every index of every model.",

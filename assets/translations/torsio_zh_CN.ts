@@ -19392,7 +19392,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>the instrument would have moved %1 m in %2 s, and reached %3 m: no hand does that</source>
-        <translation>器械会在%2秒内移动%1米，并到达%3米处：人手做不到</translation>
+        <translation>器械会在 %2 s 内移动 %1 m，并到达 %3 m 处：人手做不到</translation>
     </message>
     <message>
         <source>Write the right &quot;unit&quot; into the map (%1 would fit), or &quot;unit_confirmed&quot;: true if %2 is right</source>
@@ -19472,7 +19472,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>The trainee was called only %1 s ago. Is that intended?</source>
-        <translation>学员 %1 秒前才被呼叫。确定这样评分吗？</translation>
+        <translation>学员 %1 s 前才被呼叫。确定这样评分吗？</translation>
     </message>
     <message>
         <source>the study was changed after it was signed</source>
@@ -19481,10 +19481,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>the study lists another recording under this name</source>
         <translation>研究中此名称下是另一份录制</translation>
-    </message>
-    <message>
-        <source>assumed high, until a design is registered after %1 {run|runs} of %2 {person|people}</source>
-        <translation>从高假定，直到有 %2 人的 %1 次操作并登记方案为止</translation>
     </message>
     <message>
         <source>this statement is too long</source>
@@ -19655,10 +19651,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>见数值表 (CSV) 和数据集</translation>
     </message>
     <message>
-        <source>Title names a randomised trial</source>
-        <translation>标题注明随机试验</translation>
-    </message>
-    <message>
         <source>Structured summary</source>
         <translation>结构式摘要</translation>
     </message>
@@ -19771,16 +19763,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>招募与随访日期</translation>
     </message>
     <message>
-        <source>Why the trial ended</source>
-        <translation>试验为何结束</translation>
-    </message>
-    <message>
         <source>Interventions as delivered</source>
         <translation>实际实施的干预</translation>
-    </message>
-    <message>
-        <source>Other training during the trial</source>
-        <translation>试验期间的其他训练</translation>
     </message>
     <message>
         <source>Baseline data by group</source>
@@ -19936,7 +19920,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Feedback and debriefing</source>
-        <translation>反馈与复盘</translation>
+        <translation>反馈与训练复盘</translation>
     </message>
     <message>
         <source>see &quot;%1&quot;</source>
@@ -19975,10 +19959,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>研究说明与清单</translation>
     </message>
     <message>
-        <source>CONSORT 2025: a randomised trial</source>
-        <translation>CONSORT 2025：随机试验</translation>
-    </message>
-    <message>
         <source>GRRAS 2011: reliability and agreement</source>
         <translation>GRRAS 2011：信度与一致性</translation>
     </message>
@@ -20005,6 +19985,34 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Let the sheet be withdrawn</source>
         <translation>请撤回该评分表</translation>
+    </message>
+    <message>
+        <source>assumed high, until %1 {run|runs} of %2 {person|people} tell</source>
+        <translation>从高假定，直到有 %2 人的 %1 次操作为依据</translation>
+    </message>
+    <message>
+        <source>Title names a randomised study</source>
+        <translation>标题注明随机研究</translation>
+    </message>
+    <message>
+        <source>Why the study ended</source>
+        <translation>研究为何结束</translation>
+    </message>
+    <message>
+        <source>Other training during the study</source>
+        <translation>研究期间的其他训练</translation>
+    </message>
+    <message>
+        <source>CONSORT 2025: a randomised study</source>
+        <translation>CONSORT 2025：随机研究</translation>
+    </message>
+    <message>
+        <source>its list of schema steps was changed: step %1 is followed by step %2</source>
+        <translation>其结构升级步骤清单被改动：步骤 %1 之后是步骤 %2</translation>
+    </message>
+    <message>
+        <source>the simulator of Torsio %1</source>
+        <translation>Torsio %1 的模拟器</translation>
     </message>
 </context>
 <context>
@@ -25564,7 +25572,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>The trainee was called only %1 s ago. Press again to seal the sheet.</source>
-        <translation>学员 %1 秒前才被呼叫。再按一次即封存评分表。</translation>
+        <translation>学员 %1 s 前才被呼叫。再按一次即封存评分表。</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,7 @@
 #include "app/gui/widgets/icons.h"
 #include "app/gui/widgets/picture.h"
 #include "app/outputs/charts/typeface.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/access/first_run.h"
 #include "app/services/base/assets.h"
 #include "app/services/demonstration/demonstration_people.h"
@@ -143,6 +144,7 @@ class Cast {
     const std::vector<StartAccount> accounts = performFirstRun(
         session, first, [&](SessionContext& own) { return addDemonstration(own, assets, progress); });
     actors_["administrator"] = session.actor();
+    setCentreSetting<kPanelWaits>(session, false);  // the physician's queue is open, and so are discrepancies
     for (const StartAccount& account : accounts) {
       const SignInAnswer answer =
           changeOwnPassword(session, account.login, account.startPassword, randomStartPassword());

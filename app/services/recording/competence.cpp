@@ -223,11 +223,10 @@ Text fiveShares(const std::array<double, kStatedFailureRates.size()>& shares, in
 
 /// Describes what the probabilities of a design assume.
 Text assumptionText(const CompetenceDesign& design) {
-  const Text origin =
-      design.dependenceRuns > 0
-          ? Text::tr("estimated from %1 {run|runs} of this centre", design.dependenceRuns)
-          : Text::tr("assumed high, until a design is registered after %1 {run|runs} of %2 {person|people}",
-                     kMinDependenceAttempts, kMinDependencePeople);
+  const Text origin = design.dependenceRuns > 0
+                          ? Text::tr("estimated from %1 {run|runs} of this centre", design.dependenceRuns)
+                          : Text::tr("assumed high, until %1 {run|runs} of %2 {person|people} tell",
+                                     kMinDependenceAttempts, kMinDependencePeople);
   return Text::tr(
       "This holds for a failure rate that does not change, with correlations of %1 among the runs of one "
       "session of %2 and %3 between successive runs (%4).",

@@ -36,6 +36,7 @@
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/review/case_sheet.h"
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/evaluation_form.h"
@@ -403,6 +404,7 @@ class ScoringPages : public ::testing::Test {
 };
 
 TEST_F(ScoringPages, FindsAnAdjudicatorInTwoClicks) {
+  setCentreSetting<kPanelWaits>(*centre_.administrator(), false);  // their queues are longer
   Rater rater;
   rater.person = {.id = "rater-900", .code = "CH-900", .createdUtc_us = torsio::testing::kReviewTime_us};
   rater.classCode = "chief";

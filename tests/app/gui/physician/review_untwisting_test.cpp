@@ -26,6 +26,7 @@
 #include "app/gui/physician/severity_page.h"
 #include "app/gui/physician/trace_view.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/services/access/centre_settings.h"
 #include "app/services/review/discrepancy_review.h"
 #include "app/services/review/rater_calibration.h"
 #include "db/repository/trial/trial_repository.h"
@@ -339,6 +340,7 @@ void visitOtherPages(DeskOf& desk, Gathering& gathering) {
 
 TEST(Blinding, NothingReadableRevealsPersonGroupOrStage) {
   ReviewCentre centre({.raters = 3, .live = true});
+  setCentreSetting<kPanelWaits>(*centre.administrator(), false);  // their queues are longer
   addReferenceRuns(*centre.administrator(),
                    {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
   centre.addTwoModels(false);

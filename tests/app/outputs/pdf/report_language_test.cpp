@@ -105,7 +105,7 @@ QString withoutKeptWords(QString text) {
       "Arm sheet|Pace|Aim|far too slow|quick and steady|criterion|"  // a scoring sheet is in the centre's
                                                                      // language
       "Bland-Altman|Shapiro-Wilk|Bonferroni|Student|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|"
-      "Cohen|"
+      "Cohen|CONSORT|GRRAS|Cheng|"
       "Hedges|Kruskal-Wallis|Dunn|Holm|"
       "Mann-Whitney|Friedman|Kendall|Rasch|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay "
       "RUN "

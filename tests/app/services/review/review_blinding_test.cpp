@@ -402,6 +402,7 @@ TEST(Blinded, RemovesTheModelFromTheHeader) {
 
 TEST(ReviewDesk, EveryChangeIsAuditedAndTheTrailVerifies) {
   ReviewCentre centre(ReviewCentre::Setup{});
+  setCentreSetting<kPanelWaits>(*centre.administrator(), false);  // their queues are longer
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
   const std::string own = centre.caseAbout(0, 0);
@@ -453,6 +454,7 @@ class Disagreement : public ::testing::Test {
   std::string internId_ = addRater("IN-900", "intern");
 
   void SetUp() override {
+    setCentreSetting<kPanelWaits>(*centre_.administrator(), false);  // their queues are longer
     submitSheet(*centre_.physician(0), centre_.caseAbout(0, 0), reviewSheet(2, 2, 2), wholeLog());
     submitSheet(*centre_.physician(1), centre_.caseAbout(1, 0), reviewSheet(8, 8, 8), wholeLog());
     centre_.passTime_us(kLater_us);
