@@ -116,7 +116,7 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study, 
   const ReportCell p = at("ancova_p", kEqualsP);
   table.notes = {
       {Text::tr("Effect of the group: F(%1, %2) = %3, %4. Adjusted means [95 %]: %5.", df1.words(),
-                df2.words(), f.words(), p.words(), means),
+                df2.words(), f.words(), p.words(), means.words()),
        {df1, df2, f, p},
        means.keys},
       slopesText(study, at),
@@ -155,7 +155,7 @@ std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalys
   table.notes = {{Text::tr("Slopes: %1. Stated scores before: the mean of all and one standard deviation to "
                            "either side. p (Holm) over all rows. This analysis was not planned: the test of "
                            "equal slopes asked for it.",
-                           slopes),
+                           slopes.words()),
                   {},
                   slopes.keys}};
   table.provenance.n = comparedTrainees(study);

@@ -226,7 +226,7 @@ std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAn
                 "%1 {mark|marks} of %2 {trainee|trainees}. Degrees of freedom after Satterthwaite.",
                 marks.words(), trainees.words()),
        {marks, trainees}});
-  table.notes.push_back({Text::tr("Adjusted means [95 %]: %1.", means), {}, means.keys});
+  table.notes.push_back({Text::tr("Adjusted means [95 %]: %1.", means.words()), {}, means.keys});
   table.notes.push_back(
       {Text::tr("Variances: trainees %1, raters %2, residual %3 (points squared). Slope on the score before "
                 "[95 %]: %4.",

@@ -125,7 +125,7 @@ ReportSection participantsSection(const CohortInputs& in, const Ledger& ledger) 
                                                                 : seed.words()),
                                 {trainees, groups, more, seed}});
   ReportParagraph commitment = commitmentSentence(drawn, ledger);
-  static_cast<Text&>(commitment) = Text::verbatim("%1 %2", commitment, replaySentence(drawn));
+  static_cast<Text&>(commitment) = Text::verbatim("%1 %2", commitment.words(), replaySentence(drawn));
   section.paragraphs.push_back(std::move(commitment));
   section.tables = {groupsTable(in, ledger), flowTable(in, ledger)};
   if (!in.allocation.design.empty()) {

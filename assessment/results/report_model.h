@@ -58,6 +58,9 @@ struct ReportParagraph : Text {
     }
   }
 
+  /// The words alone, as an argument of another text.
+  [[nodiscard]] const Text& words() const noexcept { return *this; }
+
   std::vector<std::shared_ptr<const ResultKey>> keys{};
 };
 

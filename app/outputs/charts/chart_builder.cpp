@@ -85,8 +85,8 @@ class Builder {
     references();
     const bool courses = std::any_of(figure_.series.begin(), figure_.series.end(),
                                      [](const FigureSeries& series) { return series.faint; });
-    chart_->legend()->setVisible(inLegend_ > 1 || (!figure_.references.empty() && !figure_.valuesInLabels) ||
-                                 (courses && inLegend_ > 0));
+    chart_->legend()->setVisible(!figure_.valuesInLabels && (inLegend_ > 1 || !figure_.references.empty() ||
+                                                             (courses && inLegend_ > 0)));
     return std::move(chart_);
   }
 

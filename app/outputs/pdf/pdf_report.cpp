@@ -34,7 +34,7 @@ constexpr double kChartHeight_mm = 64.0;
 constexpr double kCloudHeight_mm = 84.0;  // flatter, the shape of a cloud would be lost; thirty values fit
                                           // below
 constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
-constexpr double kAnswerFrame_mm = 16.0;  // without a legend
+constexpr double kAnswerFrame_mm = 18.0;  // numbers and title of the axis; less, and Qt leaves them out
 constexpr double kAnswerRow_mm = 5.5;     // of the first page's forest
 constexpr double kFrame_mm = 24.0;        // axis, labels and legend around the rows
 constexpr double kTallestChart_mm = 170.0;

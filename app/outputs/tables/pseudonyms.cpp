@@ -128,6 +128,19 @@ void sortByCode(CohortInputs& in) {
          [](const CohortDeviation& one) { return std::pair(one.trainee, one.happenedUtc_us); });
 }
 
+/// Replaces who froze or imported the data.
+void renameAdministrators(CohortInputs& in, const Pseudonyms& names) {
+  if (in.freeze) {
+    in.freeze->frozenBy = names.of("A", in.freeze->frozenBy);
+    if (!in.freeze->askedBy.empty()) {
+      in.freeze->askedBy = names.of("A", in.freeze->askedBy);
+    }
+  }
+  if (in.imported) {
+    in.imported->importedBy = names.of("A", in.imported->importedBy);
+  }
+}
+
 }  // namespace
 
 Pseudonyms::Pseudonyms(std::string key) : key_(std::move(key)) {
@@ -204,15 +217,7 @@ CohortInputs pseudonymised(CohortInputs in, std::map<TrialId, std::int64_t>& sta
     }
   }
   in.centre.clear();
-  if (in.freeze) {
-    in.freeze->frozenBy = names.of("A", in.freeze->frozenBy);
-    if (!in.freeze->askedBy.empty()) {
-      in.freeze->askedBy = names.of("A", in.freeze->askedBy);
-    }
-  }
-  if (in.imported) {
-    in.imported->importedBy = names.of("A", in.imported->importedBy);
-  }
+  renameAdministrators(in, names);
   if (!withFreeText) {  // names of cohorts, groups, data sets and scoring sheets, and descriptions
     in.title = CohortInputs().title;
     in.facts.clear();
