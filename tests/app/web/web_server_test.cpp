@@ -92,51 +92,55 @@ TEST(HttpServer, SurvivesNoise) {
   EXPECT_EQ(client.get("/alive").status, 200);
 }
 
-TEST(HttpServer, StopsWithAPendingRequest) {
-  HttpServer::Reply kept;
-  std::mutex mutex;
-  auto server = std::make_unique<HttpServer>(anyPort(), TlsMaterial{}, HttpLimits{.drain_s = 0},
-                                             [&](const HttpRequest&, HttpServer::Reply reply) {
-                                               const std::lock_guard lock(mutex);
-                                               kept = std::move(reply);
-                                             });
-  WebAnswer answer;
-  std::thread waiting([&, port = server->port()] { answer = WebClient(port).get("/slow"); });
-  for (bool asked = false; !asked;) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    const std::lock_guard lock(mutex);
-    asked = kept != nullptr;
+/// A server with one request that nobody has answered yet.
+class PendingRequest {
+ public:
+  explicit PendingRequest(const HttpLimits& limits)
+      : server_(std::make_unique<HttpServer>(anyPort(), TlsMaterial{}, limits,
+                                             [this](const HttpRequest&, HttpServer::Reply reply) {
+                                               const std::lock_guard lock(mutex_);
+                                               reply_ = std::move(reply);
+                                             })),
+        client_([this, port = server_->port()] { answer_ = WebClient(port).get("/slow"); }) {
+    for (bool asked = false; !asked;) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      const std::lock_guard lock(mutex_);
+      asked = reply_ != nullptr;
+    }
+  }
+  void reply(const std::string& body) { reply_({.body = body}); }
+  /// Stops the server and returns what its client got.
+  WebAnswer stop() {
+    server_.reset();
+    client_.join();
+    return answer_;
   }
 
-  server.reset();
-  waiting.join();
+ private:
+  std::mutex mutex_;
+  HttpServer::Reply reply_;
+  WebAnswer answer_;
+  std::unique_ptr<HttpServer> server_;
+  std::thread client_;
+};
+
+TEST(HttpServer, StopsWithAPendingRequest) {
+  PendingRequest pending({.drain_s = 0});
+
+  const WebAnswer answer = pending.stop();
 
   EXPECT_TRUE(answer.status == 503 || answer.status == 0) << answer.status;
-  kept({.body = "too late"});  // the connection has gone; the reply is dropped
+  pending.reply("too late");  // the connection has gone; the reply is dropped
 }
 
 TEST(HttpServer, AnswersWhatItReceivedBeforeItStops) {
-  std::mutex mutex;
-  HttpServer::Reply kept;
-  auto server = std::make_unique<HttpServer>(anyPort(), TlsMaterial{}, HttpLimits{},
-                                             [&](const HttpRequest&, HttpServer::Reply reply) {
-                                               const std::lock_guard lock(mutex);
-                                               kept = std::move(reply);
-                                             });
-  WebAnswer answer;
-  std::thread waiting([&, port = server->port()] { answer = WebClient(port).get("/slow"); });
-  for (bool asked = false; !asked;) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    const std::lock_guard lock(mutex);
-    asked = kept != nullptr;
-  }
+  PendingRequest pending({});
   std::thread late([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    kept({.body = "done"});
+    pending.reply("done");
   });
 
-  server.reset();
-  waiting.join();
+  const WebAnswer answer = pending.stop();
   late.join();
 
   EXPECT_EQ(answer.status, 200);
