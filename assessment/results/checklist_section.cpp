@@ -119,7 +119,7 @@ constexpr std::array kConsort{
     told("20b", Text::tr("How blinding was done"), blindedOf, "methods"),
     shown("21a", Text::tr("Statistical methods"), "methods"),
     shown("21b", Text::tr("Who is in each analysis"), "comparisons"),
-    shown("21c", Text::tr("How missing data were handled"), "table-bounds"),
+    shown("21c", Text::tr("How missing data were handled"), "comparisons"),
     shown("21d", Text::tr("Additional analyses, planned or not"), "comparisons"),
     shown("22a", Text::tr("Flow of participants"), "table-flow"),
     shown("22b", Text::tr("Losses and exclusions, with reasons"), "table-flow"),
