@@ -27,6 +27,20 @@ namespace torsio::cli {
 
 namespace {
 
+/// Adds an option that takes one of these words. (CLI::CheckedTransformer prints the bytes of the values.)
+template <typename Target, typename Value>
+CLI::Option* addChoice(CLI::App& command, const std::string& name, const std::string& what, Target& target,
+                       const std::map<std::string, Value>& choices) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : choices) {
+    words.push_back(word);
+  }
+  return command
+      .add_option_function<std::string>(
+          name, [&target, choices](const std::string& word) { target = choices.at(word); }, what)
+      ->check(CLI::IsMember(words));
+}
+
 struct ReportArguments {
   TraceRequest trace;
   bool json = false;
@@ -107,11 +121,10 @@ void addCohort(CLI::App& report) {
   command->add_option("--csv", arguments->csv, "Also write the table of numbers to this file");
   addDefaulted(*command, "--language", arguments->language, "Language of the PDF; the table stays English",
                CLI::IsMember(reportLanguages()));
-  command->add_option("--people", arguments->identity, "coded, named or aggregated; default: coded")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ReportIdentity>{{"coded", ReportIdentity::kCoded},
-                                                {"named", ReportIdentity::kNamed},
-                                                {"aggregated", ReportIdentity::kAggregated}}));
+  addChoice(*command, "--people", "How people are shown; default: coded", arguments->identity,
+            std::map<std::string, ReportIdentity>{{"coded", ReportIdentity::kCoded},
+                                                  {"named", ReportIdentity::kNamed},
+                                                  {"aggregated", ReportIdentity::kAggregated}});
   addSignIn(*command, arguments->maintenance, "--login");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { writeCohort(*arguments); });
@@ -210,8 +223,7 @@ void addStatement(CLI::App& report) {
   for (const Term<StudyItem>& item : kStudyItems) {
     items.emplace(item.stored, item.value);
   }
-  CLI::Option* item = command->add_option("ITEM", arguments->item, "Item to change, as listed");
-  item->transform(CLI::CheckedTransformer(items));
+  CLI::Option* item = addChoice(*command, "ITEM", "Item to change, as listed", arguments->item, items);
   command->add_option("STATEMENT", arguments->statement, "What it says from now on; empty: take it back")
       ->needs(item);
   command->add_flag("--json", arguments->json, "Print JSON");

@@ -154,7 +154,7 @@ std::string describedParseError(const CLI::App& program, const CLI::ParseError& 
   const std::vector<std::string> extra = program.remaining(true);
   const std::string first = extra.empty() ? std::string() : extra.front().substr(0, extra.front().find('='));
   const std::string nearest = isOption(first) ? nearestOf(optionsOf(command), first) : std::string();
-  return joined(extra) + ": " +
+  return (isOption(first) ? first : joined(extra)) + ": " +
          (isOption(first) ? "'" + pathOf(command) + "' has no option of this name"
                           : "'" + pathOf(command) + "' takes no further words") +
          (nearest.empty() ? "" : ". Did you mean '" + nearest + "'?") + (nearest.empty() ? help : "");

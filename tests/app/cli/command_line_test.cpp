@@ -84,8 +84,7 @@ TEST_F(BadInput, AMisspeltWordIsAnsweredByTheOneThatWasMeant) {
         {"export", "torsio export: one of its commands is missing. Commands of 'torsio export'"},
         {"export --language en", "--language: no such command"},
         {"twist --patern pronation",
-         "--patern, pronation: 'torsio twist' has no option of "
-         "this name. Did you mean '--pattern'?"},
+         "--patern: 'torsio twist' has no option of this name. Did you mean '--pattern'?"},
         {"twist --patern=pronation", "Did you mean '--pattern'?"},
         {"twist --zzz", "'torsio twist' has no option of this name. Run 'torsio twist --help'"},
         {"twist --angle sixty", "--angle: 'sixty' is not a number"},
