@@ -20014,6 +20014,14 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>the simulator of Torsio %1</source>
         <translation>Torsio %1 的模拟器</translation>
     </message>
+    <message>
+        <source>the device does not answer; a second connection switched its force off after %1 ms</source>
+        <translation>设备无应答；已通过第二次连接在 %1 毫秒后关闭其力输出</translation>
+    </message>
+    <message>
+        <source>the device does not answer, and a second connection that would switch its force off failed (%1): let go of the stylus and switch the device off</source>
+        <translation>设备无应答，用于关闭其力输出的第二次连接也失败了（%1）：请松开手柄笔并关闭设备电源</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

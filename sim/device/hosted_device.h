@@ -26,6 +26,11 @@ class HostedDevice : public HapticDevice {
   /// Begins to close and returns as soon as the tick function will not be called again; the driver may take
   /// longer. Not from within the tick function.
   virtual void beginClose() = 0;
+  /// Switches the force output off and sends zero where it can, whatever the driver's thread does: the last
+  /// act of a process that ends. Any thread; may hang with the driver.
+  virtual void switchOff() noexcept = 0;
+  /// Tells, without waiting, whether the force output of a device that is being closed is off. Any thread.
+  [[nodiscard]] virtual bool silent() const noexcept = 0;
   /// Tells, without waiting, whether a device that is being closed has been let go of. Any thread.
   [[nodiscard]] virtual bool released() const = 0;
 

@@ -65,6 +65,8 @@ class HdapiDevice final : public HostedDevice {
   /// beginClose(), then waits, the first time for at most HdapiOptions::patience_us. False when the library
   /// did not let go (unplugged devices block it): the process must end before the device can be opened again.
   bool close() override;
+  void switchOff() noexcept override { session_->switchOff(); }
+  [[nodiscard]] bool silent() const noexcept override { return session_->silent(); }
   [[nodiscard]] bool released() const override;
 
   /// Asks for force output. Force is granted while the device is calibrated, quick and cool, and always

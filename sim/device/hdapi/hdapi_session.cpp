@@ -372,6 +372,15 @@ void HdapiSession::letGo() noexcept {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   servo_->letGo(true);
+  silent_.store(servo_->silent());
+}
+
+void HdapiSession::switchOff() noexcept {
+  api_.hdDisable(hd::kForceOutput);
+  if (servo_ != nullptr) {
+    servo_->wishForce(false);
+    servo_->letGo(true);
+  }
 }
 
 void HdapiSession::tearDown() noexcept {

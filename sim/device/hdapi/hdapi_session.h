@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -46,6 +47,11 @@ class HdapiSession {
   /// library does.
   void tearDown() noexcept;
 
+  /// As HostedDevice::switchOff(). Any thread.
+  void switchOff() noexcept;
+  /// Tells whether the output was switched off by tearDown(). Any thread.
+  [[nodiscard]] bool silent() const noexcept { return silent_.load(); }
+
   [[nodiscard]] HdapiServo& servo() noexcept { return *servo_; }
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept { return capabilities_; }
   [[nodiscard]] const DeviceIdentity& identity() const noexcept { return identity_; }
@@ -73,6 +79,7 @@ class HdapiSession {
   DeviceCapabilities capabilities_;
   DeviceIdentity identity_;
   std::unique_ptr<HdapiServo> servo_;
+  std::atomic<bool> silent_{false};
   ServoEntry* entry_ = nullptr;  // never freed: the library may call after hdUnschedule
   bool claimed_ = false;         // the process's one session
 };

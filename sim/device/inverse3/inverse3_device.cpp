@@ -205,6 +205,17 @@ void Inverse3Device::beginClose() {
   }
 }
 
+void Inverse3Device::switchOff() noexcept {
+  ending_.store(true);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(2 * kInverse3Look_us);
+  while (!released() && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  if (!released()) {  // the thread that would send zero is the one that ends
+    service_->send(inverse3Force(deviceId_, {}));
+  }
+}
+
 bool Inverse3Device::close() {
   beginClose();
   if (thread_.joinable()) {

@@ -71,6 +71,8 @@ class Inverse3Device final : public HostedDevice {
 
   void start(const DeviceTick& tick) override;
   void beginClose() override;
+  void switchOff() noexcept override;
+  [[nodiscard]] bool silent() const noexcept override { return released(); }
   [[nodiscard]] bool released() const override { return released_.load(std::memory_order_acquire); }
   bool close() override;
   void enableForce(bool on) noexcept override { forceWished_.store(on); }

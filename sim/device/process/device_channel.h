@@ -101,7 +101,7 @@ class SharedEvents {
 
 /// Version of the memory that the program and its device process share: both are installed together, and a
 /// device process of another build refuses to work.
-inline constexpr std::uint32_t kChannelVersion = 3;
+inline constexpr std::uint32_t kChannelVersion = 4;
 /// File number under which the device process finds the shared memory.
 inline constexpr int kChannelFile = 3;
 /// File number of the pipe whose other end the program holds: when it is closed, the program is gone.
@@ -111,6 +111,11 @@ inline constexpr int kParentFile = 4;
 inline constexpr std::int64_t kChildLetsGo_us = 15'000;
 /// Time without one after which the program ends the device process and reports the device lost.
 inline constexpr std::int64_t kChildEnded_us = 100'000;
+
+/// Time for a second device process to let go of what the first one left.
+inline constexpr std::int64_t kSecondHand_us = 3'000'000;
+/// Variable of the device process's environment, by which whatever it starts is known.
+inline constexpr const char* kRunVariable = "TORSIO_DEVICE_RUN";
 
 /// How far the device process has come.
 enum class ChannelStage : std::uint32_t { kStarting, kLooked, kRefused, kOpened, kServing, kServoRefused };
@@ -123,7 +128,8 @@ struct ChannelRequest {
   Quat deviceToWorld;
   Vec3 workspaceCentre_m;
   double stylusTip_m = 0.0;
-  bool onlyLook = false;  ///< look whether it could be opened, open nothing
+  bool onlyLook = false;   ///< look whether it could be opened, open nothing
+  bool onlyLetGo = false;  ///< send zero, switch the output off and close: another process left the device
 };
 
 /// The memory itself, created zeroed by the program.
@@ -137,6 +143,7 @@ struct DeviceChannel {
   std::uint32_t reportLength = 0;
   std::atomic<bool> serveAsked{false};
   std::atomic<bool> closeAsked{false};
+  std::atomic<bool> silent{false};    ///< the force output is off for good
   std::atomic<bool> released{false};  ///< the driver let go of the device
   std::atomic<bool> forceWished{false};
   std::atomic<std::uint32_t> drops{0};   ///< counts requests to let go at once
@@ -185,11 +192,6 @@ struct DeviceRelay {
       seenForce = force->number;
       device->write({force->force_N, 0});
     }
-  }
-  /// As the driver calls it.
-  [[nodiscard]] DeviceTick asTick() noexcept {
-    return {[](void* context, std::int64_t time_us) { static_cast<DeviceRelay*>(context)->tick(time_us); },
-            this};
   }
 };
 

@@ -30,8 +30,9 @@ struct StylusOpening {
 /// Starts the device process (`torsio-device`, beside the running program, or the one that
 /// TORSIO_DEVICE_PROGRAM names), which loads the vendor's library and opens the device; force off. The
 /// library may hang, crash or be cut off there: after kChildEnded_us without an answer of a running servo the
-/// process is ended and the device reported lost, and when this process ends in any way the other lets go of
-/// the hand. Takes up to seconds. Throws Error{kDevice}: no device process, no device, no answer, cancelled.
+/// process is ended and the device reported lost, and a second process takes off the force that it may have
+/// left (lossText waits for that). When this process ends in any way, the other lets go of the hand. Takes up
+/// to seconds. Throws Error{kDevice}: no device process, no device, no answer, cancelled.
 [[nodiscard]] StylusOpening openStylus(const StylusRequest& request);
 
 /// Moves the look and the device of a driver into the device process, which knows the driver by its id;

@@ -2,26 +2,20 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
-#include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <filesystem>
-#include <new>
-#include <spawn.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
+#include <memory>
+#include <string>
 #include <thread>
-#include <unistd.h>
+#include <utility>
 
+#include "sim/core/clock.h"
 #include "sim/core/deadline.h"
 #include "sim/core/error.h"
 #include "sim/device/hdapi/hdapi_device.h"
 #include "sim/device/hdapi/hdapi_library.h"
 #include "sim/device/process/device_channel.h"
+#include "sim/device/process/device_child_posix.h"
 #include "sim/device/process/device_process.h"
-
-extern char** environ;  // NOLINT(readability-redundant-declaration)
 
 namespace torsio {
 
@@ -38,129 +32,24 @@ constexpr auto kOpens = std::chrono::seconds(15);
 // A device that was lost because its process was ended, or ended by itself: no driver has such a code.
 constexpr std::uint32_t kProcessEnded = 0xffff'ffffU;
 constexpr std::int64_t kLostPatience_us = 200'000;
+constexpr std::chrono::milliseconds kSecondHandCloses{500};
 constexpr const char* kStylusDriver = "hdapi";
-
-std::string deviceProgram() {
-  if (const char* const named = std::getenv("TORSIO_DEVICE_PROGRAM"); named != nullptr && *named != '\0') {
-    return named;
-  }
-  std::error_code failed;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
-  return (self.parent_path() / "torsio-device").string();
-}
-
-[[noreturn]] void refuse(const Text& sentence, const Text& remedy) {
-  throw Error(ErrorCode::kDevice, sentence, Text::tr("haptic device"), remedy);
-}
 
 template <std::size_t Size>
 void copyText(const std::string& from, std::array<char, Size>& to) {
   std::memcpy(to.data(), from.data(), std::min(from.size(), Size - 1));
 }
 
-/// A file that is closed with its owner.
-struct OpenFile {
-  int number = -1;
-  OpenFile() = default;
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() { reset(); }
-  void reset() {
-    if (number >= 0) {
-      ::close(number);
-    }
-    number = -1;
-  }
-};
-
-/// The device process and the memory shared with it.
-class Child {
- public:
-  explicit Child(const ChannelRequest& request) {
-    OpenFile memory;
-    memory.number = memfd_create("torsio-device", MFD_CLOEXEC);
-    std::array<int, 2> ends{-1, -1};
-    void* place = MAP_FAILED;
-    if (memory.number >= 0 && ftruncate(memory.number, sizeof(DeviceChannel)) == 0) {
-      place = mmap(nullptr, sizeof(DeviceChannel), PROT_READ | PROT_WRITE, MAP_SHARED, memory.number, 0);
-    }
-    if (place == MAP_FAILED || pipe2(ends.data(), O_CLOEXEC) != 0) {
-      refuse(Text::tr("the system gives no memory for the device process"),
-             Text::tr("Close other programs and try again"));
-    }
-    channel_ = new (place) DeviceChannel;
-    channel_->request = request;
-    OpenFile theirs;
-    theirs.number = ends[0];
-    ours_.number = ends[1];
-    start(memory.number, theirs.number);
-  }
-  ~Child() {
-    end();
-    munmap(channel_, sizeof(DeviceChannel));
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  [[nodiscard]] DeviceChannel& channel() noexcept { return *channel_; }
-  /// Tells whether the process is gone; takes its status. One thread at a time.
-  [[nodiscard]] bool gone() noexcept {
-    if (process_ > 0 && waitpid(process_, nullptr, WNOHANG) == process_) {
-      process_ = -1;
-    }
-    return process_ <= 0;
-  }
-  /// Ends the process at once.
-  void end() noexcept {
-    if (!gone()) {
-      kill(process_, SIGKILL);
-      (void)waitpid(process_, nullptr, 0);
-      process_ = -1;
-    }
-  }
-
- private:
-  void start(int memory, int parentEnd) {
-    const std::string program = deviceProgram();
-    // Away from the numbers that the child wants them under, which dup2 would otherwise close.
-    OpenFile memoryCopy;
-    memoryCopy.number = fcntl(memory, F_DUPFD_CLOEXEC, 10);
-    OpenFile pipeCopy;
-    pipeCopy.number = fcntl(parentEnd, F_DUPFD_CLOEXEC, 10);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, memoryCopy.number, kChannelFile);
-    posix_spawn_file_actions_adddup2(&files, pipeCopy.number, kParentFile);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    // A group of its own: a signal of the terminal is for the program, which closes the device in order.
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    std::string name = "torsio-device";
-    std::array<char*, 2> arguments{name.data(), nullptr};
-    const int failed =
-        posix_spawn(&process_, program.c_str(), &files, &attributes, arguments.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&files);
-    if (failed != 0) {
-      process_ = -1;
-      munmap(channel_, sizeof(DeviceChannel));
-      refuse(Text::tr("the device process %1 cannot be started: %2", program, std::string(strerror(failed))),
-             Text::tr("Install Torsio again; torsio-device belongs beside the program"));
-    }
-  }
-
-  OpenFile ours_;
-  DeviceChannel* channel_ = nullptr;
-  pid_t process_ = -1;
-};
+/// What a second device process made of the force that the first one left.
+enum class SecondHand { kNotNeeded, kUnderWay, kSwitchedOff, kRefused };
 
 /// A stylus whose driver runs in the device process.
 class ProcessDevice final : public HapticDevice {
  public:
-  ProcessDevice(std::unique_ptr<Child> child, const ChannelReport& report, std::int64_t patience_us,
-                std::function<bool()> cancelled, std::function<Text(std::uint32_t)> lossText)
+  ProcessDevice(std::unique_ptr<DeviceChild> child, std::int64_t patience_us, std::function<bool()> cancelled,
+                std::function<Text(std::uint32_t)> lossText)
       : child_(std::move(child)),
-        report_(report),
+        report_(child_->report()),
         patience_us_(patience_us),
         cancelled_(std::move(cancelled)),
         lossText_(std::move(lossText)) {
@@ -170,16 +59,21 @@ class ProcessDevice final : public HapticDevice {
 
   void serve() override;
   bool close() override;
-  void enableForce(bool on) noexcept override { child_->channel().forceWished.store(on); }
+  void enableForce(bool on) noexcept override {
+    child_->channel().forceWished.store(on);
+    forceAsked_.store(forceAsked_.load() || on);
+  }
   [[nodiscard]] DeviceSnapshot snapshot() noexcept override;
   [[nodiscard]] bool nextEvent(DeviceEvent& event) noexcept override {
     return child_->channel().events.next(taken_, event);
   }
   [[nodiscard]] Text lossText(std::uint32_t code) const override {
-    if (code == kProcessEnded) {
-      return Text::tr("the device does not answer");
+    if (code != kProcessEnded) {
+      return lossText_ ? lossText_(code) : HapticDevice::lossText(code);
     }
-    return lossText_ ? lossText_(code) : HapticDevice::lossText(code);
+    secondHand_.wait(SecondHand::kUnderWay);
+    return secondHand_.load() == SecondHand::kNotNeeded ? Text::tr("the device does not answer")
+                                                        : secondHandText_;
   }
   [[nodiscard]] const DeviceIdentity& identity() const noexcept override { return report_.identity; }
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override {
@@ -194,8 +88,10 @@ class ProcessDevice final : public HapticDevice {
 
  private:
   void watch() noexcept;
+  void takeSecondHand() noexcept;
+  void letGoAgain();
 
-  std::unique_ptr<Child> child_;
+  std::unique_ptr<DeviceChild> child_;
   ChannelReport report_;
   const std::int64_t patience_us_;
   std::function<bool()> cancelled_;
@@ -203,6 +99,9 @@ class ProcessDevice final : public HapticDevice {
   std::thread supervisor_;
   std::atomic<bool> lost_{false};
   std::atomic<bool> ending_{false};
+  std::atomic<bool> forceAsked_{false};
+  std::atomic<SecondHand> secondHand_{SecondHand::kNotNeeded};
+  Text secondHandText_;  // complete before secondHand_ says that there is one
   bool closed_ = false;
   bool released_ = false;
   DeviceSnapshot snapshot_;
@@ -212,41 +111,11 @@ class ProcessDevice final : public HapticDevice {
   ReadingAge age_{kDeviceStale | kDeviceUncalibrated, kReadingStale_us, kReadingLost_us};
 };
 
-/// Waits until the device process leaves `from`; ends it when it takes too long or was cancelled.
-ChannelStage answerOf(Child& child, ChannelStage from, const std::function<bool()>& cancelled) {
-  const auto until = steady_clock::now() + kOpens;
-  for (;;) {
-    const bool gone = child.gone();  // before the look: an answer may be its last word
-    const ChannelStage stage = child.channel().stage.load(std::memory_order_acquire);
-    if (stage != from) {
-      return stage;
-    }
-    const Text remedy = Text::tr("Plug the device in again, run the vendor's set-up tool once and try again");
-    if (gone) {
-      refuse(Text::tr("the device process ended before it answered"), remedy);
-    }
-    if (cancelled && cancelled()) {
-      child.end();
-      refuse(Text::tr("stopped before its end"), Text::tr("Try again"));
-    }
-    if (steady_clock::now() > until) {
-      child.end();
-      refuse(Text::tr("the device's driver does not answer"), remedy);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-}
-
-ChannelReport reportOf(DeviceChannel& channel) {
-  const std::size_t length = std::min<std::size_t>(channel.reportLength, channel.report.size());
-  return unpacked(std::string(channel.report.data(), length));
-}
-
 void ProcessDevice::serve() {
   child_->channel().serveAsked.store(true);
-  if (answerOf(*child_, ChannelStage::kOpened, cancelled_) == ChannelStage::kServoRefused) {
-    const ChannelReport report = reportOf(child_->channel());
-    refuse(report.happened, report.remedy);
+  if (child_->leaves(ChannelStage::kOpened, kOpens, cancelled_) == ChannelStage::kServoRefused) {
+    const ChannelReport report = child_->report();
+    refuseDevice(report.happened, report.remedy);
   }
   supervisor_ = std::thread([this] { watch(); });
 }
@@ -263,11 +132,60 @@ void ProcessDevice::watch() noexcept {
     frames = seen;
     const std::optional<DeviceSnapshot> snapshot = channel.snapshot.latest();
     const bool over = snapshot && snapshot->state == DeviceState::kLost;  // said by the driver itself
-    if (child_->gone() || (still >= kLooksForgiven && !over)) {
+    if (child_->gone() || child_->stopped() || (still >= kLooksForgiven && !over)) {
+      if (forceAsked_.load()) {
+        secondHand_.store(SecondHand::kUnderWay);
+      }
       lost_.store(true);
       child_->end();
+      takeSecondHand();
       return;
     }
+  }
+}
+
+/// Where force was asked for, a device process that ended may have left one: another takes it off. The
+/// supervisor's thread, or any after it has ended.
+void ProcessDevice::takeSecondHand() noexcept {
+  if (!forceAsked_.load()) {
+    return;
+  }
+  const MonotonicClock clock;
+  const std::int64_t begun_us = clock.now_us();
+  SecondHand came = SecondHand::kRefused;
+  try {
+    letGoAgain();
+    secondHandText_ =
+        Text::tr("the device does not answer; a second connection switched its force off after %1 ms",
+                 (clock.now_us() - begun_us) / 1000);
+    came = SecondHand::kSwitchedOff;
+  } catch (const Error& error) {
+    secondHandText_ = Text::tr(
+        "the device does not answer, and a second connection that would switch its force off failed (%1): "
+        "let go of the stylus and switch the device off",
+        error.happenedText());
+  } catch (const std::exception&) {  // no memory for the words
+  }
+  secondHand_.store(came);
+  secondHand_.notify_all();
+}
+
+/// Throws Error{kDevice} when the force may still be there.
+void ProcessDevice::letGoAgain() {
+  ChannelRequest request = child_->channel().request;
+  request.onlyLetGo = true;
+  DeviceChild second(request);
+  const std::chrono::microseconds patience(kSecondHand_us);
+  if (second.leaves(ChannelStage::kStarting, patience, {}) != ChannelStage::kServing) {
+    const ChannelReport report = second.report();
+    refuseDevice(report.library.status == HdapiLoadStatus::kLoaded || report.library.sentence.empty()
+                     ? report.happened
+                     : report.library.sentence,
+                 report.remedy);
+  }
+  const auto until = steady_clock::now() + kSecondHandCloses;
+  while (!second.gone() && steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
@@ -278,7 +196,9 @@ DeviceSnapshot ProcessDevice::snapshot() noexcept {
   if (lost_.load()) {
     snapshot_.state = DeviceState::kLost;
     snapshot_.lostBecause = snapshot_.lostBecause == 0 ? kProcessEnded : snapshot_.lostBecause;
-    snapshot_.forceOn = false;  // its process is gone
+    const SecondHand hand = secondHand_.load();
+    snapshot_.forceOn =
+        snapshot_.forceOn && hand != SecondHand::kNotNeeded && hand != SecondHand::kSwitchedOff;
   }
   if (closed_) {
     snapshot_.state = DeviceState::kClosed;
@@ -318,6 +238,11 @@ bool ProcessDevice::close() {
   }
   released_ = child_->gone() && !lost_.load() && channel.released.load();
   child_->end();
+  const std::optional<DeviceSnapshot> end = channel.snapshot.latest();
+  const bool off = channel.silent.load() || (end && end->state == DeviceState::kLost && !end->forceOn);
+  if (!released_ && !lost_.load() && !off) {
+    takeSecondHand();
+  }
   return released_;
 }
 
@@ -330,16 +255,15 @@ struct HostedOpening {
 HostedOpening openHosted(const ChannelRequest& request, std::int64_t patience_us,
                          const std::function<bool()>& cancelled,
                          const std::function<Text(std::uint32_t)>& lossText) {
-  auto child = std::make_unique<Child>(request);
-  const ChannelStage stage = answerOf(*child, ChannelStage::kStarting, cancelled);
-  HostedOpening opening{reportOf(child->channel()), nullptr};
+  auto child = std::make_unique<DeviceChild>(request);
+  const ChannelStage stage = child->leaves(ChannelStage::kStarting, kOpens, cancelled);
+  HostedOpening opening{child->report(), nullptr};
   if (stage == ChannelStage::kRefused) {
     throw Error(ErrorCode::kDevice, opening.report.happened, Text::tr("haptic device"),
                 opening.report.remedy);
   }
   if (stage != ChannelStage::kLooked) {
-    opening.device =
-        std::make_unique<ProcessDevice>(std::move(child), opening.report, patience_us, cancelled, lossText);
+    opening.device = std::make_unique<ProcessDevice>(std::move(child), patience_us, cancelled, lossText);
   }
   return opening;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The driver against a service that speaks the documented messages, in this process and in the device
 // process.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <sys/wait.h>
@@ -300,6 +303,47 @@ TEST_P(Inverse3, AHangingServiceBlocksNothing) {
 
 INSTANTIATE_TEST_SUITE_P(InThisProcess, Inverse3, ::testing::Values(false));
 INSTANTIATE_TEST_SUITE_P(InTheDeviceProcess, Inverse3, ::testing::Values(true));
+
+/// The newest process that this one has started.
+pid_t newestChild() {
+  pid_t newest = 0;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream children(task.path() / "children");
+    for (pid_t child = 0; children >> child;) {
+      newest = std::max(newest, child);
+    }
+  }
+  return newest;
+}
+
+TEST(Inverse3Process, WhenTheDeviceProcessEndsOrStopsASecondOneSendsTheServiceZero) {
+  setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1);
+  (void)requestRealTime();
+  for (const int signal : {SIGKILL, SIGSTOP, SIGQUIT, SIGSEGV}) {
+    InverseService service;
+    const std::unique_ptr<HapticDevice> device = hosted(inverse3Driver()).open({});
+    device->serve();
+    device->enableForce(true);
+    const auto push = [&] { device->write({kPush_N, 0}); };
+    ASSERT_TRUE(inTime([&] {
+      push();
+      return norm(service.lastForce_N() - kPush_N) < 1e-9;
+    }));
+
+    kill(newestChild(), signal);
+
+    EXPECT_TRUE(inTime([&] {
+      push();
+      return norm(service.lastForce_N()) == 0.0;
+    })) << signal;
+    EXPECT_TRUE(inTime([&] { return device->snapshot().state == DeviceState::kLost; })) << signal;
+    EXPECT_NE(device->lossText(device->snapshot().lostBecause).str().find("switched its force off"),
+              std::string::npos)
+        << device->lossText(device->snapshot().lostBecause).str();
+    EXPECT_TRUE(inTime([&] { return service.clients() == 0; })) << signal;
+    EXPECT_EQ(norm(service.lastForce_N()), 0.0) << signal;
+  }
+}
 
 TEST(Inverse3Process, WhenTheProgramIsKilledTheServiceIsSentZeroAndTheDeviceProcessEnds) {
   setenv("TORSIO_DEVICE_PROGRAM", TORSIO_DEVICE_PROGRAM, 1);

@@ -60,6 +60,10 @@ hd::Handle hdInitDevice(const char* configName) {
     push(f, hd::kInvalidLicense, 0);
     return hd::kInvalidHandle;
   }
+  if (f.onlyOnce) {
+    push(f, hd::kDeviceAlreadyInitiated, 0);
+    return hd::kInvalidHandle;
+  }
   if (!f.present || !nameOpens(f, configName)) {
     push(f, hd::kDeviceFault, -1);
     return hd::kInvalidHandle;

@@ -38,6 +38,7 @@ struct FakeRecord {
   std::atomic<std::int64_t> ticks;      ///< ticks started
   std::atomic<std::int64_t> motors_uN;  ///< norm of the present force at the motors
   std::atomic<std::int64_t> most_uN;    ///< maximum so far
+  std::atomic<std::int64_t> orphan;     ///< process that the fake left behind
   std::atomic<std::int64_t> count;      ///< number of events
   std::array<SeenEvent, kMost> events;
 };

@@ -112,6 +112,7 @@ void tellStory(Fake& f) {
   if (f.presses) {
     press(f);
   }
+  misbehaveElsewhere(f);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <fcntl.h>
 #include <sstream>
+#include <stdexcept>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -110,12 +111,58 @@ void seeMotors(Fake& f) {
   f.record->most_uN = std::max(f.record->most_uN.load(), size_uN);
   if (f.pushed != (size_uN > 0)) {
     f.pushed = size_uN > 0;
-    f.pushTick = f.pushTick < 0 ? f.tick.load() : f.pushTick;
+    f.pushTick = f.pushed && f.pushTick < 0 ? f.tick.load() : f.pushTick;
     see(f, f.pushed ? Seen::kPush : Seen::kRest);
   }
 }
 
 namespace {
+
+int signalOf(const std::string& name) {
+  constexpr std::array<std::pair<const char*, int>, 9> kSignals{{{"SIGALRM", SIGALRM},
+                                                                 {"SIGSTOP", SIGSTOP},
+                                                                 {"SIGQUIT", SIGQUIT},
+                                                                 {"SIGUSR1", SIGUSR1},
+                                                                 {"SIGKILL", SIGKILL},
+                                                                 {"SIGBUS", SIGBUS},
+                                                                 {"SIGILL", SIGILL},
+                                                                 {"SIGTSTP", SIGTSTP},
+                                                                 {"SIGIO", SIGIO}}};
+  const auto* const found = std::find_if(kSignals.begin(), kSignals.end(),
+                                         [&name](const auto& known) { return name == known.first; });
+  return found != kSignals.end() ? found->second : SIGKILL;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): until the stack is full
+int fillStack(volatile const char* above) {
+  volatile char room[4096];
+  room[0] = above != nullptr ? above[0] : 'x';
+  return room[0] != 'x' ? 0 : fillStack(room) + room[0];
+}
+
+/// Ends the process.
+void crash(const std::string& by) {
+  if (by == "exit") {
+    std::exit(0);
+  } else if (by == "quick_exit") {
+    std::quick_exit(0);
+  } else if (by == "_exit") {
+    _exit(0);
+  } else if (by == "abort") {
+    std::abort();
+  } else if (by == "throw") {
+    throw std::runtime_error("nobody catches this");
+  } else if (by == "segv") {
+    volatile int* volatile nowhere = nullptr;
+    *nowhere = 1;
+  } else if (by == "overflow") {
+    (void)fillStack(nullptr);
+  } else if (by == "fpe") {
+    std::raise(SIGFPE);
+  } else {
+    kill(getpid(), signalOf(by));
+  }
+}
 
 /// Hangs or ends the process, if the story says so.
 void misbehave(Fake& f, const char* function) {
@@ -124,6 +171,17 @@ void misbehave(Fake& f, const char* function) {
   }
   if (f.crashIn == function) {
     seeFault(f);
+    if (!f.crashBy.empty()) {
+      if (!f.hangLocked) {
+        f.spin.unlock();  // held by the caller
+      }
+      crash(f.crashBy);
+      if (!f.hangLocked) {
+        f.spin.lock();
+      }
+      f.crashIn.clear();
+      return;
+    }
     if (f.crashSignal == 0) {
       std::exit(0);
     }
@@ -142,6 +200,14 @@ void misbehave(Fake& f, const char* function) {
 }
 
 }  // namespace
+
+void misbehaveElsewhere(Fake& f) {
+  if (f.crashIn == "thread" && !f.crashed && storyTick(f) >= f.hangAtTick) {
+    f.crashed = true;
+    seeFault(f);
+    std::thread([&f] { crash(f.crashBy); }).detach();
+  }
+}
 
 bool enter(Fake& f, const char* function, bool deviceCall) {
   misbehave(f, function);
@@ -224,8 +290,34 @@ void openRecord(Fake& f) {
   ::close(file);
   if (place != MAP_FAILED) {
     f.record = static_cast<FakeRecord*>(place);
+    f.onlyOnce = f.record->process != 0 && *environment("FAKEHD_ONCE") != '\0';
+    // The motors of the device go on with what the process before sent.
+    f.pushed = f.record->motors_uN > 0;
+    f.commanded[0] = 1e-6 * static_cast<double>(f.record->motors_uN);
     f.record->process = getpid();
     f.record->servo = getpid();
+  }
+}
+
+void leaveProcess(Fake& f) {
+  if (*environment("FAKEHD_FORKS") == '\0' || f.record == nullptr) {
+    return;
+  }
+  const pid_t orphan = fork();
+  if (orphan == 0) {
+    (void)setsid();
+    for (;;) {
+      sleep(3600);
+    }
+  }
+  f.record->orphan = orphan;
+}
+
+void printMuch() {
+  const std::string line(1023, 'x');
+  for (int left = numberIn("FAKEHD_PRINTS", 0); left > 0; left -= 2048) {
+    std::fprintf(stdout, "%s\n", line.c_str());
+    std::fprintf(stderr, "%s\n", line.c_str());
   }
 }
 
@@ -233,11 +325,14 @@ void openRecord(Fake& f) {
 
 void readEnvironment(Fake& f) {
   openRecord(f);
+  leaveProcess(f);
+  printMuch();
   readFault(f);
   readPress(f);
   f.afterPush = *environment("FAKEHD_AFTER_PUSH") != '\0';
   f.hangLocked = *environment("FAKEHD_HANG_LOCKED") != '\0';
   f.crashIn = environment("FAKEHD_CRASH");
+  f.crashBy = environment("FAKEHD_CRASH_BY");
   f.crashSignal = numberIn("FAKEHD_CRASH_SIGNAL", 0);
   f.dieAtTick = numberIn("FAKEHD_DIE_AT_TICK", -1);
   f.lie = environment("FAKEHD_LIE");

@@ -100,6 +100,9 @@ struct Fake {
   bool hangLocked = false;  // while holding the library's lock
   std::string crashIn;      // function that ends the process at that tick
   int crashSignal = 0;      // by this signal; 0: by exit()
+  std::string crashBy;      // in this way instead
+  bool crashed = false;     // by another thread
+  bool onlyOnce = false;    // another process opened it
   int dieAtTick = -1;       // the servo thread stops calling
   std::string lie;          // falsified pose
   int lieAtTick = 0;        // from this tick on
@@ -174,6 +177,8 @@ bool enter(Fake& f, const char* function, bool deviceCall = true);
 /// Returns the force rendered by the motors.
 std::array<double, 3> rendered(const Fake& f);
 void readEnvironment(Fake& f);
+/// Ends the process in another thread, if the story says so. Call with the lock.
+void misbehaveElsewhere(Fake& f);
 
 /// Runs the servo thread.
 void servoLoop(Fake& f);

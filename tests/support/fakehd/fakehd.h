@@ -18,6 +18,12 @@
 /// - FAKEHD_PRESS: six numbers, mm: start of the tip, and where it presses
 /// - FAKEHD_HANG_LOCKED: the hanging function holds the library's lock, so that every other call hangs, too
 /// - FAKEHD_CRASH: function that ends the process at FAKEHD_HANG_AT_TICK, by FAKEHD_CRASH_SIGNAL or exit(0)
+/// - FAKEHD_CRASH_BY: ... in another way: exit, quick_exit, _exit, abort, throw, segv, overflow, fpe, or the
+///   name of a signal; without the library's lock, unless FAKEHD_HANG_LOCKED. FAKEHD_CRASH=thread: in another
+///   thread of the library
+/// - FAKEHD_ONCE: no other process can open the device after the first
+/// - FAKEHD_FORKS: a process with a session of its own is left behind
+/// - FAKEHD_PRINTS: prints this number of bytes when the device is opened
 /// - FAKEHD_FAULT: FUNCTION:TICK:TIMES:ERROR (times -1: forever; the error in hexadecimal digits)
 /// - FAKEHD_DIE_AT_TICK: the servo thread stops calling
 /// - FAKEHD_LIE: pose from FAKEHD_LIE_AT_TICK on: nan, zero, mirrored, huge or frozen

@@ -13,12 +13,14 @@
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 #include "sim/core/deadline.h"
 #include "sim/core/error.h"
 #include "sim/device/hdapi/hdapi_device.h"
 #include "sim/device/inverse3/inverse3_device.h"
 #include "sim/device/process/device_channel.h"
+#include "sim/device/process/host/last_gasp.h"
 
 namespace torsio {
 namespace {
@@ -42,14 +44,24 @@ bool parentGone() {
   return ::poll(&parent, 1, kLook_ms) > 0;
 }
 
-/// Ends the process although a teardown hangs.
+/// Ends the process and what a library started in it.
+[[noreturn]] void endGroup(int code) {
+  if (getpgrp() == getpid()) {
+    (void)kill(0, SIGKILL);
+  }
+  _exit(code);
+}
+
+/// Lets go of the device although a teardown hangs.
 void endOrphan(DeviceChannel& channel, HostedDevice& device) {
   std::thread([&device] { (void)device.close(); }).detach();
   const auto until = std::chrono::steady_clock::now() + kOrphanEnds;
   channel.forceWished.store(false);
   while (std::chrono::steady_clock::now() < until && !device.released()) {
+    channel.silent.store(device.silent());
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  channel.silent.store(device.silent());
   channel.released.store(device.released());
 }
 
@@ -110,6 +122,29 @@ std::unique_ptr<HostedDevice> openHere(const ChannelRequest& asked, ChannelRepor
   return openInverse3(request);
 }
 
+/// The relay's tick, whose thread is heard even when it runs out of its stack.
+struct HeardTick {
+  DeviceRelay relay;
+  bool prepared = false;
+
+  static void run(void* context, std::int64_t time_us) {
+    HeardTick& self = *static_cast<HeardTick*>(context);
+    if (!std::exchange(self.prepared, true)) {
+      useSignalStack();
+    }
+    self.relay.tick(time_us);
+  }
+};
+
+/// Lets frames without a force pass, so that the device has its zero.
+void sendZero(DeviceChannel& channel) {
+  constexpr std::uint64_t kFrames = 3;
+  const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+  while (channel.frames.load() < kFrames && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+}
+
 int serve(DeviceChannel& channel) {
   channel.request.driver.back() = '\0';
   channel.request.library.back() = '\0';
@@ -126,13 +161,21 @@ int serve(DeviceChannel& channel) {
     HostedDevice& device = *opened.release();
     report.capabilities = device.capabilities();
     report.identity = device.identity();
+    auto& tick = *new HeardTick{{&channel, &device}};
+    if (channel.request.onlyLetGo) {
+      device.start({HeardTick::run, &tick});
+      sendZero(channel);
+      channel.stage.store(ChannelStage::kServing);
+      endOrphan(channel, device);
+      return 0;
+    }
     answer(channel, report, ChannelStage::kOpened);
     refusal = ChannelStage::kServoRefused;
     while (!channel.serveAsked.load() && !channel.closeAsked.load() && !parentGone()) {
     }
-    auto& relay = *new DeviceRelay{&channel, &device};
     if (channel.serveAsked.load()) {
-      device.start(relay.asTick());
+      device.start({HeardTick::run, &tick});
+      armLastGasp(device, channel);
       channel.stage.store(ChannelStage::kServing);
       watch(channel, device);
     }
@@ -150,7 +193,7 @@ int serve(DeviceChannel& channel) {
 
 int main() {
   // The program's end decides, not what a terminal sends to the whole group.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU}) {
     std::signal(signal, SIG_IGN);
   }
   struct stat file {};
@@ -173,8 +216,8 @@ int main() {
     while (!torsio::parentGone()) {
     }
     std::this_thread::sleep_for(2 * torsio::kOrphanEnds);
-    _exit(0);
+    torsio::endGroup(0);
   }).detach();
   // A library's own threads and exit handlers are not waited for.
-  _exit(torsio::serve(channel));
+  torsio::endGroup(torsio::serve(channel));
 }
