@@ -20022,6 +20022,22 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>the device does not answer, and a second connection that would switch its force off failed (%1): let go of the stylus and switch the device off</source>
         <translation>设备无应答，用于关闭其力输出的第二次连接也失败了（%1）：请松开手柄笔并关闭设备电源</translation>
     </message>
+    <message>
+        <source>Addresses of figures</source>
+        <translation>图中数字的地址</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>图</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Address for torsio report trace</source>
+        <translation>地址（用于 torsio report trace）</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

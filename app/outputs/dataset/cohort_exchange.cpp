@@ -104,6 +104,7 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
     contents.facts.emplace_back(Text::tr("Pseudonymised"), sentence);
   }
   contents.tables = tablesOf(data.set);
+  contents.names = report.names;
   for (const ReportSection& section : report.sections) {
     for (const ReportFigure& figure : section.figures) {
       contents.figures.push_back(&figure);

@@ -2,6 +2,7 @@
 #include "app/outputs/tables/workbook.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -9,6 +10,7 @@
 #include <xlsxwriter.h>
 
 #include "app/outputs/tables/workbook_sheets.h"
+#include "assessment/results/figure_table.h"
 #include "sim/core/error.h"
 #include "sim/core/file_lock.h"
 #include "sim/core/time_units.h"
@@ -132,6 +134,30 @@ class Workbook {
     writeFigures(book_, names_.back(), pen, figures, formats_, say_);
   }
 
+  /// Adds one row per number of a figure that is a result.
+  void addFigureAddresses(const std::vector<const ReportFigure*>& figures, const ResultNames& names) {
+    SheetPen pen = heading(say_(Text::tr("Addresses of figures")),
+                           {Text::tr("Figure"), Text::tr("Row"), Text::tr("Column"), Text::tr("Value"),
+                            Text::tr("Address for torsio report trace")});
+    std::uint32_t at = 1;
+    for (const ReportFigure* figure : figures) {
+      const ReportTable numbers = figureTable(*figure);
+      for (const std::vector<ReportCell>& row : numbers.rows) {
+        for (std::size_t c = 1; c < row.size(); ++c) {
+          if (row[c].key == nullptr || row[c].empty()) {
+            continue;
+          }
+          pen.text(at, 0, say_(figure->title));
+          pen.text(at, 1, say_(row.front()));
+          pen.text(at, 2, say_(numbers.columns[c]));
+          pen.text(at, 3, say_(row[c]));
+          pen.text(at++, 4, keyAddress(*row[c].key, names));
+        }
+      }
+    }
+    finish(pen, at);
+  }
+
   void addMethods(const std::vector<Text>& paragraphs) {
     SheetPen pen = sheet(say_(Text::tr("Methods")));
     worksheet_set_column(pen.sheet(), 0, 0, 120.0, nullptr);
@@ -142,13 +168,9 @@ class Workbook {
   }
 
   void addSources(const std::vector<const ExportTable*>& tables) {
-    SheetPen pen = sheet(say_(Text::tr("Sources")));
-    std::uint16_t c = 0;
-    for (const Phrase head : {Text::tr("Sheet"), Text::tr("Column"), Text::tr("Name for programs"),
-                              Text::tr("Unit"), Text::tr("Where it comes from")}) {
-      worksheet_set_column(pen.sheet(), c, c, c == 4 ? 70.0 : 26.0, nullptr);
-      pen.text(0, c++, say_(head), formats_.heading);
-    }
+    SheetPen pen = heading(say_(Text::tr("Sources")),
+                           {Text::tr("Sheet"), Text::tr("Column"), Text::tr("Name for programs"),
+                            Text::tr("Unit"), Text::tr("Where it comes from")});
     std::uint32_t row = 1;
     for (const ExportTable* table : tables) {
       for (const ExportColumn& column : table->columns) {
@@ -159,13 +181,28 @@ class Workbook {
         pen.text(row++, 4, say_(table->source), formats_.wrapped);
       }
     }
-    worksheet_freeze_panes(pen.sheet(), 1, 0);
-    worksheet_autofilter(pen.sheet(), 0, 0, std::max<std::uint32_t>(1, row - 1), 4);
+    finish(pen, row);
   }
 
   void close() { requireWritten(workbook_close(std::exchange(book_, nullptr)), file_); }
 
  private:
+  /// Adds a sheet that describes others: four narrow columns and a wide one.
+  SheetPen heading(const std::string& name, const std::array<Phrase, 5>& columns) {
+    SheetPen pen = sheet(name);
+    std::uint16_t c = 0;
+    for (const Phrase& head : columns) {
+      worksheet_set_column(pen.sheet(), c, c, c == 4 ? 70.0 : 26.0, nullptr);
+      pen.text(0, c++, say_(head), formats_.heading);
+    }
+    return pen;
+  }
+  /// `rows`: including the headings.
+  static void finish(const SheetPen& pen, std::uint32_t rows) {
+    worksheet_freeze_panes(pen.sheet(), 1, 0);
+    worksheet_autofilter(pen.sheet(), 0, 0, std::max<std::uint32_t>(1, rows - 1), 4);
+  }
+
   /// Adds a sheet with a valid, unique name.
   SheetPen sheet(const std::string& wish) {
     std::string name;
@@ -245,6 +282,7 @@ void writeWorkbook(const WorkbookContents& contents, const ExportWording& say, c
     }
     if (!contents.figures.empty()) {
       book.addFigures(contents.figures);
+      book.addFigureAddresses(contents.figures, contents.names);
     }
     book.addMethods(contents.methods);
     book.addSources(contents.tables);

@@ -21,11 +21,13 @@ struct WorkbookContents {
   Facts facts;                               ///< first sheet: title, time and source record
   std::vector<const ExportTable*> tables;    ///< one sheet each
   std::vector<const ReportFigure*> figures;  ///< numbers and a native chart, on one sheet
+  ResultNames names;                         ///< for the addresses of the figures' numbers
   std::vector<Text> methods;                 ///< one sheet of paragraphs; section titles begin with "# "
 };
 
 /// Writes an Office Open XML workbook: frozen headings, filters, column widths; numbers have 15 digits, times
-/// are spreadsheet times (UTC), text is never a formula. The last sheet explains each column and its source.
+/// are spreadsheet times (UTC), text is never a formula. A sheet gives the address of each number of a figure
+/// in cohort.csv, as `torsio report trace` takes it; the last one explains each column and its source.
 /// Writes through a temporary file next to `file`, so memory use stays small. Throws Error{kFileUnwritable},
 /// or what `progress` throws; an older file of that name is then untouched. Any thread.
 void writeWorkbook(const WorkbookContents& contents, const ExportWording& say,

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <csignal>
 #include <functional>
+#include <set>
 #include <sys/resource.h>
 
 #include <gmock/gmock.h>
@@ -42,7 +43,7 @@ struct Written {
   std::filesystem::path file = folder.path() / "cohort.xlsx";
 
   void workbook(const Text& title = Text::tr("Cohort report")) {
-    WorkbookContents contents{title, {}, tablesOf(set), {}, {Text(std::string("=2+2"))}};
+    WorkbookContents contents{title, {}, tablesOf(set), {}, report.names, {Text(std::string("=2+2"))}};
     for (const ReportSection& section : report.sections) {
       for (const ReportFigure& figure : section.figures) {
         contents.figures.push_back(&figure);
@@ -201,14 +202,26 @@ TEST(Workbook, PreservesEveryNumberAndTextIsNeverAFormula) {
       "ensure_ascii=False), sep='\\t')\n"
       "for row in book['Protocol deviations'].iter_rows(min_row=2):\n"
       "    print('D', row[3].data_type, json.dumps(row[3].value, ensure_ascii=False), sep='\\t')\n"
+      "for row in book['Addresses of figures'].iter_rows(min_row=2, values_only=True):\n"
+      "    print('A', row[4], sep='\\t')\n"
       "print('M', book['Methods']['A1'].data_type)\n"
       "print('C', len(book['Figures']._charts), sheet.freeze_panes, sheet.auto_filter.ref)\n");
   const std::string said = outputOf(
       "/usr/bin/python3 '" + script.string() + "' '" + written.file.string() + "'", written.folder.path());
   const std::vector<CohortCsvRow> rows = cohortCsvRows(written.inputs);
   std::size_t at = 0;
+  std::set<std::string> known;
+  const AnalysedCohort cohort = analysedCohort(written.inputs);
+  for (const Result& result : cohort.ledger.every()) {
+    known.insert(keyAddress(result.key, cohort.ledger.names()));
+  }
+  std::size_t addresses = 0;
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("A\t", 0) == 0) {
+      ++addresses;
+      EXPECT_TRUE(known.contains(line.substr(2))) << line;
+    }
     if (line.rfind("N\t", 0) != 0) {
       continue;
     }
@@ -223,6 +236,7 @@ TEST(Workbook, PreservesEveryNumberAndTextIsNeverAFormula) {
     }
   }
   EXPECT_EQ(at, rows.size()) << said.substr(0, 2000);
+  EXPECT_GT(addresses, 50U);
   EXPECT_THAT(said, HasSubstr("D\ts\t\"=1+1\""));
   EXPECT_THAT(said, HasSubstr("D\ts\t\"+cmd|' /C calc'!A0\""));
   EXPECT_THAT(said, HasSubstr("\xE8\xAE\xBE\xE5\xA4\x87, two\\nlines"));
