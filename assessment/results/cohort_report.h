@@ -290,7 +290,7 @@ struct CohortInputs {
   bool singleMarks = true;
 
   MarkWays markWays;
-  std::int64_t sheetsAsked = 0;            ///< requested from raters for this cohort, without withdrawn ones
+  std::int64_t sheetsAsked = 0;            ///< of raters for this cohort
   std::int64_t sheetsPresent = 0;          ///< of these, submitted
   std::int64_t evaluationRatersAsked = 0;  ///< raters of the campaign; 0: unknown
   std::int64_t modelsHidden = 0;           ///< evaluated models shown to their raters under a hidden label

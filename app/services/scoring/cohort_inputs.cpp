@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -166,17 +167,6 @@ void addGroups(Connection& connection, const CohortId& cohortId, const std::vect
   }
 }
 
-/// Adds how many sheets were requested and submitted.
-void addSheets(Connection& connection, const CohortId& cohortId, CohortInputs& inputs) {
-  for (const AssignmentStatus& sheet : SheetRepository(connection).assignments(cohortId)) {
-    if (sheet.state == SheetState::kWithdrawn) {
-      continue;
-    }
-    ++inputs.sheetsAsked;
-    inputs.sheetsPresent += sheet.state == SheetState::kSubmitted ? 1 : 0;
-  }
-}
-
 /// Adds training times, rests and deviations.
 void addTimes(StudyRepository& study, const CohortId& cohortId, CohortInputs& inputs) {
   std::map<std::string, std::string> codeOf;
@@ -286,18 +276,54 @@ std::size_t chiefClassOf(const EvaluationInstrument& instrument) {
   return most;
 }
 
-/// Returns when the state of an enrolment was last changed, by the audit trail; 0: never.
-std::int64_t lastStateChange_us(Connection& connection, const EnrolmentId& id) {
-  for (const AuditEntry& entry :
-       AuditRepository(connection).entries({.objectKind = AuditObject::kEnrolment, .objectId = id})) {
-    if (entry.action == storedText(AuditAction::kEnrolmentSetState)) {
-      return entry.atUtc_us;
+/// Returns the newest entry of the audit trail about an object with one of these actions.
+std::optional<AuditEntry> newestOf(Connection& connection, AuditObject kind, const std::string& id,
+                                   std::initializer_list<AuditAction> actions) {
+  for (AuditEntry& entry : AuditRepository(connection).entries({.objectKind = kind, .objectId = id})) {
+    if (std::any_of(actions.begin(), actions.end(),
+                    [&](AuditAction action) { return entry.action == storedText(action); })) {
+      return std::move(entry);
     }
   }
-  return 0;
+  return std::nullopt;
+}
+
+/// Returns whether another rater was asked in place of a withdrawn sheet's.
+bool wasReassigned(Connection& connection, const AssignmentId& id) {
+  const auto entry = newestOf(connection, AuditObject::kAssignment, id.text(),
+                              {AuditAction::kAssignmentReassign, AuditAction::kAssignmentWithdraw});
+  return entry && entry->action == storedText(AuditAction::kAssignmentReassign);
+}
+
+/// Returns when the state of an enrolment was last changed; 0: never.
+std::int64_t lastStateChange_us(Connection& connection, const EnrolmentId& id) {
+  const auto entry =
+      newestOf(connection, AuditObject::kEnrolment, id.text(), {AuditAction::kEnrolmentSetState});
+  return entry ? entry->atUtc_us : 0;
 }
 
 }  // namespace
+
+SheetCount countSheets(Connection& connection, const CohortId& cohortId) {
+  std::set<EnrolmentId> left;
+  for (const Enrolment& enrolment : StudyRepository(connection).enrolments(cohortId)) {
+    if (enrolment.state == EnrolmentState::kWithdrawn) {
+      left.insert(enrolment.id);
+    }
+  }
+  SheetCount count;
+  for (const AssignmentStatus& sheet : SheetRepository(connection).assignments(cohortId)) {
+    const bool withdrawn = sheet.state == SheetState::kWithdrawn;
+    if (withdrawn &&
+        (left.contains(sheet.assignment.enrolmentId) || wasReassigned(connection, sheet.assignment.id))) {
+      continue;
+    }
+    ++count.asked;
+    count.submitted += sheet.state == SheetState::kSubmitted ? 1 : 0;
+    count.dropped += withdrawn ? 1 : 0;
+  }
+  return count;
+}
 
 CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, const CampaignResult& campaign,
                           const TrainingResult& training) {
@@ -358,7 +384,9 @@ CohortInputs cohortInputs(Connection& connection, const CohortId& cohortId, cons
   inputs.trainingMarks = training.marks;
   inputs.notAssessable = training.notAssessable;
   inputs.markWays = training.ways;
-  addSheets(connection, cohortId, inputs);
+  const SheetCount sheets = countSheets(connection, cohortId);
+  inputs.sheetsAsked = sheets.asked;
+  inputs.sheetsPresent = sheets.submitted;
   addCriteria(connection, cohortId, training, groups, inputs);
   inputs.evaluationRatersAsked = std::ssize(campaign.campaign.raters);
   for (const CampaignModel& model : campaign.campaign.models) {

@@ -267,14 +267,7 @@ bool twoDecide(const Cohort& cohort, const SheetCount& sheets) {
 
 SheetCount sheetCount(SessionContext& session, const CohortId& cohortId) {
   session.require(Operation::kResultsCompute);
-  SheetCount count;
-  for (const AssignmentStatus& sheet : SheetRepository(session.connection()).assignments(cohortId)) {
-    if (sheet.state != SheetState::kWithdrawn) {
-      ++count.asked;
-      count.submitted += sheet.state == SheetState::kSubmitted ? 1 : 0;
-    }
-  }
-  return count;
+  return countSheets(session.connection(), cohortId);
 }
 
 bool mayFreezeNow(SessionContext& session, const CohortId& cohortId) {
@@ -298,9 +291,12 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
   const Cohort cohort = StudyRepository(session.connection()).cohort(cohortId);
   const SheetCount sheets = sheetCount(session, cohortId);
   if (!sheets.complete() && whyIncomplete.empty()) {
+    const Text in = Text::tr("%1 of %2 {sheet|sheets} that raters were asked for {is|are} in",
+                             sheets.submitted, sheets.asked);
     refuse(
-        Text::tr("%1 of %2 {sheet|sheets} that raters were asked for {is|are} in", sheets.submitted,
-                 sheets.asked),
+        sheets.dropped == 0 ? in
+                            : Text::tr("%1; %2 {was|were} withdrawn, and nobody else was asked for {it|them}",
+                                       in, sheets.dropped),
         cohort.name,
         Text::tr("Wait for the others, or say why an interim state is frozen: every report of it says so"));
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/services/access/session_context.h"
+#include "app/services/scoring/cohort_inputs.h"
 #include "assessment/domain/ids.h"
 #include "sim/core/text.h"
 
@@ -23,12 +24,6 @@ struct FrozenCounts {
   std::size_t evaluationMarks = 0;
 };
 
-/// Sheets that raters were asked for in a cohort, without withdrawn ones.
-struct SheetCount {
-  std::int64_t asked = 0;
-  std::int64_t submitted = 0;
-  [[nodiscard]] bool complete() const noexcept { return submitted >= asked; }
-};
 /// A named state of a cohort's data: its rows with their hashes.
 struct FrozenRow {
   FreezeId id{};

@@ -13,12 +13,16 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/signing.h"
 #include "app/services/maintenance/person_package.h"
+#include "app/services/study/cohort_service.h"
 #include "app/services/study/frozen_data.h"
+#include "app/services/study/open_sheets.h"
 #include "app/services/study/scoring_plan.h"
 #include "assessment/domain/people/account.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/signature_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/time_units.h"
@@ -259,6 +263,28 @@ TEST_F(TwoPeople, NobodyLooksAtUnfinishedMarksAlone) {
   EXPECT_FALSE(mayFreezeNow(asSecond(), study.cohortId)) << "one request, one look";
   EXPECT_EQ(centre_.audited("duty.confirm"), 1);
   EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty());
+}
+
+TEST_F(TwoPeople, SheetsThatAreWithdrawnDoNotMakeAStudyComplete) {
+  const PaperStudy study = centre_.addStudy(2, 2);
+  createAssignments(asFirst(), study.plan());
+  std::vector<AssignmentId> all;
+  for (const AssignmentStatus& sheet : SheetRepository(centre_.connection()).assignments(study.cohortId)) {
+    all.push_back(sheet.assignment.id);
+  }
+  const SheetCount before = sheetCount(asFirst(), study.cohortId);
+
+  (void)reassignAll(asFirst(), all, RaterId(), "no time");
+
+  const SheetCount after = sheetCount(asFirst(), study.cohortId);
+  EXPECT_EQ(after.asked, before.asked);
+  EXPECT_EQ(after.dropped, before.asked);
+  EXPECT_THROW(freezeData(asFirst(), study.cohortId, "all of it", {}, "nobody had time"), SecondPersonNeeded);
+
+  // Those of a trainee who has left are no longer asked for.
+  const EnrolmentId leaver = StudyRepository(centre_.connection()).enrolments(study.cohortId).front().id;
+  setEnrolmentState(asFirst(), study.cohortId, leaver, EnrolmentState::kWithdrawn, "moved away");
+  EXPECT_LT(sheetCount(asFirst(), study.cohortId).asked, before.asked);
 }
 
 TEST_F(TwoPeople, TurningTheRuleOffNeedsTwoIfThereAreTwo) {
