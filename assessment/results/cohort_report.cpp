@@ -148,6 +148,7 @@ ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>&
   }
   if (!in.simulated.empty()) {
     ReportSection section{"simulated", Text::tr("What was simulated")};
+    section.annex = true;
     section.paragraphs.assign(in.simulated.begin(), in.simulated.end());
     report.sections.push_back(section);
   }
@@ -214,7 +215,10 @@ void moveToAnnex(ReportModel& report) {
     };
     move(section.figures, rest.figures);
     move(section.tables, rest.tables);
-    if (!rest.figures.empty() || !rest.tables.empty()) {
+    if (section.annex) {
+      rest.paragraphs = std::exchange(section.paragraphs, {});
+    }
+    if (!rest.paragraphs.empty() || !rest.figures.empty() || !rest.tables.empty()) {
       annex.push_back(std::move(rest));
     }
   }

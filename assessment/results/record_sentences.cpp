@@ -129,9 +129,10 @@ Text importSentence(const CohortOrigin& origin) {
       "from %1 (%2, hash %3) by %4 on %5",
       origin.source.empty() ? Text(Text::tr("a file without a name")) : Text(origin.source), origin.layout,
       origin.contentHash.substr(0, kPrintedHash), origin.importedBy, formatUtc(origin.importedUtc_us));
-  const Text vouched = origin.signedBy.empty() ? Text::tr("%1, signed by nobody", from)
-                                               : Text::tr("%1, signed with the key %2", from,
-                                                          origin.signedBy.substr(0, kPrintedHash));
+  const Text vouched =
+      origin.signedBy.empty()
+          ? Text::tr("%1, signed by nobody, so nothing shows that its marks were not simulated", from)
+          : Text::tr("%1, signed with the key %2", from, origin.signedBy.substr(0, kPrintedHash));
   if (origin.earlier.empty()) {
     return vouched;
   }

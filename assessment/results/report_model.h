@@ -161,6 +161,7 @@ struct ReportSection {
   std::string id;  ///< stable id, "methods"
   Text title;
   bool onFirstPage = false;  ///< below the title, on the same page
+  bool annex = false;        ///< only a reviewer looks it up: behind the report
   std::vector<ReportParagraph> paragraphs{};
   std::vector<ReportFigure> figures{};
   std::vector<ReportTable> tables{};

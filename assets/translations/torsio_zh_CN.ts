@@ -19715,8 +19715,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>中期分析与终止规则</translation>
     </message>
     <message>
-        <source>How the sequence was made</source>
-        <translation>随机序列的产生</translation>
+        <source>Who made the sequence, and how</source>
+        <translation>随机序列由谁生成、如何生成</translation>
     </message>
     <message>
         <source>Kind of randomisation and restrictions</source>
@@ -19727,16 +19727,16 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>分组隐藏</translation>
     </message>
     <message>
-        <source>Who enrolled and assigned, with what access</source>
-        <translation>谁入组、谁分组，能否看到序列</translation>
+        <source>Whether those who enrolled or assigned knew the sequence</source>
+        <translation>入组者和分组者能否看到序列</translation>
     </message>
     <message>
         <source>Who was blinded</source>
         <translation>对谁设盲</translation>
     </message>
     <message>
-        <source>How blinding was done</source>
-        <translation>如何设盲</translation>
+        <source>How blinding was done, and how alike the interventions were</source>
+        <translation>如何设盲，各种干预有多相似</translation>
     </message>
     <message>
         <source>Statistical methods</source>
@@ -19899,28 +19899,28 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>模拟器及相关利益</translation>
     </message>
     <message>
-        <source>Participants&apos; orientation to the simulator</source>
-        <translation>参与者熟悉模拟器的过程</translation>
+        <source>Participants&apos; orientation to simulator and environment</source>
+        <translation>参与者熟悉模拟器和环境的过程</translation>
     </message>
     <message>
         <source>Simulator type</source>
         <translation>模拟器类型</translation>
     </message>
     <message>
-        <source>Environment</source>
-        <translation>环境</translation>
+        <source>Environment: place, equipment, outside stimuli</source>
+        <translation>环境：地点、设备、外部刺激</translation>
     </message>
     <message>
-        <source>Scenario and exercises</source>
-        <translation>情境与练习</translation>
+        <source>Scenario: events, objectives, alone or in groups, operators, pilot</source>
+        <translation>情境：事件、目标、单人或分组、操作者、预试</translation>
     </message>
     <message>
-        <source>Instructional design: duration, timing, repetitions</source>
-        <translation>教学设计：时长、时间安排、重复次数</translation>
+        <source>Instructional design or exposure: duration, timing, repetitions, variation</source>
+        <translation>教学设计或暴露：时长、时间安排、重复次数、变化</translation>
     </message>
     <message>
-        <source>Feedback and debriefing</source>
-        <translation>反馈与训练复盘</translation>
+        <source>Feedback and debriefing: source, duration, structure, timing</source>
+        <translation>反馈与训练复盘：来源、时长、结构、时间安排</translation>
     </message>
     <message>
         <source>see &quot;%1&quot;</source>
@@ -19967,8 +19967,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>Cheng 等 2016：模拟研究</translation>
     </message>
     <message>
-        <source>%1, signed by nobody</source>
-        <translation>%1，无人签名</translation>
+        <source>%1, signed by nobody, so nothing shows that its marks were not simulated</source>
+        <translation>%1，无人签名，因此无从证明其评分并非模拟</translation>
     </message>
     <message>
         <source>%1, signed with the key %2</source>
@@ -20037,6 +20037,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Address for torsio report trace</source>
         <translation>地址（用于 torsio report trace）</translation>
+    </message>
+    <message>
+        <source>%1; %2 {was|were} withdrawn, and nobody else was asked for {it|them}</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -238,7 +238,18 @@ std::vector<Strange> people() {
          in.imported = CohortOrigin{"Torsio", "set", std::string(64, 'c'), "admin", 1'767'600'000'000'000};
        }),
        {"This study was imported: from set (Torsio, hash cccccccccccccccc) by admin on 2026-01-05 08:00 "
-        "UTC, signed by nobody"}},
+        "UTC, signed by nobody, so nothing shows that its marks were not simulated"}},
+      {"imported with a signature",
+       with([](CohortInputs& in) {
+         in.imported = CohortOrigin{.layout = "Torsio",
+                                    .source = "set",
+                                    .contentHash = std::string(64, 'c'),
+                                    .importedBy = "admin",
+                                    .importedUtc_us = 1'767'600'000'000'000,
+                                    .signedBy = std::string(64, 'd')};
+       }),
+       {"signed with the key dddd"},
+       {"simulated"}},
       {"simulated",
        with([](CohortInputs& in) { in.demonstration = true; }),
        {kAsPlanned},

@@ -172,7 +172,7 @@ void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
   for (const ReportSection& section : report.sections) {
     if (section.id == "summary") {  // the question, which comes first, names protocols
       expectSentences(section.id, {section.paragraphs.begin() + 1, section.paragraphs.end()});
-    } else if (section.id != "simulated") {  // settings of the program that simulated
+    } else if (section.id != "annex-simulated") {  // settings of the program that simulated
       expectSentences(section.id, section.paragraphs);
     }
     for (const ReportTable& table : section.tables) {

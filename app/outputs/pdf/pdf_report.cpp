@@ -2,6 +2,7 @@
 #include "app/outputs/pdf/pdf_report.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -50,7 +51,7 @@ constexpr qsizetype kNarrowLabels = 56;
 constexpr double kColumnScale = 1.3;  // chart fonts in a column appear at about 7 points
 constexpr double kTitle_pt = 9.5;
 constexpr double kSectionStart_mm =
-    80.0;  // a section begins on the page of the previous one if so much is free
+    45.0;  // a section begins on the page of the previous one if so much is free
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels per inch: chart fonts appear at about 9 points
 constexpr double kNote_pt = 7.5;
 constexpr double kHeading_mm = 8.0;
@@ -129,10 +130,12 @@ class Composer {
 
   void section(const ReportSection& section) {
     const double gap_mm = section.onFirstPage ? 0.8 : 2.0;
-    const bool pictures = section.paragraphs.empty() && !section.figures.empty() &&
-                          section.figures.front().kind == FigureKind::kReliefs;
+    std::vector<Item> items = figureItems(section.figures);
+    for (const ReportTable& table : section.tables) {
+      items.push_back(tableItem(table));
+    }
     const double below_mm =
-        pictures ? 2.0 * kHeading_mm + heightOf(section.figures.front(), flow_.width_mm()) : 20.0;
+        section.paragraphs.empty() && !items.empty() ? 2.0 * gap_mm + items.front().begin_mm : 20.0;
     flow_.text(say_(section.title), section.onFirstPage ? 13.0 : 16.0, true, kAccent, below_mm);
     flow_.bookmark(say_(section.title), 0);
     flow_.space(gap_mm);
@@ -141,10 +144,7 @@ class Composer {
       flow_.space(gap_mm);
     }
     flow_.space(gap_mm);
-    addFigures(section.figures);
-    for (const ReportTable& table : section.tables) {
-      addTable(table);
-    }
+    place(std::move(items));
   }
 
   /// Adds the values of all figures, those that fit as tables.
@@ -173,7 +173,7 @@ class Composer {
         twin.title = figure.title;
         twin.notes.clear();
         twin.provenance = {};
-        addTable(twin);
+        place({tableItem(twin)});
       }
     }
     if (!unprinted.empty()) {
@@ -205,71 +205,107 @@ class Composer {
     return out;
   }
 
-  void addFigure(const ReportFigure& figure) {
-    const double height_mm = heightOf(figure, flow_.width_mm());
-    flow_.text(say_(figure.title), kTitle_pt, true, kAccent, height_mm + kHeading_mm);
-    flow_.bookmark(say_(figure.title), 1);
-    addChart(figure, height_mm);
-    addNotes(figure.notes, figure.provenance);
+  /// Figures or a table that are placed together.
+  struct Item {
+    double begin_mm = 0.0;  ///< room that its first part needs
+    double whole_mm = 0.0;
+    std::function<void()> add;
+  };
+
+  /// Places items in order; where one does not fit on the page, a later one that does fills the room first.
+  void place(std::vector<Item> items) {
+    while (!items.empty()) {
+      auto next = items.begin();
+      if (next->begin_mm > flow_.room_mm()) {
+        next = std::find_if(items.begin(), items.end(), [room_mm = flow_.room_mm()](const Item& item) {
+          return item.whole_mm <= room_mm;
+        });
+        next = next == items.end() ? items.begin() : next;
+      }
+      next->add();
+      items.erase(next);
+    }
   }
 
-  /// Adds figures, two beside each other where both can be read in a column; wide ones keep their place.
-  void addFigures(const std::vector<ReportFigure>& figures) {
+  [[nodiscard]] Item figureItem(const ReportFigure& figure) {
+    const double height_mm = heightOf(figure, flow_.width_mm());
+    const double begin_mm = 2.0 * kHeading_mm + height_mm;
+    return {begin_mm, begin_mm + notesHeight_mm(figure.notes, figure.provenance, flow_.width_mm()),
+            [this, &figure, height_mm] {
+              flow_.text(say_(figure.title), kTitle_pt, true, kAccent, height_mm + kHeading_mm);
+              flow_.bookmark(say_(figure.title), 1);
+              addChart(figure, height_mm);
+              addNotes(figure.notes, figure.provenance);
+            }};
+  }
+
+  /// Two figures stand beside each other where both can be read in a column; wide ones keep their place.
+  [[nodiscard]] std::vector<Item> figureItems(const std::vector<ReportFigure>& figures) {
+    std::vector<Item> items;
     const ReportFigure* waiting = nullptr;
     for (const ReportFigure& figure : figures) {
       if (!isNarrow(figure, say_)) {
-        addFigure(figure);
+        items.push_back(figureItem(figure));
       } else if (waiting == nullptr) {
         waiting = &figure;
       } else {
-        addPair(*waiting, figure);
+        items.push_back(pairItem(*waiting, figure));
         waiting = nullptr;
       }
     }
     if (waiting != nullptr) {
-      addAlone(*waiting);
+      items.push_back(loneItem(*waiting));
     }
+    return items;
   }
 
   [[nodiscard]] double halfHeight_mm() const { return flow_.columnWidth_mm() / kHalfRatio; }
 
-  /// Places two figures beside each other.
-  void addPair(const ReportFigure& left, const ReportFigure& right) {
+  /// Two figures beside each other.
+  [[nodiscard]] Item pairItem(const ReportFigure& left, const ReportFigure& right) {
     const double width_mm = flow_.columnWidth_mm();
     const auto title_mm = [&](const ReportFigure& figure) {
       return flow_.textHeight_mm(say_(figure.title), kTitle_pt, true, width_mm);
     };
     const double titles_mm = std::max(title_mm(left), title_mm(right));
-    flow_.beginColumns(titles_mm + halfHeight_mm() +
-                       std::max(notesHeight_mm(left.notes, left.provenance, width_mm),
-                                notesHeight_mm(right.notes, right.provenance, width_mm)));
-    for (const ReportFigure* figure : {&left, &right}) {
-      if (figure == &right) {
-        flow_.nextColumn();
-      }
-      flow_.text(say_(figure->title), kTitle_pt, true, kAccent);
-      flow_.bookmark(say_(figure->title), 1);
-      flow_.space(titles_mm - title_mm(*figure));
-      addChart(*figure, halfHeight_mm(), kColumnScale);
-      addNotes(figure->notes, figure->provenance);
-    }
-    flow_.endColumns();
+    const double height_mm = titles_mm + halfHeight_mm() +
+                             std::max(notesHeight_mm(left.notes, left.provenance, width_mm),
+                                      notesHeight_mm(right.notes, right.provenance, width_mm));
+    const std::array<double, 2> below_mm = {titles_mm - title_mm(left), titles_mm - title_mm(right)};
+    return {height_mm, height_mm, [this, &left, &right, height_mm, below_mm] {
+              flow_.beginColumns(height_mm);
+              addInColumn(left, below_mm[0]);
+              addNotes(left.notes, left.provenance);
+              flow_.nextColumn();
+              addInColumn(right, below_mm[1]);
+              addNotes(right.notes, right.provenance);
+              flow_.endColumns();
+            }};
   }
 
-  /// Places one figure in a column, and its notes beside it.
-  void addAlone(const ReportFigure& figure) {
+  /// One figure in a column, and its notes beside it.
+  [[nodiscard]] Item loneItem(const ReportFigure& figure) {
     const double width_mm = flow_.columnWidth_mm();
-    flow_.beginColumns(
+    const double height_mm =
         std::max(halfHeight_mm() + flow_.textHeight_mm(say_(figure.title), kTitle_pt, true, width_mm),
-                 notesHeight_mm(figure.notes, figure.provenance, width_mm)));
+                 notesHeight_mm(figure.notes, figure.provenance, width_mm));
+    return {height_mm, height_mm, [this, &figure, height_mm] {
+              flow_.beginColumns(height_mm);
+              addInColumn(figure, 0.0);
+              flow_.nextColumn();
+              flow_.space(kHeading_mm);
+              addNotes(figure.notes, figure.provenance);
+              flow_.endColumns();
+              flow_.space(3.0);
+            }};
+  }
+
+  /// Adds title and chart of a figure. `below_mm`: free below the title.
+  void addInColumn(const ReportFigure& figure, double below_mm) {
     flow_.text(say_(figure.title), kTitle_pt, true, kAccent);
     flow_.bookmark(say_(figure.title), 1);
+    flow_.space(below_mm);
     addChart(figure, halfHeight_mm(), kColumnScale);
-    flow_.nextColumn();
-    flow_.space(kHeading_mm);
-    addNotes(figure.notes, figure.provenance);
-    flow_.endColumns();
-    flow_.space(3.0);
   }
 
   /// `scale`: pixels of the chart for each one that it has over the whole width.
@@ -289,24 +325,28 @@ class Composer {
         0.0, {PdfRole::kFigure, say_(figure.title)});
   }
 
-  void addTable(const ReportTable& table) {
-    const PlainTable cells = plain(table);
-    const TableLayout layout = flow_.layOut(cells);
+  [[nodiscard]] Item tableItem(const ReportTable& table) {
+    PlainTable cells = plain(table);
+    TableLayout layout = flow_.layOut(cells);
     const double notes_mm = notesHeight_mm(table.notes, table.provenance, flow_.width_mm());
     // Keep a title with the header and the first rows, or with the whole of a short table.
     double begin_mm = kHeading_mm + layout.header_mm;
     for (std::size_t r = 0; r < std::min(kRowsWithTitle, layout.rows_mm.size()); ++r) {
       begin_mm += layout.rows_mm[r];
     }
-    if (layout.height_mm() + notes_mm < kShortTable_mm) {
-      begin_mm = kHeading_mm + layout.height_mm() + notes_mm;
+    const double whole_mm = kHeading_mm + layout.height_mm() + notes_mm;
+    if (whole_mm - kHeading_mm < kShortTable_mm) {
+      begin_mm = whole_mm;
     }
-    flow_.text(say_(table.title), kTitle_pt, true, kAccent, begin_mm);
-    flow_.bookmark(say_(table.title), 1);
-    flow_.space(1.0);
-    flow_.table(cells, layout, notes_mm);
-    flow_.space(1.0);
-    addNotes(table.notes, table.provenance);
+    return {begin_mm + kHeading_mm, whole_mm + kHeading_mm,
+            [this, &table, cells = std::move(cells), layout = std::move(layout), begin_mm, notes_mm] {
+              flow_.text(say_(table.title), kTitle_pt, true, kAccent, begin_mm);
+              flow_.bookmark(say_(table.title), 1);
+              flow_.space(1.0);
+              flow_.table(cells, layout, notes_mm);
+              flow_.space(1.0);
+              addNotes(table.notes, table.provenance);
+            }};
   }
 
   [[nodiscard]] double notesHeight_mm(const std::vector<ReportParagraph>& notes, const Provenance& from,

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QBarSeries>
@@ -23,9 +24,12 @@
 #include "app/outputs/charts/graphics_application.h"
 #include "app/outputs/pdf/pdf_report.h"
 #include "app/outputs/pdf/pdf_structure.h"
+#include "app/outputs/wording/wording.h"
+#include "assessment/results/cohort_report.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/file_lock.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio {
 namespace {
@@ -194,6 +198,36 @@ TEST(PdfReport, HasBookmarksOfSectionsFiguresAndTablesAndItsReferenceOnEveryPage
   EXPECT_EQ(outlines.getKey("/First").getKey("/Title").getUTF8Value(), "Evaluation");
   EXPECT_EQ(outlines.getKey("/First").getKey("/Count").getIntValue(), -static_cast<int>(inFirst));
   EXPECT_EQ(said, 1U) << "composed once and drawn in the foot of all " << pages << " pages";
+}
+
+/// Returns the number of the page on which the first section of the annex begins, from 1.
+std::size_t firstPageOfAnnex(QPDF& file, const std::string& annex) {
+  const std::vector<QPDFObjectHandle>& pages = file.getAllPages();
+  for (QPDFObjectHandle entry = file.getRoot().getKey("/Outlines").getKey("/First"); entry.isDictionary();
+       entry = entry.getKey("/Next")) {
+    if (!entry.getKey("/Title").getUTF8Value().starts_with(annex)) {
+      continue;
+    }
+    const QPDFObjectHandle page = entry.getKey("/Dest").getArrayItem(0);
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      if (pages[i].getObjGen() == page.getObjGen()) {
+        return i + 1;
+      }
+    }
+  }
+  return 0;
+}
+
+TEST(PdfReport, HasABodyOfTwelvePagesBeforeTheAnnex) {
+  const ReportModel model = cohortReport(testing::demonstrationCohort());
+  for (const auto& [language, annex] : {std::pair{"en", "Annex"}, std::pair{"zh_CN", "附录"}}) {
+    const fs::path file = freshFolder(std::string("body-") + language) / "report.pdf";
+    writePdfReport(model, file, wordingIn(language), {}, language);
+    ReadPdf pdf(file);
+    const std::size_t page = firstPageOfAnnex(pdf.file(), annex);
+    EXPECT_GE(page, 8U) << language;
+    EXPECT_LE(page, 13U) << language;
+  }
 }
 
 TEST(PdfReport, DeclaresThatItIsAnArchiveFileAndContainsWhatOneNeeds) {
