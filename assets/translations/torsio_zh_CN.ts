@@ -20040,7 +20040,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>%1; %2 {was|were} withdrawn, and nobody else was asked for {it|them}</source>
-        <translation type="unfinished"></translation>
+        <translation>%1；%2 份已撤回，且未请他人代评</translation>
     </message>
 </context>
 <context>
