@@ -82,6 +82,7 @@ void buildProgram(CLI::App& program) {
   addDb(program);
   addDemo(program);
   addDevice(program);
+  addDoctor(program);
   addEvaluate(program);
   addExport(program);
   addDataset(program);

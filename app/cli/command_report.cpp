@@ -153,8 +153,8 @@ void freeze(const FreezeArguments& given) {
     campaigns.push_back(of.campaignId);
   }
   const FrozenRow row = freezeData(desk.session(), of.cohortId, given.name, campaigns, given.whyIncomplete);
-  std::cout << "Frozen as \"" << row.name << "\", " << row.sheets.submitted << " of " << row.sheets.asked
-            << " sheets, " << row.contentHash << "\n";
+  std::cout << "Frozen as \"" << row.name << "\", " << row.contentHash << ": " << sentenceOf(row.sheets)
+            << "\n";
 }
 
 void addFreeze(CLI::App& report) {

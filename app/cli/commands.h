@@ -20,6 +20,7 @@ void addCompetence(CLI::App& program);
 void addDb(CLI::App& program);
 void addDemo(CLI::App& program);
 void addDevice(CLI::App& program);
+void addDoctor(CLI::App& program);
 void addEvaluate(CLI::App& program);
 void addExport(CLI::App& program);
 void addDataset(CLI::App& program);

@@ -20042,6 +20042,218 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>%1; %2 {was|were} withdrawn, and nobody else was asked for {it|them}</source>
         <translation>%1；%2 份已撤回，且未请他人代评</translation>
     </message>
+    <message>
+        <source>could not be looked at: %1</source>
+        <translation>无法查看：%1</translation>
+    </message>
+    <message>
+        <source>Torsio %1</source>
+        <translation>Torsio %1</translation>
+    </message>
+    <message>
+        <source>a display is there</source>
+        <translation>有显示器</translation>
+    </message>
+    <message>
+        <source>no display: a server, or a session without a desktop</source>
+        <translation>没有显示器：服务器，或没有桌面的会话</translation>
+    </message>
+    <message>
+        <source>no display</source>
+        <translation>没有显示器</translation>
+    </message>
+    <message>
+        <source>a graphics card is there: %1</source>
+        <translation>有显卡：%1</translation>
+    </message>
+    <message>
+        <source>no graphics card: the processor draws, and the picture moves less smoothly</source>
+        <translation>没有显卡：由处理器绘图，画面不够流畅</translation>
+    </message>
+    <message>
+        <source>Use a computer with a graphics card for training stations; for anything else this is enough</source>
+        <translation>训练站请使用带显卡的计算机；其他用途这样已足够</translation>
+    </message>
+    <message>
+        <source>not looked at on this system</source>
+        <translation>在此系统上不查看</translation>
+    </message>
+    <message>
+        <source>no haptic device was chosen here: mouse and keyboard</source>
+        <translation>此处未选择力反馈设备：鼠标和键盘</translation>
+    </message>
+    <message>
+        <source>chosen here: %1; `torsio device check` tries it</source>
+        <translation>此处选择的是 %1；用 torsio device check 试用</translation>
+    </message>
+    <message>
+        <source>the system grants real-time priority</source>
+        <translation>系统允许实时优先级</translation>
+    </message>
+    <message>
+        <source>the system lets the servo keep its memory</source>
+        <translation>系统允许伺服锁定内存</translation>
+    </message>
+    <message>
+        <source>the system does not say whether the clock is set</source>
+        <translation>系统未说明时钟是否已校准</translation>
+    </message>
+    <message>
+        <source>set by a time server</source>
+        <translation>由时间服务器校准</translation>
+    </message>
+    <message>
+        <source>not set by a time server: times of runs, marks and audit entries may be wrong</source>
+        <translation>未由时间服务器校准：训练、评分和审计条目的时间可能有误</translation>
+    </message>
+    <message>
+        <source>Turn time synchronisation on: timedatectl set-ntp true</source>
+        <translation>请开启时间同步：timedatectl set-ntp true</translation>
+    </message>
+    <message>
+        <source>%1 GB free in %2</source>
+        <translation>%2 中剩余 %1 GB</translation>
+    </message>
+    <message>
+        <source>Free at least %1 GB: a run takes up to 10 MB, a backup as much as the record</source>
+        <translation>请至少腾出 %1 GB：一次训练最多占 10 MB，一份备份与记录库一样大</translation>
+    </message>
+    <message>
+        <source>no certificate was named (--certificate FILE)</source>
+        <translation>未指定证书（--certificate FILE）</translation>
+    </message>
+    <message>
+        <source>no certificate in %1</source>
+        <translation>%1 中没有证书</translation>
+    </message>
+    <message>
+        <source>Name the PEM file that torsio serve uses</source>
+        <translation>请指定 torsio serve 使用的 PEM 文件</translation>
+    </message>
+    <message>
+        <source>valid for another %1 {day|days}</source>
+        <translation>还有 %1 天有效</translation>
+    </message>
+    <message>
+        <source>expired %1 {day|days} ago</source>
+        <translation>已于 %1 天前过期</translation>
+    </message>
+    <message>
+        <source>expires in %1 {day|days}</source>
+        <translation>%1 天后过期</translation>
+    </message>
+    <message>
+        <source>Renew it and start torsio serve again</source>
+        <translation>请更新证书并重新启动 torsio serve</translation>
+    </message>
+    <message>
+        <source>this station has no signing key: nothing shows that an export or the audit trail comes from here</source>
+        <translation>本工作站没有签名密钥：无从证明导出或审计记录来自此处</translation>
+    </message>
+    <message>
+        <source>Make one on the page Audit trail, in a place outside the record&apos;s folder</source>
+        <translation>请在“审计记录”页面创建一个，存放在记录库文件夹之外</translation>
+    </message>
+    <message>
+        <source>the key %1 lies beside the record</source>
+        <translation>密钥 %1 与记录库放在一起</translation>
+    </message>
+    <message>
+        <source>Keep it elsewhere: who copies the record must not get the key</source>
+        <translation>请另存他处：复制记录库的人不应得到密钥</translation>
+    </message>
+    <message>
+        <source>the key %1 can be used</source>
+        <translation>密钥 %1 可用</translation>
+    </message>
+    <message>
+        <source>no witness file: a record that was cut short or exchanged cannot be recognised</source>
+        <translation>没有见证文件：被截短或被替换的记录库无法识别</translation>
+    </message>
+    <message>
+        <source>Choose one on the page Audit trail, on another disk</source>
+        <translation>请在“审计记录”页面选择一个，放在另一块磁盘上</translation>
+    </message>
+    <message>
+        <source>%1 {line|lines} in %2</source>
+        <translation>%2 中有 %1 行</translation>
+    </message>
+    <message>
+        <source>no entry of the audit trail is later than this computer&apos;s clock</source>
+        <translation>没有审计条目晚于本机时钟</translation>
+    </message>
+    <message>
+        <source>the newest entry of the audit trail is %1 {minute|minutes} ahead of this computer&apos;s clock</source>
+        <translation>最新的审计条目比本机时钟快 %1 分钟</translation>
+    </message>
+    <message>
+        <source>Set the clocks of all stations by one time server</source>
+        <translation>请用同一台时间服务器校准所有工作站的时钟</translation>
+    </message>
+    <message>
+        <source>a record on a server is backed up by the server&apos;s own tools (pg_dump)</source>
+        <translation>服务器上的记录库由服务器自己的工具备份（pg_dump）</translation>
+    </message>
+    <message>
+        <source>Make one: torsio db backup, or the page Maintenance</source>
+        <translation>请备份：torsio db backup，或在“维护”页面</translation>
+    </message>
+    <message>
+        <source>no backup is known</source>
+        <translation>没有已知的备份</translation>
+    </message>
+    <message>
+        <source>the newest backup is %1 {day|days} old</source>
+        <translation>最新的备份已有 %1 天</translation>
+    </message>
+    <message>
+        <source>%1 {copy is|copies are} known, none past its date</source>
+        <translation>已知 %1 份副本，均未到期</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {copy is|copies are} past the date by which it should be deleted</source>
+        <translation>%2 份副本中有 %1 份已过应删除的日期</translation>
+    </message>
+    <message>
+        <source>torsio db copies lists them; delete those files</source>
+        <translation>torsio db copies 会列出它们；请删除这些文件</translation>
+    </message>
+    <message>
+        <source>%1 {station|stations} seen lately, all with this version</source>
+        <translation>近期有 %1 个工作站，均为此版本</translation>
+    </message>
+    <message>
+        <source>other versions: %1</source>
+        <translation>其他版本：%1</translation>
+    </message>
+    <message>
+        <source>Update these stations to %1</source>
+        <translation>请将这些工作站更新到 %1</translation>
+    </message>
+    <message>
+        <source>the record could not be opened</source>
+        <translation>记录库无法打开</translation>
+    </message>
+    <message>
+        <source>%1 can be opened</source>
+        <translation>%1 可以打开</translation>
+    </message>
+    <message>
+        <source>version %1 of %2: older than this program</source>
+        <translation>版本 %1（共 %2）：比本程序旧</translation>
+    </message>
+    <message>
+        <source>Open the record once in the window, so that it is brought up to date</source>
+        <translation>请在窗口中打开一次记录库，使其更新</translation>
+    </message>
+    <message>
+        <source>there is no record yet: %1</source>
+        <translation>还没有记录库：%1</translation>
+    </message>
+    <message>
+        <source>Start Torsio once, or name the record: --database FILE</source>
+        <translation>请启动一次 Torsio，或指定记录库：--database FILE</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -28831,8 +29043,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>冻结中期状态</translation>
     </message>
     <message>
-        <source>%1 of %2 sheets are in. Looking at results before the end of a study makes false findings more likely; every report of this data set will say that it is interim, and why:</source>
-        <translation>%2 份评分表中已收到 %1 份。在研究结束前查看结果会增加错误发现的可能；此数据集的每份报告都会注明其为中期数据及原因：</translation>
+        <source>%1.
+Looking at results before the end of a study makes false findings more likely; every report of this data set will say that it is interim, and why:</source>
+        <translation>%1。
+在研究结束前查看结果会增加误判的可能；由此数据集生成的每份报告都会说明这是中期结果，以及原因：</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,8 @@ struct SheetCount {
   std::int64_t dropped = 0;  ///< of those asked: withdrawn, and nobody else was asked
   [[nodiscard]] bool complete() const noexcept { return submitted >= asked; }
 };
+/// Returns "898 of 900 sheets that raters were asked for are in", and how many were dropped.
+[[nodiscard]] Text sentenceOf(const SheetCount& sheets);
 [[nodiscard]] SheetCount countSheets(Connection& connection, const CohortId& cohortId);
 
 /// Collects people, groups, allocation and scores of a cohort report from the record. Replays the allocation

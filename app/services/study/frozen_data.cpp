@@ -291,13 +291,8 @@ FrozenRow freezeData(SessionContext& session, const CohortId& cohortId, const st
   const Cohort cohort = StudyRepository(session.connection()).cohort(cohortId);
   const SheetCount sheets = sheetCount(session, cohortId);
   if (!sheets.complete() && whyIncomplete.empty()) {
-    const Text in = Text::tr("%1 of %2 {sheet|sheets} that raters were asked for {is|are} in",
-                             sheets.submitted, sheets.asked);
     refuse(
-        sheets.dropped == 0 ? in
-                            : Text::tr("%1; %2 {was|were} withdrawn, and nobody else was asked for {it|them}",
-                                       in, sheets.dropped),
-        cohort.name,
+        sentenceOf(sheets), cohort.name,
         Text::tr("Wait for the others, or say why an interim state is frozen: every report of it says so"));
   }
   const UserId askedBy =

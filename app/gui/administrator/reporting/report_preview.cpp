@@ -173,14 +173,17 @@ void ReportPreview::showReport() {
     text += QStringLiteral("<p style='color:#a04a00'><b>%1</b></p>")
                 .arg(html(Text::tr("Demonstration data: nothing in it is a result.")));
   }
-  text += QStringLiteral("<table cellpadding='3'>");
+  QString facts = QStringLiteral("<table cellpadding='3'>");
   for (const auto& [label, value] : model.facts) {
-    text += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>")
-                .arg(html(label), withHashBreaks(html(value)));
+    facts += QStringLiteral("<tr><td>%1</td><td><b>%2</b></td></tr>")
+                 .arg(html(label), withHashBreaks(html(value)));
   }
-  text += QStringLiteral("</table>");
+  facts += QStringLiteral("</table>");
   int tables = 0;
   for (const ReportSection& section : model.sections) {
+    if (!section.onFirstPage) {  // below what is on the first page
+      text += std::exchange(facts, {});
+    }
     text += QStringLiteral("<h2>%1</h2>").arg(html(section.title));
     for (const Text& paragraph : section.paragraphs) {
       text += QStringLiteral("<p>%1</p>").arg(html(paragraph));
@@ -203,6 +206,7 @@ void ReportPreview::showReport() {
       text += tableHtml(table, QString::number(tables++), wording);
     }
   }
+  text += facts;
   // setHtml() would discard the pictures: they belong to the present document.
   QTextCursor(document()).insertHtml(text);
   besideText_ = 0;

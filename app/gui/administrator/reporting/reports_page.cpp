@@ -20,6 +20,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/sign_dialog.h"
 #include "app/gui/base/table_choice.h"
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
@@ -243,13 +244,12 @@ std::optional<std::string> ReportsPage::askWhyIncomplete() {
     return std::string();
   }
   bool given = false;
-  const QString why = QInputDialog::getText(
-      this, tr("Freeze an interim state"),
-      tr("%1 of %2 sheets are in. Looking at results before the end of a study makes false findings more "
-         "likely; every report of this data set will say that it is interim, and why:")
-          .arg(sheets.submitted)
-          .arg(sheets.asked),
-      QLineEdit::Normal, QString(), &given);
+  const QString why = QInputDialog::getText(this, tr("Freeze an interim state"),
+                                            tr("%1.\nLooking at results before the end of a study makes "
+                                               "false findings more likely; every report of "
+                                               "this data set will say that it is interim, and why:")
+                                                .arg(toQString(sentenceOf(sheets))),
+                                            QLineEdit::Normal, QString(), &given);
   if (!given || why.trimmed().isEmpty()) {
     return std::nullopt;
   }
