@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_output.h"
 #include "app/services/base/assets.h"
 #include "assessment/results/number_format.h"
 #include "assessment/statistics/descriptive.h"
@@ -85,7 +86,7 @@ void runBench(bool json) {
     }
     out["rows"].push_back(entry);
   }
-  std::cout << out.dump(2) << '\n';
+  std::cout << jsonText(out) << '\n';
 }
 
 }  // namespace

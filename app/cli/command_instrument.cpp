@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_output.h"
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "sim/core/error.h"
@@ -98,7 +99,7 @@ void finishInstrument(const InstrumentArguments& arguments, const ToolSurface& t
                       const std::string& origin) {
   writeInstrument(arguments.out, tool, arguments.facts);
   if (arguments.json) {
-    std::cout << instrumentJson(tool, origin, arguments.out).dump(2) << '\n';
+    std::cout << jsonText(instrumentJson(tool, origin, arguments.out)) << '\n';
     return;
   }
   std::cout << arguments.out << ": " << shortNumber(tool.length_mm) << " mm long, shaft "

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_output.h"
 #include "app/cli/options.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/recording/recorded_run.h"
@@ -60,7 +61,7 @@ void runRecord(const RecordArguments& arguments) {
     for (const OrganWarning& warning : scene.organWarnings) {
       out["organ_warnings"].push_back(coded(warning).str());
     }
-    std::cout << out.dump(2) << '\n';
+    std::cout << jsonText(out) << '\n';
     return;
   }
   std::cout << "run " << trial.recording.trialId << ", scene " << scene.id << ", pattern " << scene.pattern.id

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_output.h"
 #include "app/cli/options.h"
 #include "app/services/recording/trial_playback.h"
 #include "sim/core/error.h"
@@ -60,7 +61,7 @@ void print(const ReplayResult& result, bool json) {
   if (!report.identical()) {
     out["first_difference"] = differenceText(report);
   }
-  std::cout << out.dump(2) << '\n';
+  std::cout << jsonText(out) << '\n';
 }
 
 void runReplay(const ReplayArguments& arguments) {

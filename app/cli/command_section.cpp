@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_output.h"
 #include "app/cli/options.h"
 #include "sim/core/error.h"
 #include "sim/core/short_number.h"
@@ -65,11 +66,11 @@ nlohmann::ordered_json fieldAt(const SectionField& field, const std::vector<std:
 
 void printSection(const nlohmann::ordered_json& result, bool json) {
   if (json) {
-    std::cout << result.dump(2) << '\n';
+    std::cout << jsonText(result) << '\n';
     return;
   }
   for (const auto& [key, value] : result.items()) {
-    std::cout << key << " = " << value.dump() << '\n';
+    std::cout << key << " = " << jsonText(value, -1) << '\n';
   }
 }
 

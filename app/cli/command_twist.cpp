@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/json_output.h"
 #include "app/cli/options.h"
 #include "app/cli/rod_twist.h"
 #include "app/cli/wall_twist.h"
@@ -140,12 +141,12 @@ void writeSurface(const TwistArguments& arguments, TriangleMesh mesh, std::vecto
 
 void print(const nlohmann::ordered_json& result, bool json) {
   if (json) {
-    std::cout << result.dump(2) << '\n';
+    std::cout << jsonText(result) << '\n';
     return;
   }
   for (const auto& [key, value] : result.items()) {
     if (!value.is_array()) {
-      std::cout << key << " = " << value.dump() << '\n';
+      std::cout << key << " = " << jsonText(value, -1) << '\n';
     }
   }
 }

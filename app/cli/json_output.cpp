@@ -33,7 +33,7 @@ void write(std::string& out, const Json& value, const std::string& indent) {
     return;
   }
   if (!value.is_structured() || value.empty()) {
-    out += value.dump();
+    out += jsonText(value, -1);
     return;
   }
   const bool object = value.is_object();
@@ -44,7 +44,7 @@ void write(std::string& out, const Json& value, const std::string& indent) {
     out += first ? "\n" : ",\n";
     out += inner;
     if (object) {
-      out += Json(key).dump() + ": ";
+      out += jsonText(Json(key), -1) + ": ";
     }
     write(out, child, inner);
     first = false;

@@ -15,6 +15,11 @@ namespace torsio::cli {
 
 // Private to app/cli's .cpp files.
 
+/// Returns JSON as text; `indent`: blanks a level, -1: on one line. What is not UTF-8 is replaced.
+[[nodiscard]] std::string jsonText(const auto& json, int indent = 2) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 /// Prints indented JSON to standard output. Non-integers have 17 significant digits and a decimal point, so
 /// that reading them back gives the same double. Throws ContractError for a number that is not finite.
 void printJson(const nlohmann::ordered_json& value);

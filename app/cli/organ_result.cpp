@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/json_output.h"
 #include "app/cli/options.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
@@ -192,7 +193,7 @@ void finishOrgan(const OrganImport& import, const OrganResultOptions& options, c
     writeOrganFile(options.out, import.organ);
   }
   if (options.json) {
-    std::cout << json.dump(2) << '\n';
+    std::cout << jsonText(json) << '\n';
   } else {
     printForPeople(import, file);
   }

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 
+#include "sim/core/plain_text.h"
+
 namespace torsio {
 
 std::string Text::str() const {
   if (arguments_.empty()) {
-    return pattern_;
+    return plainText(pattern_);
   }
   std::vector<std::string> words;
   words.reserve(arguments_.size());

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 #include "sim/core/pose.h"
 
 namespace torsio {
@@ -35,8 +36,9 @@ constexpr std::size_t kExtendedHead = 12;
 constexpr double kFraction = 0x1p-32;
 constexpr double kUnitTolerance = 0.01;  // of the length of a quaternion
 
+/// Text of a sender as a line for people.
 std::string nameIn(const char* text, std::size_t longest) {
-  return {text, std::find(text, text + longest, '\0')};
+  return plainLine({text, std::find(text, text + longest, '\0')});
 }
 
 igtl_header headOf(std::span<const std::byte> bytes) {
@@ -81,14 +83,6 @@ std::optional<Pose> poseOf(const std::array<float, 12>& t) {
   return Pose{place_m, *rotation};
 }
 
-/// Replaces control characters, which must not reach the screen.
-std::string plainText(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7f; },
-      ' ');
-  return text;
-}
-
 /// What a sender adds to a message, by name.
 using Metadata = std::map<std::string, std::string>;
 
@@ -113,7 +107,7 @@ std::string lostBy(const Metadata& said, const std::string& instrument) {
       const auto status = said.find(owner + key);
       if (status != said.end() && !kSeen.contains(inCapitals(status->second)) &&
           inCapitals(status->second).find("SWITCH") == std::string::npos) {
-        return plainText(status->second.empty() ? std::string(key) : status->second);
+        return status->second.empty() ? std::string(key) : status->second;
       }
     }
     for (const char* key : {"TransformValid", "Valid"}) {
@@ -254,7 +248,7 @@ void readStatus(std::span<const std::byte> content, IgtlNews& news) {
   if (words.empty()) {
     words = nameIn(text + kNameAt, kWordsAt - kNameAt);
   }
-  news.status = plainText(words.empty() ? std::to_string(code) : words);
+  news.status = words.empty() ? std::to_string(code) : words;
 }
 
 std::vector<std::byte> packed(std::string_view kind, std::string_view device, std::int64_t utc_us,

@@ -21,6 +21,7 @@
 #include "db/connection/db_error.h"
 #include "db/repository/base/learning_events.h"
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 #include "sim/core/text.h"
 #include "sim/core/time_units.h"
 
@@ -57,10 +58,7 @@ struct Outcome {
 /// The answer as one line that tells the user what to do.
 std::string wordsOf(const LrsAnswer& answer) {
   std::string words = answer.status == 0 ? "" : "HTTP " + std::to_string(answer.status) + " ";
-  words += answer.body.substr(0, kAnswerShown);
-  std::replace_if(
-      words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  return words;
+  return words + plainLine(answer.body, kAnswerShown);
 }
 
 /// A store answers with the ids that it took; a proxy's error page does not.

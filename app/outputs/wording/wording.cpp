@@ -11,6 +11,7 @@
 #include "app/outputs/wording/printed_value.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 
 /// The linker drops the resources of a static library unless something refers to them.
 static void initTranslations() {
@@ -42,7 +43,7 @@ QString worded(const Text& text, const std::function<QString(const std::string&)
     return {};
   }
   const bool print = signs == Signs::kOfPrint;
-  QString pattern = translate(text.pattern());
+  QString pattern = translate(plainText(text.pattern()));
   if (text.arguments().empty()) {
     return print ? printedMinus(printedTime(std::move(pattern), locale)) : pattern;
   }

@@ -16,6 +16,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/plain_text.h"
 
 namespace torsio {
 
@@ -33,7 +34,7 @@ std::string signedText(const Head& head) {
 }
 
 [[noreturn]] void notReadable(const std::string& line) {
-  refuse(Text::tr("is not the head of an audit trail"), line.substr(0, 80),
+  refuse(Text::tr("is not the head of an audit trail"), plainLine(line, 80),
          Text::tr("Give a line that torsio audit head printed"));
 }
 

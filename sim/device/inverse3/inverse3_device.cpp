@@ -16,6 +16,7 @@
 #include "sim/core/deadline.h"
 #include "sim/core/device_sample.h"
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 
 namespace torsio {
 
@@ -144,7 +145,7 @@ std::optional<Inverse3Message> inverse3Message(const std::string& json, const st
   const Json device = deviceOf(part(whole, "inverse3"), wanted);
   message.deviceId = textOf(device, "device_id");
   const Json version = part(part(part(device, "config"), "device_info"), "firmware_version");
-  message.firmware = version.is_null() ? std::string() : version.dump();
+  message.firmware = version.is_null() ? std::string() : plainLine(version.dump());
   message.cursor_m = cursorOf(part(device, "state"));
   for (const char* const kind : {"wireless_verse_grip", "verse_grip"}) {
     const Json grip = part(deviceOf(part(whole, kind), {}), "state");
@@ -170,9 +171,9 @@ Inverse3Device::Inverse3Device(std::unique_ptr<WebSocket> service, const Inverse
       events_(kMaxEvents) {
   identity_.model = "Inverse3";
   identity_.vendor = "Haply";
-  identity_.serial = first.deviceId;
+  identity_.serial = plainLine(first.deviceId);
   identity_.driverVersion = first.firmware;
-  identity_.openedAs = first.deviceId;
+  identity_.openedAs = identity_.serial;
   identity_.inputDof = first.orientation ? 6 : 3;
   identity_.outputDof = 3;
   identity_.assumed = {Text::tr("maximum force"), Text::tr("usable workspace")};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 #include "sim/device/steering/steered_device.h"
 
 namespace torsio {
@@ -61,7 +62,7 @@ class Controllers {
  private:
   static std::string nameOf(int index) {
     const char* const name = SDL_GameControllerNameForIndex(index);
-    return name != nullptr ? name : "";
+    return name != nullptr ? plainLine(name) : "";
   }
 
   bool ready_ = false;
@@ -107,7 +108,7 @@ class ControllerSource final : public SteeringSource {
   }
 
   [[nodiscard]] DeviceIdentity identity() const {
-    const auto text = [](const char* value) { return std::string(value != nullptr ? value : ""); };
+    const auto text = [](const char* value) { return value != nullptr ? plainLine(value) : std::string(); };
     DeviceIdentity identity;
     identity.model = text(SDL_GameControllerName(controller_));
     identity.serial = text(SDL_GameControllerGetSerial(controller_));

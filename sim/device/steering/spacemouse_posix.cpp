@@ -15,6 +15,7 @@
 #include <spnav.h>
 
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 #include "sim/device/steering/spacemouse.h"
 #include "sim/device/steering/steered_device.h"
 #include "sim/device/virtual/pointer_device.h"
@@ -64,7 +65,7 @@ class Connection {
     if (spnav_protocol() < 1) {
       device_ = "SpaceMouse";  // an old daemon does not tell
     } else if (spnav_dev_name(name.data(), static_cast<int>(name.size())) > 0) {
-      device_ = name.data();
+      device_ = plainLine(name.data());
     }
   }
   ~Connection() {

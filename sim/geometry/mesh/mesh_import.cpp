@@ -21,6 +21,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/plain_text.h"
 #include "sim/geometry/mesh/mesh_check.h"
 #include "sim/geometry/mesh/mesh_file_check.h"
 #include "sim/geometry/mesh/mesh_space.h"
@@ -213,7 +214,7 @@ RawMesh readWithAssimp(const fs::path& file, const std::string& extension, doubl
       mended.empty() ? importer.ReadFile(file.string(), kSteps)
                      : importer.ReadFileFromMemory(mended.data(), mended.size(), kSteps, extension.c_str());
   if (scene == nullptr) {
-    const std::string reason = printable(importer.GetErrorString());
+    const std::string reason = plainLine(importer.GetErrorString());
     // assimp's words after points and lines were dropped
     if (reason == "No meshes remaining") {
       requireSound({}, file.string());
@@ -256,25 +257,12 @@ constexpr double kWeldShare = 1e-6;  // of the largest side
 
 }  // namespace
 
-std::string printable(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ') {
-      c = ' ';
-    }
-  }
-  constexpr std::size_t kMost = 200;
-  if (text.size() > kMost) {
-    text = text.substr(0, kMost) + " ...";
-  }
-  return text;
-}
-
 void requireMeshFile(const fs::path& file) {
   requireThere(file);
   const std::string extension = lowerExtension(file);
   if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end()) {
     throw Error(ErrorCode::kFileUnreadable,
-                Text::tr("M02 files with the extension \"%1\" are not read", printable(extension)),
+                Text::tr("M02 files with the extension \"%1\" are not read", plainLine(extension)),
                 file.string(), Text::tr("Use obj, stl, ply, off, glb, gltf or dae"));
   }
 }
@@ -296,7 +284,7 @@ double lengthUnit_m(std::string_view name) {
       return metres;
     }
   }
-  throw Error(ErrorCode::kBadParameter, Text::tr("unknown unit \"%1\"", printable(std::string(name))), "",
+  throw Error(ErrorCode::kBadParameter, Text::tr("unknown unit \"%1\"", plainLine(std::string(name))), "",
               Text::tr("Use m, cm, mm or um"));
 }
 

@@ -35,9 +35,6 @@ void requireMeshFile(const std::filesystem::path& file);
 /// files of users are read by readMeshApart.
 [[nodiscard]] RawMesh readMesh(const std::filesystem::path& file, double scale_m);
 
-/// Returns a text from a file as one line of at most 200 characters.
-[[nodiscard]] std::string printable(std::string text);
-
 struct MeshImportOptions {
   double scale_m = 0.001;   ///< one file unit in metres
   bool unitStated = false;  ///< by the file (mesh_space.h): no other unit is looked for

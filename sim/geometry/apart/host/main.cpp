@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 #include "sim/geometry/apart/helper_process.h"
 #include "sim/geometry/apart/mesh_mail.h"
 #include "sim/geometry/mesh/mesh_import.h"
@@ -31,7 +32,7 @@ std::string answerTo(const std::string& file, double scale_m, const std::string&
     return mailOf(tooMuchMemory(file, memory_MB));
   } catch (const std::exception& error) {
     return mailOf(Error(ErrorCode::kFileUnreadable,
-                        Text::tr("M05 the importer failed on this file: %1", printable(error.what())), file,
+                        Text::tr("M05 the importer failed on this file: %1", plainLine(error.what())), file,
                         Text::tr("Export the mesh again")));
   }
 }

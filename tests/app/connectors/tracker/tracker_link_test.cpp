@@ -559,7 +559,7 @@ TEST(IgtlMessages, HearWhatASenderSaysOfAPose) {
                           {"TransformValid", "0", "TransformValid = 0"},
                           {"StylusToReferenceStatus", "INVALID", "INVALID"},
                           {"ProbeToReferenceStatus", "INVALID", ""},
-                          {"Status", "in\x1b[2Jview", "in [2Jview"}}) {
+                          {"Status", "in\x1b[2Jview", "in\xef\xbf\xbd[2Jview"}}) {
     const IgtlNews news = read(transformSaying(one.name, one.value));
     ASSERT_EQ(news.poses.size(), 1U) << one.name;
     EXPECT_EQ(news.poses[0].lost, one.lost) << one.name;
