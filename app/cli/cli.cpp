@@ -16,6 +16,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/cli/plain_output.h"
 #include "app/cli/usage_errors.h"
 #include "app/connectors/built_in.h"
 #include "app/outputs/charts/graphics_application.h"
@@ -90,6 +91,7 @@ void buildProgram(CLI::App& program) {
   addInvite(program);
   addRoster(program);
   addLearning(program);
+  addManual(program);
   addMetrics(program);
   addOrgan(program);
   addPower(program);
@@ -153,6 +155,8 @@ constexpr const char* kPurpose = "Training and assessment of surgical twist skil
 }  // namespace
 
 int runCommandLine(int argc, char** argv, std::initializer_list<ProgramAddition> windows) {
+  const PlainOutput out(std::cout, false);
+  const PlainOutput errors(std::cerr, true);
   try {
     CLI::App program(kPurpose);
     buildProgram(program);

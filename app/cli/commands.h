@@ -29,6 +29,7 @@ void addInstrument(CLI::App& program);
 void addInvite(CLI::App& program);
 void addRoster(CLI::App& program);
 void addLearning(CLI::App& program);
+void addManual(CLI::App& program);
 void addMetrics(CLI::App& program);
 void addOrgan(CLI::App& program);
 void addPower(CLI::App& program);
