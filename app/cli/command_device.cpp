@@ -41,6 +41,7 @@ struct DeviceArguments {
   DeviceChoice choice;
   bool json = false;
   bool forceTest = false;
+  bool buttons = false;
   double checkSeconds = 2.0;
   double wait_s = 30.0;
   double monitorSeconds = 10.0;
@@ -77,7 +78,7 @@ void runList(const DeviceArguments& arguments) {
     }
   }
   if (arguments.json) {
-    std::cout << out.dump(2) << '\n';
+    std::cout << jsonText(out) << '\n';
   }
 }
 
@@ -120,7 +121,7 @@ void printCheck(const DeviceCheckResult& result, bool json) {
   out["interval_edges_us"] = kTimingEdges_us;
   out["intervals"] = result.timing.intervals;
   out["longest_interval_us"] = result.timing.longest_us;
-  std::cout << out.dump(2) << '\n';
+  std::cout << jsonText(out) << '\n';
 }
 
 void runCheck(const DeviceArguments& arguments) {
@@ -130,6 +131,7 @@ void runCheck(const DeviceArguments& arguments) {
   request.seconds = arguments.checkSeconds;
   request.calibrationWait_s = arguments.wait_s;
   request.forceTest = arguments.forceTest;
+  request.buttons = arguments.buttons;
   request.say = [](const Text& text) { std::cerr << text << "." << std::endl; };
   request.cancelled = [] { return stopAsked != 0; };
   if (arguments.forceTest) {
@@ -181,10 +183,12 @@ class ReadoutDocument {
   ReadoutDocument() { std::cout << "{\"readings\": ["; }
   ReadoutDocument(const ReadoutDocument&) = delete;
   ReadoutDocument& operator=(const ReadoutDocument&) = delete;
-  ~ReadoutDocument() { std::cout << "\n], \"ended\": " << nlohmann::json(ended_).dump() << "}" << std::endl; }
+  ~ReadoutDocument() {
+    std::cout << "\n], \"ended\": " << jsonText(nlohmann::json(ended_), -1) << "}" << std::endl;
+  }
 
   void add(const DeviceReadout& readout) {
-    std::cout << (any_ ? ",\n" : "\n") << readoutJson(readout).dump() << std::flush;
+    std::cout << (any_ ? ",\n" : "\n") << jsonText(readoutJson(readout), -1) << std::flush;
     any_ = true;
   }
   void end(const std::string& how) { ended_ = how; }
@@ -249,6 +253,7 @@ void addDevice(CLI::App& program) {
   addName(check);
   addDefaulted(*check, "--seconds", arguments->checkSeconds, "Length of the measurement");
   addDefaulted(*check, "--wait", arguments->wait_s, "Seconds to wait for the stylus in the inkwell");
+  check->add_flag("--buttons", arguments->buttons, "I hold the stylus: ask for each button");
   check->add_flag("--force-test", arguments->forceTest, "I hold the stylus: push upwards with 0.5 N for 2 s");
   check->add_flag("--json", arguments->json, "Print JSON");
   check->callback([arguments] { runCheck(*arguments); });

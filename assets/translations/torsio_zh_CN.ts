@@ -2033,10 +2033,6 @@
         <translation>利落，没有空闲</translation>
     </message>
     <message>
-        <source>Calibrate again in the inkwell; on another model this is to be expected</source>
-        <translation>请在笔座中重新校准；其他型号出现此差异属正常</translation>
-    </message>
-    <message>
         <source>Calibration</source>
         <translation>校准</translation>
     </message>
@@ -4527,10 +4523,6 @@
     <message>
         <source>platform %1</source>
         <translation>平台 %1</translation>
-    </message>
-    <message>
-        <source>position and joint angles differ by %1 mm from what is published for a Touch</source>
-        <translation>位置与关节角相差 %1 mm（与 Touch 公布值相比）</translation>
     </message>
     <message>
         <source>practice must be finite and not negative</source>
@@ -20020,7 +20012,63 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>the device does not answer, and a second connection that would switch its force off failed (%1): let go of the stylus and switch the device off</source>
-        <translation>设备无应答，用于关闭其力输出的第二次连接也失败了（%1）：请松开手柄笔并关闭设备电源</translation>
+        <translation>设备无应答，用于关闭其力输出的第二次连接也失败了（%1）：请松开操作笔并关闭设备电源</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>计算机</translation>
+    </message>
+    <message>
+        <source>position and joint angles differ by %1 mm from what is published for this model</source>
+        <translation>位置与关节角度相差 %1 毫米（与该型号公布的数据相比）</translation>
+    </message>
+    <message>
+        <source>%1: the position has another unit or other axes, or the device is not calibrated</source>
+        <translation>%1：位置采用了其他单位或坐标轴，或设备未校准</translation>
+    </message>
+    <message>
+        <source>Calibrate again in the inkwell; if it stays so, use another driver of the vendor</source>
+        <translation>请将操作笔插入笔座重新校准；若仍如此，请换用厂商的其他驱动程序</translation>
+    </message>
+    <message>
+        <source>Calibrate again in the inkwell</source>
+        <translation>请将操作笔插入笔座重新校准</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按钮</translation>
+    </message>
+    <message>
+        <source>button %1 is pressed all the time</source>
+        <translation>按钮 %1 一直处于按下状态</translation>
+    </message>
+    <message>
+        <source>Let go of the buttons and repeat the check; if it stays so, have the stylus serviced</source>
+        <translation>请松开按钮并重新检查；若仍如此，请送修操作笔</translation>
+    </message>
+    <message>
+        <source>both buttons answer</source>
+        <translation>两个按钮均有响应</translation>
+    </message>
+    <message>
+        <source>button %1 did not answer</source>
+        <translation>按钮 %1 没有响应</translation>
+    </message>
+    <message>
+        <source>Press each button when you are asked to; if it stays so, have the stylus serviced</source>
+        <translation>请在提示时依次按下每个按钮；若仍如此，请送修操作笔</translation>
+    </message>
+    <message>
+        <source>none is stuck; button %1 was not pressed</source>
+        <translation>没有按钮卡住；按钮 %1 未被按下</translation>
+    </message>
+    <message>
+        <source>Press each button of the stylus once</source>
+        <translation>请将操作笔上的每个按钮各按一次</translation>
+    </message>
+    <message>
+        <source>the computer was too busy: it gave Torsio no time for %1 s, and the device fell silent</source>
+        <translation>计算机过于繁忙：有 %1 秒未给本程序运行时间，设备随之没有响应</translation>
     </message>
     <message>
         <source>Addresses of figures</source>

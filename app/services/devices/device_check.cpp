@@ -2,12 +2,16 @@
 #include "app/services/devices/device_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/services/devices/device_readiness.h"
+#include "app/services/devices/held_up.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"
@@ -28,6 +32,8 @@ constexpr double kGoodRegularShare = 0.95;
 // A hand moves at less than 10 Hz; readings slower than this look like steps.
 constexpr double kGoodReadings_Hz = 60.0;
 constexpr double kGeometryTolerance_m = 0.005;
+// No calibration is that wrong: positions in another unit, or along other axes.
+constexpr double kGeometryWrong_m = 0.025;
 constexpr double kRollNoise_deg = 2.0;
 // Share of frames that may lack a position: the device occasionally skips one.
 constexpr double kPosesForgiven = 0.01;
@@ -35,6 +41,15 @@ constexpr double kPosesForgiven = 0.01;
 constexpr std::int64_t kForcesSeen = 100;
 // Time for taking the stylus out of the inkwell before the force test.
 constexpr double kUndockWait_s = 15.0;
+// Time for pressing the buttons when asked to.
+constexpr double kButtonWait_s = 15.0;
+
+/// The stylus's buttons by their bits, as people count them.
+struct StylusButton {
+  std::uint32_t bit;
+  int number;
+};
+constexpr std::array<StylusButton, 2> kStylusButtons{{{kButtonGrip, 1}, {kButtonSecond, 2}}};
 
 Text orNotReported(const std::string& value) {
   return value.empty() ? Text::tr("not reported") : Text(value);
@@ -49,7 +64,7 @@ class Check {
     if (openDevice() && startServo()) {
       if (waitForCalibration() && measure()) {
         judgeServo();
-        if (judgePosition() && request_.forceTest && rendersForce()) {
+        if (judgePosition() && judgeButtons() && request_.forceTest && rendersForce()) {
           testForce();
         }
       }
@@ -140,7 +155,12 @@ class Check {
 
   /// Returns false, with a finding, if the device was lost or the user cancelled.
   bool stillThere(const DeviceSnapshot& now) {
-    if (now.state == DeviceState::kSilent && now.timing.ticks > 0) {
+    const bool fellSilent = now.state == DeviceState::kSilent && now.timing.ticks > 0;
+    if ((fellSilent || now.state == DeviceState::kLost) && heldUp_.starved()) {
+      add(FindingGrade::kBad, Text::tr("Computer"), heldUp_.sentence(), HeldUp::remedy());
+      return false;
+    }
+    if (fellSilent) {
       add(FindingGrade::kBad, Text::tr("Connection"),
           Text::tr("the library's servo stopped calling after %1 s", formatFixed(elapsed_s(begun_us_), 1)),
           Text::tr("Check cable and power, then plug the device in again and repeat the check"));
@@ -185,7 +205,7 @@ class Check {
         noteNoCalibration(now);
         return false;
       }
-      pause_s(kPollEvery_s);
+      heldUp_.pause_s(kPollEvery_s);
     }
     result_.calibrated = true;
     add(FindingGrade::kGood, Text::tr("Calibration"),
@@ -196,7 +216,9 @@ class Check {
   }
 
   void noteNoCalibration(const DeviceSnapshot& now) {
-    if (now.timing.ticks == 0) {
+    if (now.timing.ticks == 0 && heldUp_.starved()) {
+      add(FindingGrade::kBad, Text::tr("Computer"), heldUp_.sentence(), HeldUp::remedy());
+    } else if (now.timing.ticks == 0) {
       add(FindingGrade::kBad, Text::tr("Servo"), Text::tr("the library's servo loop never called"),
           Text::tr("Close every other program that uses the device; restart the computer"));
     } else {
@@ -215,12 +237,13 @@ class Check {
     double highest_rad = -1e9;
     DeviceSnapshot now = first;
     while (elapsed_s(from_us) < request_.seconds) {
-      pause_s(kPollEvery_s);
+      heldUp_.pause_s(kPollEvery_s);
       now = device_->snapshot();
       if (!stillThere(now)) {
         return false;
       }
-      const double roll_rad = toolState(now.sample).roll_rad;
+      const double roll_rad = lookAtButtons(now);
+      geometry_m_.push_back(now.geometryError_m);
       docked = docked && now.docked;
       lowest_rad = std::min(lowest_rad, roll_rad);
       highest_rad = std::max(highest_rad, roll_rad);
@@ -254,8 +277,7 @@ class Check {
           quick ? Text() : Text::tr("Close other programs"));
       return;
     }
-    const Text slowRemedy =
-        Text::tr("Close other programs; on Linux allow real-time scheduling for this user (docs/devices.md)");
+    const Text slowRemedy = HeldUp::remedy();
     if (result_.rate_Hz < kLowestRate_Hz) {
       add(FindingGrade::kBad, Text::tr("Rate"),
           Text::tr("%1; below %2 Hz no force is rendered", rate, formatFixed(kLowestRate_Hz, 0)), slowRemedy);
@@ -290,7 +312,7 @@ class Check {
 
   /// Returns false if the device gives no position from which force could be computed.
   bool judgePosition() {
-    if (!positionIsSound()) {
+    if (!positionIsSound() || !geometryIsSound()) {
       return false;
     }
     if (rendersForce()) {
@@ -327,6 +349,93 @@ class Check {
     return true;
   }
 
+  /// Takes the worst tenth of the measurement: where axes are swapped, some poses look right.
+  bool geometryIsSound() {
+    if (geometry_m_.empty()) {
+      return true;
+    }
+    const auto worst = geometry_m_.begin() + static_cast<std::ptrdiff_t>(geometry_m_.size() * 9 / 10);
+    std::nth_element(geometry_m_.begin(), worst, geometry_m_.end());
+    const Text differ =
+        Text::tr("position and joint angles differ by %1 mm from what is published for this model",
+                 formatFixed(1e3 * *worst, 1));
+    if (*worst > kGeometryWrong_m) {
+      add(FindingGrade::kBad, Text::tr("Geometry"),
+          Text::tr("%1: the position has another unit or other axes, or the device is not calibrated",
+                   differ),
+          Text::tr("Calibrate again in the inkwell; if it stays so, use another driver of the vendor"));
+      return false;
+    }
+    if (*worst > kGeometryTolerance_m) {
+      add(FindingGrade::kNote, Text::tr("Geometry"), differ, Text::tr("Calibrate again in the inkwell"));
+    }
+    return true;
+  }
+
+  /// Remembers which buttons were pressed and which were not; returns the roll.
+  double lookAtButtons(const DeviceSnapshot& now) {
+    const ToolState tool = toolState(now.sample);
+    pressed_ |= tool.buttons;
+    released_ |= ~tool.buttons;
+    return tool.roll_rad;
+  }
+
+  /// "1", "1, 2": the buttons of which `isOne` holds.
+  template <typename Predicate>
+  static Text buttonsWith(const Predicate& isOne) {
+    std::vector<Text> numbers;
+    for (const StylusButton& button : kStylusButtons) {
+      if (isOne(button.bit)) {
+        numbers.emplace_back(std::to_string(button.number));
+      }
+    }
+    return listed(numbers);
+  }
+
+  /// Returns false if a button is stuck, or was asked for and did not answer.
+  bool judgeButtons() {
+    if (!rendersForce()) {
+      return true;
+    }
+    if (request_.buttons && !waitForButtons()) {
+      return false;
+    }
+    const Text stuck = buttonsWith([this](std::uint32_t bit) { return (released_ & bit) == 0; });
+    if (!stuck.empty()) {
+      add(FindingGrade::kBad, Text::tr("Buttons"), Text::tr("button %1 is pressed all the time", stuck),
+          Text::tr("Let go of the buttons and repeat the check; if it stays so, have the stylus serviced"));
+      return false;
+    }
+    const Text silent = buttonsWith([this](std::uint32_t bit) { return (pressed_ & bit) == 0; });
+    if (silent.empty()) {
+      add(FindingGrade::kGood, Text::tr("Buttons"), Text::tr("both buttons answer"));
+    } else if (request_.buttons) {
+      add(FindingGrade::kBad, Text::tr("Buttons"), Text::tr("button %1 did not answer", silent),
+          Text::tr("Press each button when you are asked to; if it stays so, have the stylus serviced"));
+      return false;
+    } else {
+      add(FindingGrade::kGood, Text::tr("Buttons"),
+          Text::tr("none is stuck; button %1 was not pressed", silent));
+    }
+    return true;
+  }
+
+  bool waitForButtons() {
+    say(Text::tr("Press each button of the stylus once"));
+    const std::int64_t from_us = clock_.now_us();
+    const auto seen = [this](std::uint32_t bit) { return (pressed_ & released_ & bit) != 0; };
+    while (elapsed_s(from_us) < std::min(kButtonWait_s, request_.calibrationWait_s) &&
+           !(seen(kButtonGrip) && seen(kButtonSecond))) {
+      heldUp_.pause_s(kPollEvery_s);
+      const DeviceSnapshot now = device_->snapshot();
+      if (!stillThere(now)) {
+        return false;
+      }
+      (void)lookAtButtons(now);
+    }
+    return true;
+  }
+
   void judgeStylus() {
     result_.rollReferenced = last_.rollReferenced;
     if (!last_.rollReferenced) {
@@ -341,12 +450,6 @@ class Check {
           rollNoise_deg_
               ? Text::tr("the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 2))
               : Text::tr("the docked reference is taken"));
-    }
-    if (last_.geometryError_m > kGeometryTolerance_m) {
-      add(FindingGrade::kNote, Text::tr("Geometry"),
-          Text::tr("position and joint angles differ by %1 mm from what is published for a Touch",
-                   formatFixed(1e3 * last_.geometryError_m, 1)),
-          Text::tr("Calibrate again in the inkwell; on another model this is to be expected"));
     }
     if (last_.warmest > kWarmAbove) {
       add(FindingGrade::kNote, Text::tr("Motors"), Text::tr("warm; the force is folded back"),
@@ -368,7 +471,7 @@ class Check {
     for (double t_s = 0.0; t_s < kSelfTestTime_s; t_s = elapsed_s(from_us)) {
       const double swell = std::sin(kPi * t_s / kSelfTestTime_s);
       device_->write({{0.0, 0.0, kSelfTestForce_N * swell * swell}, 0});
-      pause_s(kWriteEvery_s);
+      heldUp_.pause_s(kWriteEvery_s);
       now = device_->snapshot();
       everOn = everOn || now.forceOn;
       if (!stillThere(now)) {
@@ -416,7 +519,7 @@ class Check {
       if (!now.docked) {
         return true;
       }
-      pause_s(kPollEvery_s);
+      heldUp_.pause_s(kPollEvery_s);
     }
     add(FindingGrade::kNote, Text::tr("Force"), Text::tr("not tested: the stylus stayed in the inkwell"),
         Text::tr("Repeat the check and hold the stylus"));
@@ -433,6 +536,7 @@ class Check {
 
   const DeviceCheckRequest& request_;
   MonotonicClock clock_;
+  HeldUp heldUp_;
   DeviceCheckResult result_;
   std::unique_ptr<HapticDevice> device_;
   DeviceSnapshot last_;
@@ -444,6 +548,9 @@ class Check {
   std::int64_t invalidPoses_ = 0;
   std::int64_t refusedFrames_ = 0;
   std::optional<double> rollNoise_deg_;
+  std::vector<double> geometry_m_;
+  std::uint32_t pressed_ = 0;
+  std::uint32_t released_ = 0;
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ struct DeviceCheckRequest {
   double seconds = 2.0;                  ///< duration of the servo measurement
   double calibrationWait_s = 30.0;       ///< time for the user to put the stylus into the inkwell
   bool forceTest = false;                ///< the user holds the stylus and consents to feel a force
+  bool buttons = false;                  ///< the user holds the stylus and is asked to press its buttons
   std::function<void(const Text&)> say;  ///< called with instructions for the user; may be empty
   std::function<bool()> cancelled;       ///< may be empty
 };

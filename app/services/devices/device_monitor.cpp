@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/services/devices/held_up.h"
 #include "sim/core/angle.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
@@ -82,9 +83,12 @@ DeviceReadout readout(const DeviceSnapshot& now, double time_s) {
   return shown;
 }
 
-void requireServo(const DeviceSnapshot& now, const std::string& model) {
+void requireServo(const DeviceSnapshot& now, const std::string& model, const HeldUp& heldUp) {
   if (now.state != DeviceState::kSilent) {
     return;
+  }
+  if (heldUp.starved()) {
+    throw Error(ErrorCode::kDevice, heldUp.sentence(), model, HeldUp::remedy());
   }
   throw Error(ErrorCode::kDevice,
               now.timing.ticks == 0 ? Text::tr("the library's servo loop never called")
@@ -103,10 +107,11 @@ void monitorDevice(const DeviceMonitorRequest& request) {
   device.serve();
   const MonotonicClock clock;
   const std::int64_t begun_us = clock.now_us();
+  HeldUp heldUp;
   DeviceSnapshot now;
   for (double time_s = 0.0; time_s < request.seconds;
        time_s = 1e-6 * static_cast<double>(clock.now_us() - begun_us)) {
-    pause_s(request.interval_s);
+    heldUp.pause_s(request.interval_s);
     if (request.cancelled && request.cancelled()) {
       return;
     }
@@ -116,16 +121,19 @@ void monitorDevice(const DeviceMonitorRequest& request) {
       shown.events.push_back(eventText(event));
     }
     request.show(shown);
+    if (now.state == DeviceState::kLost && heldUp.starved()) {
+      throw Error(ErrorCode::kDevice, heldUp.sentence(), device.capabilities().model, HeldUp::remedy());
+    }
     if (now.state == DeviceState::kLost) {
       throw Error(ErrorCode::kDevice, device.lossText(now.lostBecause), device.capabilities().model,
                   Text::tr("Check cable and power, plug the device in again and start again"));
     }
-    requireServo(now, device.capabilities().model);
+    requireServo(now, device.capabilities().model, heldUp);
   }
   if (now.timing.ticks == 0) {
     now.state = DeviceState::kSilent;  // not watched long enough to know
   }
-  requireServo(now, device.capabilities().model);
+  requireServo(now, device.capabilities().model, heldUp);
 }
 
 }  // namespace torsio

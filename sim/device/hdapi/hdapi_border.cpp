@@ -88,10 +88,11 @@ WorldBox worldBox(const std::array<double, 6>& box_mm, const DevicePlacement& pl
 }
 
 GimbalProfile gimbalProfile(const std::string& model) {
-  if (model.find("Omni") == std::string::npos) {
-    return {model, {1.0, 1.0, 1.0}, {}};
+  const auto names = [&model](const char* word) { return model.find(word) != std::string::npos; };
+  if (names("Omni")) {
+    return {model, {1.0, -1.0, 1.0}, {3.665, -3.805, 3.089}};
   }
-  return {model, {1.0, -1.0, 1.0}, {3.665, -3.805, 3.089}};
+  return {model, {1.0, 1.0, 1.0}, {}, names("Touch") && !names("Touch X")};
 }
 
 std::array<double, 3> trueGimbal_rad(const GimbalProfile& profile,

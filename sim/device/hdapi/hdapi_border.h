@@ -64,10 +64,11 @@ struct GimbalProfile {
   std::string model;
   std::array<double, 3> scale{1.0, 1.0, 1.0};
   std::array<double, 3> offset_rad{};
+  bool armKnown = true;  ///< its arm is that of touchTransform_mm
 };
 /// Returns the gimbal profile of a model. The FireWire Omni reports other offsets and directions than the
 /// Touch; the numbers are one published unit's and are replaced by the docked reference. Every model but
-/// "PHANTOM Omni" counts as a Touch.
+/// "PHANTOM Omni" counts as a Touch; the arms of Touch X, Desktop and Premium are longer.
 [[nodiscard]] GimbalProfile gimbalProfile(const std::string& model);
 [[nodiscard]] std::array<double, 3> trueGimbal_rad(const GimbalProfile& profile,
                                                    const std::array<double, 3>& reported_rad) noexcept;

@@ -155,6 +155,9 @@ void HdapiServo::readDevice(std::int64_t now_us) noexcept {
   if (snapshot_.rollAtStop && !wasAtStop) {
     note(DeviceEvent::Kind::kRollStop, now_us);
   }
+  if (!setup_.gimbal.armKnown) {
+    return;
+  }
   const std::array<double, 16> computed_mm = touchTransform_mm(frame.joints_rad, {});
   snapshot_.geometryError_m =
       1e-3 * norm(Vec3{computed_mm[12] - frame.transform_mm[12], computed_mm[13] - frame.transform_mm[13],

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 #include "sim/core/time_units.h"
 #include "sim/device/hdapi/hdapi_border.h"
 
@@ -61,13 +62,9 @@ hd::CallbackCode TORSIO_HD_CALL letGoCallback(void* context) {
   return hd::kCallbackDone;
 }
 
-/// A vendor's text as ours: printable ASCII, cut off. What is not UTF-8 would fail where it is written.
-std::string printable(const char* vendor) {
-  std::string text;
-  for (const char* at = vendor; at != nullptr && *at != '\0' && text.size() < kLongestText; ++at) {
-    text += *at >= ' ' && *at <= '~' ? *at : '?';
-  }
-  return text;
+/// A vendor's text, which may be none.
+std::string textOf(const char* vendor) {
+  return vendor != nullptr ? plainLine(vendor, kLongestText) : "";
 }
 
 /// Largest force that a model renders, N; by the vendor's data sheets. A model that is not known is a Touch.
@@ -93,7 +90,7 @@ Text described(const hd::Api& api, hd::ErrorCode code) {
   if (vendor == nullptr) {
     return Text::tr("%1 (%2)", hdapiErrorText(code), hex(code));
   }
-  return Text::verbatim("%1 (%2, %3)", hdapiErrorText(code), hex(code), printable(vendor));
+  return Text::verbatim("%1 (%2, %3)", hdapiErrorText(code), hex(code), textOf(vendor));
 }
 
 Text remedyFor(hd::ErrorCode code) {
@@ -198,7 +195,7 @@ void HdapiSession::open(const std::string& deviceName) {
 std::string HdapiSession::text(hd::Enum name) {
   const char* const value = api_.hdGetString(name);
   const HdapiErrors errors = drainHdapiErrors(api_);
-  return errors.count == 0 ? printable(value) : "";
+  return errors.count == 0 ? textOf(value) : "";
 }
 
 void HdapiSession::readIdentity() {

@@ -28,7 +28,8 @@ class DeviceCommand : public ::testing::Test {
   ProgramRun run(const std::string& arguments, const std::string& story = "") const {
     for (const char* name :
          {"FAKEHD_NO_DEVICE", "FAKEHD_NO_LICENCE", "FAKEHD_CALIBRATION", "FAKEHD_DOCK_AT_TICK",
-          "FAKEHD_UNPLUG_AT_TICK", "FAKEHD_POSE", "FAKEHD_LOG", "FAKEHD_TICK_US"}) {
+          "FAKEHD_UNPLUG_AT_TICK", "FAKEHD_POSE", "FAKEHD_LOG", "FAKEHD_TICK_US", "FAKEHD_LIE",
+          "FAKEHD_BUTTONS", "FAKEHD_PRESS_TICKS", "FAKEHD_DIE_AT_TICK"}) {
       unsetenv(name);
     }
     for (std::size_t begin = 0; begin < story.size();) {
@@ -189,6 +190,60 @@ TEST_F(DeviceCommand, S4_CheckRejectsASlowServo) {
 
   EXPECT_EQ(result.code, kDevice);
   expectMentions(result.out, {"problem", "Rate:", "no force is rendered"});
+}
+
+TEST_F(DeviceCommand, CheckRejectsPositionsInAnotherUnitOrAlongOtherAxes) {
+  for (const char* const lie : {"FAKEHD_LIE=inches", "FAKEHD_LIE=swapped"}) {
+    const ProgramRun result = check(lie);
+
+    EXPECT_EQ(result.code, kDevice) << lie << result.out;
+    expectMentions(result.out, {"problem", "Geometry: position and joint angles differ by", "another unit"});
+    EXPECT_EQ(result.out.find("ready for training"), std::string::npos);
+  }
+  EXPECT_EQ(check("FAKEHD_MODEL=Touch X").code, 0);
+}
+
+TEST_F(DeviceCommand, CheckSaysWhetherButtonsAreStuckAndAsksForThem) {
+  const ProgramRun stuck = check("FAKEHD_BUTTONS=2");
+  const ProgramRun loose = check("");
+  const ProgramRun pressed = check("FAKEHD_BUTTONS=3 FAKEHD_PRESS_TICKS=100", "--seconds 0.4 --buttons");
+  const ProgramRun silent =
+      check("FAKEHD_BUTTONS=1 FAKEHD_PRESS_TICKS=100", "--seconds 0.4 --wait 2 --buttons");
+
+  EXPECT_EQ(stuck.code, kDevice);
+  expectMentions(stuck.out, {"Buttons: button 2 is pressed all the time", "Let go of the buttons"});
+  EXPECT_EQ(loose.code, 0) << loose.out << loose.err;
+  expectMentions(loose.out, {"Buttons: none is stuck; button 1, 2 was not pressed"});
+  EXPECT_EQ(pressed.code, 0) << pressed.out << pressed.err;
+  expectMentions(pressed.out, {"Buttons: both buttons answer"});
+  expectMentions(pressed.err, {"Press each button of the stylus once"});
+  EXPECT_EQ(silent.code, kDevice);
+  expectMentions(silent.out, {"Buttons: button 2 did not answer"});
+}
+
+/// The library's servo dies while the whole program gets no time, as on a machine that others keep busy.
+TEST_F(DeviceCommand, AStarvedComputerIsNoBrokenCable) {
+  for (const char* const command : {"check --seconds 20", "monitor --seconds 20 --interval 0.05"}) {
+    const fs::path log = folder_ / "calls";
+    fs::remove(log);
+    setenv("FAKEHD_LOG", log.c_str(), 1);
+    setenv("FAKEHD_DIE_AT_TICK", "400", 1);
+    const std::string out = (folder_ / "out").string();
+    const std::string script = "touch " + log.string() + "; " TORSIO_PROGRAM " device " + command +
+                               " --library " TORSIO_FAKEHD " >" + out + " 2>&1 & program=$!; " +
+                               "until grep -q hdStartScheduler " + log.string() +
+                               "; do sleep 0.02; done; sleep 0.15; kill -STOP $program; sleep 1.2; "
+                               "kill -CONT $program; wait $program";
+    const int status = std::system(script.c_str());
+    unsetenv("FAKEHD_DIE_AT_TICK");
+    unsetenv("FAKEHD_LOG");
+
+    EXPECT_EQ(WEXITSTATUS(status), kDevice);
+    const std::string said = readFile(out);
+    expectMentions(said,
+                   {"the computer was too busy: it gave Torsio no time for 1.", "Close other programs"});
+    EXPECT_EQ(said.find("cable"), std::string::npos) << said;
+  }
 }
 
 TEST_F(DeviceCommand, ForceTestWarnsAndPushesOnlyWithConsent) {

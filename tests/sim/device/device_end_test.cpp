@@ -38,9 +38,9 @@ class DeviceEnd : public ::testing::Test {
     unsetenv("FAKEHD_LOG");
   }
   ~DeviceEnd() override {
-    for (const char* const name : {"FAKEHD_RECORD", "FAKEHD_AFTER_PUSH", "FAKEHD_HANG_AT_TICK", "FAKEHD_CRASH",
-                                   "FAKEHD_CRASH_BY", "FAKEHD_HANG_LOCKED", "FAKEHD_ONCE", "FAKEHD_FORKS",
-                                   "FAKEHD_PRINTS"}) {
+    for (const char* const name :
+         {"FAKEHD_RECORD", "FAKEHD_AFTER_PUSH", "FAKEHD_HANG_AT_TICK", "FAKEHD_CRASH", "FAKEHD_CRASH_BY",
+          "FAKEHD_HANG_LOCKED", "FAKEHD_ONCE", "FAKEHD_FORKS", "FAKEHD_PRINTS"}) {
       unsetenv(name);
     }
     device_.reset();
@@ -131,8 +131,9 @@ TEST_P(DeviceEndsBy, ItselfAndTheLastForceBecomesZero) {
 
 std::vector<Ending> endings() {
   std::vector<Ending> all;
-  for (const char* const by : {"exit", "quick_exit", "_exit", "abort", "throw", "segv", "overflow", "fpe",
-                               "SIGALRM", "SIGSTOP", "SIGQUIT", "SIGUSR1", "SIGKILL", "SIGBUS", "SIGILL", "SIGIO"}) {
+  for (const char* const by :
+       {"exit", "quick_exit", "_exit", "abort", "throw", "segv", "overflow", "fpe", "SIGALRM", "SIGSTOP",
+        "SIGQUIT", "SIGUSR1", "SIGKILL", "SIGBUS", "SIGILL", "SIGIO"}) {
     all.push_back({by, "hdEndFrame", false});
     all.push_back({by, "hdEndFrame", true});
     all.push_back({by, "thread", false});
@@ -161,8 +162,10 @@ TEST_F(DeviceEnd, SignalsOfATerminalEndNothing) {
     kill(static_cast<pid_t>(record_->process), signal);
   }
   EXPECT_FALSE(pushUntil([this, since = std::chrono::steady_clock::now()] {
-    return device_->snapshot().state == DeviceState::kLost || std::chrono::steady_clock::now() - since > 300ms;
-  }) && device_->snapshot().state == DeviceState::kLost);
+                 return device_->snapshot().state == DeviceState::kLost ||
+                        std::chrono::steady_clock::now() - since > 300ms;
+               }) &&
+               device_->snapshot().state == DeviceState::kLost);
   EXPECT_TRUE(device_->close());
 }
 
@@ -182,8 +185,8 @@ TEST_F(DeviceEnd, ALibraryThatCannotBeOpenedTwiceIsSaidInWordsWithWhatToDo) {
 
 TEST_F(DeviceEnd, TheLastGaspAloneIsEnoughWhereTheLibraryCannotBeOpenedTwice) {
   setenv("FAKEHD_ONCE", "1", 1);
-  for (const char* const by : {"exit", "quick_exit", "abort", "throw", "segv", "overflow", "fpe", "SIGALRM",
-                               "SIGQUIT", "SIGUSR1"}) {
+  for (const char* const by :
+       {"exit", "quick_exit", "abort", "throw", "segv", "overflow", "fpe", "SIGALRM", "SIGQUIT", "SIGUSR1"}) {
     std::filesystem::remove(path_);
     const fakehd::RecordFile fresh(path_);
     setenv("FAKEHD_CRASH", "hdEndFrame", 1);

@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <unistd.h>
+#include <utility>
 
 #include "tests/support/fakehd/fake_state.h"
 
@@ -35,6 +36,22 @@ Matrix turnZ(double a) {
   return {{{std::cos(a), -std::sin(a), 0}, {std::sin(a), std::cos(a), 0}, {0, 0, 1}}};
 }
 
+/// Joint angles of a Touch whose gimbal is at this position; those of the pose where it cannot be.
+std::array<double, 3> jointsAt(const std::array<double, 3>& position_mm, const FakePose& pose) {
+  constexpr double kLink_mm = 133.35;
+  constexpr double kHalfTurn_rad = 1.5707963267948966;
+  const auto [x, y, z] = position_mm;
+  const double u = std::hypot(x, z + 168.35) / kLink_mm;
+  const double v = (y - 23.35) / kLink_mm;
+  const double reach = std::hypot(u, v);
+  if (!(reach < 2.0)) {
+    return std::to_array(pose.joints_rad);
+  }
+  const double middle = std::atan2(v, u);
+  const double half = std::acos(0.5 * reach);
+  return {std::atan2(-x, z + 168.35), middle + half, middle - half + kHalfTurn_rad};
+}
+
 void place(Fake& f) {
   const FakePose& p = f.pose;
   const auto [q1, q2, q3] = std::to_array(p.joints_rad);
@@ -45,6 +62,8 @@ void place(Fake& f) {
   if (p.usePosition != 0) {
     position = std::to_array(p.position_mm);
   }
+  const std::array<double, 3> joints =
+      p.usePosition != 0 ? jointsAt(position, p) : std::to_array(p.joints_rad);
   const Matrix r = multiplied(
       multiplied(turnY(-q1), turnX(-q3)),
       multiplied(turnY(p.gimbal_rad[0]), multiplied(turnX(-p.gimbal_rad[1]), turnZ(-p.gimbal_rad[2]))));
@@ -53,11 +72,12 @@ void place(Fake& f) {
       f.now.transform[4 * c + i] = r[i][c];
     }
     f.now.transform[12 + c] = position[c];
-    f.now.joints[c] = p.joints_rad[c];
+    f.now.joints[c] = joints[c];
     f.now.gimbal[c] = (p.gimbal_rad[c] - f.gimbalOffset[c]) / f.gimbalScale[c];
   }
   f.now.transform[15] = 1.0;
-  f.now.buttons = f.buttons;
+  const bool pressed = f.pressTicks <= 0 || (f.tick / f.pressTicks) % 2 == 1;
+  f.now.buttons = pressed ? f.buttons : 0;
 }
 
 /// Moves from its start within 0.3 s, then presses and slackens slightly, twice per second.
@@ -85,6 +105,12 @@ void lieAboutPose(Fake& f) {
     }
   } else if (f.lie == "huge") {
     transform[12] = transform[13] = transform[14] = 1e300;
+  } else if (f.lie == "inches") {
+    for (std::size_t i = 12; i < 15; ++i) {
+      transform[i] /= 25.4;
+    }
+  } else if (f.lie == "swapped") {
+    std::swap(transform[13], transform[14]);
   } else if (f.lie == "frozen") {
     f.now.gimbal[2] = 0.001 * static_cast<double>(storyTick(f) - f.lieAtTick);
     std::copy(f.latched.transform.begin() + 12, f.latched.transform.begin() + 15, transform.begin() + 12);

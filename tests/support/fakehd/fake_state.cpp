@@ -335,6 +335,8 @@ void readEnvironment(Fake& f) {
   f.crashBy = environment("FAKEHD_CRASH_BY");
   f.crashSignal = numberIn("FAKEHD_CRASH_SIGNAL", 0);
   f.dieAtTick = numberIn("FAKEHD_DIE_AT_TICK", -1);
+  f.buttons = numberIn("FAKEHD_BUTTONS", f.buttons);
+  f.pressTicks = numberIn("FAKEHD_PRESS_TICKS", 0);
   f.lie = environment("FAKEHD_LIE");
   f.lieAtTick = numberIn("FAKEHD_LIE_AT_TICK", 0);
   f.lateCallbacks = *environment("FAKEHD_LATE_CALLBACKS") != '\0';

@@ -85,6 +85,7 @@ struct Fake {
   FakePoseFunction poseFunction = nullptr;
   void* poseContext = nullptr;
   std::int32_t buttons = 0;
+  int pressTicks = 0;
   std::vector<double> temperature{0.1, 0.1, 0.1};
   hd::Enum calibration = hd::kCalibrationOk;
   bool docked = true;

@@ -21,12 +21,14 @@
 /// - FAKEHD_CRASH_BY: ... in another way: exit, quick_exit, _exit, abort, throw, segv, overflow, fpe, or the
 ///   name of a signal; without the library's lock, unless FAKEHD_HANG_LOCKED. FAKEHD_CRASH=thread: in another
 ///   thread of the library
+/// - FAKEHD_BUTTONS: mask of the buttons that are pressed; FAKEHD_PRESS_TICKS: only in these ticks of every
+///   twice as many
 /// - FAKEHD_ONCE: no other process can open the device after the first
 /// - FAKEHD_FORKS: a process with a session of its own is left behind
 /// - FAKEHD_PRINTS: prints this number of bytes when the device is opened
 /// - FAKEHD_FAULT: FUNCTION:TICK:TIMES:ERROR (times -1: forever; the error in hexadecimal digits)
 /// - FAKEHD_DIE_AT_TICK: the servo thread stops calling
-/// - FAKEHD_LIE: pose from FAKEHD_LIE_AT_TICK on: nan, zero, mirrored, huge or frozen
+/// - FAKEHD_LIE: pose from FAKEHD_LIE_AT_TICK on: nan, zero, mirrored, huge, frozen, inches or swapped (axes)
 /// - FAKEHD_MAX_FORCE: force that the device claims to render, N
 /// - FAKEHD_LATE_CALLBACKS: calls a task after its removal, which uses its device
 extern "C" {

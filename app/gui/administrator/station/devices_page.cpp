@@ -106,6 +106,7 @@ void DevicesPage::check() {
   DeviceCheckRequest request;
   request.choice = choice();
   request.forceTest = force_->isChecked();
+  request.buttons = request.forceTest;  // somebody holds the stylus
   check_->setEnabled(false);
   shell().run(
       this, tr("Checking the device"),

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "sim/core/clock.h"
+#include "sim/core/text.h"
+
+namespace torsio {
+
+/// Tells a computer that is too busy from a device that does not answer: how long this thread slept beyond
+/// what it asked for. One thread.
+class HeldUp {
+ public:
+  /// Blocks this thread for a time.
+  void pause_s(double seconds);
+  /// Whether a silence of the device is the computer's, which gave Torsio no time either.
+  [[nodiscard]] bool starved() const;
+  /// "the computer was too busy: ..." and what to do.
+  [[nodiscard]] Text sentence() const;
+  [[nodiscard]] static Text remedy();
+
+ private:
+  MonotonicClock clock_;
+  std::int64_t late_us_ = 0;
+};
+
+}  // namespace torsio
