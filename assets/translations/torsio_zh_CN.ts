@@ -20008,7 +20008,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>the device does not answer; a second connection switched its force off after %1 ms</source>
-        <translation>设备无应答；已通过第二次连接在 %1 毫秒后关闭其力输出</translation>
+        <translation>设备无应答；已通过第二次连接在 %1 ms 后关闭其力输出</translation>
     </message>
     <message>
         <source>the device does not answer, and a second connection that would switch its force off failed (%1): let go of the stylus and switch the device off</source>
@@ -20020,7 +20020,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>position and joint angles differ by %1 mm from what is published for this model</source>
-        <translation>位置与关节角度相差 %1 毫米（与该型号公布的数据相比）</translation>
+        <translation>位置与关节角度相差 %1 mm（与该型号公布的数据相比）</translation>
     </message>
     <message>
         <source>%1: the position has another unit or other axes, or the device is not calibrated</source>
@@ -20068,7 +20068,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>the computer was too busy: it gave Torsio no time for %1 s, and the device fell silent</source>
-        <translation>计算机过于繁忙：有 %1 秒未给本程序运行时间，设备随之没有响应</translation>
+        <translation>计算机过于繁忙：有 %1 s 未给本程序运行时间，设备随之没有响应</translation>
     </message>
     <message>
         <source>Addresses of figures</source>
