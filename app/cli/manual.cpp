@@ -104,8 +104,9 @@ void writeOption(std::ostream& out, const CLI::Option& option) {
   if (names.empty()) {
     out << "\\fI" << roff(option.get_name(true)) << "\\fR\n";
   } else {
-    out << "\\fB" << roff(joinedBy(names, ", ")) << "\\fR" << (type.empty() ? "" : " \\fI" + roff(type) + "\\fR")
-        << (preset.empty() ? "" : roff("=" + preset)) << "\n";
+    out << "\\fB" << roff(joinedBy(names, ", ")) << "\\fR"
+        << (type.empty() ? "" : " \\fI" + roff(type) + "\\fR") << (preset.empty() ? "" : roff("=" + preset))
+        << "\n";
   }
   out << roff(option.get_description()) << "\n";
 }
@@ -120,8 +121,9 @@ std::string manualPage(const CLI::App& program, const std::string& version) {
       << name << " \\- " << roff(program.get_description()) << "\n.SH SYNOPSIS\n\\fB" << name
       << "\\fR [\\fIoptions\\fR]\n.br\n\\fB" << name
       << "\\fR \\fIcommand\\fR [\\fIoptions\\fR]\n.SH DESCRIPTION\n"
-      << roff("Without a command Torsio opens its window. Commands need no display. They print results to "
-              "standard output, messages and progress to standard error.")
+      << roff(
+             "Without a command Torsio opens its window. Commands need no display. They print results to "
+             "standard output, messages and progress to standard error.")
       << "\n.SH OPTIONS\n";
   bool begun = false;
   visitCommands(program, name, [&](const std::string& path, const CLI::App& command) {
@@ -136,11 +138,14 @@ std::string manualPage(const CLI::App& program, const std::string& version) {
     }
   });
   out << ".SH EXIT STATUS\n"
-      << roff("0 done, 2 usage, 3 file missing, 4 file unreadable, 5 cannot write, 6 bad mesh, 7 bad parameter, "
-              "8 bad data, 9 database, 10 newer schema, 11 permission, 12 device, 13 verification failed, "
-              "14 folded, 70 internal error.")
+      << roff(
+             "0 done, 2 usage, 3 file missing, 4 file unreadable, 5 cannot write, 6 bad mesh, 7 bad "
+             "parameter, "
+             "8 bad data, 9 database, 10 newer schema, 11 permission, 12 device, 13 verification failed, "
+             "14 folded, 70 internal error.")
       << "\n.SH SEE ALSO\n"
-      << roff("docs/cli.md of the installed documentation, for the keys of JSON and worked examples.") << "\n";
+      << roff("docs/cli.md of the installed documentation, for the keys of JSON and worked examples.")
+      << "\n";
   return out.str();
 }
 
@@ -153,7 +158,8 @@ std::string bashCompletion(const CLI::App& program) {
     for (const CLI::App* part : partsOf(command)) {
       if (!part->get_name().empty()) {
         here.push_back(part->get_name());
-        paths << (paths.tellp() > 0 ? " | \\\n      " : "      ") << '"' << path << ' ' << part->get_name() << '"';
+        paths << (paths.tellp() > 0 ? " | \\\n      " : "      ") << '"' << path << ' ' << part->get_name()
+              << '"';
       }
     }
     for (const CLI::Option* option : allOptionsOf(command)) {
@@ -167,7 +173,8 @@ std::string bashCompletion(const CLI::App& program) {
     words << "      \"" << path << "\") words=\"" << joinedBy(here, " ") << "\" ;;\n";
   });
   return "# SPDX-License-Identifier: GPL-3.0-or-later\n"
-         "# Bash completion of torsio, made by 'torsio manual completion'. Where nothing fits: names of files.\n"
+         "# Bash completion of torsio, made by 'torsio manual completion'. Where nothing fits: names of "
+         "files.\n"
          "_torsio() {\n"
          "  local path=torsio current=\"${COMP_WORDS[COMP_CWORD]}\" words= i\n"
          "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
@@ -175,8 +182,7 @@ std::string bashCompletion(const CLI::App& program) {
          paths.str() +
          ")\n        path=\"$path ${COMP_WORDS[i]}\" ;;\n    esac\n  done\n"
          "  case \"$path ${COMP_WORDS[COMP_CWORD - 1]}\" in\n" +
-         values.str() +
-         "    *) case \"$path\" in\n" + words.str() +
+         values.str() + "    *) case \"$path\" in\n" + words.str() +
          "    esac ;;\n  esac\n"
          "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
          "}\n"

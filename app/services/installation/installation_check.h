@@ -31,15 +31,15 @@ struct InstallationCheck {
 
 /// What to look at.
 struct Installation {
-  std::string locator{};                 ///< of the record; empty: the one that the window opens
-  std::filesystem::path certificate{};   ///< PEM file of the browser desk; empty: none
-  std::int64_t now_us = 0;               ///< UTC
+  std::string locator{};                ///< of the record; empty: the one that the window opens
+  std::filesystem::path certificate{};  ///< PEM file of the browser desk; empty: none
+  std::int64_t now_us = 0;              ///< UTC
 };
 
-/// Looks at display, graphics, device, real-time rights, memory, disk, clock, record, schema, backups, copies,
-/// keys, certificate and the versions of all stations. Changes nothing; takes at most a few seconds, because
-/// no device is opened and the record is not read through. Never throws for what it finds: a check that
-/// cannot be made says why.
+/// Looks at display, graphics, device, real-time rights, memory, disk, clock, record, schema, backups,
+/// copies, keys, certificate and the versions of all stations. Changes nothing; takes at most a few seconds,
+/// because no device is opened and the record is not read through. Never throws for what it finds: a check
+/// that cannot be made says why.
 [[nodiscard]] std::vector<InstallationCheck> checkInstallation(const Installation& installation);
 
 /// Returns the worst state; kGood without checks. A skipped check is no fault.

@@ -11,7 +11,8 @@ namespace torsio {
 /// Limits of these checks, which docs/server.md states.
 inline constexpr std::int64_t kBackupDue_days = 7;
 inline constexpr std::int64_t kCertificateSoon_days = 30;
-inline constexpr std::int64_t kFleetRemembered_days = 30;  ///< older heartbeats are of stations no longer used
+inline constexpr std::int64_t kFleetRemembered_days =
+    30;  ///< older heartbeats are of stations no longer used
 inline constexpr double kDiskTight_gb = 5.0;
 inline constexpr double kDiskFull_gb = 0.5;
 

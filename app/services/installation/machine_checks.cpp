@@ -40,7 +40,8 @@ bool hasDisplay() {
 
 InstallationCheck displayCheck() {
   return hasDisplay() ? good("display", Text::tr("a display is there"))
-                      : InstallationCheck{"display", CheckState::kSkipped,
+                      : InstallationCheck{"display",
+                                          CheckState::kSkipped,
                                           Text::tr("no display: a server, or a session without a desktop"),
                                           {}};
 }
@@ -86,7 +87,8 @@ InstallationCheck memoryCheck() {
   const std::array<char, 1> page{};
   return LockedMemory(page.data(), page.size()).locked()
              ? good("memory", Text::tr("the system lets the servo keep its memory"))
-             : InstallationCheck{"memory", CheckState::kWarning, refusedToServo(true, false), grantRealTime()};
+             : InstallationCheck{"memory", CheckState::kWarning, refusedToServo(true, false),
+                                 grantRealTime()};
 }
 
 InstallationCheck clockCheck() {
@@ -97,10 +99,11 @@ InstallationCheck clockCheck() {
   }
   return (state.status & STA_UNSYNC) == 0
              ? good("clock", Text::tr("set by a time server"))
-             : InstallationCheck{"clock", CheckState::kWarning,
-                                 Text::tr("not set by a time server: times of runs, marks and audit entries may "
-                                          "be wrong"),
-                                 Text::tr("Turn time synchronisation on: timedatectl set-ntp true")};
+             : InstallationCheck{
+                   "clock", CheckState::kWarning,
+                   Text::tr("not set by a time server: times of runs, marks and audit entries may "
+                            "be wrong"),
+                   Text::tr("Turn time synchronisation on: timedatectl set-ntp true")};
 #else
   return {"clock", CheckState::kSkipped, Text::tr("not looked at on this system"), {}};
 #endif
@@ -119,7 +122,8 @@ InstallationCheck diskCheck(const std::filesystem::path& folder) {
 
 InstallationCheck certificateCheck(const Installation& installation) {
   if (installation.certificate.empty()) {
-    return {"certificate", CheckState::kSkipped, Text::tr("no certificate was named (--certificate FILE)"), {}};
+    return {
+        "certificate", CheckState::kSkipped, Text::tr("no certificate was named (--certificate FILE)"), {}};
   }
   const QList<QSslCertificate> chain =
       QSslCertificate::fromPath(QString::fromStdString(installation.certificate.string()));
@@ -133,10 +137,10 @@ InstallationCheck certificateCheck(const Installation& installation) {
   if (days > kCertificateSoon_days) {
     return good("certificate", Text::tr("valid for another %1 {day|days}", days));
   }
-  return {"certificate", days < 0 ? CheckState::kFailed : CheckState::kWarning,
-          days < 0 ? Text::tr("expired %1 {day|days} ago", -days)
-                   : Text::tr("expires in %1 {day|days}", days),
-          Text::tr("Renew it and start torsio serve again")};
+  return {
+      "certificate", days < 0 ? CheckState::kFailed : CheckState::kWarning,
+      days < 0 ? Text::tr("expired %1 {day|days} ago", -days) : Text::tr("expires in %1 {day|days}", days),
+      Text::tr("Renew it and start torsio serve again")};
 }
 
 InstallationCheck keyCheck(const std::filesystem::path& record) {

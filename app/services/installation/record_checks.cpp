@@ -27,16 +27,18 @@ InstallationCheck trailClockCheck(Connection& connection, std::int64_t now_us) {
   if (newest.empty() || newest.front().atUtc_us <= now_us + kClockSlack_us) {
     return good("trail_clock", Text::tr("no entry of the audit trail is later than this computer's clock"));
   }
-  return {"trail_clock", CheckState::kFailed,
-          Text::tr("the newest entry of the audit trail is %1 {minute|minutes} ahead of this computer's clock",
-                   (newest.front().atUtc_us - now_us) / kMinute_us),
-          Text::tr("Set the clocks of all stations by one time server")};
+  return {
+      "trail_clock", CheckState::kFailed,
+      Text::tr("the newest entry of the audit trail is %1 {minute|minutes} ahead of this computer's clock",
+               (newest.front().atUtc_us - now_us) / kMinute_us),
+      Text::tr("Set the clocks of all stations by one time server")};
 }
 
 InstallationCheck backupCheck(const std::string& locator, const std::vector<ListedCopy>& copies,
                               std::int64_t now_us) {
   if (isOnServer(locator)) {
-    return {"backup", CheckState::kSkipped,
+    return {"backup",
+            CheckState::kSkipped,
             Text::tr("a record on a server is backed up by the server's own tools (pg_dump)"),
             {}};
   }
@@ -64,7 +66,8 @@ InstallationCheck copiesCheck(const std::vector<ListedCopy>& copies, std::int64_
     return good("copies", Text::tr("%1 {copy is|copies are} known, none past its date", copies.size()));
   }
   return {"copies", CheckState::kWarning,
-          Text::tr("%1 of %2 {copy is|copies are} past the date by which it should be deleted", due, copies.size()),
+          Text::tr("%1 of %2 {copy is|copies are} past the date by which it should be deleted", due,
+                   copies.size()),
           Text::tr("torsio db copies lists them; delete those files")};
 }
 

@@ -107,7 +107,8 @@ TEST_F(Doctor, LooksAtTheRestIfThereIsNoRecord) {
 
 TEST_F(Doctor, RefusesARecordOfANewerSchema) {
   centre_.connection().execute(
-      "INSERT INTO schema_migration (version, name, description, checksum, compatible_from, software_version, "
+      "INSERT INTO schema_migration (version, name, description, checksum, compatible_from, "
+      "software_version, "
       "applied_utc_us) VALUES (999, 'future', 'later', 'x', 999, '9', 1)");
   EXPECT_EQ(check("record").state, CheckState::kGood);
   EXPECT_EQ(check("schema").state, CheckState::kFailed);

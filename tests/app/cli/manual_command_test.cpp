@@ -46,7 +46,8 @@ class Manual : public ::testing::Test {
     for (const std::string& word : words) {
       script += "\"" + word + "\" ";
     }
-    script += "); COMP_CWORD=" + std::to_string(words.size() - 1) + "; _torsio; printf '%s\\n' \"${COMPREPLY[@]}\"";
+    script +=
+        "); COMP_CWORD=" + std::to_string(words.size() - 1) + "; _torsio; printf '%s\\n' \"${COMPREPLY[@]}\"";
     std::ofstream(folder_ / "ask") << script;
     const ProgramRun run = runProgram("bash", (folder_ / "ask").string(), folder_);
     EXPECT_EQ(run.err, "");
@@ -83,9 +84,10 @@ TEST_F(Manual, ThePageHasEveryCommandAndOption) {
 
 TEST_F(Manual, ThePageIsSetWithoutAWarning) {
   std::ofstream(folder_ / "torsio.1") << page_;
-  const ProgramRun set = runProgram(
-      "sh", "-c 'command -v groff >/dev/null || exit 77; groff -ww -z -man -Tutf8 " + (folder_ / "torsio.1").string() + "'",
-      folder_);
+  const ProgramRun set = runProgram("sh",
+                                    "-c 'command -v groff >/dev/null || exit 77; groff -ww -z -man -Tutf8 " +
+                                        (folder_ / "torsio.1").string() + "'",
+                                    folder_);
   if (set.code == 77) {
     GTEST_SKIP() << "groff is not installed";
   }

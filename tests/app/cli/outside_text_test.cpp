@@ -21,9 +21,15 @@ namespace {
 using testing::FakeTracker;
 
 const std::vector<std::string>& hostileTexts() {
-  static const std::vector<std::string> kTexts{"\x1b]0;owned\x07",    "\x1b[2J\x1b[31mred", "\xff\xfe\xc3",
-                                               "\xe2\x80\xaegpj.exe", "\xc2\x9b" "31m",      "over\rwritten",
-                                               "\xe2\x81\xa6\x7f\x01", "\xf0\x9f"};
+  static const std::vector<std::string> kTexts{"\x1b]0;owned\x07",
+                                               "\x1b[2J\x1b[31mred",
+                                               "\xff\xfe\xc3",
+                                               "\xe2\x80\xaegpj.exe",
+                                               "\xc2\x9b"
+                                               "31m",
+                                               "over\rwritten",
+                                               "\xe2\x81\xa6\x7f\x01",
+                                               "\xf0\x9f"};
   return kTexts;
 }
 
@@ -71,9 +77,11 @@ TEST_F(OutsideText, NamesOfFilesOptionsCommandsAndWhatTheyHold) {
     expectPlain("agreement --method icc " + table);
     expectPlain("compare-groups " + table);
     expectPlain("standard-setting --method contrasting " + table);
-    const std::string organ = write("o.json", "{\"id\": \"a\", \"title\": \"" + text + "\", \"" + text + "\": 1}");
+    const std::string organ =
+        write("o.json", "{\"id\": \"a\", \"title\": \"" + text + "\", \"" + text + "\": 1}");
     expectPlain("twist --organ " + organ + " --angle 10");
-    const std::string mesh = write("m.obj", "mtllib " + text + "\no " + text + "\nv 0 0 0\nf 1 2 " + text + "\n");
+    const std::string mesh =
+        write("m.obj", "mtllib " + text + "\no " + text + "\nv 0 0 0\nf 1 2 " + text + "\n");
     expectPlain("organ import " + mesh);
   }
 }

@@ -15,12 +15,14 @@ namespace {
 const std::string kOdd = "\xEF\xBF\xBD";
 
 std::string randomBytes(std::mt19937& random) {
-  const char* const parts[] = {"\x1b[31m", "\xff",         "\xc3",         "\xe2\x80\xae", "\xc2\x9b",
-                               "\r",       "\xe2\x81\xa6", "\xf0\x9f\x98", "A",            "\xe4\xb8\xad",
-                               "\n",       "\t",           "\x7f",         "\xed\xa0\x80", "\xf3\xa0\x81\x81"};
+  const char* const parts[] = {
+      "\x1b[31m",        "\xff", "\xc3",         "\xe2\x80\xae", "\xc2\x9b", "\r",   "\xe2\x81\xa6",
+      "\xf0\x9f\x98",    "A",    "\xe4\xb8\xad", "\n",           "\t",       "\x7f", "\xed\xa0\x80",
+      "\xf3\xa0\x81\x81"};
   std::string text;
   for (int i = 0; i < 12; ++i) {
-    text += random() % 3 == 0 ? std::string(1, static_cast<char>(random())) : parts[random() % std::size(parts)];
+    text +=
+        random() % 3 == 0 ? std::string(1, static_cast<char>(random())) : parts[random() % std::size(parts)];
   }
   return text;
 }
@@ -49,7 +51,9 @@ TEST(PlainText, LeavesWhatPeopleWriteAsItIs) {
 
 TEST(PlainText, ReplacesWhatCommandsATerminalTurnsTheTextOrIsNoUtf8) {
   EXPECT_EQ(plainText("\x1b[31mred"), kOdd + "[31mred");
-  EXPECT_EQ(plainText("\xc2\x9b" "31m"), kOdd + "31m");
+  EXPECT_EQ(plainText("\xc2\x9b"
+                      "31m"),
+            kOdd + "31m");
   EXPECT_EQ(plainText("a\rb"), "a" + kOdd + "b");
   EXPECT_EQ(plainText("Tou\xff\xfe"), "Tou" + kOdd + kOdd);
   EXPECT_EQ(plainText("\xe2\x80\xaegpj.exe"), kOdd + "gpj.exe");

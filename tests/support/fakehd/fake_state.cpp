@@ -293,9 +293,11 @@ void openRecord(Fake& f) {
     f.onlyOnce = f.record->process != 0 && *environment("FAKEHD_ONCE") != '\0';
     // The motors of the device go on with what the process before sent.
     f.pushed = f.record->motors_uN > 0;
+    if (!f.pushed) {  // a second hand is not the process that tests look at
+      f.record->process = getpid();
+      f.record->servo = getpid();
+    }
     f.commanded[0] = 1e-6 * static_cast<double>(f.record->motors_uN);
-    f.record->process = getpid();
-    f.record->servo = getpid();
   }
 }
 

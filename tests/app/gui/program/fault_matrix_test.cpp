@@ -125,9 +125,7 @@ class Verdict {
       expect(run_.deviceGone() && gone_ms <= kEnds_ms,
              "the device process was there for " + std::to_string(gone_ms) + " ms");
     }
-    if (course_ != Course::kEnded) {
-      expect(record->motors_uN == 0, "a force stayed at the motors");
-    }
+    expect(record->motors_uN == 0, "a force stayed at the motors");
     expect(record->process == 0 || run_.deviceGone(), "the device process stayed");
     judgeOrder();
   }
