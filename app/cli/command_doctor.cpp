@@ -29,6 +29,7 @@ void print(const std::vector<InstallationCheck>& checks) {
       std::cout << "         " << check.remedy << "\n";
     }
   }
+  std::cout << summaryOf(checks) << "\n";
 }
 
 void runDoctor(DoctorArguments given) {

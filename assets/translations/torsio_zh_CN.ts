@@ -20302,6 +20302,158 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Start Torsio once, or name the record: --database FILE</source>
         <translation>请启动一次 Torsio，或指定记录库：--database FILE</translation>
     </message>
+    <message>
+        <source>the manifest names a file outside the folder</source>
+        <translation>清单列出了文件夹之外的文件</translation>
+    </message>
+    <message>
+        <source>Get the package anew</source>
+        <translation>请重新获取复算包</translation>
+    </message>
+    <message>
+        <source>%1 is not as it was written</source>
+        <translation>%1 与写出时不同</translation>
+    </message>
+    <message>
+        <source>R is not installed</source>
+        <translation>未安装 R</translation>
+    </message>
+    <message>
+        <source>Install it (Debian: apt install r-base-core), then check again</source>
+        <translation>请安装（Debian：apt install r-base-core），然后重新检查</translation>
+    </message>
+    <message>
+        <source>R did not finish</source>
+        <translation>R 没有运行完</translation>
+    </message>
+    <message>
+        <source>Run it in the folder by hand: Rscript analysis.R</source>
+        <translation>请在该文件夹中手动运行：Rscript analysis.R</translation>
+    </message>
+    <message>
+        <source>R computed nothing</source>
+        <translation>R 没有计算出结果</translation>
+    </message>
+    <message>
+        <source>the folder exists already</source>
+        <translation>文件夹已存在</translation>
+    </message>
+    <message>
+        <source>the folder cannot be written</source>
+        <translation>无法写入文件夹</translation>
+    </message>
+    <message>
+        <source>Check the path and its permissions</source>
+        <translation>请检查路径及其权限</translation>
+    </message>
+    <message>
+        <source>no replication package</source>
+        <translation>不是复算包</translation>
+    </message>
+    <message>
+        <source>Name the folder that torsio report replicate --out wrote</source>
+        <translation>请指定 torsio report replicate --out 写出的文件夹</translation>
+    </message>
+    <message>
+        <source>%1 is not among the expected numbers</source>
+        <translation>%1 不在应有的数字之中</translation>
+    </message>
+    <message>
+        <source>%1: %2 expected, R found %3</source>
+        <translation>%1：应为 %2，R 得到 %3</translation>
+    </message>
+    <message>
+        <source>R ends with an error: %1</source>
+        <translation>R 以错误结束：%1</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>记录库</translation>
+    </message>
+    <message>
+        <source>Schema of the record</source>
+        <translation>记录库的结构版本</translation>
+    </message>
+    <message>
+        <source>Times in the audit trail</source>
+        <translation>审计记录中的时间</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>副本</translation>
+    </message>
+    <message>
+        <source>Versions of the stations</source>
+        <translation>各工作站的版本</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>磁盘</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>时钟</translation>
+    </message>
+    <message>
+        <source>Signing key</source>
+        <translation>签名密钥</translation>
+    </message>
+    <message>
+        <source>Witness file</source>
+        <translation>见证文件</translation>
+    </message>
+    <message>
+        <source>Certificate of the browser desk</source>
+        <translation>浏览器工作台的证书</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>实时优先级</translation>
+    </message>
+    <message>
+        <source>Memory of the servo</source>
+        <translation>伺服的内存</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>显示器</translation>
+    </message>
+    <message>
+        <source>Graphics card</source>
+        <translation>显卡</translation>
+    </message>
+    <message>
+        <source>in order</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>could be better</source>
+        <translation>可以改进</translation>
+    </message>
+    <message>
+        <source>does not work</source>
+        <translation>不可用</translation>
+    </message>
+    <message>
+        <source>not looked at</source>
+        <translation>未查看</translation>
+    </message>
+    <message>
+        <source>Everything that was looked at is in order.</source>
+        <translation>查看过的各项均正常。</translation>
+    </message>
+    <message>
+        <source>%1 {does|do} not work, %2 could be better.</source>
+        <translation>%1 项不可用，%2 项可以改进。</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -25324,6 +25476,29 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::InstallationDialog</name>
+    <message>
+        <source>This computer</source>
+        <translation>本计算机</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>怎么办</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::InstrumentOutletDialog</name>
     <message>
         <source>&amp;Offer the instrument of this station (OpenIGTLink)</source>
@@ -26079,6 +26254,14 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Disk in use: %1 %</source>
         <translation>磁盘已用 %1 %</translation>
+    </message>
+    <message>
+        <source>Looking at this computer</source>
+        <translation>正在查看本计算机</translation>
+    </message>
+    <message>
+        <source>Check this c&amp;omputer</source>
+        <translation>检查本计算机(&amp;O)</translation>
     </message>
 </context>
 <context>

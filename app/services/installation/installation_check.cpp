@@ -2,6 +2,7 @@
 #include "app/services/installation/installation_check.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iterator>
 
@@ -13,6 +14,30 @@
 namespace torsio {
 
 namespace {
+
+struct CheckLabel {
+  std::string_view name;
+  Phrase label;
+};
+constexpr auto kLabels = std::to_array<CheckLabel>({
+    {"program", Text::tr("Program")},
+    {"record", Text::tr("Record")},
+    {"schema", Text::tr("Schema of the record")},
+    {"trail_clock", Text::tr("Times in the audit trail")},
+    {"backup", Text::tr("Backup")},
+    {"copies", Text::tr("Copies")},
+    {"fleet", Text::tr("Versions of the stations")},
+    {"disk", Text::tr("Disk")},
+    {"clock", Text::tr("Clock")},
+    {"key", Text::tr("Signing key")},
+    {"witness", Text::tr("Witness file")},
+    {"certificate", Text::tr("Certificate of the browser desk")},
+    {"real_time", Text::tr("Real-time priority")},
+    {"memory", Text::tr("Memory of the servo")},
+    {"device", Text::tr("Haptic device")},
+    {"display", Text::tr("Display")},
+    {"graphics", Text::tr("Graphics card")},
+});
 
 /// Makes a check; what it throws is its finding.
 InstallationCheck made(const char* name, const std::function<InstallationCheck()>& check) {
@@ -48,6 +73,48 @@ std::string_view storedText(CheckState state) noexcept {
       break;
   }
   return "skipped";
+}
+
+Text labelOf(CheckState state) {
+  switch (state) {
+    case CheckState::kGood:
+      return Text::tr("in order");
+    case CheckState::kWarning:
+      return Text::tr("could be better");
+    case CheckState::kFailed:
+      return Text::tr("does not work");
+    case CheckState::kSkipped:
+      break;
+  }
+  return Text::tr("not looked at");
+}
+
+Text labelOf(const InstallationCheck& check) {
+  const auto* label = std::find_if(kLabels.begin(), kLabels.end(),
+                                   [&](const CheckLabel& one) { return one.name == check.name; });
+  return label == kLabels.end() ? Text(check.name) : Text(label->label);
+}
+
+void sortByUrgency(std::vector<InstallationCheck>& checks) {
+  const auto urgency = [](CheckState state) {
+    return state == CheckState::kFailed    ? 0
+           : state == CheckState::kWarning ? 1
+           : state == CheckState::kGood    ? 2
+                                           : 3;
+  };
+  std::stable_sort(checks.begin(), checks.end(),
+                   [&](const auto& a, const auto& b) { return urgency(a.state) < urgency(b.state); });
+}
+
+Text summaryOf(const std::vector<InstallationCheck>& checks) {
+  const auto count = [&](CheckState state) {
+    return std::count_if(checks.begin(), checks.end(),
+                         [state](const InstallationCheck& check) { return check.state == state; });
+  };
+  const auto failed = count(CheckState::kFailed);
+  const auto warned = count(CheckState::kWarning);
+  return failed + warned == 0 ? Text::tr("Everything that was looked at is in order.")
+                              : Text::tr("%1 {does|do} not work, %2 could be better.", failed, warned);
 }
 
 std::vector<InstallationCheck> checkInstallation(const Installation& installation) {

@@ -21,6 +21,9 @@ enum class CheckState : std::uint8_t {
 /// Returns "good", "warning", "failed" or "skipped", as --json prints it.
 [[nodiscard]] std::string_view storedText(CheckState state) noexcept;
 
+/// Returns "in order", "could be better", "does not work" or "not looked at".
+[[nodiscard]] Text labelOf(CheckState state);
+
 /// One line about this installation.
 struct InstallationCheck {
   std::string name{};  ///< for programs: "backup"
@@ -28,6 +31,9 @@ struct InstallationCheck {
   Text finding{};  ///< what was found; without a full stop
   Text remedy{};   ///< what to do; empty if nothing
 };
+
+/// Returns what a check looks at, for people: "Backup".
+[[nodiscard]] Text labelOf(const InstallationCheck& check);
 
 /// What to look at.
 struct Installation {
@@ -41,6 +47,12 @@ struct Installation {
 /// because no device is opened and the record is not read through. Never throws for what it finds: a check
 /// that cannot be made says why.
 [[nodiscard]] std::vector<InstallationCheck> checkInstallation(const Installation& installation);
+
+/// Puts what does not work first, then what could be better; equals keep their order.
+void sortByUrgency(std::vector<InstallationCheck>& checks);
+
+/// Returns one sentence on how many need attention.
+[[nodiscard]] Text summaryOf(const std::vector<InstallationCheck>& checks);
 
 /// Returns the worst state; kGood without checks. A skipped check is no fault.
 [[nodiscard]] CheckState worstOf(const std::vector<InstallationCheck>& checks) noexcept;

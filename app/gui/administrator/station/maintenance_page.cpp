@@ -16,6 +16,7 @@
 
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/administrator/base/question_dialog.h"
+#include "app/gui/administrator/station/installation_dialog.h"
 #include "app/gui/administrator/station/retention_queue.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
@@ -46,6 +47,7 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
       disk_(ranged(new QProgressBar(this), 0, kDiskParts)),
       diskText_(named(sentence(this), "diskText")),
       checkButton_(new QPushButton(this)),
+      computerButton_(named(new QPushButton(this), "checkComputer")),
       backup_(new Card(QString(), this)),
       backupText_(named(sentence(this, false), "backupText")),
       backupButton_(primaryButton(this)),
@@ -63,6 +65,7 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
   column->addWidget(cards());
   column->addWidget(queue_, 1);
   connect(checkButton_, &QPushButton::clicked, this, &MaintenancePage::checkRecord);
+  connect(computerButton_, &QPushButton::clicked, this, &MaintenancePage::checkComputer);
   connect(backupButton_, &QPushButton::clicked, this, &MaintenancePage::askBackUp);
   connect(testButton_, &QPushButton::clicked, this, &MaintenancePage::askTest);
   connect(removeButton_, &QPushButton::clicked, this, &MaintenancePage::askRemoveDemonstration);
@@ -92,7 +95,7 @@ QWidget* MaintenancePage::cards() {
     card->content()->addLayout(row);
   };
   fill(backup_, {backupText_}, {backupButton_, testButton_});
-  fill(record_, {recordText_, diskText_, disk_}, {checkButton_});
+  fill(record_, {recordText_, diskText_, disk_}, {checkButton_, computerButton_});
   fill(simulated_, {simulatedText_}, {removeButton_});
   fill(move_, {moveText_}, {restoreButton_, moveButton_});
   int place = 0;
@@ -169,6 +172,7 @@ void MaintenancePage::showButtons() {
   backupButton_->setEnabled(file && shell().may(Operation::kDatabaseBackup));
   testButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
   checkButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
+  computerButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
   removeButton_->setEnabled(demonstration_.people > 0 && shell().may(Operation::kPersonErase));
   restoreButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
   moveButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
@@ -230,6 +234,19 @@ void MaintenancePage::checkRecord() {
       });
 }
 
+void MaintenancePage::checkComputer() {
+  shell().run(
+      this, tr("Looking at this computer"),
+      [](SessionContext& session, const ProgressCallback&) {
+        return checkInstallation({.locator = session.key().locator, .now_us = session.now_us()});
+      },
+      [this](std::vector<InstallationCheck> checks) {
+        auto* dialog = new InstallationDialog(std::move(checks), this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+      });
+}
+
 bool MaintenancePage::removeDemonstration(const std::string& reason) {
   return attempt(shell(), [&] {
     const DemonstrationSize gone = removeDemonstrationData(shell().session(), reason);
@@ -274,6 +291,7 @@ void MaintenancePage::retranslate() {
   testButton_->setText(tr("&Test a backup\u2026"));
   record_->setTitle(tr("This record"));
   checkButton_->setText(tr("&Check the database"));
+  computerButton_->setText(tr("Check this c&omputer"));
   simulated_->setTitle(tr("Demonstration"));
   removeButton_->setText(tr("Re&move\u2026"));
   move_->setTitle(tr("Restore or move"));

@@ -33,6 +33,7 @@ class MaintenancePage : public Page {
   void backUp(const std::filesystem::path& file);
   void testBackup(const std::filesystem::path& file);
   void checkRecord();
+  void checkComputer();
   bool removeDemonstration(const std::string& reason);
 
  private:
@@ -52,6 +53,7 @@ class MaintenancePage : public Page {
   QProgressBar* disk_;
   QLabel* diskText_;
   QPushButton* checkButton_;
+  QPushButton* computerButton_;
   Card* backup_;
   QLabel* backupText_;
   QPushButton* backupButton_;

@@ -280,6 +280,22 @@ TEST(MaintenancePage, MakesABackupTestsItAndChecksTheRecord) {
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 
+TEST(MaintenancePage, ShowsWhatThisComputerLacksTheWorstFirst) {
+  AdministratorDesk office;
+  auto page = office.open<MaintenancePage>("administrator");
+
+  child<QPushButton>(*page, "checkComputer").click();
+  office.shell().waitForJobs();
+
+  auto& dialog = child<QDialog>(*page, "installation");
+  EXPECT_TRUE(dialog.isVisible());
+  const QStringList lines = child<DataTable>(dialog, "checks").asText().split(QLatin1Char('\n'));
+  ASSERT_GT(lines.size(), 15);
+  EXPECT_TRUE(lines[1].startsWith(QStringLiteral("does not work\tBackup\tno backup is known\tMake one")))
+      << lines[1].toStdString();
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
 TEST(UsersPage, CreatesAccountsForTheWholeRosterAndShowsTheirPasswordsOnce) {
   AdministratorDesk office;
   office.centre.addTrainees(3);
