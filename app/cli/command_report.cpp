@@ -14,6 +14,7 @@
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "app/outputs/report/cell_trace.h"
+#include "app/outputs/report/replication.h"
 #include "app/outputs/report/report_export.h"
 #include "app/outputs/report/report_names.h"
 #include "app/outputs/wording/wording.h"
@@ -107,16 +108,19 @@ void writeCohort(const CohortArguments& given) {
   }
 }
 
+void addReportNames(CLI::App& command, ReportNames& names) {
+  command.add_option("--cohort", names.cohort, "Name of the cohort; default: the oldest");
+  command.add_option("--evaluation", names.campaign,
+                     "Name of the evaluation of models; default: the oldest with marks");
+  command.add_option("--frozen", names.frozen, "Name of a frozen data set; default: current data");
+}
+
 void addCohort(CLI::App& report) {
   auto arguments = std::make_shared<CohortArguments>();
   CLI::App* command = report.add_subcommand("cohort", "Writes the report of a cohort");
   addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
       ->capture_default_str();
-  command->add_option("--cohort", arguments->names.cohort, "Name of the cohort; default: the oldest");
-  command->add_option("--evaluation", arguments->names.campaign,
-                      "Name of the evaluation of models; default: the oldest with marks");
-  command->add_option("--frozen", arguments->names.frozen,
-                      "Name of a frozen data set; default: current data");
+  addReportNames(*command, arguments->names);
   command->add_option("--out", arguments->out, "PDF to write")->required();
   command->add_option("--csv", arguments->csv, "Also write the table of numbers to this file");
   addDefaulted(*command, "--language", arguments->language, "Language of the PDF; the table stays English",
@@ -128,6 +132,63 @@ void addCohort(CLI::App& report) {
   addSignIn(*command, arguments->maintenance, "--login");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { writeCohort(*arguments); });
+}
+
+void replicate(const CohortArguments& given) {
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
+  const ReportRequest request = reportNamed(desk.session(), given.names);
+  TrialDigests digests(assetsFolder());
+  const ReplicationPackage package = writeReplication(
+      desk.session(), request, reportInputs(desk.session(), request, digests, {}), given.out);
+  if (given.json) {
+    printJson({{"folder", package.folder.string()}, {"files", package.files}, {"hash", package.contentHash}});
+    return;
+  }
+  std::cout << package.folder.string() << ": " << package.files.size()
+            << " files; Rscript analysis.R in it computes the numbers again\n";
+}
+
+void checkPackage(const CohortArguments& given, const std::string& folder) {
+  const ReplicationCheck check = checkReplication(folder);
+  if (given.json) {
+    nlohmann::ordered_json differences = nlohmann::ordered_json::array();
+    for (const Text& difference : check.differences) {
+      differences.push_back(difference.str());
+    }
+    printJson({{"same", check.same()}, {"recomputed", check.recomputed}, {"differences", differences}});
+  } else {
+    std::cout << check.recomputed << " numbers computed by R\n";
+    for (const Text& difference : check.differences) {
+      std::cout << difference << "\n";
+    }
+  }
+  if (!check.same()) {
+    throw Error(ErrorCode::kVerifyFailed,
+                Text::verbatim("the package does not give the numbers of its report"), folder,
+                Text::verbatim("Get it anew from whoever wrote it, or write it again"));
+  }
+}
+
+void addReplicate(CLI::App& report) {
+  auto arguments = std::make_shared<CohortArguments>();
+  auto folder = std::make_shared<std::string>();
+  CLI::App* command =
+      report.add_subcommand("replicate", "Writes or checks a folder that computes the numbers again in R");
+  addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
+      ->capture_default_str();
+  addReportNames(*command, arguments->names);
+  CLI::Option* out = command->add_option("--out", arguments->out, "New folder to write");
+  command
+      ->add_option("--check", *folder, "Folder to check: hashes, R, number by number; code 13 if it differs")
+      ->excludes(out);
+  addSignIn(*command, arguments->maintenance, "--login");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->callback([arguments, folder] {
+    if (arguments->out.empty() == folder->empty()) {
+      refuseUsage("neither --out nor --check", "report replicate", "Give one of them");
+    }
+    folder->empty() ? replicate(*arguments) : checkPackage(*arguments, *folder);
+  });
 }
 
 struct FreezeArguments {
@@ -239,6 +300,7 @@ void addReport(CLI::App& program) {
   CLI::App* report = program.add_subcommand("report", "The cohort report");
   report->require_subcommand(1);
   addCohort(*report);
+  addReplicate(*report);
   addFreeze(*report);
   addStatement(*report);
   CLI::App* command = report->add_subcommand(

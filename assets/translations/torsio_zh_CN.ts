@@ -20355,10 +20355,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请指定 torsio report replicate --out 写出的文件夹</translation>
     </message>
     <message>
-        <source>%1 is not among the expected numbers</source>
-        <translation>%1 不在应有的数字之中</translation>
-    </message>
-    <message>
         <source>%1: %2 expected, R found %3</source>
         <translation>%1：应为 %2，R 得到 %3</translation>
     </message>

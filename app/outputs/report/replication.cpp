@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/outputs/report/replication.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <nlohmann/json.hpp>
+
+#include "app/services/base/assets.h"
+#include "app/services/base/build_info.h"
+#include "app/services/base/csv_table.h"
+#include "assessment/results/analysed_cohort.h"
+#include "assessment/results/cohort_csv.h"
+#include "assessment/results/record_sentences.h"
+#include "db/connection/connection.h"
+#include "sim/core/csv_cell.h"
+#include "sim/core/digest.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+
+namespace torsio {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScript = "analysis.R";
+constexpr const char* kExpected = "expected.csv";
+constexpr const char* kRecomputed = "recomputed.csv";
+constexpr const char* kManifest = "manifest.csv";
+constexpr int kPatience_ms = 600'000;
+constexpr std::size_t kShownDifferences = 20;
+constexpr std::string_view kAgrees = "TRUE";  // as R writes it
+
+/// Files that the script reads. What is not in one of them is computed.
+enum class Part { kMarks, kEvaluationMarks, kMeasures, kGiven, kComputed };
+
+/// Statistics by section that are facts of the plan, of people or of the record, not computed from marks and
+/// measures.
+using StatisticsOfSections = std::map<std::string_view, std::set<std::string_view>>;
+const StatisticsOfSections kGiven = {
+    {"evaluation", {"index_weight", "class_weight"}},
+    {"training", {"sheets_asked", "sheets_present"}},
+    {"comparison", {"planned_analysis", "equivalence_margin"}},
+    {"competence", {"level", "failed", "able", "able_at_attempt", "planned_attempts", "design_version"}},
+    {"participants",
+     {"withdrew", "deviations", "deviations_by_kind", "seed", "not_allocated", "moved_by_hand",
+      "allocated_before_commitment", "enrolled_before_commitment", "by_sex", "by_level", "runs",
+      "runs_interrupted", "planned_virtual_min", "planned_real_min", "noted_virtual_min", "noted_real_min",
+      "noted_rest_min"}},
+    {"record",
+     {"blake2b", "samples", "late_ticks", "force_cuts", "runs_with_force_cuts", "runs_without_hash",
+      "scale_lowest", "scale_highest", "given_in_all", "given_blinded", "given_live",
+      "entered_without_sheet", "not_assessable", "signed", "not_signed", "models_hidden",
+      "raters_who_are_trainees", "head", "file_blake2b"}},
+};
+constexpr std::string_view kDeviations = "deviation";  // a section of notes
+
+Part partOf(const CohortCsvRow& row) {
+  if (row.section == "training" && row.statistic == "rater_mark") {
+    return Part::kMarks;
+  }
+  if (row.section == "evaluation" && row.statistic == "mark") {
+    return Part::kEvaluationMarks;
+  }
+  if (row.section == "trial" && row.item != "all") {
+    return Part::kMeasures;
+  }
+  const auto section = kGiven.find(row.section);
+  const bool given = row.section == kDeviations ||
+                     (section != kGiven.end() && section->second.contains(row.statistic));
+  return given ? Part::kGiven : Part::kComputed;
+}
+
+struct Codeword {
+  const char* file;
+  const char* column;
+  const char* meaning;
+};
+constexpr auto kCodebook = std::to_array<Codeword>({
+    {"marks.csv", "trainee", "code of the trainee"},
+    {"marks.csv", "group", "group as allocated"},
+    {"marks.csv", "rater", "code of the physician"},
+    {"marks.csv", "occasion", "when the trainee was marked; rows are in order of time"},
+    {"marks.csv", "mark", "points on the scale of the study; a missing mark has no row"},
+    {"evaluation_marks.csv", "rater", "code of the rater"},
+    {"evaluation_marks.csv", "class", "class of the rater, whose weight is in given.csv"},
+    {"evaluation_marks.csv", "model", "tissue model"},
+    {"evaluation_marks.csv", "index", "one of the nine indices"},
+    {"evaluation_marks.csv", "mark", "points"},
+    {"measures.csv", "statistic", "measure of a run; its unit is the end of its name (deg, Nm, N)"},
+    {"measures.csv", "number", "of a twist in the run, from 1"},
+    {"measures.csv", "when", "phase of the curriculum"},
+    {"measures.csv", "value", "computed by Torsio from the recording whose content_hash stands beside it"},
+    {"given.csv", "statistic", "facts of plan and record that are not computed"},
+    {"expected.csv", "value", "every number of report and annex, as Torsio computed it"},
+    {"expected.csv", "n", "values used"},
+    {"recomputed.csv", "agrees", "whether R found the same within 1e-9"},
+});
+
+std::string readme(const CohortInputs& inputs) {
+  std::string text =
+      "How to compute the numbers of this study again\n\n"
+      "  Rscript analysis.R\n\n"
+      "in this folder, with R alone (Debian: r-base-core). The script reads marks.csv, evaluation_marks.csv,\n"
+      "measures.csv and given.csv, computes what follows from them, writes recomputed.csv and compares it\n"
+      "with expected.csv, which holds every number of the report. It ends with an error if one differs by\n"
+      "more than 1e-9. codebook.csv explains the columns. manifest.csv holds the BLAKE2b-256 hash of each\n"
+      "file; torsio report replicate --check FOLDER compares them and runs the script.\n\n"
+      "Measures of runs (measures.csv) come from recordings, which are not in this folder. The hash of each\n"
+      "recording stands beside its measures.\n\n"
+      "Written by Torsio " +
+      softwareVersion() + ".\n";
+  for (const Text& sentence : originSentences(inputs)) {
+    text += sentence.str() + "\n";
+  }
+  return text;
+}
+
+std::map<std::string, std::string> contentsOf(const CohortInputs& inputs) {
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(analysedCohort(inputs).ledger);
+  std::map<std::string, std::string> files;
+  std::string& marks = files["marks.csv"] = csvLine({"trainee", "group", "rater", "occasion", "mark"});
+  std::string& evaluation = files["evaluation_marks.csv"] = csvLine({"rater", "class", "model", "index", "mark"});
+  std::string& measures = files["measures.csv"] =
+      csvLine({"trainee", "group", "model", "number", "when", "statistic", "value"});
+  std::string& given = files["given.csv"] =
+      csvLine({"section", "item", "group", "model", "index", "occasion", "statistic", "value"});
+  for (const CohortCsvRow& row : rows) {
+    switch (partOf(row)) {
+      case Part::kMarks:
+        marks += csvLine({row.item, row.group, row.index, row.occasion, row.value});
+        break;
+      case Part::kEvaluationMarks:
+        evaluation += csvLine({row.item, row.group, row.model, row.index, row.value});
+        break;
+      case Part::kMeasures:
+        measures += csvLine({row.item, row.group, row.model, row.index, row.occasion, row.statistic, row.value});
+        break;
+      case Part::kGiven:
+        given += csvLine({row.section, row.item, row.group, row.model, row.index, row.occasion, row.statistic,
+                       row.value});
+        break;
+      case Part::kComputed:
+        break;
+    }
+  }
+  files[kExpected] = cohortCsvText(rows);
+  files["codebook.csv"] = csvLine({"file", "column", "meaning"});
+  for (const Codeword& word : kCodebook) {
+    files["codebook.csv"] += csvLine({word.file, word.column, word.meaning});
+  }
+  files["README.txt"] = readme(inputs);
+  files[kScript] = readFile(assetsFolder() / "replication" / kScript);
+  return files;
+}
+
+std::string hashOf(const std::string& content) {
+  Digest digest;
+  digest.update(content);
+  return digest.hex();
+}
+
+/// Adds the files that are not as the manifest says.
+void compareFiles(const fs::path& folder, ReplicationCheck& check) {
+  const CsvTable manifest = CsvTable::read(folder / kManifest, {"file", "blake2b"});
+  for (std::size_t r = 0; r < manifest.rows(); ++r) {
+    const std::string& name = manifest.text(r, "file");
+    if (fs::path(name).filename() != name) {
+      refuse(Text::tr("the manifest names a file outside the folder"), name, Text::tr("Get the package anew"));
+    }
+    if (!fs::exists(folder / name)) {
+      check.differences.push_back(Text::tr("%1 is missing", name));
+    } else if (hashOf(readFile(folder / name)) != manifest.cell(r, "blake2b")) {
+      check.differences.push_back(Text::tr("%1 is not as it was written", name));
+    }
+  }
+}
+
+/// Adds the numbers that R found to differ, and counts all.
+void compareNumbers(const fs::path& recomputed, ReplicationCheck& check) {
+  const CsvTable table =
+      CsvTable::read(recomputed, {"section", "item", "group", "model", "index", "occasion", "statistic", "value",
+                                  "expected", "agrees"});
+  check.recomputed = static_cast<std::int64_t>(table.rows());
+  for (std::size_t r = 0; r < table.rows() && check.differences.size() < kShownDifferences; ++r) {
+    if (table.cell(r, "agrees") == kAgrees) {
+      continue;
+    }
+    std::string key;
+    for (const char* column : {"section", "item", "group", "model", "index", "occasion", "statistic"}) {
+      key += (key.empty() ? "" : ",") + csvCell(table.cell(r, column));
+    }
+    check.differences.push_back(Text::tr("%1: %2 expected, R found %3", key, table.cell(r, "expected"),
+                                         table.cell(r, "value")));
+  }
+}
+
+/// Runs the script in `folder`; returns its last words if it ends with an error, else nothing.
+std::string complaintOfScript(const fs::path& folder) {
+  const QString program = QStandardPaths::findExecutable(QStringLiteral("Rscript"));
+  if (program.isEmpty()) {
+    throw Error(ErrorCode::kFileMissing, Text::tr("R is not installed"), std::string("Rscript"),
+                Text::tr("Install it (Debian: apt install r-base-core), then check again"));
+  }
+  QProcess process;
+  process.setWorkingDirectory(QString::fromStdString(folder.string()));
+  process.setProcessChannelMode(QProcess::MergedChannels);
+  process.start(program, {QStringLiteral("--vanilla"), QString::fromLatin1(kScript)});
+  if (!process.waitForFinished(kPatience_ms)) {
+    process.kill();
+    process.waitForFinished();
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("R did not finish"), std::string(kScript),
+                Text::tr("Run it in the folder by hand: Rscript analysis.R"));
+  }
+  const std::string said = process.readAll().right(400).trimmed().toStdString();
+  if (!fs::exists(folder / kRecomputed)) {
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("R computed nothing"), said,
+                Text::tr("Run it in the folder by hand: Rscript analysis.R"));
+  }
+  return process.exitCode() == 0 ? std::string() : said;
+}
+
+}  // namespace
+
+ReplicationPackage writeReplication(SessionContext& session, const ReportRequest& request,
+                                    const CohortInputs& inputs, const fs::path& folder) {
+  session.require(Operation::kReportExportCoded);
+  if (!inputs.singleMarks) {
+    refuseParameter(Text::tr("single marks may not be seen yet"), std::string("replicate"),
+                    Text::tr("Freeze the data when every sheet is in, or export as the owner of the file"));
+  }
+  if (fs::exists(folder)) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("the folder exists already"), folder.string(),
+                Text::tr("Name a new folder"));
+  }
+  ReplicationPackage package{folder, {}, {}};
+  const fs::path parent = fs::absolute(folder).parent_path();
+  QTemporaryDir making(QString::fromStdString((parent / ".torsio-replication-XXXXXX").string()));
+  if (!making.isValid()) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("the folder cannot be written"), parent.string(),
+                Text::tr("Check the path and its permissions"));
+  }
+  const fs::path made = making.path().toStdString();
+  std::string manifest = csvLine({"file", "blake2b"});
+  for (const auto& [name, content] : contentsOf(inputs)) {
+    writeFileAtomically(made / name, content);
+    manifest += csvLine({name, hashOf(content)});
+    package.files.push_back(name);
+  }
+  writeFileAtomically(made / kManifest, manifest);
+  package.files.emplace_back(kManifest);
+  package.contentHash = hashOf(manifest);
+  fs::rename(made, folder);
+  making.setAutoRemove(false);
+  const nlohmann::ordered_json what = {{"format", "replication"},
+                                       {"identity", "coded"},
+                                       {"campaign", request.campaignId},
+                                       {"frozen", request.frozenId},
+                                       {"trainees", inputs.trainees.size()},
+                                       {"hash", package.contentHash}};
+  Transaction transaction(session.connection());
+  session.note({.action = AuditAction::kReportExportCoded,
+                .objectKind = AuditObject::kCohort,
+                .objectId = request.cohortId.text(),
+                .newJson = what.dump()});
+  transaction.commit();
+  return package;
+}
+
+ReplicationCheck checkReplication(const fs::path& folder) {
+  if (!fs::exists(folder / kManifest) || !fs::exists(folder / kScript)) {
+    throw Error(ErrorCode::kFileMissing, Text::tr("no replication package"), folder.string(),
+                Text::tr("Name the folder that torsio report replicate --out wrote"));
+  }
+  ReplicationCheck check;
+  compareFiles(folder, check);
+  QTemporaryDir copy;
+  const fs::path place = copy.path().toStdString();
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && entry.path().filename() != kRecomputed) {
+      fs::copy_file(entry.path(), place / entry.path().filename());
+    }
+  }
+  const std::string complaint = complaintOfScript(place);
+  compareNumbers(place / kRecomputed, check);
+  if (check.same() && !complaint.empty()) {
+    check.differences.push_back(Text::tr("R ends with an error: %1", complaint));
+  }
+  return check;
+}
+
+}  // namespace torsio

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study's numbers are computed again in R, from a folder that Torsio wrote.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/outputs/report/replication.h"
+#include "assessment/results/cohort_report.h"
+#include "sim/core/error.h"
+#include "sim/core/file_io.h"
+#include "tests/app/outputs/dataset/foreign_readers.h"
+#include "tests/app/support/study_centre.h"
+#include "tests/support/demonstration_cohort.h"
+#include "tests/support/refusal.h"
+
+namespace torsio {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::hasProgram;
+using testing::OwnFolder;
+using testing::refusalCode;
+using testing::StudyCentre;
+
+class Replication : public ::testing::Test {
+ protected:
+  ReplicationPackage write(const CohortInputs& inputs) {
+    return writeReplication(centre_.as("administrator"), {.cohortId = cohort_}, inputs, folder_);
+  }
+  void change(const char* file, const std::string& from, const std::string& to) {
+    std::string text = readFile(folder_ / file);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    writeFileAtomically(folder_ / file, text.replace(at, from.size(), to));
+  }
+
+  StudyCentre centre_;
+  CohortId cohort_ = centre_.addStudy(2, 2).cohortId;
+  OwnFolder place_;
+  std::filesystem::path folder_ = place_.path() / "package";
+};
+
+TEST_F(Replication, ContainsMarksMeasuresScriptAndHashesOfAllFiles) {
+  const ReplicationPackage package = write(testing::demonstrationCohort());
+  EXPECT_THAT(package.files, ::testing::IsSupersetOf({"marks.csv", "evaluation_marks.csv", "measures.csv",
+                                                      "given.csv", "expected.csv", "analysis.R", "codebook.csv",
+                                                      "README.txt", "manifest.csv"}));
+  const std::string marks = readFile(folder_ / "marks.csv");
+  EXPECT_EQ(std::count(marks.begin(), marks.end(), '\n'), 901);
+  EXPECT_THAT(readFile(folder_ / "README.txt"), HasSubstr("Simulated"));
+  EXPECT_EQ(centre_.audited("report.export_coded"), 1);
+  EXPECT_EQ(refusalCode([&] { write(testing::demonstrationCohort()); }), ErrorCode::kFileUnwritable);
+}
+
+TEST_F(Replication, IsRefusedWhileSingleMarksMayNotBeSeen) {
+  CohortInputs inputs = testing::demonstrationCohort();
+  inputs.singleMarks = false;
+  EXPECT_EQ(refusalCode([&] { write(inputs); }), ErrorCode::kBadParameter);
+  EXPECT_FALSE(std::filesystem::exists(folder_));
+  EXPECT_EQ(refusalCode([&] { (void)checkReplication(place_.path()); }), ErrorCode::kFileMissing);
+}
+
+TEST_F(Replication, RFindsTheSameNumbersAndAChangedMarkIsFound) {
+  if (!hasProgram("Rscript")) {
+    GTEST_SKIP() << "R is not installed";
+  }
+  write(testing::demonstrationCohort());
+  const ReplicationCheck sound = checkReplication(folder_);
+  EXPECT_TRUE(sound.same()) << sound.differences.front().str();
+  EXPECT_GT(sound.recomputed, 1'000);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "recomputed.csv")) << "it changes nothing";
+
+  std::string text = readFile(folder_ / "marks.csv");
+  const std::size_t last = text.find_last_of("0123456789");
+  text[last] = text[last] == '5' ? '4' : '5';
+  writeFileAtomically(folder_ / "marks.csv", text);
+  const ReplicationCheck changed = checkReplication(folder_);
+  ASSERT_GT(changed.differences.size(), 3U);
+  EXPECT_THAT(changed.differences.front().str(), HasSubstr("marks.csv is not as it was written"));
+  EXPECT_THAT(changed.differences.back().str(), HasSubstr("expected, R found"));
+}
+
+TEST_F(Replication, FindsAMissingFile) {
+  if (!hasProgram("Rscript")) {
+    GTEST_SKIP() << "R is not installed";
+  }
+  write(testing::demonstrationCohort());
+  std::filesystem::remove(folder_ / "codebook.csv");
+  const ReplicationCheck check = checkReplication(folder_);
+  ASSERT_EQ(check.differences.size(), 1U);
+  EXPECT_EQ(check.differences.front().str(), "codebook.csv is missing");
+}
+
+TEST_F(Replication, AManifestCannotNameFilesElsewhere) {
+  write(testing::demonstrationCohort());
+  change("manifest.csv", "codebook.csv", "../codebook.csv");
+  EXPECT_EQ(refusalCode([&] { (void)checkReplication(folder_); }), ErrorCode::kBadData);
+}
+
+}  // namespace
+}  // namespace torsio
