@@ -260,6 +260,9 @@ class Postgres:
     def down(self):
         self.order("down")
 
+    def crash(self):
+        self.order("crash")
+
     def up(self):
         self.order("up")
 

@@ -4,7 +4,7 @@
 #
 #   export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)   prints its address
 #   tests/support/start-postgres.sh stop                                   stops the server of TORSIO_TEST_POSTGRES
-#   tests/support/start-postgres.sh down | up                              the same server goes away, and comes back
+#   tests/support/start-postgres.sh down | crash | up                      the same server goes away, and comes back
 #
 # PostgreSQL refuses to run as root: as root, starts it as the user postgres (created by Debian's package) or nobody.
 # Its data are disposable, so it does not wait for the disk. Its certificate is for "localhost" only, not for addresses,
@@ -96,6 +96,8 @@ stop() {
 
 down() { control "$(cluster_of_the_address)" -m fast stop; }
 
+crash() { control "$(cluster_of_the_address)" -m immediate stop; }
+
 up() {
   local folder
   folder=$(cluster_of_the_address)
@@ -104,6 +106,6 @@ up() {
 
 case "${1:-}" in
   start) start ;;
-  stop | down | up) "$1" ;;
-  *) fail "say start, stop, down or up" ;;
+  stop | down | crash | up) "$1" ;;
+  *) fail "say start, stop, down, crash or up" ;;
 esac
