@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 #include "app/services/access/database_away.h"
+#include "app/services/access/station_name.h"
 #include "db/connection/probe.h"
 #include "sim/core/error.h"
 
@@ -19,8 +21,8 @@ constexpr std::size_t kMaxWaiting = 1000;  // a second or two of work for all th
 }  // namespace
 
 DeskWorkers::DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost,
-                         RecordState& record)
-    : record_(record) {
+                         RecordState& record, Next next)
+    : record_(record), next_(next) {
   for (std::size_t i = 0; i < count; ++i) {
     threads_.emplace_back([this, locator, passwordCost] { serve(locator, passwordCost); });
     std::unique_lock lock(mutex_);
@@ -52,18 +54,45 @@ DeskWorkers::~DeskWorkers() {
   }
 }
 
-bool DeskWorkers::take(Work work, int rank) {
+bool DeskWorkers::take(Work work, int rank, std::function<void()> givenUp) {
+  std::function<void()> last;
   {
     const std::lock_guard lock(mutex_);
-    if (ending_ || waiting_.size() >= kMaxWaiting) {
+    if (ending_) {
       return false;
+    }
+    if (waiting_.size() >= kMaxWaiting) {
+      if (waiting_.back().rank <= rank || !waiting_.back().givenUp) {
+        return false;
+      }
+      last = std::move(waiting_.back().givenUp);
+      waiting_.pop_back();
     }
     const auto behind = std::find_if(waiting_.begin(), waiting_.end(),
                                      [rank](const Waiting& one) { return one.rank > rank; });
-    waiting_.insert(behind, {std::move(work), rank});
+    waiting_.insert(behind, {std::move(work), rank, std::move(givenUp)});
   }
   changed_.notify_all();
+  if (last) {
+    last();
+  }
   return true;
+}
+
+DeskWorkers::Work DeskWorkers::popNext() {
+  auto at = waiting_.begin();
+  if (next_ == Next::kOldestAndNewest) {
+    if (newest_) {
+      const auto behind = std::find_if(waiting_.begin(), waiting_.end(), [this](const Waiting& one) {
+        return one.rank > waiting_.front().rank;
+      });
+      at = std::prev(behind);
+    }
+    newest_ = !newest_;
+  }
+  Work work = std::move(at->work);
+  waiting_.erase(at);
+  return work;
 }
 
 bool DeskWorkers::isIdle() {
@@ -107,8 +136,7 @@ void DeskWorkers::serve(const std::string& locator, PasswordCost passwordCost) {
       if (ending_) {
         return;
       }
-      const Work work = std::move(waiting_.front().work);
-      waiting_.pop_front();
+      const Work work = popNext();
       ++busy_;
       lock.unlock();
       work(reach(session) ? &session : nullptr);

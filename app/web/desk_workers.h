@@ -24,16 +24,23 @@ class DeskWorkers {
   /// Null: the record cannot be reached.
   using Work = std::function<void(SessionContext*)>;
 
+  /// Which of several works of one rank is next.
+  enum class Next {
+    kOldest,
+    kOldestAndNewest,  ///< by turns: somebody new waits for two works at most, and nobody waits for ever
+  };
   /// Opens `count` connections to the record. `record` outlives the threads. Throws Error, DbError.
-  DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost, RecordState& record);
+  DeskWorkers(const std::string& locator, std::size_t count, PasswordCost passwordCost, RecordState& record,
+              Next next = Next::kOldest);
   /// Finishes running work and drops queued work.
   ~DeskWorkers();
   DeskWorkers(const DeskWorkers&) = delete;
   DeskWorkers& operator=(const DeskWorkers&) = delete;
 
-  /// Queues work, behind other work of the same or a lower `rank`; false: the queue is full. `work` must not
-  /// throw; it starts with nobody signed in.
-  [[nodiscard]] bool take(Work work, int rank = 0);
+  /// Queues work, behind other work of the same or a lower `rank`; false: the queue is full of such work. Of
+  /// a full queue, the last work of a higher rank is given up instead: its `givenUp` is called. Neither may
+  /// throw. `work` starts with nobody signed in.
+  [[nodiscard]] bool take(Work work, int rank = 0, std::function<void()> givenUp = {});
   /// True if nothing is running or queued.
   [[nodiscard]] bool isIdle();
 
@@ -47,8 +54,13 @@ class DeskWorkers {
   struct Waiting {
     Work work;
     int rank;
+    std::function<void()> givenUp;
   };
-  std::deque<Waiting> waiting_;
+  /// Takes the work that is next out of the queue. Call with the mutex held, and not for an empty queue.
+  [[nodiscard]] Work popNext();
+  std::deque<Waiting> waiting_;  // by rank, then by arrival
+  Next next_;
+  bool newest_ = true;  // the next work is the newest of its rank
   std::size_t open_ = 0;
   std::size_t busy_ = 0;
   std::exception_ptr failure_;

@@ -15,6 +15,7 @@
 #include "app/services/access/invitations.h"
 #include "app/services/access/qr_code.h"
 #include "app/services/access/two_people.h"
+#include "app/services/people/waiting_requests.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "sim/core/error.h"
@@ -98,13 +99,37 @@ std::string deskAddress(const Call& call) {
   return set.empty() ? call.desk.addressFor(call.request) : set;
 }
 
+/// Tells the other administrators by mail of the invitations that they have to confirm, if requested. Returns
+/// why that failed; empty: it succeeded; null: nothing to tell.
+json toldOthers(Call& call, const std::vector<HandedInvitation>& handed, const std::string& centre) {
+  const auto asked = static_cast<std::size_t>(std::count_if(
+      handed.begin(), handed.end(), [](const HandedInvitation& one) { return !one.code.empty(); }));
+  if (asked == 0 || !call.body.has("mail_password") || !canMailAdministrators(call.context)) {
+    return nullptr;
+  }
+  try {
+    const std::vector<Text> refusals =
+        mailAdministrators(call.context, call.body.textOrNone("mail_password", kLongestPassword),
+                           said(call, waitingMailSubject(centre)),
+                           said(call, waitingMailWords(centre, call.context.actor().login, asked)) + "\n");
+    for (const Text& refusal : refusals) {
+      if (!refusal.empty()) {
+        return said(call, refusal);
+      }
+    }
+    return "";
+  } catch (const Error& error) {  // the codes exist and are shown anyway
+    return said(call, error.happenedText());
+  }
+}
+
 /// Answers with the invitations and their cards, and mails them if requested. `problem`: why mailing failed;
 /// empty: it succeeded.
 HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed, bool confirmed) {
   const std::string centre = centreSign(call.context.connectionWithoutRight()).name;
   const std::string address = deskAddress(call);
   json cards = json::array();
-  std::vector<MailedInvitation> mails;
+  std::vector<MailedWord> mails;
   std::vector<std::size_t> whose;
   for (const HandedInvitation& one : handed) {
     const std::string link = one.secret.empty() ? "" : invitationLink(address, one.secret, confirmed);
@@ -135,7 +160,8 @@ HttpResponse handedOver(Call& call, const std::vector<HandedInvitation>& handed,
       cards[whose[i]]["mail"] = said(call, problems[i]);
     }
   }
-  return jsonAnswer({{"centre", centre}, {"cards", std::move(cards)}});
+  return jsonAnswer(
+      {{"centre", centre}, {"cards", std::move(cards)}, {"told", toldOthers(call, handed, centre)}});
 }
 
 HttpResponse answerInvite(Call& call) {

@@ -107,7 +107,7 @@ json discrepancyJson(const Call& call, const DiscrepancyCase& one) {
 HttpResponse answerDiscrepancies(Call& call) {
   json cases = jsonList(discrepancyCases(call.context),
                         [&](const DiscrepancyCase& one) { return discrepancyJson(call, one); });
-  return jsonAnswer({{"cases", std::move(cases)}, {"sealed", casesSealedForNow(call.context)}});
+  return jsonAnswer({{"cases", std::move(cases)}, {"opens", said(call, whenCasesAreCompared(call.context))}});
 }
 
 HttpResponse answerKeep(Call& call) {

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
+#include "app/services/access/two_people.h"
+#include "app/services/people/waiting_requests.h"
 #include "app/web/router.h"
 #include "app/web/web_desk.h"
 #include "sim/core/error.h"
@@ -44,14 +49,26 @@ constexpr PageRight kPageRights[] = {{"queue", Operation::kMarkSubmit},
                                      {"board", Operation::kStudySetup},
                                      {"people", Operation::kUserManage}};
 
-json userJson(const Actor& actor, const SessionContext& context) {
+/// Returns who it is, which pages there are, and for administrators how many requests wait for a second
+/// person: all of them in words, and the invitations, which are confirmed in the browser.
+json userJson(Call& call, const Actor& actor) {
+  SessionContext& context = call.context;
   json pages = json::array();
   for (const PageRight& right : kPageRights) {
     if (context.may(right.operation)) {
       pages.push_back(right.page);
     }
   }
-  return {{"login", actor.login}, {"roles", actor.roles}, {"pages", std::move(pages)}};
+  json user{{"login", actor.login}, {"roles", actor.roles}, {"pages", std::move(pages)}};
+  if (context.may(Operation::kUserManage)) {
+    context.beginCall();
+    const std::vector<OpenRequest> open = openRequests(context);
+    user["invitations_wait"] = std::count_if(open.begin(), open.end(), [](const OpenRequest& one) {
+      return one.mayConfirm && one.request.act == DutyAct::kInvite;
+    });
+    user["requests_wait"] = said(call, toConfirmWords(waitingRequests(context).toConfirm));
+  }
+  return user;
 }
 
 HttpResponse welcome(Call& call, const SignInAnswer& answer) {
@@ -69,7 +86,7 @@ HttpResponse welcome(Call& call, const SignInAnswer& answer) {
       return refusal(call, 401, ErrorCode::kPermission, Text::tr("name or password is wrong"),
                      Text::tr("Type both again, or ask an administrator for a new start password"));
   }
-  const json user = userJson(answer.actor, call.context);
+  const json user = userJson(call, answer.actor);
   if (user.at("pages").empty()) {
     signOut(call.context);
     return refusal(call, 403, ErrorCode::kPermission, Text::tr("there is no page for you in the browser"),
@@ -134,7 +151,7 @@ HttpResponse answerSignOut(Call& call) {
 HttpResponse answerMe(Call& call) {
   const IdleLimits idle = centreIdleLimits(call.context.connectionWithoutRight());
   return jsonAnswer({{"token", call.session->token},
-                     {"user", userJson(call.session->actor, call.context)},
+                     {"user", userJson(call, call.session->actor)},
                      {"idle_s", idle.lock_us / kSecond_us}});
 }
 

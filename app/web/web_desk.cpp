@@ -183,7 +183,7 @@ WebDesk::WebDesk(const DeskSettings& settings)
       lastBeat_(std::chrono::steady_clock::now().time_since_epoch().count()),
       record_(settings.log),
       workers_(settings.locator, workersFor(settings), settings.passwordCost, record_),
-      hashing_(settings.locator, 1, settings.passwordCost, record_),
+      hashing_(settings.locator, 1, settings.passwordCost, record_, DeskWorkers::Next::kOldestAndNewest),
       heavy_(settings.locator, kHeavyThreads, settings.passwordCost, record_) {
   for (const std::string& language : reportLanguages()) {
     languages_.emplace(language, wordingIn(language));
@@ -254,6 +254,16 @@ std::string WebDesk::clientOf(const HttpRequest& request) const {
   return forwarded.substr(begin == std::string::npos ? 0 : begin + 1);
 }
 
+namespace {
+
+HttpResponse busyNow(const Wording& wording) {
+  HttpResponse busy = refused(503, wording);
+  busy.headers.emplace_back("Retry-After", "2");
+  return busy;
+}
+
+}  // namespace
+
 /// A request that a thread works at.
 struct WebDesk::Job {
   HttpRequest request;
@@ -293,24 +303,41 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
   queue(std::make_shared<Job>(Job{.request = std::move(request),
                                   .match = std::move(match),
                                   .finish = finish,
-                                  .until = std::chrono::steady_clock::now() + kLongestWait}));
+                                  .until = deskNow() + kLongestWait}));
 }
 
 void WebDesk::queue(const std::shared_ptr<Job>& job) {
   const Route& route = *job->match.route;
-  const bool hashes =
-      route.hashing == Hashing::kAlways ||
-      (route.hashing == Hashing::kIfSent && job->request.body.find("\"password\"") != std::string::npos);
-  DeskWorkers& threads = hashes ? hashing_ : route.heavy ? heavy_ : workers_;
-  // Where many wrong passwords come from, the others go first; so does a signature of somebody signed in.
-  const auto now = std::chrono::steady_clock::now();
-  const bool last = hashes && route.access == RouteAccess::kOpen &&
-                    wrongTries_.waitOf(clientOf(job->request), now).count() > 0;
-  if (!threads.take([this, job](SessionContext* context) { work(job, context); }, last ? 1 : 0)) {
-    HttpResponse busy = refused(503, wordingFor(job->request));
-    busy.headers.emplace_back("Retry-After", "2");
-    job->finish(std::move(busy));
+  if (route.hashing == Hashing::kAlways ||
+      (route.hashing == Hashing::kIfSent && job->request.body.find("\"password\"") != std::string::npos)) {
+    return queueToHash(job);
   }
+  DeskWorkers& threads = route.heavy ? heavy_ : workers_;
+  if (!threads.take([this, job](SessionContext* context) { work(job, context); })) {
+    job->finish(busyNow(wordingFor(job->request)));
+  }
+}
+
+// Hashing takes most of a second, and one thread does it. First come those who are signed in, then those from
+// addresses without many wrong passwords, then the others; of each, the newest and the oldest by turns: a
+// right password does not wait for a heap of wrong ones. Which names have an account plays no part.
+void WebDesk::queueToHash(const std::shared_ptr<Job>& job) {
+  const bool open = job->match.route->access == RouteAccess::kOpen;
+  const bool many = open && sentManyWrong(*job);
+  const auto begin = [this, job, open, many](SessionContext* context) {
+    if (open && !many && sentManyWrong(*job)) {
+      return queueToHash(job);  // they came to light while it waited
+    }
+    work(job, context);
+  };
+  const auto refuse = [this, job] { job->finish(busyNow(wordingFor(job->request))); };
+  if (!hashing_.take(begin, many ? 2 : open ? 1 : 0, refuse)) {
+    refuse();
+  }
+}
+
+bool WebDesk::sentManyWrong(const Job& job) {
+  return wrongTries_.waitOf(clientOf(job.request), deskNow()).count() > 0;
 }
 
 void WebDesk::work(const std::shared_ptr<Job>& job, SessionContext* context) {
@@ -322,7 +349,7 @@ void WebDesk::work(const std::shared_ptr<Job>& job, SessionContext* context) {
     const std::uint64_t seen = waiting_.news();
     HttpResponse response = answer(job->request, route, job->match.parts, *context);
     const bool nothing = route.waits && response.status == kNothingNew;
-    const auto now = std::chrono::steady_clock::now();
+    const auto now = deskNow();
     if (nothing && now < job->until && waiting_.hold(seen, job->until, [this, job] { queue(job); })) {
       return;
     }
@@ -343,7 +370,7 @@ void WebDesk::lookOut() {
   const auto look = std::make_shared<Look>();
   std::unique_lock lock(lookoutMutex_);
   while (!lookoutEnds_.wait_for(lock, kLook, [this] { return ending_; })) {
-    waiting_.tick(std::chrono::steady_clock::now());
+    waiting_.tick(deskNow());
     if (waiting_.empty() || look->underway.exchange(true)) {
       continue;
     }
@@ -386,7 +413,7 @@ HttpResponse WebDesk::answer(const HttpRequest& request, const Route& route,
         simpleRefusal(Text::tr("this was not ordered by a page of Torsio"), Text::tr("Load the page again")),
         wording);
   }
-  const SteadyTime now = std::chrono::steady_clock::now();
+  const SteadyTime now = deskNow();
   if (sessions_.idleIsOld(now)) {
     // The page locks itself then; this covers pages that are asleep, closed, or not ours.
     sessions_.setIdle(

@@ -90,6 +90,10 @@ class WebDesk {
   /// Queues a request for a thread, or answers that there are too many.
   void queue(const std::shared_ptr<Job>& job);
   void work(const std::shared_ptr<Job>& job, SessionContext* context);
+  /// Queues what needs a password to be hashed.
+  void queueToHash(const std::shared_ptr<Job>& job);
+  /// Returns whether many wrong passwords came from the address of this request.
+  [[nodiscard]] bool sentManyWrong(const Job& job);
   /// Looks for new calls while pages wait for them.
   void lookOut();
   [[nodiscard]] HttpResponse failure(const std::exception_ptr& thrown, const Route& route,

@@ -10,6 +10,7 @@
 
 #include <sodium.h>
 
+#include "app/services/access/boot_clock.h"
 #include "sim/core/digest.h"
 
 namespace torsio::web {
@@ -27,6 +28,10 @@ std::string hashOf(const std::string& cookie) {
 }
 
 }  // namespace
+
+SteadyTime deskNow() noexcept {
+  return SteadyTime(std::chrono::microseconds(BootClock().now_us()));
+}
 
 std::string freshSecret() {
   std::array<unsigned char, kSecretBytes> bytes{};

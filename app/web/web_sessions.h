@@ -21,6 +21,10 @@ inline constexpr const char* kCookie = "__Host-torsio";
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
+/// Returns the time for sessions and waiting pages; counts the computer's sleep, too, so that a session that
+/// nobody used ends while the lid is closed.
+[[nodiscard]] SteadyTime deskNow() noexcept;
+
 /// Returns 256 random bits as 43 characters that are valid in cookies, headers and paths.
 [[nodiscard]] std::string freshSecret();
 

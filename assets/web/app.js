@@ -12,7 +12,7 @@ import { EvaluationPage } from './evaluation_page.js';
 import { Gate } from './gate.js';
 import { IdleWatch } from './idle.js';
 import { LivePage } from './live_page.js';
-import { clockTime } from './numbers.js';
+import { clockTime, figure } from './numbers.js';
 import { InvitationsPage } from './invitations_page.js';
 import { OwnPage } from './own_page.js';
 import { OwnRemarksPage } from './own_remarks_page.js';
@@ -45,7 +45,7 @@ const idle = new IdleWatch({
   back: () => frame.notify(''),
   idle: lock,
   held: () => (calls.goesOn && page instanceof LivePage) || Boolean(page?.callsGoOn),
-  present: () => api.get('/api/me').catch(() => {}), // if the session was ended elsewhere, the gate closes
+  present: () => readUser().catch(() => {}), // if the session was ended elsewhere, the gate closes
 });
 const calls = new CallWatch(followCalls);
 let user = null;
@@ -91,6 +91,12 @@ const frame = {
   get login() {
     return user?.login ?? '';
   },
+  /// Says that requests wait for this administrator as the second person; empty: none.
+  get requestsWait() {
+    return user?.requests_wait ?? '';
+  },
+  /// To be called when a request was made or confirmed here.
+  requestsChanged: () => readUser().catch(() => {}),
 };
 
 async function start() {
@@ -206,16 +212,29 @@ function showJoin() {
   });
 }
 
+/// Reads again what waits for the user, who is active.
+async function readUser() {
+  const me = await api.get('/api/me');
+  if (!user || me.user.login !== user.login) return;
+  user = me.user;
+  showWays();
+}
+
 /// Shows the links to this person's pages.
 function showWays() {
   const known = user
-    ? [...kPages.filter((one) => one.of && user.pages.includes(one.of)).map((one) => [one.hash, one.title()]),
+    ? [...kPages.filter((one) => one.of && user.pages.includes(one.of)).map((one) => [one.hash, titleWithCount(one)]),
       ['#sessions', t('Your sessions')]]
     : [];
   const present = pageOf(window.location.hash)?.hash;
   ways.replaceChildren(...known.map(([hash, title]) =>
     h('a', { href: hash, 'aria-current': hash === present ? 'page' : null }, title)));
   show(ways, known.length > 0);
+}
+
+function titleWithCount(one) {
+  const count = one.hash === '#invitations' ? (user.invitations_wait ?? 0) : 0;
+  return count > 0 ? t('%1 (%2)', one.title(), figure(count)) : one.title();
 }
 
 function enter(answer, idle_s) {

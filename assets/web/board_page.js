@@ -2,7 +2,7 @@
 // The boards of the day, with calls to the real arm, and of marks, for administrators.
 import { api } from './api.js';
 import { CallPanel } from './call_panel.js';
-import { h, show } from './dom.js';
+import { h, say, show } from './dom.js';
 import { clockTime, dayText, figure } from './numbers.js';
 import { t } from './texts.js';
 
@@ -40,9 +40,11 @@ export class BoardPage {
     this.cohort = cohorts[first]?.cohort;
     this.place = h('div', { class: 'stack' });
     this.callPlace = h('div', {});
+    this.waiting = h('p', { class: 'caution', role: 'status' });
+    this.#showWaiting();
     this.#endCalls();
     show(choice, cohorts.length > 0);
-    this.element.replaceChildren(h('div', { class: 'page-head' }, h('h1', {}, this.title), choice), this.callPlace, this.place);
+    this.element.replaceChildren(h('div', { class: 'page-head' }, h('h1', {}, this.title), choice), this.waiting, this.callPlace, this.place);
     if (this.cohort) await this.#read();
     else this.place.replaceChildren(h('p', {}, t('There is no cohort yet.')));
   }
@@ -54,9 +56,14 @@ export class BoardPage {
     } else {
       const board = await api.get(`${path}/board`);
       this.#showBoard(board);
+      this.#showWaiting();
       await this.#showCalls(path, board.occasions);
       this.#timer = setTimeout(() => this.#read().catch(() => {}), kAgain_ms);
     }
+  }
+  #showWaiting() {
+    say(this.waiting, this.frame.requestsWait);
+    show(this.waiting, this.frame.requestsWait !== '');
   }
   async #showCalls(path, occasions) {
     if (this.calls) return;

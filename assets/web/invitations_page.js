@@ -32,7 +32,7 @@ export class InvitationsPage {
     this.cards ??= h('div', { class: 'cards' });
     this.reason = field(t('Reason'), { maxlength: '400', autocomplete: 'off' });
     this.password = field(t('Password of the mail server'), { type: 'password', autocomplete: 'off' });
-    this.byMail = field(t('Send the links by mail, too'), { type: 'checkbox' });
+    this.byMail = field(t('By mail, too: links to their people, and to other administrators that they have to confirm'), { type: 'checkbox' });
     this.byMail.input.addEventListener('change', () => this.#buttons());
     this.note = h('p', { class: 'quiet' });
     this.said = h('p', { class: 'said', role: 'alert' });
@@ -106,12 +106,19 @@ export class InvitationsPage {
       this.#chosen.clear();
       await this.load();
       this.#show(answer);
+      this.#sayTold(answer.told);
     });
+  }
+  /// `told`: what the mail server said; null: nobody was told.
+  #sayTold(told) {
+    if (told === null) return;
+    this.frame.notify(told === '' ? t('The other administrators were told by mail') : t('Not sent: %1', told));
   }
   #confirm(one) {
     return this.#try(async () => {
       const answer = await api.post('/api/invitations/confirm', this.#order({ request: one.request }), { patience_ms: kPatience_ms });
       await this.load();
+      await this.frame.requestsChanged();
       this.#show(answer);
     });
   }

@@ -119,10 +119,10 @@ int main(int argc, char** argv) {
   for (int i = 0; i < count; ++i) {
     const auto session = centre.physician(static_cast<std::size_t>(i));
     const std::string cookie = desk.sessions().open(
-        session->actor(), "", passwordStamp(*session, session->actor().userId), Clock::now());
+        session->actor(), "", passwordStamp(*session, session->actor().userId), web::deskNow());
     auto rater = std::make_unique<Rater>(Rater{torsio::WebClient(server.port()), "", 0});
     rater->client.cookie = std::string(web::kCookie) + "=" + cookie;
-    rater->client.token = desk.sessions().find(cookie, Clock::now())->token;
+    rater->client.token = desk.sessions().find(cookie, web::deskNow())->token;
     const auto begun = Clock::now();
     rater->path = "/api/cases/" + torsio::firstCase(rater->client);
     opened.add(rater->client.get(rater->path), begun);

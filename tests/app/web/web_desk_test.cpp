@@ -3,6 +3,7 @@
 #include "app/web/web_desk.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -131,6 +132,39 @@ TEST(WebDesk, AThousandWrongPasswordsKeepNobodyOut) {
     one.join();
   }
   EXPECT_LT(took(), std::chrono::seconds(2)) << "afterwards";
+}
+
+TEST(WebDesk, ARightPasswordDoesNotWaitForWrongOnesUnderOtherNames) {
+  constexpr int kGuesses = 12;
+  const Served served;
+  WebDesk desk(
+      {.locator = served.centre.locator(), .assets = assetsFolder(), .workers = 2});  // the real cost
+  const HttpServer server({"127.0.0.1", 0}, {}, {}, [&desk](HttpRequest request, HttpServer::Reply reply) {
+    desk.handle(std::move(request), std::move(reply));
+  });
+  std::atomic<int> answered{0};
+  std::vector<std::thread> guessing;
+  for (int i = 0; i < kGuesses; ++i) {
+    guessing.emplace_back([&, i] {
+      WebClient client(server.port());
+      const std::string login = "nobody" + std::to_string(i);
+      EXPECT_EQ(client.send("POST", "/api/sign-in", {{"login", login}, {"password", "x"}}).status, 401);
+      ++answered;
+    });
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // all of them wait now
+  const int before = answered;
+  const auto begun = std::chrono::steady_clock::now();
+  WebClient right(server.port());
+  EXPECT_TRUE(right.signIn("physician0", kPassword));
+  const auto took = std::chrono::steady_clock::now() - begun;
+  EXPECT_LE(answered - before, 2) << "the one that was being checked, and the oldest";
+  EXPECT_LT(took, std::chrono::seconds(2));
+  RecordProperty("took_ms",
+                 static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(took).count()));
+  for (std::thread& one : guessing) {
+    one.join();
+  }
 }
 
 TEST(WrongTries, AreManyForAMinute) {

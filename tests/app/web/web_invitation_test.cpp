@@ -91,6 +91,10 @@ TEST_F(WebInvitation, NeedsTwoPeopleIfTheCentreRequiresIt) {
   const json own = office.get("/api/invitations").json().at("waiting").at(0);
   EXPECT_TRUE(own.at("own"));
   EXPECT_EQ(office.send("POST", "/api/invitations/confirm", {{"request", own.at("request")}}).status, 403);
+  EXPECT_EQ(office.get("/api/me").json().at("user").at("invitations_wait"), 0) << "their own";
+  EXPECT_EQ(second.get("/api/me").json().at("user").at("invitations_wait"), 1);
+  EXPECT_EQ(second.get("/api/me").json().at("user").at("requests_wait"),
+            "A request waits for you as the second person: Users, Requests");
   const json theirs = second.get("/api/invitations").json().at("waiting").at(0);
   EXPECT_EQ(theirs.at("by"), "office");
   const WebAnswer confirmed =
