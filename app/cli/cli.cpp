@@ -104,6 +104,7 @@ void buildProgram(CLI::App& program) {
   addServe(program);
 #endif
   addStandardSetting(program);
+  addStation(program);
   if constexpr (kTrackerBuiltIn) {
     addTracker(program);
   }

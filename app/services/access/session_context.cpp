@@ -5,9 +5,9 @@
 #include <utility>
 
 #include <QString>
-#include <QSysInfo>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/station_name.h"
 #include "app/services/base/build_info.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
@@ -154,10 +154,6 @@ void SessionContext::noteChange(AuditAction action, AuditObject objectKind, cons
                                 const std::string& reason) const {
   const auto told = [](const nlohmann::json& json) { return json.is_null() ? std::string() : json.dump(); };
   note({action, objectKind, objectId, told(before), told(now), reason});
-}
-
-std::string stationName() {
-  return QSysInfo::machineHostName().toStdString();
 }
 
 }  // namespace torsio

@@ -134,7 +134,4 @@ class SessionContext {
 /// Opens (or creates) a database and migrates its schema. Throws Error, DbError.
 [[nodiscard]] Connection openUpToDate(const std::string& locator);
 
-/// Returns this machine's name for trials and audit entries.
-[[nodiscard]] std::string stationName();
-
 }  // namespace torsio

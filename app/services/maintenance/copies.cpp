@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include "app/services/access/centre_settings.h"
+#include "app/services/access/station_name.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/services/access/access_service.h"
+#include "app/services/access/station_name.h"
 #include "app/services/maintenance/copies.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"

@@ -12,7 +12,7 @@
 #include <QSysInfo>
 #include <QtGlobal>
 
-#include "app/services/access/session_context.h"
+#include "app/services/access/station_name.h"
 #include "app/services/base/build_info.h"
 #include "sim/servo/servo_loop.h"
 
@@ -102,7 +102,7 @@ std::string graphicsCard(const fs::path& root) {
 }  // namespace
 
 RecordingHost thisHost(const fs::path& root) {
-  return {.name = stationName(),
+  return {.name = stationSign().computer,
           .os = QSysInfo::prettyProductName().toStdString() + ", " + QSysInfo::kernelType().toStdString() +
                 " " + QSysInfo::kernelVersion().toStdString(),
           .cpu = processor(root),

@@ -2,11 +2,14 @@
 #include "app/services/recording/station_start.h"
 
 #include <optional>
+#include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/station_name.h"
 #include "app/services/base/assets.h"
 #include "app/services/recording/kept_digests.h"
 #include "assessment/domain/study/cohort.h"
@@ -147,9 +150,15 @@ StationStart settleStation(SessionContext& session, const std::filesystem::path&
   importFiles(session, folder, start);
   Transaction transaction(session.connectionWithoutRight());
   TrialRepository trials(session.connectionWithoutRight());
-  for (TrialListing& trial : trials.closeInterrupted(session.station(), session.now_us() - kQuietTrial_us)) {
-    measureNow(session, trial);
-    start.trials.push_back(settled(session, std::move(trial), false));
+  std::set<std::string> names{session.station()};
+  if (const StationSign sign = stationSign(); sign.made && sign.name == session.station()) {
+    names.insert(sign.computer);  // before the station had a name of its own
+  }
+  for (const std::string& name : names) {
+    for (TrialListing& trial : trials.closeInterrupted(name, session.now_us() - kQuietTrial_us)) {
+      measureNow(session, trial);
+      start.trials.push_back(settled(session, std::move(trial), false));
+    }
   }
   transaction.commit();
   return start;

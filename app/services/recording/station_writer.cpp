@@ -52,6 +52,7 @@ struct StationWriter::State {
   StationDevice device;
   std::optional<Steady::time_point> since;  // start of the current attempt
   std::size_t refused = 0;
+  bool twin = false;
   bool fresh = true;  // work to do at once
   bool failed = false;
   bool stop = false;
@@ -76,6 +77,10 @@ struct StationWriter::State {
       desk.heartbeat->leave();
     } else {
       desk.heartbeat->send();
+    }
+    {
+      const std::lock_guard lock(mutex);
+      twin = desk.heartbeat->hasTwin();
     }
     if (!desk.heartbeat->answered()) {
       throw DbError(DbFault::kUnreachable, "", Text::tr("the database does not answer"),
@@ -202,6 +207,11 @@ bool StationWriter::answers() const {
   return !state_->failed;
 }
 
+bool StationWriter::hasTwin() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->twin;
+}
+
 std::size_t StationWriter::waiting() const {
   const std::lock_guard lock(state_->mutex);
   return state_->writes.size();
@@ -283,7 +293,13 @@ void StationHeartbeat::send() {
                        .softwareVersion = softwareVersion(),
                        .heartbeatUtc_us = now_us};
     storeDevice(device_, state);
-    StationRepository(connection).heartbeat(state);
+    StationRepository stations(connection);
+    const std::optional<std::int64_t> before_us = stations.lastHeartbeatUtc_us(state.station);
+    if (written_us_ && before_us && before_us != written_us_) {
+      twinSeen_us_ = now_us;
+    }
+    stations.heartbeat(state);
+    written_us_ = now_us;
     shownTrial_ = trial;
     if (there) {
       next_us_ = now_us + kHeartbeat_us;
@@ -294,6 +310,10 @@ void StationHeartbeat::send() {
     shownTrial_.clear();
     next_us_ = now_us + kHeartbeat_us;  // each attempt may take seconds while the server is unreachable
   }
+}
+
+bool StationHeartbeat::hasTwin() const {
+  return twinSeen_us_ && session_->now_us() - *twinSeen_us_ < 2 * kStationSilence_us;
 }
 
 void StationHeartbeat::leave() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -53,6 +54,8 @@ class StationWriter {
   /// Returns false while the database is unreachable: the last attempt failed, or the current one takes too
   /// long.
   [[nodiscard]] bool answers() const;
+  /// Returns whether the station has a twin (StationHeartbeat::hasTwin()).
+  [[nodiscard]] bool hasTwin() const;
   [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] std::size_t refused() const;
   /// Waits until all writes and heartbeats are done. Returns false after `limit`.
@@ -85,6 +88,9 @@ class StationHeartbeat {
   void showDevice(const StationDevice& device);
   /// Call it often: writes after a change or every kHeartbeat_us.
   void send();
+  /// Returns whether somebody else has lately written heartbeats as this station (twinWords()): another
+  /// window with the same settings, or a copy of the computer.
+  [[nodiscard]] bool hasTwin() const;
   /// Returns false if the database was unreachable at the last heartbeat.
   [[nodiscard]] bool answered() const noexcept { return answered_; }
   /// Reports that the station closes down.
@@ -97,6 +103,8 @@ class StationHeartbeat {
   std::string shownTrial_;
   std::string shownUser_;
   std::int64_t next_us_ = 0;
+  std::optional<std::int64_t> written_us_{};  ///< of the last heartbeat
+  std::optional<std::int64_t> twinSeen_us_{};
   bool changed_ = true;
   bool answered_ = true;
 };

@@ -59,6 +59,11 @@ void StationRepository::heartbeat(const StationState& state) {
        state.deviceCheckedUtc_us == 0 ? Value() : Value(state.deviceCheckedUtc_us)});
 }
 
+std::optional<std::int64_t> StationRepository::lastHeartbeatUtc_us(const std::string& station) const {
+  return selectFirst(connection_, "SELECT heartbeat_utc_us FROM station_state WHERE station = ?", {station},
+                     [](RowReader& row) { return row.int64(); });
+}
+
 void StationRepository::leave(const std::string& station) {
   connection_.execute("DELETE FROM station_state WHERE station = ?", {station});
 }

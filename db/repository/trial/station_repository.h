@@ -18,6 +18,8 @@ class StationRepository {
 
   /// Adds or replaces the row of a station. Throws DbError (kForeignKey) if the trial does not exist.
   void heartbeat(const StationState& state);
+  /// Returns the time of a station's last heartbeat; empty: it has left, or none was heard.
+  [[nodiscard]] std::optional<std::int64_t> lastHeartbeatUtc_us(const std::string& station) const;
   /// Records that the station was shut down properly.
   void leave(const std::string& station);
   /// All stations, by name.

@@ -54,6 +54,23 @@ void expectMentions(const std::string& text, const std::vector<std::string>& par
 
 constexpr int kDevice = static_cast<int>(ErrorCode::kDevice);
 
+TEST_F(DeviceCommand, TheStationIsShownAndGetsAnotherNameOnRequest) {
+  const std::string settings = "XDG_CONFIG_HOME=" + (folder_ / "station settings").string();
+  const auto station = [&](const std::string& word) {
+    const ProgramRun result = runTorsio("station " + word + " --json", folder_, "'" + settings + "'");
+    EXPECT_EQ(result.code, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  };
+  EXPECT_FALSE(station("show").at("own_name"));
+  EXPECT_EQ(station("show").at("name"), station("show").at("computer"));
+
+  const std::string name = station("renew").at("name");
+
+  EXPECT_TRUE(station("show").at("own_name"));
+  EXPECT_EQ(station("show").at("name"), name);
+  EXPECT_NE(station("renew").at("name"), name);
+}
+
 TEST_F(DeviceCommand, L1_CheckSaysWhatToInstallWithoutAVendorLibrary) {
   const ProgramRun result = run("check --library /nowhere/libHD.so");
 

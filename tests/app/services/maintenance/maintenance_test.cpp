@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/station_name.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/maintenance_desk.h"

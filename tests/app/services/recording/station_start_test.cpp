@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/services/access/station_name.h"
 #include "app/services/base/build_info.h"
 #include "app/services/recording/recording_spec.h"
 #include "app/services/recording/station_writer.h"
@@ -330,6 +331,30 @@ TEST_F(StationStartTest, AStationThatIsClosedDownLeavesTheBoard) {
   heartbeat.leave();
 
   EXPECT_FALSE(stationOnBoard(centre_.connection(), "station 1").has_value());
+}
+
+TEST_F(StationStartTest, ACopyThatIsTheSameStationAtTheSameTimeIsNoticed) {
+  StationHeartbeat one(centre_.session());
+  StationHeartbeat copy(centre_.session());
+  const auto beat = [&](StationHeartbeat& station) {
+    centre_.passTime_us(kHeartbeat_us);
+    station.send();
+  };
+  beat(one);
+  beat(one);
+  EXPECT_FALSE(one.hasTwin());
+  beat(copy);
+  EXPECT_FALSE(copy.hasTwin()) << "whatever was there before it started may be its own past";
+
+  beat(one);
+  EXPECT_TRUE(one.hasTwin());
+  beat(copy);
+  EXPECT_TRUE(copy.hasTwin());
+
+  copy.leave();
+  centre_.passTime_us(3 * kStationSilence_us);
+  beat(one);
+  EXPECT_FALSE(one.hasTwin()) << "it has gone";
 }
 
 TEST_F(StationStartTest, EveryRecordingNamesItsMachine) {
