@@ -29,13 +29,11 @@ export class DiscrepancyPage {
     this.load().catch(() => {}); // keeps what was typed
   }
 
-  #draw({ cases, sealed }) {
+  #draw({ cases, opens }) {
     this.element.replaceChildren(h('h1', {}, t('Discrepancy review')),
       h('p', { class: 'quiet' }, t("Only cases that everyone has submitted, and only where your mark differs from the others'. Nobody is named.")),
       ...(cases.length > 0 ? cases.map((one) => this.#case(one)) : [h('p', {}, t('No disagreements are waiting for you.'))]),
-      sealed > 0
-        ? h('p', { class: 'quiet' }, t('Cases whose panel waits until you have submitted all your own sheets of the occasion: %1.', figure(sealed)))
-        : '');
+      h('p', { class: 'quiet' }, opens));
   }
   #decision(one) {
     const words = { keep: t('kept'), move: t('moved'), third: t('adjudicator requested') };

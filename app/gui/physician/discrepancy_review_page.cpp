@@ -136,6 +136,7 @@ void DiscrepancyReviewPage::enter(const QVariant&) {
 
 void DiscrepancyReviewPage::read() {
   cases_ = discrepancyCases(shell().session());
+  opens_ = whenCasesAreCompared(shell().session());
   showList();
 }
 
@@ -169,6 +170,7 @@ const DiscrepancyCase* DiscrepancyReviewPage::current() const {
 void DiscrepancyReviewPage::showCase() {
   const DiscrepancyCase* one = current();
   const bool moving = sheet_->editor() != nullptr;
+  empty_->setText(tr("No disagreements are waiting for you.") + QStringLiteral("\n\n") + toQString(opens_));
   empty_->setVisible(cases_.empty());
   table_->setVisible(!cases_.empty());
   right_->setVisible(one != nullptr);
@@ -251,7 +253,6 @@ void DiscrepancyReviewPage::retranslate() {
   heading_->setTexts(tr("Discrepancy review"),
                      tr("Only cases that everyone has submitted, and only where your mark differs from the "
                         "others. The others are not named, nor are you to them."));
-  empty_->setText(tr("No disagreements are waiting for you."));
   table_->view().setAccessibleName(tr("Cases where your mark differs"));
   table_->setColumns({{tr("Case")}, {tr("Difference"), true}, {tr("Decision")}});
   reason_->setPlaceholderText(tr("Reason (needed to move a mark or to ask for an adjudicator)"));

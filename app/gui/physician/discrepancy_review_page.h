@@ -67,6 +67,7 @@ class DiscrepancyReviewPage : public Page {
   QPushButton* adjudicator_;
   QPushButton* replay_;
   QLabel* empty_;
+  Text opens_{};  ///< when cases are compared
   std::vector<DiscrepancyCase> cases_;
   std::string chosen_;  ///< assignment id
 };

@@ -160,6 +160,17 @@ std::size_t casesSealedForNow(SessionContext& session) {
       }));
 }
 
+Text whenCasesAreCompared(SessionContext& session) {
+  const std::size_t sealed = casesSealedForNow(session);
+  if (!centreSetting<kPanelWaits>(session.connection())) {
+    return Text::tr("A case is compared here when all its raters have submitted it.");
+  }
+  const Text rule = Text::tr(
+      "A case is compared here when all its raters have submitted it and you have submitted all your own "
+      "sheets of the occasion.");
+  return sealed == 0 ? rule : Text::tr("%1 Cases that wait for your own sheets: %2.", rule, sealed);
+}
+
 void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason) {
   static_cast<void>(committedCase(session, assignmentId));
   decide(session, assignmentId, DiscrepancyChoice::kKeep, reason);

@@ -12,6 +12,7 @@
 #include "assessment/domain/rating/instrument.h"
 #include "assessment/domain/rating/sheet.h"
 #include "assessment/statistics/values.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 
@@ -44,6 +45,10 @@ struct DiscrepancyCase {
 /// Returns the number of cases that all have submitted, but whose panel waits for the actor's own sheets of
 /// the occasion. kMarkSubmit.
 [[nodiscard]] std::size_t casesSealedForNow(SessionContext& session);
+
+/// Returns when cases are compared, by the centre's setting (kPanelWaits), and how many wait for the actor's
+/// own sheets: what an empty list says. kMarkSubmit.
+[[nodiscard]] Text whenCasesAreCompared(SessionContext& session);
 
 /// Keeps the mark. kMarkSubmit, the actor's case, submitted by all; audited.
 void keepMark(SessionContext& session, const AssignmentId& assignmentId, const std::string& reason);

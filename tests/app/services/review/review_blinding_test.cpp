@@ -148,6 +148,10 @@ TEST(DiscrepancyReview, ThePanelWaitsForTheRatersOwnSheetsOfTheOccasion) {
 
   EXPECT_TRUE(discrepancyCases(*first).empty());
   EXPECT_EQ(casesSealedForNow(*first), 1U);
+  EXPECT_EQ(
+      whenCasesAreCompared(*first),
+      "A case is compared here when all its raters have submitted it and you have submitted all your own "
+      "sheets of the occasion. Cases that wait for your own sheets: 1.");
   EXPECT_TRUE(ownSeverity(*first).cases.empty());
   EXPECT_EQ(ownSeverity(*first).sealed, 1U);
   EXPECT_FALSE(openSheet(*first, done).panelOpen);
