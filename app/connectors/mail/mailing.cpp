@@ -12,6 +12,7 @@
 #include "app/connectors/mail/smtp_client.h"
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
+#include "app/services/access/two_people.h"
 #include "db/connection/connection.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"
@@ -84,16 +85,9 @@ std::map<UserId, std::string> addressesOf(SessionContext& session) {
   return addresses;
 }
 
-}  // namespace
-
-bool canMailInvitations(SessionContext& session) {
-  session.require(Operation::kUserManage);
-  return session.may(Operation::kPersonViewIdentity) && session.may(Operation::kStudySetup) &&
-         mailSettings(session).has_value();
-}
-
-std::vector<Text> sendInvitations(SessionContext& session, const std::string& password,
-                                  std::span<const MailedInvitation> mailed) {
+/// Sends each message to its user and audits the accepted ones as `action`.
+std::vector<Text> sendToUsers(SessionContext& session, const std::string& password,
+                              std::span<const MailedWord> mailed, AuditAction action) {
   session.require(Operation::kUserManage);
   session.require(Operation::kPersonViewIdentity);
   std::optional<MailSettings> settings = mailSettings(session);
@@ -120,14 +114,50 @@ std::vector<Text> sendInvitations(SessionContext& session, const std::string& pa
   const std::vector<Text> said =
       sendMail(settings->server, messages, session.now_us(), {}, [&](std::size_t index) {
         Transaction transaction(session.connection());
-        session.note(AuditAction::kInvitationMake, AuditObject::kAppUser, mailed[whose[index]].userId,
-                     {{"mailed", true}});
+        session.note(action, AuditObject::kAppUser, mailed[whose[index]].userId, {{"mailed", true}});
         transaction.commit();
       });
   for (std::size_t i = 0; i < said.size(); ++i) {
     problems[whose[i]] = said[i];
   }
   return problems;
+}
+
+}  // namespace
+
+bool canMailInvitations(SessionContext& session) {
+  session.require(Operation::kUserManage);
+  return session.may(Operation::kPersonViewIdentity) && session.may(Operation::kStudySetup) &&
+         mailSettings(session).has_value();
+}
+
+std::vector<Text> sendInvitations(SessionContext& session, const std::string& password,
+                                  std::span<const MailedWord> mailed) {
+  return sendToUsers(session, password, mailed, AuditAction::kInvitationMake);
+}
+
+bool canMailAdministrators(SessionContext& session) {
+  if (!canMailInvitations(session)) {
+    return false;
+  }
+  const std::map<UserId, std::string> addresses = addressesOf(session);
+  const std::vector<UserAccount> others = otherAdministrators(session);
+  return std::any_of(others.begin(), others.end(),
+                     [&](const UserAccount& user) { return addresses.contains(user.id); });
+}
+
+std::vector<Text> mailAdministrators(SessionContext& session, const std::string& password,
+                                     const std::string& subject, const std::string& body) {
+  session.require(Operation::kUserManage);
+  session.require(Operation::kPersonViewIdentity);
+  const std::map<UserId, std::string> addresses = addressesOf(session);
+  std::vector<MailedWord> mailed;
+  for (const UserAccount& user : otherAdministrators(session)) {
+    if (addresses.contains(user.id)) {
+      mailed.push_back({user.id, subject, body});
+    }
+  }
+  return sendToUsers(session, password, mailed, AuditAction::kReminderMail);
 }
 
 std::vector<Text> sendReminders(SessionContext& session, const std::string& password,

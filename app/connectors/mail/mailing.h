@@ -27,8 +27,8 @@ struct MailSettings {
 /// host with spaces, or a server on another computer without encryption.
 void setMailSettings(SessionContext& session, const MailSettings& settings);
 
-/// The message with a person's invitation link, in the sender's language.
-struct MailedInvitation {
+/// A message to a user of the record, in the sender's language: an invitation link, or a request that waits.
+struct MailedWord {
   UserId userId{};
   std::string subject{};
   std::string body{};
@@ -41,7 +41,16 @@ struct MailedInvitation {
 /// without text and address. kUserManage and kPersonViewIdentity. Throws Error{kBadParameter} if no server is
 /// set, and what sendMail() throws. A worker thread.
 [[nodiscard]] std::vector<Text> sendInvitations(SessionContext& session, const std::string& password,
-                                                std::span<const MailedInvitation> mailed);
+                                                std::span<const MailedWord> mailed);
+
+/// Whether another administrator can be told by mail of the actor's requests: a server is set, the actor may
+/// see addresses, and one is known. kUserManage.
+[[nodiscard]] bool canMailAdministrators(SessionContext& session);
+/// Tells the other administrators whose addresses are known. Returns and audits like sendInvitations().
+/// kUserManage and kPersonViewIdentity. Throws Error{kBadParameter} if no server is set, and what sendMail()
+/// throws. A worker thread.
+[[nodiscard]] std::vector<Text> mailAdministrators(SessionContext& session, const std::string& password,
+                                                   const std::string& subject, const std::string& body);
 
 /// A reminder and its message, in the sender's language.
 struct MailedReminder {

@@ -37,7 +37,18 @@ bool canMailInvitations(SessionContext& session) {
 }
 
 std::vector<Text> sendInvitations(SessionContext& session, const std::string& /*password*/,
-                                  std::span<const MailedInvitation> /*mailed*/) {
+                                  std::span<const MailedWord> /*mailed*/) {
+  session.require(Operation::kUserManage);
+  refuseMail();
+}
+
+bool canMailAdministrators(SessionContext& session) {
+  session.require(Operation::kUserManage);
+  return false;
+}
+
+std::vector<Text> mailAdministrators(SessionContext& session, const std::string& /*password*/,
+                                     const std::string& /*subject*/, const std::string& /*body*/) {
   session.require(Operation::kUserManage);
   refuseMail();
 }

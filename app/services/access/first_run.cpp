@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include <QFileInfo>
-#include <QRandomGenerator>
 
 #include "app/services/access/centre_settings.h"
 #include "assessment/domain/people/account.h"
@@ -21,11 +20,6 @@
 namespace torsio {
 
 namespace {
-
-constexpr std::string_view kLegible = "abcdefghijkmnpqrstuvwxyz23456789";  // without the look-alikes l and 1,
-                                                                           // o and 0
-constexpr int kGroups = 4;
-constexpr int kLettersInGroup = 5;
 
 /// Opens a record for reading. Work left unfinished by a killed program is rolled back first, which needs
 /// write access.
@@ -99,19 +93,6 @@ std::string hashOfSecret(std::string_view purpose, const std::string& typed) {
   digest.update(purpose);
   digest.update(std::string_view(secret));
   return digest.hex();
-}
-
-std::string randomStartPassword() {
-  std::string password;
-  for (int group = 0; group < kGroups; ++group) {
-    if (group > 0) {
-      password += '-';
-    }
-    for (int i = 0; i < kLettersInGroup; ++i) {
-      password += kLegible[QRandomGenerator::system()->bounded(static_cast<quint32>(kLegible.size()))];
-    }
-  }
-  return password;
 }
 
 std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRun& first,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/services/access/access_service.h"
+#include "app/services/access/start_password.h"
 
 namespace torsio {
 
@@ -38,16 +39,6 @@ enum class RecordPlace {
 /// centre is gone: otherwise the next person could become its administrator.
 void requireKnownRecord(const std::string& locator);
 
-/// An account of the demonstration. The random password must be changed at the first sign-in and is shown
-/// once: only its hash is stored.
-struct StartAccount {
-  std::string login{};
-  std::string role{};
-  std::string personCode{};
-  std::string startPassword{};
-  std::string personName{};  ///< empty: unknown, or not visible to the creator of the account
-};
-
 /// Fills the record with simulated people and creates an account for each role.
 using AddPeople = std::function<std::vector<StartAccount>(SessionContext&)>;
 
@@ -60,7 +51,5 @@ std::vector<StartAccount> performFirstRun(SessionContext& session, const FirstRu
 /// Returns the hash under which a secret for one `purpose` is stored, however its groups were typed: without
 /// spaces and hyphens.
 [[nodiscard]] std::string hashOfSecret(std::string_view purpose, const std::string& typed);
-/// Returns twenty characters in groups that can be read aloud, from the system's random source.
-[[nodiscard]] std::string randomStartPassword();
 
 }  // namespace torsio

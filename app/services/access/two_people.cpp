@@ -22,7 +22,6 @@ namespace torsio {
 namespace {
 
 constexpr const char* kRaterRole = "rater";
-constexpr std::size_t kHalf = 11;  // of a random start password: two of its four groups
 
 AccessRepository accountsOf(SessionContext& session) {
   return AccessRepository(session.connection(), session.passwordCost());
@@ -37,12 +36,12 @@ std::optional<UserAccount> findUser(SessionContext& session, const UserId& userI
   return std::nullopt;
 }
 
-/// Counts who could confirm: real administrators who may sign in.
-std::int64_t administrators(SessionContext& session) {
-  const std::vector<UserAccount> all = accountsOf(session).users();
-  return std::count_if(all.begin(), all.end(), [](const UserAccount& user) {
-    return !user.demonstration && isActiveAdministrator(user);
-  });
+/// Returns who could confirm: real administrators who may sign in.
+std::vector<UserAccount> administrators(SessionContext& session) {
+  std::vector<UserAccount> all = accountsOf(session).users();
+  std::erase_if(all,
+                [](const UserAccount& user) { return user.demonstration || !isActiveAdministrator(user); });
+  return all;
 }
 
 /// Returns whether the role is that of a simulated physician, who signs nothing of the centre's
@@ -108,6 +107,24 @@ Text hindrance(SessionContext& session, const DutyRequest& request) {
   return {};
 }
 
+/// Returns the right with which a request is confirmed.
+Operation rightToConfirm(DutyAct act) {
+  switch (act) {
+    case DutyAct::kErase:
+      return Operation::kPersonErase;
+    case DutyAct::kRestore:
+      return Operation::kDatabaseRestore;
+    case DutyAct::kRevealAllocation:
+      return Operation::kAllocationReveal;
+    case DutyAct::kFreezeInterim:
+      return Operation::kResultsCompute;
+    case DutyAct::kOnePerson:
+      return Operation::kSettingsEdit;
+    default:
+      return Operation::kUserManage;
+  }
+}
+
 void close(SessionContext& session, const DutyRequest& request, DutyDecision decision,
            const std::string& reason) {
   DutyRepository(session.connection()).decide(request.id, decision, session.actor().userId, session.now_us());
@@ -154,7 +171,7 @@ std::optional<DutyRequest> confirmable(SessionContext& session, DutyAct act, con
 /// Sets the account's new start password and returns its second half, not yet shown.
 std::string drawSecondHalf(SessionContext& session, const DutyRequest& request, const UserAccount& user,
                            const std::vector<std::string>* roles) {
-  const std::string second = randomStartPassword().substr(0, kHalf);
+  const std::string second = randomHalfPassword();
   AccessRepository access = accountsOf(session);
   const SealedSecret sealed =
       access.sealPassword(user.login, detailOf(request).value("first_half", "") + "-" + second);
@@ -255,7 +272,7 @@ bool givesGuardedRole(SessionContext& session, bool demonstration, const std::ve
   bool guarded = false;
   for (const std::string& role : after) {
     const bool given = std::find(before.begin(), before.end(), role) == before.end();
-    const bool second = role == kAdministratorRole && administrators(session) < 2;
+    const bool second = role == kAdministratorRole && administrators(session).size() < 2;
     guarded = guarded || (given && isGuardedRole(role) && !second && !isHarmless(demonstration, role));
   }
   return guarded;
@@ -267,7 +284,7 @@ std::string askSecondPerson(SessionContext& session, const DutyWish& wish) {
   nlohmann::json detail{{"shown", wish.shown}};
   std::string half;
   if (changesAccount(wish.act)) {
-    half = randomStartPassword().substr(0, kHalf);
+    half = randomHalfPassword();
     detail["first_half"] = half;
   }
   if (wish.act == DutyAct::kGrantRoles) {
@@ -299,10 +316,22 @@ std::vector<OpenRequest> openRequests(SessionContext& session) {
                     .requestedBy = asker ? asker->login : std::string(request.requestedBy.text()),
                     .shown = shownOf(session, request),
                     .roles = detailOf(request).value("roles", std::vector<std::string>()),
-                    .own = request.requestedBy == session.actor().userId});
+                    .own = request.requestedBy == session.actor().userId,
+                    .mayConfirm = session.may(rightToConfirm(request.act)) &&
+                                  hindrance(session, request).str().empty()});
     open.back().request.detailJson.clear();  // half of a password is not shown again
   }
   return open;
+}
+
+std::vector<UserAccount> otherAdministrators(SessionContext& session) {
+  session.require(Operation::kUserManage);
+  std::vector<UserAccount> others = administrators(session);
+  const Actor& actor = session.actor();
+  std::erase_if(others, [&actor](const UserAccount& user) {
+    return user.id == actor.userId || (!user.personId.empty() && user.personId == actor.personId);
+  });
+  return others;
 }
 
 void declineRequest(SessionContext& session, const std::string& requestId, const std::string& reason) {
@@ -375,7 +404,7 @@ bool passwordNeedsTwo(SessionContext& session, const UserAccount& user) {
 }
 
 bool mayDropTheRule(SessionContext& session) {
-  return administrators(session) < 2;
+  return administrators(session).size() < 2;
 }
 
 MadeUser makeUser(SessionContext& session, NewUser user) {

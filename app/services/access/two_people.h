@@ -61,10 +61,14 @@ struct OpenRequest {
   std::string requestedBy{};  ///< sign-in name
   std::string shown{};        ///< user's sign-in name, person's code or backup's name
   std::vector<std::string> roles{};
-  bool own = false;  ///< requested by the actor, so somebody else must confirm
+  bool own = false;         ///< requested by the actor, so somebody else must confirm
+  bool mayConfirm = false;  ///< the actor may confirm it: not their own request or account, and their right
 };
 /// Returns pending requests, oldest first. kUserManage or kAllocationReveal.
 [[nodiscard]] std::vector<OpenRequest> openRequests(SessionContext& session);
+/// Returns who else could confirm a request of the actor: active administrators, none of the demonstration.
+/// kUserManage.
+[[nodiscard]] std::vector<UserAccount> otherAdministrators(SessionContext& session);
 /// Withdraws the actor's own request, or declines another person's. Audited. kUserManage or
 /// kAllocationReveal.
 void declineRequest(SessionContext& session, const std::string& requestId, const std::string& reason);

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/services/access/first_run.h"
 #include "app/services/access/session_context.h"
 #include "app/services/base/csv_table.h"
 #include "app/services/base/progress.h"
@@ -130,15 +129,5 @@ enum class RosterMode {
 RosterOutcome importRoster(SessionContext& session, const RosterFile& file, RosterKind kind,
                            const RosterColumns& columns, const std::string& fingerprint, RosterMode mode,
                            const ProgressCallback& progress = {});
-
-/// Returns trainees and raters without an account, ordered by code. kUserManage.
-[[nodiscard]] std::vector<PersonRow> peopleWithoutAccount(SessionContext& session);
-
-/// Creates an account for each of these people in order of their codes: the sign-in name is the code in lower
-/// case (with a number if that is taken), the roles follow from the person's. Each account is stored
-/// separately, since hashing a password takes about a second, and appended to `made` at once, so that none is
-/// lost if `progress` or the database throws. Skips people who have an account or left. kUserManage.
-void addAccounts(SessionContext& session, const std::vector<PersonId>& personIds,
-                 std::vector<StartAccount>& made, const ProgressCallback& progress = {});
 
 }  // namespace torsio

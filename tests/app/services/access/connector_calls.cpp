@@ -22,6 +22,8 @@ std::vector<ServiceCall> connectorCalls() {
       {O::kReportExportCoded, "sendLearningRecords", [](W w, Path) { (void)sendLearningRecords(w); }},
       {O::kUserManage, "canMailInvitations", [](W w, Path) { (void)canMailInvitations(w); }},
       {O::kUserManage, "sendInvitations", [](W w, Path) { (void)sendInvitations(w, {}, {}); }},
+      {O::kUserManage, "canMailAdministrators", [](W w, Path) { (void)canMailAdministrators(w); }},
+      {O::kUserManage, "mailAdministrators", [](W w, Path) { (void)mailAdministrators(w, {}, {}, {}); }},
       {O::kStudySetup, "importDataset",
        [](W w, Path folder) { importDataset(w, folder / "no such set", {}, ""); }},
       {O::kStudySetup, "importForeign",

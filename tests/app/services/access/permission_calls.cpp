@@ -24,6 +24,7 @@
 #include "app/services/maintenance/station_anchor.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/people/people_service.h"
+#include "app/services/people/roster_accounts.h"
 #include "app/services/people/roster_import.h"
 #include "app/services/people/roster_undo.h"
 #include "app/services/recording/competence_service.h"
@@ -115,6 +116,13 @@ std::vector<ServiceCall> administratorCalls() {
          std::vector<StartAccount> made;
          addAccounts(w, {}, made);
        }},
+      {O::kUserManage, "accountsOf", [](W w, Path) { (void)accountsOf(w, {}); }},
+      {O::kUserManage, "confirmAccounts",
+       [](W w, Path) {
+         std::vector<StartAccount> made;
+         confirmAccounts(w, {}, made);
+       }},
+      {O::kUserManage, "otherAdministrators", [](W w, Path) { (void)otherAdministrators(w); }},
       {O::kUserManage, "setUserActive", [](W w, Path) { setUserActive(w, kNoSuch, false, ""); }},
       {O::kUserManage, "makeUser", [](W w, Path) { (void)makeUser(w, {}); }},
       {O::kUserManage, "passwordNeedsTwo", [](W w, Path) { (void)passwordNeedsTwo(w, {}); }},
@@ -390,6 +398,7 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "submitSheet", [](W w, Path) { submitSheet(w, kNoSuch, {}, {}); }},
       {O::kMarkSubmit, "amendSheet", [](W w, Path) { amendSheet(w, kNoSuch, {}, "because"); }},
       {O::kMarkSubmit, "discrepancyCases", [](W w, Path) { (void)discrepancyCases(w); }},
+      {O::kMarkSubmit, "whenCasesAreCompared", [](W w, Path) { (void)whenCasesAreCompared(w); }},
       {O::kMarkSubmit, "casesSealedForNow", [](W w, Path) { (void)casesSealedForNow(w); }},
       {O::kEvaluationSubmit, "evaluationForms", [](W w, Path) { (void)evaluationForms(w); }},
       {O::kEvaluationSubmit, "loadEvaluationRecording",

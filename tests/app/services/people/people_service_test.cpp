@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/services/people/consent_service.h"
+#include "app/services/people/roster_accounts.h"
 #include "app/services/people/roster_import.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/audit_entry.h"
