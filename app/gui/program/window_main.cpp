@@ -26,6 +26,7 @@
 #include "app/gui/widgets/icons.h"
 #include "app/outputs/charts/typeface.h"
 #include "app/services/access/first_run.h"
+#include "app/services/access/station_name.h"
 #include "app/services/base/assets.h"
 #include "app/services/base/build_info.h"
 #include "app/services/recording/unstored_trials.h"
@@ -208,6 +209,7 @@ void runSimulator(const WindowOptions& options) {
 void runShell(const WindowOptions& options) {
   ShellSetup setup;
   setup.assets = options.picture.scene.assets;
+  (void)makeStationName();  // else the name of the computer
   setup.station = stationName();
   setup.locator = toQString(options.database.empty() ? defaultDatabase() : options.database);
   setup.remember = options.database.empty();

@@ -15,12 +15,54 @@
 
 namespace torsio::gui {
 
+namespace {
+
+constexpr int kLongest = 720;
+
+}  // namespace
+
+FloatingLine::FloatingLine(Edge edge, QWidget* parent) : QLabel(parent), edge_(edge) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setWordWrap(true);
+  setTextFormat(Qt::PlainText);
+  setAlignment(Qt::AlignCenter);
+  parent->installEventFilter(this);
+  hide();
+}
+
+void FloatingLine::showLine(const QString& sentence) {
+  if (isVisible() && text() == sentence) {
+    return;
+  }
+  setText(sentence);
+  place();
+  raise();
+  show();
+}
+
+bool FloatingLine::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parentWidget() && event->type() == QEvent::Resize && isVisible()) {
+    place();
+  }
+  return QLabel::eventFilter(watched, event);
+}
+
+void FloatingLine::place() {
+  const QWidget* ground = parentWidget();
+  const int widest = std::min(kLongest, ground->width() - 4 * kSpace);
+  setWordWrap(false);
+  const int wanted = sizeHint().width();
+  setWordWrap(true);
+  const int width = std::min(wanted, widest);
+  const int height = heightForWidth(width);
+  const int top = edge_ == Edge::kTop ? 0 : ground->height() - height - 3 * kSpace;
+  setGeometry((ground->width() - width) / 2, top, width, height);
+}
+
 IdleWarning::IdleWarning(const Clock* clock, const IdleLimits& limits, QWidget* parent)
-    : QLabel(parent), guard_(clock != nullptr ? *clock : machineClock_, limits) {
+    : FloatingLine(Edge::kTop, parent), guard_(clock != nullptr ? *clock : machineClock_, limits) {
   setObjectName(QStringLiteral("idleWarning"));
   followLanguage(this, [this] { setAccessibleName(tr("Warning of the idle lock")); });
-  setAlignment(Qt::AlignCenter);
-  hide();
   qApp->installEventFilter(this);
 }
 
@@ -37,7 +79,7 @@ bool IdleWarning::eventFilter(QObject* watched, QEvent* event) {
     default:
       break;
   }
-  return QLabel::eventFilter(watched, event);
+  return FloatingLine::eventFilter(watched, event);
 }
 
 void IdleWarning::watch(bool watched, bool busy, End end) {
@@ -46,15 +88,17 @@ void IdleWarning::watch(bool watched, bool busy, End end) {
     guard_.setBusy(!counts);  // each call restarts the idle timer
   }
   const IdleState state = guard_.state();
-  setVisible(watched && state == IdleState::kWarning);
+  if (!watched || state != IdleState::kWarning) {
+    hide();
+  }
   if (!watched) {
     return;
   }
   if (state == IdleState::kWarning) {
     const QString left = clockTimeLeft(guard_.untilLock_us());
-    setText(end == End::kSignOut
-                ? tr("Still there? You will be signed out in %1. Press any key to stay").arg(left)
-                : tr("Still there? The screen will be locked in %1. Press any key to stay").arg(left));
+    showLine(end == End::kSignOut
+                 ? tr("Still there? You will be signed out in %1. Press any key to stay").arg(left)
+                 : tr("Still there? The screen will be locked in %1. Press any key to stay").arg(left));
   } else if (state == IdleState::kLocked) {
     guard_.unlock();  // the lock follows; the timer restarts after unlocking
     Q_EMIT timeIsUp();
@@ -62,12 +106,9 @@ void IdleWarning::watch(bool watched, bool busy, End end) {
 }
 
 AwayBanner::AwayBanner(std::function<bool()> reconnect, QWidget* parent)
-    : QLabel(parent), reconnect_(std::move(reconnect)) {
+    : FloatingLine(Edge::kTop, parent), reconnect_(std::move(reconnect)) {
   setObjectName(QStringLiteral("databaseAway"));
   followLanguage(this, [this] { setAccessibleName(tr("State of the database")); });
-  setAlignment(Qt::AlignCenter);
-  setWordWrap(true);
-  hide();
 }
 
 void AwayBanner::reset() {
@@ -77,8 +118,9 @@ void AwayBanner::reset() {
 
 void AwayBanner::follow(const StationWriter& line, bool running) {
   const bool answers = line.answers();
-  setVisible(!answers);
-  if (!answers) {
+  if (answers) {
+    hide();
+  } else {
     QString said = running
                        ? tr("The database does not answer. Your run continues; it is kept on this computer "
                             "and stored as soon as the database answers")
@@ -87,7 +129,7 @@ void AwayBanner::follow(const StationWriter& line, bool running) {
     if (const std::size_t waiting = line.waiting(); waiting > 0) {
       said = tr("%1. Waiting to be stored: %2").arg(said).arg(waiting);
     }
-    setText(said);
+    showLine(said);
     settleDue_ = true;
   }
   answered_ = answers && (answered_ || reconnect_());
@@ -105,49 +147,21 @@ void AwayBanner::follow(const StationWriter& line, bool running) {
 namespace {
 
 constexpr int kShown_ms = 6000;
-constexpr int kLongest = 720;
 
 }  // namespace
 
-Toast::Toast(QWidget* parent) : QLabel(parent) {
+Toast::Toast(QWidget* parent) : FloatingLine(Edge::kBottom, parent) {
   setObjectName(QStringLiteral("toast"));
-  setAttribute(Qt::WA_TransparentForMouseEvents);
-  setWordWrap(true);
-  setTextFormat(Qt::PlainText);
-  setAlignment(Qt::AlignCenter);
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, &QWidget::hide);
-  parent->installEventFilter(this);
-  hide();
 }
 
 void Toast::say(const QString& sentence) {
-  setText(sentence);
   setAccessibleName(sentence);
-  place();
-  raise();
-  show();
+  showLine(sentence);
   timer_.start(kShown_ms);
   QAccessibleEvent heard(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&heard);
-}
-
-bool Toast::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && isVisible()) {
-    place();
-  }
-  return QLabel::eventFilter(watched, event);
-}
-
-void Toast::place() {
-  const QWidget* ground = parentWidget();
-  const int widest = std::min(kLongest, ground->width() - 4 * kSpace);
-  setWordWrap(false);
-  const int wanted = sizeHint().width();
-  setWordWrap(true);
-  const int width = std::min(wanted, widest);
-  const int height = heightForWidth(width);
-  setGeometry((ground->width() - width) / 2, ground->height() - height - 3 * kSpace, width, height);
 }
 
 }  // namespace torsio::gui

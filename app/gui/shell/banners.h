@@ -16,8 +16,27 @@ class StationWriter;
 
 namespace torsio::gui {
 
+/// A line above an edge of its parent, over the other content, so that nothing moves under the pointer.
+/// Clicks go to what is below it. GUI thread.
+class FloatingLine : public QLabel {
+  Q_OBJECT
+
+ public:
+  enum class Edge { kTop, kBottom };
+  FloatingLine(Edge edge, QWidget* parent);
+
+ protected:
+  /// Shows the line with this text.
+  void showLine(const QString& sentence);
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void place();
+  Edge edge_;
+};
+
 /// The line that warns before the idle lock. GUI thread.
-class IdleWarning : public QLabel {
+class IdleWarning : public FloatingLine {
   Q_OBJECT
 
  public:
@@ -46,7 +65,7 @@ class IdleWarning : public QLabel {
 
 /// Shows a database outage and its consequences for the present work; requests the deferred tasks when the
 /// database answers again. GUI thread.
-class AwayBanner : public QLabel {
+class AwayBanner : public FloatingLine {
   Q_OBJECT
 
  public:
@@ -72,19 +91,15 @@ class AwayBanner : public QLabel {
   bool settleDue_ = false;
 };
 
-/// A message at the lower edge of its parent that disappears by itself. Takes no clicks and no focus.
-class Toast : public QLabel {
+/// A message at the lower edge of its parent that disappears by itself.
+class Toast : public FloatingLine {
   Q_OBJECT
 
  public:
   explicit Toast(QWidget* parent);
   void say(const QString& sentence);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
-  void place();
   QTimer timer_;
 };
 

@@ -2,6 +2,7 @@
 #include "app/gui/shell/desk.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include <QActionGroup>
@@ -15,10 +16,12 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/gui/base/awaits_calls.h"
+#include "app/gui/base/background.h"
 #include "app/gui/base/job_panel.h"
 #include "app/gui/base/page.h"
 #include "app/gui/base/translated_text.h"
@@ -31,10 +34,13 @@
 #include "app/services/access/access_service.h"
 #include "app/services/access/signing.h"
 #include "app/services/maintenance/retention.h"
+#include "app/services/people/waiting_requests.h"
 
 namespace torsio::gui {
 
 namespace {
+
+constexpr int kReadWaiting_ms = 20'000;
 
 QToolButton* headerButton(QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -74,7 +80,10 @@ std::size_t homeGroup(const Actor& actor) {
 }  // namespace
 
 Desk::Desk(SessionContext& session, const DeskSetup& setup, QWidget* parent)
-    : QWidget(parent), context_(session, setup.assets, setup.theme), setup_(setup) {
+    : QWidget(parent),
+      context_(session, setup.assets, setup.theme),
+      setup_(setup),
+      reader_(new Background(this)) {
   auto* row = bareLayout<QHBoxLayout>(this, 0);
   createRail(setup.groups());
   row->addWidget(rail_);
@@ -87,6 +96,30 @@ Desk::Desk(SessionContext& session, const DeskSetup& setup, QWidget* parent)
   setLanguage(setup.language);
   followLanguage(this, [this] { retranslate(); });
   applyColours(setup.theme);
+  auto* clock = new QTimer(this);
+  connect(clock, &QTimer::timeout, this, &Desk::readWaiting);
+  clock->start(kReadWaiting_ms);
+}
+
+bool Desk::event(QEvent* event) {
+  if (event->type() == QEvent::WindowActivate) {
+    readWaiting();  // a dialog has closed, or the user is back
+  }
+  return QWidget::event(event);
+}
+
+void Desk::readWaiting() {
+  const bool counts = entries_.contains(PageId::kUsers) || entries_.contains(PageId::kRoster);
+  if (!counts || busy() || reader_->working() || context_.databaseAway()) {
+    return;
+  }
+  reader_->run(
+      context_.session().key(), [](SessionContext& own) { return waitingRequests(own); },
+      [this](const WaitingRequests& waiting) {
+        rail_->setWaiting(PageId::kUsers, waiting.toConfirm);
+        rail_->setWaiting(PageId::kRoster, waiting.ofPeople);
+      },
+      [](const std::exception_ptr&) {});  // the window shows outages; the next reading tries again
 }
 
 Desk::~Desk() {
@@ -202,10 +235,9 @@ QWidget* Desk::createBody() {
   auto* body = new QWidget(this);
   auto* column = bareLayout<QVBoxLayout>(body, 0);
   problem_ = new ProblemPanel(body);
-  problem_->hide();
+  problem_->floatAtTop();
   job_ = new JobPanel(body);
   stack_ = new QStackedWidget(body);
-  column->addWidget(problem_);
   column->addWidget(stack_, 1);
   column->addWidget(job_);  // at the bottom, so that its "Cancel" does not take another button's place
   toast_ = new Toast(body);
@@ -274,6 +306,7 @@ bool Desk::open(PageId id, const QVariant& argument) {
       return label->property("heading").toBool() && label->isVisibleTo(page);
     }));
     focusInto(*page);
+    readWaiting();
   });
   return currentId_ == id;
 }

@@ -23,6 +23,7 @@ class QToolButton;
 
 namespace torsio::gui {
 
+class Background;
 class JobPanel;
 class ProblemPanel;
 class Rail;
@@ -92,12 +93,17 @@ class Desk : public QWidget {
   void aboutWanted();
   void simulatedWanted(SimulatedRole role);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   [[nodiscard]] bool allowed(PageId id);
   void createRail(const std::vector<PageGroup>& groups);
   QWidget* createHeader();
   QWidget* createBody();
   void connectContext();
+  /// Shows in the navigation how many requests wait; read in the background.
+  void readWaiting();
   void choosePin();
   void removeDemonstration();
   void retranslate();
@@ -113,6 +119,7 @@ class Desk : public QWidget {
   Page* current_ = nullptr;
   std::optional<PageId> currentId_;
 
+  Background* reader_;
   Rail* rail_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* centre_ = nullptr;

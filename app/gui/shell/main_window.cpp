@@ -28,6 +28,7 @@
 #include "app/gui/widgets/window_events.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/kiosk_codes.h"
+#include "app/services/access/station_name.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/recording/station_writer.h"
 #include "assessment/domain/people/account.h"
@@ -79,7 +80,7 @@ MainWindow::MainWindow(const ShellSetup& setup)
   SceneView::prepareWindow(*this);
   appearance_.apply({});
   createPanels();
-  for (QWidget* part : std::initializer_list<QWidget*>{idle_, away_, &simulated_->bar(), stack_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{&simulated_->bar(), stack_}) {
     column->addWidget(part);
   }
   createKeys();
@@ -235,6 +236,14 @@ void MainWindow::heartbeat() {
   if (record_.line() != nullptr) {
     record_.line()->signIn(record_.session()->actor());
     away_->follow(*record_.line(), desk_ != nullptr && desk_->busy());
+    if (desk_ != nullptr && record_.line()->hasTwin() != twinTold_ && !desk_->busy()) {
+      twinTold_ = record_.line()->hasTwin();
+      if (twinTold_) {
+        desk_->context().tell([station = record_.session()->station()] {
+          return TranslatedError{toQString(twinWords(station)), toQString(twinRemedy()), {}};
+        });
+      }
+    }
   }
 }
 

@@ -119,7 +119,8 @@ class MainWindow : public QWidget {
   Settling* settling_ = nullptr;
   SimulatedDesks* simulated_ = nullptr;  ///< its temporary record must outlive the session
   ScreenLock* lock_ = nullptr;
-  int deskLevel_ = 0;  ///< event loop level without open dialogs
+  bool twinTold_ = false;  ///< that somebody else is this station, too
+  int deskLevel_ = 0;      ///< event loop level without open dialogs
   Desk* desk_ = nullptr;
 };
 

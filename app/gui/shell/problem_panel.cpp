@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/shell/problem_panel.h"
 
+#include <algorithm>
+
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
@@ -73,6 +75,37 @@ void ProblemPanel::tell(const Problem& problem) {
   say();
   showDetails(false);
   setVisible(true);
+}
+
+void ProblemPanel::floatAtTop() {
+  floats_ = true;
+  parentWidget()->installEventFilter(this);
+  hide();
+}
+
+bool ProblemPanel::event(QEvent* event) {
+  const bool done = QFrame::event(event);
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show) {
+    place();
+  }
+  return done;
+}
+
+bool ProblemPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parentWidget() && event->type() == QEvent::Resize) {
+    place();
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+void ProblemPanel::place() {
+  if (!floats_ || isHidden()) {
+    return;
+  }
+  const int width = parentWidget()->width();
+  const int wanted = hasHeightForWidth() ? heightForWidth(width) : sizeHint().height();
+  setGeometry(0, 0, width, std::min(wanted, parentWidget()->height()));
+  raise();
 }
 
 void ProblemPanel::say() {

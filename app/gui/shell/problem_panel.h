@@ -17,8 +17,8 @@ namespace torsio::gui {
 
 struct Theme;
 
-/// What went wrong and what to do, with folded details and a copy button. Stays until closed, follows the
-/// language, and never covers the work.
+/// What went wrong and what to do, with folded details and a copy button. Stays until closed and follows the
+/// language.
 class ProblemPanel : public QFrame {
   Q_OBJECT
 
@@ -26,6 +26,9 @@ class ProblemPanel : public QFrame {
   explicit ProblemPanel(QWidget* parent = nullptr);
 
   void tell(const Problem& problem);
+  /// Hides it, and shows it from now on over the upper edge of its parent instead of in a layout, so that it
+  /// moves nothing under the pointer.
+  void floatAtTop();
   /// Off for screens that show nothing else.
   void setClosable(bool closable);
   /// Returns the whole text, as copied by the button.
@@ -33,11 +36,17 @@ class ProblemPanel : public QFrame {
   void setTheme(const Theme& theme);
   void retranslate();
 
+ protected:
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void say();
   void showDetails(bool shown);
+  void place();
 
   Problem problem_;
+  bool floats_ = false;
   QLabel* sign_;
   QLabel* happened_;
   QLabel* remedy_;

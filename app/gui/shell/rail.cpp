@@ -96,6 +96,15 @@ void Rail::setCurrent(std::optional<PageId> id) {
   }
 }
 
+void Rail::setWaiting(PageId id, std::size_t count) {
+  for (Line& line : lines_) {
+    if (line.item.id == id && line.waiting != count) {
+      line.waiting = count;
+      retranslate();
+    }
+  }
+}
+
 void Rail::setNarrow(bool narrow) {
   narrow_ = narrow;
   retranslate();
@@ -118,8 +127,10 @@ void Rail::retranslate() {
   }
   for (const Line& line : lines_) {
     const QKeySequence keys = line.button->shortcut();  // setting the text clears the shortcut
-    const QString title = pageTitle(line.item.id);
-    line.button->setText(narrow_ ? QString() : title);
+    const QString count = QString::number(line.waiting);
+    const QString title =
+        line.waiting == 0 ? pageTitle(line.item.id) : tr("%1 (%2)").arg(pageTitle(line.item.id), count);
+    line.button->setText(!narrow_ ? title : line.waiting == 0 ? QString() : count);
     line.button->setShortcut(keys);
     // The current line is bold: reserves its width, so that nothing is clipped or moves.
     QFont bold = line.button->font();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -40,6 +41,8 @@ class Rail : public QFrame {
 
   /// Marks the current page; pages without a line clear the mark.
   void setCurrent(std::optional<PageId> id);
+  /// Shows how much waits on a page, behind its name; 0: nothing.
+  void setWaiting(PageId id, std::size_t count);
   void setNarrow(bool narrow);
   [[nodiscard]] bool narrow() const noexcept { return narrow_; }
   void setTheme(const Theme& theme);
@@ -53,6 +56,7 @@ class Rail : public QFrame {
   struct Line {
     RailItem item;
     QPushButton* button;
+    std::size_t waiting = 0;
   };
   struct Heading {
     std::function<QString()> title;

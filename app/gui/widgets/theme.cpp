@@ -234,9 +234,9 @@ QFrame#rail QPushButton:focus { border-color: %accent; }
 QFrame#header { background: %surface; border: none; border-bottom: 1px solid %line; }
 QFrame#problem { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %caution; border-left: 4px solid %caution; border-radius: 8px; }
 QFrame#job { margin: 0 16px 8px 16px; background: %surface; border: 1px solid %accent; border-radius: 8px; }
-QLabel#idleWarning { background: %caution; color: %window; padding: 8px; font-weight: 600; }
+QLabel#idleWarning { background: %caution; color: %window; padding: 8px 16px; border-radius: 6px; font-weight: 600; }
 QFrame#visit { background: %raised; border-bottom: 1px solid %line; }
-QLabel#databaseAway { background: %raised; color: %caution; border-bottom: 1px solid %caution; padding: 8px;
+QLabel#databaseAway { background: %raised; color: %caution; border: 1px solid %caution; border-radius: 6px; padding: 8px 16px;
   font-weight: 600; }
 QLabel#toast { background: %text; color: %window; border-radius: 6px; padding: 10px 16px; }
 QPushButton[primary="true"] { background: %accent; color: %onAccent; border-color: %accent; font-weight: 600; }

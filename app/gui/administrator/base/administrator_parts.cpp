@@ -48,12 +48,15 @@ QPushButton* listButton(DataTable* table) {
 }
 
 void fillCohorts(QComboBox* chooser, SessionContext& session, CohortFirst first) {
+  fillCohorts(chooser, cohorts(session), first);
+}
+
+void fillCohorts(QComboBox* chooser, std::vector<CohortRow> rows, CohortFirst first) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();
   chooser->setPlaceholderText(QCoreApplication::translate("Administration", "no cohort yet"));
   chooser->setMinimumContentsLength(static_cast<int>(chooser->placeholderText().size()));
-  std::vector<CohortRow> rows = cohorts(session);
   for (CohortRow& row : rows) {
     row.today = row.today && first == CohortFirst::kOfToday;
     if (row.cohort.state != CohortState::kArchived) {

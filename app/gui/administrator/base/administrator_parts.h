@@ -26,7 +26,8 @@ class QWidget;
 
 namespace torsio {
 class SessionContext;
-}
+struct CohortRow;
+}  // namespace torsio
 
 namespace torsio::gui {
 
@@ -43,6 +44,8 @@ QPushButton* listButton(DataTable* table);
 /// Initial choice: cohortShownFirst(), or the running study regardless of today's sessions.
 enum class CohortFirst { kOfToday, kStudy };
 void fillCohorts(QComboBox* chooser, SessionContext& session, CohortFirst first);
+/// The same with cohorts that were read before.
+void fillCohorts(QComboBox* chooser, std::vector<CohortRow> rows, CohortFirst first);
 /// Fills a chooser with the evaluation campaigns and `none`. Initial choice: the newest one with marks.
 void fillCampaigns(QComboBox* chooser, SessionContext& session, const QString& none);
 /// Returns the id of the current choice; empty: none.

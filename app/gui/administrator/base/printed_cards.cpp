@@ -167,16 +167,15 @@ void writeAccountCards(const std::vector<StartAccount>& accounts, const std::str
   std::vector<PrintedCard> printed;
   for (const StartAccount& account : accounts) {
     const QString code = toQString(account.personCode);
+    const QString envelope = toQString(envelopeWords(account));
     printed.push_back(
         {.label = {{{centreHeadline(toQString(centre))},
                     account.personName.empty() ? CardLine{code, 24.0, true}
                                                : CardLine{toQString(account.personName), 18.0, true},
-                    {account.personName.empty()
-                         ? PrintedCards::tr("Your access to Torsio. For you alone.")
-                         : PrintedCards::tr("%1. Your access to Torsio. For you alone.").arg(code)}}},
+                    {account.personName.empty() ? envelope : QStringLiteral("%1. %2").arg(code, envelope)}}},
          .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(toQString(account.login)), 11.0},
-                     {toQString(account.startPassword), 15.0, true},
-                     {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
+                     {toQString(writtenPassword(account)), 15.0, true},
+                     {toQString(cardWords(account))}}}});
   }
   writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(centreHeadline(toQString(centre))), file);
 }

@@ -3,6 +3,9 @@
 #include "app/gui/administrator/base/question_dialog.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <QApplication>
 #include <QClipboard>
@@ -15,12 +18,16 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "app/connectors/mail/mailing.h"
 #include "app/gui/administrator/base/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/field_checks.h"
+#include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/access/first_run.h"
+#include "app/services/people/waiting_requests.h"
 
 namespace torsio::gui {
 
@@ -169,26 +176,6 @@ struct SecondPerson {
   Q_DECLARE_TR_FUNCTIONS(SecondPerson)
 };
 
-QString noteOf(const QString& login, PasswordPart part) {
-  switch (part) {
-    case PasswordPart::kFirstHalf:
-      return SecondPerson::tr(
-                 "This is the first half of the start password of %1. Give it to them; the second half comes "
-                 "from the administrator who confirms. It is shown only now.")
-          .arg(login);
-    case PasswordPart::kSecondHalf:
-      return SecondPerson::
-          tr("This is the second half of the start password of %1, after the first half and a hyphen. Give "
-             "it to them; the first half comes from the administrator who asked. It is shown only now.")
-              .arg(login);
-    case PasswordPart::kWhole:
-      break;
-  }
-  return SecondPerson::
-      tr("Give this start password to %1. It is shown only now, and must be changed at the first sign-in.")
-          .arg(login);
-}
-
 bool wantsToAsk(QWidget* parent) {
   QuestionDialog dialog(
       parent, SecondPerson::tr("Two people"),
@@ -198,16 +185,50 @@ bool wantsToAsk(QWidget* parent) {
   return dialog.ask(SecondPerson::tr("&Ask"));
 }
 
-void sayAsked(ShellContext& shell) {
-  shell.notify(SecondPerson::tr("Asked. Another administrator confirms it under Users, Requests"));
-}
-
 }  // namespace
 
-void showStartPassword(QWidget* parent, const QString& login, const QString& password, PasswordPart part) {
+void sayAsked(QWidget* parent, ShellContext& shell) {
+  shell.notify(SecondPerson::tr("Asked. Another administrator confirms it under Users, Requests"));
+  if (!shell.may(Operation::kUserManage) || !canMailAdministrators(shell.session())) {
+    return;
+  }
+  QuestionDialog dialog(parent, SecondPerson::tr("Tell by mail"),
+                        SecondPerson::tr("Tell the other administrators by mail that a request waits?"));
+  dialog.setObjectName(QStringLiteral("tellAdministrators"));
+  auto* password = named(secretField(&dialog), "mailPassword");
+  auto* form = new QFormLayout;
+  form->addRow(SecondPerson::tr("Pass&word of the mail server"), password);
+  dialog.column()->addLayout(form);
+  const std::optional<MailSettings> settings = mailSettings(shell.session());
+  form->setRowVisible(password, settings && !settings->server.user.empty());
+  if (!dialog.ask(SecondPerson::tr("&Send"))) {
+    return;
+  }
+  const std::vector<OpenRequest> open = openRequests(shell.session());
+  const auto own = static_cast<std::size_t>(
+      std::count_if(open.begin(), open.end(), [](const OpenRequest& one) { return one.own; }));
+  const std::string centre = centreSign(shell.session().connectionWithoutRight()).name;
+  shell.run(
+      parent, SecondPerson::tr("Telling the other administrators"),
+      [secret = password->text().toStdString(), subject = toQString(waitingMailSubject(centre)).toStdString(),
+       body = toQString(waitingMailWords(centre, shell.session().actor().login, own)).toStdString()](
+          SessionContext& session, const ProgressCallback&) {
+        return mailAdministrators(session, secret, subject, body + "\n");
+      },
+      [&shell](const std::vector<Text>& refusals) {
+        for (const Text& refusal : refusals) {
+          if (!refusal.empty()) {
+            return shell.notify(SecondPerson::tr("Refused by the mail server: %1").arg(toQString(refusal)));
+          }
+        }
+        shell.notify(SecondPerson::tr("Administrators told by mail: %1").arg(refusals.size()));
+      });
+}
+
+void showStartPassword(QWidget* parent, const StartAccount& account) {
   QuestionDialog dialog(parent, SecondPerson::tr("Start password"));
-  dialog.addNote(noteOf(login, part));
-  auto* shown = new QLineEdit(password, &dialog);
+  dialog.addNote(toQString(handOverWords(account)));
+  auto* shown = new QLineEdit(toQString(account.startPassword), &dialog);
   shown->setObjectName(QStringLiteral("password"));
   shown->setReadOnly(true);
   shown->setAccessibleName(SecondPerson::tr("Start password"));
@@ -231,9 +252,10 @@ bool offerToAsk(QWidget* parent, ShellContext& shell, const DutyWish& wish, cons
   }
   const std::string half = askSecondPerson(shell.session(), wish);
   if (!half.empty()) {
-    showStartPassword(parent, login, toQString(half), PasswordPart::kFirstHalf);
+    showStartPassword(
+        parent, {.login = login.toStdString(), .startPassword = half, .part = PasswordPart::kFirstHalf});
   }
-  sayAsked(shell);
+  sayAsked(parent, shell);
   return true;
 }
 
@@ -246,7 +268,7 @@ bool offerToAskForAll(QWidget* parent, ShellContext& shell, const std::vector<Du
       static_cast<void>(askSecondPerson(shell.session(), wish));
     }
   }
-  sayAsked(shell);
+  sayAsked(parent, shell);
   return true;
 }
 

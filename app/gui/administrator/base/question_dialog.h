@@ -10,6 +10,7 @@
 #include <QDialog>
 #include <QString>
 
+#include "app/services/access/start_password.h"
 #include "app/services/access/two_people.h"
 #include "app/services/people/people_service.h"
 
@@ -77,9 +78,11 @@ class PeopleDialog : public QDialog {
 class ShellContext;
 
 /// Shows a start password, or the half that the actor may know, once, with a copy button.
-enum class PasswordPart { kWhole, kFirstHalf, kSecondHalf };
-void showStartPassword(QWidget* parent, const QString& login, const QString& password,
-                       PasswordPart part = PasswordPart::kWhole);
+void showStartPassword(QWidget* parent, const StartAccount& account);
+
+/// Says that a second person was asked. Where the centre has set a mail server and knows an address, offers
+/// to tell the other administrators by mail. Throws Error.
+void sayAsked(QWidget* parent, ShellContext& shell);
 
 /// Runs `act`. If a second person is needed and has not been asked, offers to ask, and shows the first half
 /// of a start password if one is made for `login`. Returns true if `act` succeeded. Throws any other error of

@@ -29,27 +29,16 @@
 #include "app/services/base/progress.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/people/consent_service.h"
+#include "app/services/people/roster_accounts.h"
 
 namespace torsio::gui {
 
 namespace {
 
-/// Second halves of start passwords, collected as they are made.
-struct SecondHalves {
+/// Accounts confirmed so far, and the error that stopped the others.
+struct Confirmed {
   std::vector<StartAccount> made{};
   std::exception_ptr problem{};
-
-  void confirm(SessionContext& session, const std::vector<OpenRequest>& requests,
-               const ProgressCallback& progress) {
-    for (std::size_t i = 0; i < requests.size(); ++i) {
-      const std::string& login = requests[i].shown;
-      tellProgress(progress, Text::tr("Start password for %1", login),
-                   static_cast<double>(i) / static_cast<double>(requests.size()));
-      if (const std::string half = confirmRequest(session, requests[i].request.id); !half.empty()) {
-        made.push_back({.login = login, .personCode = login, .startPassword = "\u2026-" + half});
-      }
-    }
-  }
 };
 
 }  // namespace
@@ -155,9 +144,11 @@ void RequestsDialog::confirmInvitations(const std::vector<OpenRequest>& requests
   std::vector<InvitationCardText> cards;
   attempt(shell_, [&] {
     const std::string address = browserAddress(shell_.session());
-    for (const OpenRequest& one : requests) {
-      cards.push_back({.personCode = one.shown, .login = one.shown});
-      cards.back().link = invitationLink(address, confirmRequest(shell_.session(), one.request.id), true);
+    const std::vector<StartAccount> whose = accountsOf(shell_.session(), requests);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      cards.push_back({.personCode = whose[i].personCode, .login = whose[i].login});
+      cards.back().link =
+          invitationLink(address, confirmRequest(shell_.session(), requests[i].request.id), true);
       cards.back().expiresUtc_us = shell_.session().now_us() + kInvitationLife_us;
     }
   });
@@ -238,15 +229,16 @@ void RequestsDialog::confirmAccount(const OpenRequest& request) {
   }
   shell_.run(
       this, tr("Sealing the start password"),
-      [cost = shell_.session().passwordCost(), id = request.request.id](SessionContext& session,
-                                                                        const ProgressCallback&) {
+      [cost = shell_.session().passwordCost(), request](SessionContext& session, const ProgressCallback&) {
         session.setPasswordCost(cost);
-        return confirmRequest(session, id);
+        std::vector<StartAccount> made;
+        torsio::confirmAccounts(session, {&request, 1}, made);
+        return made;
       },
-      [this, login = toQString(request.shown)](const std::string& half) {
+      [this](const std::vector<StartAccount>& made) {
         read();
-        if (!half.empty()) {
-          showStartPassword(this, login, toQString(half), PasswordPart::kSecondHalf);
+        if (!made.empty()) {
+          showStartPassword(this, made.front());
         }
       });
 }
@@ -269,9 +261,9 @@ void RequestsDialog::confirmAccounts(const std::vector<OpenRequest>& requests) {
       [requests, cost = shell_.session().passwordCost()](SessionContext& session,
                                                          const ProgressCallback& progress) {
         session.setPasswordCost(cost);
-        SecondHalves halves;
+        Confirmed halves;
         try {
-          halves.confirm(session, requests, progress);
+          torsio::confirmAccounts(session, requests, halves.made, progress);
         } catch (...) {
           if (halves.made.empty()) {
             throw;
@@ -280,7 +272,7 @@ void RequestsDialog::confirmAccounts(const std::vector<OpenRequest>& requests) {
         }
         return halves;
       },
-      [dialog = QPointer<RequestsDialog>(this)](const SecondHalves& halves) {
+      [dialog = QPointer<RequestsDialog>(this)](const Confirmed& halves) {
         dialog->read();
         if (!halves.made.empty()) {
           AccountsDialog(halves.made, centreSign(dialog->shell_.session().connectionWithoutRight()).name,

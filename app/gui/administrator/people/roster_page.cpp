@@ -160,7 +160,7 @@ void RosterPage::showRequests() {
 }
 
 void RosterPage::showContent() {
-  requests_->setText(waiting_ == 0 ? tr("Request&s\u2026") : tr("Request&s (%1)\u2026").arg(waiting_));
+  requests_->setText(waiting_ == 0 ? tr("A&sked for\u2026") : tr("A&sked for (%1)\u2026").arg(waiting_));
   requests_->setProperty("caution", waiting_ > 0);
   requests_->setToolTip(tr("What trainees asked for about their own record"));
   std::vector<Row> rows;

@@ -2,6 +2,7 @@
 
 #include "app/gui/administrator/people/shown_once_dialog.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QApplication>
@@ -106,20 +107,30 @@ void ShownOnceDialog::reject() {
 
 AccountsDialog::AccountsDialog(const std::vector<StartAccount>& accounts, const std::string& centre,
                                QWidget* parent)
-    : ShownOnceDialog(
-          tr("Start passwords"),
-          tr("These start passwords are shown only now. Give each to its owner, for example on a card in a "
-             "sealed envelope. Everybody chooses their own password at the first sign-in."),
-          tr("start-passwords.pdf"), parent),
+    : ShownOnceDialog(tr("Start passwords"), toQString(handOverWords(accounts)), tr("start-passwords.pdf"),
+                      parent),
       accounts_(accounts),
       centre_(centre) {
+  const bool halves = std::any_of(accounts_.begin(), accounts_.end(), [](const StartAccount& account) {
+    return account.part != PasswordPart::kWhole;
+  });
+  std::vector<Column> columns{{tr("Person")}, {tr("Sign-in name")}, {tr("Start password")}};
+  if (halves) {
+    columns.push_back({tr("Which part")});
+  }
   std::vector<Row> rows;
   for (const StartAccount& account : accounts_) {
-    rows.push_back(
-        {toQString(account.login),
-         {{toQString(account.personCode)}, {toQString(account.login)}, {toQString(account.startPassword)}}});
+    const QString code = toQString(account.personCode);
+    const QString person = account.personName.empty()
+                               ? code
+                               : QStringLiteral("%1 \u00B7 %2").arg(code, toQString(account.personName));
+    std::vector<Cell> cells{{person}, {toQString(account.login)}, {toQString(writtenPassword(account))}};
+    if (halves) {
+      cells.push_back({toQString(partWords(account))});
+    }
+    rows.push_back({toQString(account.login), std::move(cells)});
   }
-  setLines({{tr("Person")}, {tr("Sign-in name")}, {tr("Start password")}}, std::move(rows));
+  setLines(columns, std::move(rows));
 }
 
 void AccountsDialog::writeCards(const std::filesystem::path& file) const {

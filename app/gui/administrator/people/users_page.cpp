@@ -27,7 +27,7 @@
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
 #include "app/services/people/people_service.h"
-#include "app/services/people/roster_import.h"
+#include "app/services/people/roster_accounts.h"
 
 namespace torsio::gui {
 
@@ -57,6 +57,10 @@ struct IssuedAccounts {
   std::vector<StartAccount> made;
   std::exception_ptr problem;
 };
+
+bool isHalf(const StartAccount& account) {
+  return account.part != PasswordPart::kWhole;
+}
 
 }  // namespace
 
@@ -254,6 +258,9 @@ void UsersPage::addForRoster() {
           page->enter({});
           AccountsDialog(issued.made, centreSign(page->shell().session().connectionWithoutRight()).name, page)
               .exec();
+          if (!page.isNull() && std::any_of(issued.made.begin(), issued.made.end(), isHalf)) {
+            attempt(page->shell(), [&] { sayAsked(page, page->shell()); });
+          }
           if (!page.isNull() && issued.problem) {
             page->sayWhyNotAll(issued.problem);
           }
@@ -278,10 +285,12 @@ void UsersPage::storeAndShow(const std::function<MadeUser(SessionContext&)>& sto
       [page = QPointer<UsersPage>(this), login](const MadeUser& made) {
         page->enter({});
         page->table_->select(toQString(made.id));
-        showStartPassword(page, login, toQString(made.startPassword),
-                          made.awaitsSecond ? PasswordPart::kFirstHalf : PasswordPart::kWhole);
+        showStartPassword(page,
+                          {.login = login.toStdString(),
+                           .startPassword = made.startPassword,
+                           .part = made.awaitsSecond ? PasswordPart::kFirstHalf : PasswordPart::kWhole});
         if (!page.isNull() && made.awaitsSecond) {
-          page->shell().notify(tr("Another administrator confirms the roles under Requests"));
+          attempt(page->shell(), [&] { sayAsked(page, page->shell()); });
         }
       });
 }
@@ -432,9 +441,14 @@ void UsersPage::inviteChosen() {
                        .code = one.code,
                        .expiresUtc_us = one.expiresUtc_us});
     }
+    const bool asked = std::any_of(cards.begin(), cards.end(),
+                                   [](const InvitationCardText& card) { return !card.code.empty(); });
     InvitationsDialog(std::move(cards), centreSign(shell().session().connectionWithoutRight()).name, this)
         .exec();
     enter({});
+    if (asked) {
+      sayAsked(this, shell());
+    }
   });
 }
 

@@ -23,6 +23,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/access/station_name.h"
 #include "app/services/devices/haptic_station.h"
 #include "app/services/recording/station_writer.h"
 #include "sim/device/drivers/device_list.h"
@@ -38,6 +39,7 @@ DevicesPage::DevicesPage(ShellContext& shell)
       name_(new QLineEdit(this)),
       force_(new QCheckBox(this)),
       others_(named(new QPushButton(this), "otherPrograms")),
+      station_(named(sentence(this), "station")),
       verdict_(sentence(this, false)),
       table_(named(new DataTable(QStringLiteral("devices"), this), "findings")),
       settings_(new CentreSettingsCard(shell, this)) {
@@ -53,6 +55,7 @@ DevicesPage::DevicesPage(ShellContext& shell)
   choices->addWidget(others_);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
+  column->addWidget(station_);
   column->addLayout(choices);
   column->addWidget(verdict_);
   column->addWidget(table_, 1);
@@ -162,6 +165,11 @@ void DevicesPage::showContent() {
 void DevicesPage::retranslate() {
   settings_->retranslate();
   heading_->setTexts(tr("Devices"), tr("Whether the haptic device of this station is fit for a graded run."));
+  const StationSign sign = stationSign();
+  station_->setText(tr("This station records as %1, on the computer %2.")
+                        .arg(toQString(sign.name), toQString(sign.computer)));
+  station_->setToolTip(
+      tr("Made once and kept when the computer is renamed, in %1").arg(toQString(sign.settings)));
   check_->setText(tr("&Check the device"));
   driverLabel_->setText(tr("This station w&orks with"));
   driver_->setItemText(0, tr("the first device found"));

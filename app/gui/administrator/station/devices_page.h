@@ -45,6 +45,7 @@ class DevicesPage : public Page {
   QLineEdit* name_;
   QCheckBox* force_;
   QPushButton* others_;
+  QLabel* station_;  ///< name of this station
   QLabel* verdict_;
   DataTable* table_;
   CentreSettingsCard* settings_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QDateTime>
@@ -30,6 +31,8 @@
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/services/access/database_away.h"
+#include "app/services/people/waiting_requests.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/study/station_state.h"
 
 namespace torsio::gui {
@@ -51,7 +54,8 @@ TodaysSessionsPage::TodaysSessionsPage(ShellContext& shell)
     : Page(shell),
       clock_(new QTimer(this)),
       heading_(new PageHeading(this)),
-      cohort_(new QComboBox(this)),
+      waiting_(named(linkButton(this), "requestsWait")),
+      cohort_(named(new QComboBox(this), "cohort")),
       summary_(new QLabel(this)),
       callBar_(new CallBar(shell, this)),
       table_(named(new DataTable(QStringLiteral("run-day"), this), "table")),
@@ -88,6 +92,9 @@ TodaysSessionsPage::TodaysSessionsPage(ShellContext& shell)
   cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
+  column->addWidget(waiting_, 0, Qt::AlignLeft);
+  waiting_->setProperty("caution", true);
+  connect(waiting_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kUsers); });
   column->addLayout(choices);
   column->addWidget(callBar_);
   stationsLine_->label()->setObjectName(QStringLiteral("stationsLine"));
@@ -146,6 +153,7 @@ void TodaysSessionsPage::read() {
     calls_ = cohort.empty() ? std::vector<CalledCase>{} : calledCases(shell().session(), cohort);
     callBar_->setCohort(cohort, board_ ? board_->occasions : Occasions{});
     showContent();
+    showWaiting(waitingRequests(shell().session()).toConfirm);
   });
   if (!good) {
     clock_->stop();  // a single message instead of one every few seconds
@@ -153,23 +161,41 @@ void TodaysSessionsPage::read() {
 }
 
 void TodaysSessionsPage::refresh() {
-  const std::string cohort = chosenId(cohort_);
-  if (cohort.empty() || holdsButton(*this) || reader_->working() || shell().databaseAway()) {
+  if (holdsButton(*this) || reader_->working() || shell().databaseAway()) {
     return;
   }
+  struct Read {
+    std::vector<CohortRow> cohorts{};
+    std::size_t toConfirm = 0;
+    std::optional<DayBoard> board{};
+    std::vector<CalledCase> calls{};
+  };
+  const std::string cohort = chosenId(cohort_);
   reader_->run(
       shell().session().key(),
       [cohort](SessionContext& own) {
-        DayBoard board = dayBoard(own, cohort);
-        own.beginCall();
-        return std::pair(std::move(board), calledCases(own, cohort));
+        Read read{.cohorts = cohorts(own), .toConfirm = waitingRequests(own).toConfirm};
+        if (!cohort.empty()) {
+          own.beginCall();
+          read.board = dayBoard(own, cohort);
+          own.beginCall();
+          read.calls = calledCases(own, cohort);
+        }
+        return read;
       },
-      [this, cohort](auto read) {
+      [this, cohort](Read read) {
         if (cohort != chosenId(cohort_) || holdsButton(*this)) {
           return;  // another cohort was chosen meanwhile, or the next refresh shows it
         }
-        board_ = std::move(read.first);
-        calls_ = std::move(read.second);
+        showWaiting(read.toConfirm);
+        if (!cohort_->view()->isVisible()) {
+          fillCohorts(cohort_, std::move(read.cohorts), CohortFirst::kOfToday);
+        }
+        if (cohort != chosenId(cohort_)) {
+          return this->read();  // the first cohort has come, or the chosen one has gone
+        }
+        board_ = std::move(read.board);
+        calls_ = std::move(read.calls);
         showContent();
       },
       [this](const std::exception_ptr& problem) {
@@ -179,6 +205,13 @@ void TodaysSessionsPage::refresh() {
         clock_->stop();  // a single message instead of one every few seconds
         shell().report(problem);
       });
+}
+
+void TodaysSessionsPage::showWaiting(std::size_t toConfirm) {
+  toConfirm_ = toConfirm;
+  const QString words = toQString(toConfirmWords(toConfirm));
+  waiting_->setText(words);
+  waiting_->setVisible(!words.isEmpty());
 }
 
 void TodaysSessionsPage::customEvent(QEvent* event) {
@@ -312,6 +345,7 @@ void TodaysSessionsPage::retranslate() {
       tr("Today's sessions"),
       tr("Who is doing what, what is left, which sheets are missing, and whether the devices are fit."));
   cohortLabel_->setText(tr("&Cohort"));
+  showWaiting(toConfirm_);
   callBar_->retranslate();
   call_->setText(tr("Call to the arm"));
   time_->setText(tr("&Log time\u2026"));

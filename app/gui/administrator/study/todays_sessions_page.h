@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -69,10 +70,14 @@ class TodaysSessionsPage : public Page, public AwaitsCalls {
   /// Returns the result of the last device check of a station: symbol and word, never colour alone.
   [[nodiscard]] QString checkText(const StationDevice& device) const;
 
+  void showWaiting(std::size_t toConfirm);
+
   std::optional<DayBoard> board_;
+  std::size_t toConfirm_ = 0;
   std::vector<CalledCase> calls_;
   QTimer* clock_;
   PageHeading* heading_;
+  QPushButton* waiting_;  ///< requests for a second person; leads to them
   QLabel* cohortLabel_ = nullptr;
   QComboBox* cohort_;
   QLabel* summary_;

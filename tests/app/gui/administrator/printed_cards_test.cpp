@@ -52,6 +52,29 @@ TEST(PrintedCards, EveryStartPasswordAndNameIsComplete) {
   EXPECT_FALSE(words.contains(QChar(0x2026)));
 }
 
+TEST(PrintedCards, AHalfOfAStartPasswordSaysSoOnTheCardAndItsEnvelope) {
+  QTemporaryDir folder;
+  const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "cards.pdf";
+  StartAccount first{.login = "r-01",
+                     .personCode = "R-01",
+                     .startPassword = "abcde-fghij",
+                     .personName = "Chief One",
+                     .part = PasswordPart::kFirstHalf};
+  StartAccount second = first;
+  second.startPassword = "kmnpq-rstuv";
+  second.part = PasswordPart::kSecondHalf;
+  second.askedBy = "office";
+
+  writeAccountCards({first, second}, "Hospital A", file);
+
+  const QString words = wordsOfPdf(file);
+  EXPECT_EQ(words.count(QStringLiteral("ChiefOne")), 2) << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("R-01.FirsthalfofyourpasswordforTorsio.Foryoualone.")));
+  EXPECT_TRUE(words.contains(QStringLiteral("Firsthalf.Thesecondhalfcomesfromanotheradministrator.")));
+  EXPECT_TRUE(words.contains(QStringLiteral("R-01.SecondhalfofyourpasswordforTorsio.Foryoualone.")));
+  EXPECT_TRUE(words.contains(QStringLiteral("Secondhalf.Thefirsthalfcomesfromoffice.")));
+}
+
 TEST(PrintedCards, ShowTheProgramsNameIfTheCentreHasNone) {
   QTemporaryDir folder;
   const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "cards.pdf";

@@ -24,6 +24,7 @@
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/services/access/signing.h"
+#include "app/services/access/two_people.h"
 #include "app/services/base/build_info.h"
 #include "assessment/domain/people/person.h"
 #include "db/connection/connection.h"
@@ -66,6 +67,52 @@ TEST_F(Shell, TheNavigationIsAListAndItsLinesCanBePressed) {
 
   EXPECT_EQ(window_->desk()->pageId(), PageId::kAudit);
   EXPECT_TRUE(audit->state().selected);
+}
+
+TEST_F(Shell, TheNavigationSaysHowManyRequestsWaitForTheSecondAdministrator) {
+  const ShellSetup with = setup();
+  {
+    const std::unique_ptr<SessionContext> office = foundCentre(with.locator.toStdString());
+    addUser(*office, {.login = "second", .roles = {"administrator"}, .startPassword = kStartPassword});
+    (void)makeUser(*office, {.login = "rater", .roles = {"rater"}});
+    ASSERT_EQ(changeOwnPassword(*office, "second", kStartPassword, kOwnPassword).outcome, SignIn::kOk);
+    torsio::signOut(*office);
+  }
+  open(with);
+  const auto users = [this] {
+    for (const QPushButton* line : window_->desk()->rail().findChildren<QPushButton*>()) {
+      if (line->accessibleName().startsWith(QStringLiteral("Users"))) {
+        return line->accessibleName();
+      }
+    }
+    return QString();
+  };
+
+  enter(QStringLiteral("second"), QString::fromLatin1(kOwnPassword));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return users() == QStringLiteral("Users (1)"); }, 20'000))
+      << users().toStdString();
+  ASSERT_TRUE(window_->signOut());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  QTest::qWait(300);
+  EXPECT_EQ(users(), QStringLiteral("Users")) << "their own";
+}
+
+TEST_F(Shell, AProblemMovesNothingUnderThePointer) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  const auto place = [this] {
+    QApplication::processEvents();
+    return QRect(page().mapTo(window_.get(), QPoint()), page().size());
+  };
+  const QRect before = place();
+
+  page().context().tell([] { return TranslatedError{"Something went wrong", "Try again", "details"}; });
+
+  const auto* panel = window_->desk()->findChild<ProblemPanel*>();
+  ASSERT_NE(panel, nullptr);
+  EXPECT_EQ(place(), before);
+  EXPECT_TRUE(panel->isVisible());
+  EXPECT_GT(panel->height(), 20);
 }
 
 TEST_F(Shell, TheDeskOffersOnlyWhatItsActorMayOpen) {
