@@ -752,24 +752,12 @@
         <translation>密封卡片：%1</translation>
     </message>
     <message>
-        <source>Your access to Torsio. For you alone.</source>
-        <translation>您的 Torsio 登录信息。仅供本人使用。</translation>
-    </message>
-    <message>
         <source>Sign-in name: %1</source>
         <translation>登录名：%1</translation>
     </message>
     <message>
-        <source>Choose your own password at the first sign-in.</source>
-        <translation>首次登录时请设置自己的密码。</translation>
-    </message>
-    <message>
         <source>Start passwords: %1</source>
         <translation>初始密码：%1</translation>
-    </message>
-    <message>
-        <source>%1. Your access to Torsio. For you alone.</source>
-        <translation>%1。Torsio 登录信息，仅供本人使用。</translation>
     </message>
     <message>
         <source>%1: hold the card to the scanner, or type the code</source>
@@ -1317,18 +1305,6 @@
 <context>
     <name>SecondPerson</name>
     <message>
-        <source>This is the first half of the start password of %1. Give it to them; the second half comes from the administrator who confirms. It is shown only now.</source>
-        <translation>这是 %1 的初始密码的前半部分，请转交本人；后半部分由确认的管理员给出。仅此时显示。</translation>
-    </message>
-    <message>
-        <source>This is the second half of the start password of %1, after the first half and a hyphen. Give it to them; the first half comes from the administrator who asked. It is shown only now.</source>
-        <translation>这是 %1 的初始密码的后半部分，接在前半部分和一个连字符之后。请转交本人；前半部分由提出申请的管理员给出。仅此时显示。</translation>
-    </message>
-    <message>
-        <source>Give this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
-        <translation>请将此初始密码交给 %1。密码只在此时显示，首次登录时必须修改。</translation>
-    </message>
-    <message>
         <source>Start password</source>
         <translation>初始密码</translation>
     </message>
@@ -1359,6 +1335,34 @@
     <message>
         <source>Asked. Another administrator confirms it under Users, Requests</source>
         <translation>已提出申请。另一位管理员将在“用户”的“申请”中确认</translation>
+    </message>
+    <message>
+        <source>Tell by mail</source>
+        <translation>邮件通知</translation>
+    </message>
+    <message>
+        <source>Tell the other administrators by mail that a request waits?</source>
+        <translation>是否以邮件通知其他管理员有申请待确认？</translation>
+    </message>
+    <message>
+        <source>Pass&amp;word of the mail server</source>
+        <translation>邮件服务器密码(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>发送(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Telling the other administrators</source>
+        <translation>正在通知其他管理员</translation>
+    </message>
+    <message>
+        <source>Refused by the mail server: %1</source>
+        <translation>邮件服务器拒收：%1</translation>
+    </message>
+    <message>
+        <source>Administrators told by mail: %1</source>
+        <translation>已邮件通知的管理员：%1 位</translation>
     </message>
 </context>
 <context>
@@ -16939,10 +16943,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>理由</translation>
     </message>
     <message>
-        <source>Send the links by mail, too</source>
-        <translation>同时以邮件发送链接</translation>
-    </message>
-    <message>
         <source>Sent by mail</source>
         <translation>已以邮件发送</translation>
     </message>
@@ -20450,6 +20450,126 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>%1 {does|do} not work, %2 could be better.</source>
         <translation>%1 项不可用，%2 项可以改进。</translation>
     </message>
+    <message>
+        <source>first half; the second comes from the administrator who confirms</source>
+        <translation>前半部分；后半部分由确认的管理员给出</translation>
+    </message>
+    <message>
+        <source>second half; the first comes from %1, who asked</source>
+        <translation>后半部分；前半部分由提出申请的 %1 给出</translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation>完整</translation>
+    </message>
+    <message>
+        <source>This is the first half of the start password of %1. Give it to them; the second half comes from the administrator who confirms. It is shown only now.</source>
+        <translation>这是 %1 的初始密码的前半部分，请转交本人；后半部分由确认的管理员给出。仅此时显示。</translation>
+    </message>
+    <message>
+        <source>This is the second half of the start password of %1, after the first half and a hyphen. Give it to them; the first half comes from %2, who asked. It is shown only now.</source>
+        <translation>这是 %1 的初始密码的后半部分，接在前半部分和一个连字符之后。请转交本人；前半部分由提出申请的 %2 给出。仅此时显示。</translation>
+    </message>
+    <message>
+        <source>Give this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
+        <translation>请将此初始密码交给 %1。密码只在此时显示，首次登录时必须修改。</translation>
+    </message>
+    <message>
+        <source>These are the second halves of start passwords. The first halves come from %1, who asked. They are shown only now. Give each to its owner, for example on a card in a sealed envelope. Everybody chooses their own password at the first sign-in.</source>
+        <translation>这些是初始密码的后半部分，前半部分由提出申请的 %1 给出。只在此时显示。请分别交给本人，例如用装在信封里的卡片。首次登录时每人设置自己的密码。</translation>
+    </message>
+    <message>
+        <source>These start passwords are shown only now. Give each to its owner, for example on a card in a sealed envelope. Everybody chooses their own password at the first sign-in.</source>
+        <translation>这些初始密码只在此时显示。请分别交给本人，例如用装在信封里的卡片。首次登录时每人设置自己的密码。</translation>
+    </message>
+    <message>
+        <source>%1 of these %2 start passwords are only the first half. The second half comes from the administrator who confirms the request; nobody can sign in with one half. They are shown only now. Give each to its owner, for example on a card in a sealed envelope. Everybody chooses their own password at the first sign-in.</source>
+        <translation>这 %2 个初始密码中有 %1 个只是前半部分，后半部分由确认申请的管理员给出；只凭一半无法登录。密码只在此时显示。请分别交给本人，例如用装在信封里的卡片。首次登录时每人设置自己的密码。</translation>
+    </message>
+    <message>
+        <source>First half. The second half comes from another administrator.</source>
+        <translation>前半部分。后半部分由另一位管理员给出。</translation>
+    </message>
+    <message>
+        <source>Second half. The first half comes from %1.</source>
+        <translation>后半部分。前半部分由 %1 给出。</translation>
+    </message>
+    <message>
+        <source>Choose your own password at the first sign-in.</source>
+        <translation>首次登录时请设置自己的密码。</translation>
+    </message>
+    <message>
+        <source>First half of your password for Torsio. For you alone.</source>
+        <translation>Torsio 密码的前半部分，仅供本人使用。</translation>
+    </message>
+    <message>
+        <source>Second half of your password for Torsio. For you alone.</source>
+        <translation>Torsio 密码的后半部分，仅供本人使用。</translation>
+    </message>
+    <message>
+        <source>Your access to Torsio. For you alone.</source>
+        <translation>您的 Torsio 登录信息。仅供本人使用。</translation>
+    </message>
+    <message>
+        <source>the settings of this station cannot be written</source>
+        <translation>无法写入本站的设置</translation>
+    </message>
+    <message>
+        <source>Check the rights of the folder</source>
+        <translation>请检查该文件夹的权限</translation>
+    </message>
+    <message>
+        <source>Somebody else is the station %1 at the same time: another window with the same settings, or a copy of this computer</source>
+        <translation>同时另有一处以工作站 %1 的名义工作：使用相同设置的另一个窗口，或本计算机的副本</translation>
+    </message>
+    <message>
+        <source>Close the other window. On a copied computer give the copy a name of its own with &quot;torsio station renew&quot;, then start Torsio there again</source>
+        <translation>请关闭另一个窗口。如果是复制的计算机，请在副本上用“torsio station renew”取得自己的名称，然后重新启动 Torsio</translation>
+    </message>
+    <message>
+        <source>A request waits for you as the second person: Users, Requests</source>
+        <translation>有 1 项申请等待您作为第二人确认：“用户”，“申请”</translation>
+    </message>
+    <message>
+        <source>%1 requests wait for you as the second person: Users, Requests</source>
+        <translation>有 %1 项申请等待您作为第二人确认：“用户”，“申请”</translation>
+    </message>
+    <message>
+        <source>Torsio: requests wait for a second person</source>
+        <translation>Torsio：有申请等待第二人确认</translation>
+    </message>
+    <message>
+        <source>Torsio at %1: requests wait for a second person</source>
+        <translation>%1 的 Torsio：有申请等待第二人确认</translation>
+    </message>
+    <message>
+        <source>Torsio at %1</source>
+        <translation>%1 的 Torsio</translation>
+    </message>
+    <message>
+        <source>%1 asks in %2 for what needs two people. Requests that wait: %3. Please look at them under Users, Requests, and confirm or decline them within two weeks.</source>
+        <translation>%1 在 %2 中提出了需要两人办理的申请。待确认的申请：%3 项。请在两周内于“用户”的“申请”中查看并确认或拒绝。</translation>
+    </message>
+    <message>
+        <source>A case is compared here when all its raters have submitted it.</source>
+        <translation>某案例的所有评分者都提交后，才在此比较。</translation>
+    </message>
+    <message>
+        <source>A case is compared here when all its raters have submitted it and you have submitted all your own sheets of the occasion.</source>
+        <translation>某案例的所有评分者都提交、并且您也交齐该时点自己的全部评分表后，才在此比较。</translation>
+    </message>
+    <message>
+        <source>%1 Cases that wait for your own sheets: %2.</source>
+        <translation>%1等待您自己评分表的案例：%2。</translation>
+    </message>
+    <message>
+        <source>By mail, too: links to their people, and to other administrators that they have to confirm</source>
+        <translation>同时以邮件发送：链接发给本人，并通知其他管理员需要确认</translation>
+    </message>
+    <message>
+        <source>The other administrators were told by mail</source>
+        <translation>已用邮件通知其他管理员</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -20628,10 +20748,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>初始密码</translation>
     </message>
     <message>
-        <source>These start passwords are shown only now. Give each to its owner, for example on a card in a sealed envelope. Everybody chooses their own password at the first sign-in.</source>
-        <translation>这些初始密码只在此时显示。请分别交给本人，例如用装在信封里的卡片。首次登录时每人设置自己的密码。</translation>
-    </message>
-    <message>
         <source>Person</source>
         <translation>人员</translation>
     </message>
@@ -20646,6 +20762,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>start-passwords.pdf</source>
         <translation>初始密码.pdf</translation>
+    </message>
+    <message>
+        <source>Which part</source>
+        <translation>哪一部分</translation>
     </message>
 </context>
 <context>
@@ -24125,6 +24245,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>Other &amp;programs…</source>
         <translation>其他程序(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>This station records as %1, on the computer %2.</source>
+        <translation>本站记录时使用的名称是 %1，所在计算机为 %2。</translation>
+    </message>
+    <message>
+        <source>Made once and kept when the computer is renamed, in %1</source>
+        <translation>只生成一次，计算机改名后保持不变；保存在 %1</translation>
     </message>
 </context>
 <context>
@@ -30196,14 +30324,6 @@ Looking at results before the end of a study makes false findings more likely; e
         <translation>已将 %1 个表格和 %2 个录制写入 %3</translation>
     </message>
     <message>
-        <source>Request&amp;s…</source>
-        <translation>申请(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Request&amp;s (%1)…</source>
-        <translation>申请 (%1)(&amp;S)…</translation>
-    </message>
-    <message>
         <source>What trainees asked for about their own record</source>
         <translation>学员就本人记录提出的申请</translation>
     </message>
@@ -30240,6 +30360,14 @@ Looking at results before the end of a study makes false findings more likely; e
         <translation>
             <numerusform>已删除 %n 份记录</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>A&amp;sked for…</source>
+        <translation>本人请求(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>A&amp;sked for (%1)…</source>
+        <translation>本人请求 (%1)(&amp;S)…</translation>
     </message>
 </context>
 <context>
@@ -32631,10 +32759,6 @@ T-02,master,17</translation>
     <message>
         <source>Re&amp;quests (%1)…</source>
         <translation>申请 (%1)(&amp;Q)…</translation>
-    </message>
-    <message>
-        <source>Another administrator confirms the roles under Requests</source>
-        <translation>由另一位管理员在“申请”中确认角色</translation>
     </message>
     <message>
         <source>&amp;Kiosk cards…</source>
