@@ -56,7 +56,7 @@ export class BoardPage {
     } else {
       const board = await api.get(`${path}/board`);
       this.#showBoard(board);
-      this.#showWaiting();
+      if (!this.element.matches(':hover')) this.#showWaiting(); // moves nothing under the pointer
       await this.#showCalls(path, board.occasions);
       this.#timer = setTimeout(() => this.#read().catch(() => {}), kAgain_ms);
     }

@@ -187,7 +187,9 @@ void TodaysSessionsPage::refresh() {
         if (cohort != chosenId(cohort_) || holdsButton(*this)) {
           return;  // another cohort was chosen meanwhile, or the next refresh shows it
         }
-        showWaiting(read.toConfirm);
+        if (!underMouse()) {
+          showWaiting(read.toConfirm);  // not while it would move something under the pointer
+        }
         if (!cohort_->view()->isVisible()) {
           fillCohorts(cohort_, std::move(read.cohorts), CohortFirst::kOfToday);
         }
