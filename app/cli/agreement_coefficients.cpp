@@ -292,7 +292,7 @@ class CategoryList {
 /// Reads custom disagreements: 0 on the diagonal, symmetric; throws for a missing pair.
 NumberTable readDisagreement(const std::string& file, const CategoryList& categories) {
   const CsvTable table = CsvTable::read(file, {"first", "second", "disagreement"});
-  noteIgnoredColumns(table);
+  noteTable(table);
   std::vector<std::vector<std::optional<double>>> weights(
       categories.size(), std::vector<std::optional<double>>(categories.size(), std::nullopt));
   for (std::size_t row = 0; row < table.rows(); ++row) {

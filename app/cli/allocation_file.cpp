@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/services/base/identifiers.h"
 #include "app/services/maintenance/signing_key.h"
 #include "app/services/maintenance/station_anchor.h"
 #include "sim/core/error.h"
@@ -236,6 +237,31 @@ Json armCounts(const Allocation& allocation) {
   return counts;
 }
 
+/// Throws if two of the names look alike, naming both places.
+void requireDistinct(const std::vector<std::string>& names, const char* kind, const std::string& where) {
+  Identifiers identifiers(kind);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    identifiers.take(names[i], where + "[" + std::to_string(i) + "]");
+  }
+}
+
+/// Throws if names that a person typed look alike. An allocation that was kept is read as it is.
+void checkNames(const AllocationOrder& order, const std::string& file) {
+  requireDistinct(order.design.arms, "arm", file + ", arms");
+  std::vector<std::string> factors;
+  for (std::size_t i = 0; i < order.design.factors.size(); ++i) {
+    const AllocationFactor& factor = order.design.factors[i];
+    factors.push_back(factor.name);
+    requireDistinct(factor.levels, "level", file + ", factors[" + std::to_string(i) + "], levels");
+  }
+  requireDistinct(factors, "factor", file + ", factors");
+  std::vector<std::string> persons;
+  for (const AllocationPerson& person : order.persons) {
+    persons.push_back(person.code);
+  }
+  requireDistinct(persons, "person", file + ", persons");
+}
+
 }  // namespace
 
 AllocationOrder readAllocationOrder(const std::string& file) {
@@ -246,6 +272,7 @@ AllocationOrder readAllocationOrder(const std::string& file) {
   order.jointLeftovers = !fields.has("joint_leftovers") || as<bool>(fields, "joint_leftovers");
   order.persons = personsOf(listAt(fields, "persons"), order.design, file);
   fields.finish();
+  checkNames(order, file);
   return order;
 }
 

@@ -78,7 +78,7 @@ CsvTable readRatings(const AgreementArguments& arguments) {
 
 void runAgreement(const AgreementArguments& arguments) {
   const CsvTable table = readRatings(arguments);
-  noteIgnoredColumns(table);
+  noteTable(table);
   printJson(methodJson(table, arguments));
 }
 

@@ -69,7 +69,7 @@ Json groupsJson(const Study& study, const Groups& groups) {
 /// Prints the --paired tests: the same subjects at two or more occasions.
 void comparePaired(const CompareArguments& arguments) {
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "occasion", "score"}, {"group", "rater"});
-  noteIgnoredColumns(table);
+  noteTable(table);
   const Study study = readStudy(table);
   if (study.occasions.size() < 2) {
     refuse(Text::verbatim("a paired comparison needs two occasions"), table.name(),
@@ -126,7 +126,7 @@ CovarianceRequest covarianceRequest(const CompareArguments& arguments, const Stu
 
 void compareGroups(const CompareArguments& arguments) {
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "group", "score"}, {"occasion", "rater"});
-  noteIgnoredColumns(table);
+  noteTable(table);
   const Study study = readStudy(table);
   const CovarianceRequest request = covarianceRequest(arguments, study, table);
   const Groups groups = scoresAt(study, request.outcome);

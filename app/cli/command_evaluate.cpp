@@ -371,7 +371,7 @@ MissingPolicy policyOf(const std::string& name) {
 void runEvaluate(const EvaluateArguments& arguments) {
   const EvaluationInstrument instrument = instrumentOf(arguments);
   const CsvTable table = CsvTable::read(arguments.ratings, {"index", "rater", "class", "model", "score"});
-  noteIgnoredColumns(table);
+  noteTable(table);
   MarkReader reader(table, instrument);
   const std::vector<EvaluationRating> ratings = reader.read();
   EvaluationPolicy policy;

@@ -279,7 +279,7 @@ void runLearning(const LearningArguments& arguments) {
     refuseUsage("a CUSUM of values needs both --target and --sigma", "learning", "Give both or none");
   }
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "attempt", "value"});
-  noteIgnoredColumns(table);
+  noteTable(table);
   const std::vector<Attempts> subjects = readAttempts(table);
   printJson(holdsOutcomes(table) ? outcomesJson(arguments, table, subjects)
                                  : valuesJson(arguments, table, subjects));

@@ -102,7 +102,7 @@ Json proficiencyJson(const CsvTable& table, const ProficiencyOptions& options) {
 Json standardJson(const StandardArguments& arguments) {
   const auto read = [&](std::initializer_list<std::string_view> columns) {
     CsvTable table = CsvTable::read(arguments.file, columns);
-    noteIgnoredColumns(table);
+    noteTable(table);
     return table;
   };
   if (arguments.method == "contrasting-groups") {

@@ -60,9 +60,12 @@ void printJson(const Json& value) {
   std::cout << text << '\n';
 }
 
-void noteIgnoredColumns(const CsvTable& table) {
+void noteTable(const CsvTable& table) {
   for (const std::string& column : table.ignored()) {
     std::cerr << "torsio: " << table.name() << ": the column \"" << column << "\" is not used\n";
+  }
+  for (const Text& one : table.damaged()) {
+    std::cerr << "torsio: " << one.str() << "\n";
   }
 }
 

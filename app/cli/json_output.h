@@ -24,8 +24,8 @@ namespace torsio::cli {
 /// that reading them back gives the same double. Throws ContractError for a number that is not finite.
 void printJson(const nlohmann::ordered_json& value);
 
-/// Lists unused columns of a table on standard error.
-void noteIgnoredColumns(const CsvTable& table);
+/// Lists a table's unused columns and damaged identifiers on standard error.
+void noteTable(const CsvTable& table);
 
 /// Returns {"undefined": reason}, in place of a statistic that is undefined for the data.
 [[nodiscard]] nlohmann::ordered_json undefinedJson(const std::string& reason);

@@ -13,6 +13,7 @@
 
 #include "app/connectors/foreign/foreign_marks.h"
 #include "app/services/base/csv_table.h"
+#include "app/services/base/identifiers.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
@@ -56,8 +57,9 @@ class MapPart {
   }
 
   [[noreturn]] void refuseAt(const std::string& key, const Text& what, const Text& remedy) const {
-    refuse(what, where_ + ", \"" + key + "\"", remedy);
+    refuse(what, placeOf(key), remedy);
   }
+  [[nodiscard]] std::string placeOf(const std::string& key) const { return where_ + ", \"" + key + "\""; }
   /// Refuses unknown keys: a misspelt one would be silently ignored.
   void allow(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, value] : json_.items()) {
@@ -82,6 +84,17 @@ class MapPart {
       refuseAt(key, Text::tr("not a text"), Text::tr("Put it in quotes"));
     }
     return json_[key].get<std::string>();
+  }
+  /// Like textOr(), for a name or label: one readable line.
+  [[nodiscard]] std::string labelOr(const char* key, const std::string& other) const {
+    std::string found = textOr(key, other);
+    requireReadable(found, placeOf(key));
+    return found;
+  }
+  [[nodiscard]] std::string label(const char* key) const {
+    std::string found = text(key);
+    requireReadable(found, placeOf(key));
+    return found;
   }
   [[nodiscard]] bool yes(const char* key) const {
     if (!json_[key].is_boolean()) {
@@ -258,15 +271,19 @@ void requireKnown(const List& list, const std::string& name, const MapPart& part
 
 void readPeople(const MapPart& map, ForeignMap& out) {
   std::set<std::string> codes;
+  Identifiers alikeGroups("group");
   for (const MapPart& group : map.list("groups")) {
     group.allow({"code", "label"});
-    out.groups.push_back({group.text("code"), group.text("label")});
+    out.groups.push_back({group.text("code"), group.label("label")});
+    alikeGroups.take(out.groups.back().code, group.placeOf("code"));
     codes.insert(out.groups.back().code);
   }
   std::set<std::string> names;
+  Identifiers alikePeople("name");
   for (const MapPart& person : map.list("people")) {
     person.allow({"name", "group", "level"});
-    out.people.push_back({person.text("name"), person.text("group"), person.textOr("level", "")});
+    out.people.push_back({person.text("name"), person.text("group"), person.labelOr("level", "")});
+    alikePeople.take(out.people.back().name, person.placeOf("name"));
     if (!codes.contains(out.people.back().group)) {
       person.refuseAt("group", Text::tr("there is no such group"), Text::tr("Enter it under \"groups\""));
     }
@@ -280,6 +297,7 @@ void readPeople(const MapPart& map, ForeignMap& out) {
   for (const MapPart& rater : map.list("raters")) {
     rater.allow({"name", "class"});
     out.raters.push_back({rater.text("name"), rater.text("class")});
+    alikePeople.take(out.raters.back().name, rater.placeOf("name"));
     if (!names.insert(out.raters.back().name).second) {
       rater.refuseAt("name", Text::tr("duplicate name"), Text::tr("Name each person once"));
     }
@@ -288,15 +306,19 @@ void readPeople(const MapPart& map, ForeignMap& out) {
 
 void readRecordings(const MapPart& map, const fs::path& folder, ForeignMap& out) {
   std::set<std::string> names;
+  Identifiers alikeOccasions("occasion");
   for (const MapPart& one : map.list("recordings")) {
     one.allow({"file", "person", "task", "phase", "occasion", "started"});
     ForeignRecording recording;
     recording.name = one.text("file");
     recording.file = folder / recording.name;
     recording.person = one.text("person");
-    recording.task = one.text("task");
-    recording.phase = one.textOr("phase", "");
-    recording.occasion = one.textOr("occasion", "");
+    recording.task = one.label("task");
+    recording.phase = one.labelOr("phase", "");
+    recording.occasion = one.labelOr("occasion", "");
+    if (!recording.occasion.empty()) {
+      alikeOccasions.take(recording.occasion, one.placeOf("occasion"));
+    }
     requireKnown(out.people, recording.person, one, "person");
     if (!names.insert(recording.name).second) {
       one.refuseAt("file", Text::tr("duplicate file"), Text::tr("Name each recording once"));
@@ -396,7 +418,7 @@ ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
   map.allow({"cohort", "description", "source", "frame", "unit", "unit_confirmed", "rotation",
              "rotation_columns", "position", "rate_Hz", "time", "gaps", "instrument", "grip", "groups",
              "people", "raters", "recordings", "marks"});
-  out.cohort = map.text("cohort");
+  out.cohort = map.label("cohort");
   out.description = map.textOr("description", "");
   out.source = map.text("source");
   out.frame = map.text("frame");

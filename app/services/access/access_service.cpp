@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/centre_settings.h"
-#include "app/services/access/person_text.h"
 #include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
+#include "app/services/base/identifiers.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"

@@ -6,7 +6,9 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <unordered_set>
 
+#include "app/services/base/identifiers.h"
 #include "sim/core/contracts.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/error.h"
@@ -16,6 +18,10 @@ namespace torsio {
 
 namespace {
 
+/// The columns of tables that name people and things.
+constexpr std::array<std::string_view, 11> kIdentifiers = {"model", "subject", "group",    "occasion",
+                                                           "rater", "target",  "task",     "judge",
+                                                           "item",  "expert",  "recording"};
 constexpr std::size_t kShown = 60;  // characters of an invalid value shown in messages
 
 [[noreturn]] void refuseAt(const std::string& name, std::size_t line, const Text& what, const Text& remedy) {
@@ -236,7 +242,31 @@ CsvTable CsvTable::parse(std::string_view text, const std::string& name,
   if (table.rows_.empty()) {
     torsio::refuse(Text::tr("the table has a header but no rows"), name, Text::tr("Add one row a value"));
   }
+  table.checkIdentifiers();
   return table;
+}
+
+void CsvTable::checkIdentifiers() {
+  for (const std::string_view column : kIdentifiers) {
+    if (!has(column) || std::find(ignored_.begin(), ignored_.end(), column) != ignored_.end()) {
+      continue;
+    }
+    const std::string kind(column);
+    const std::size_t at = position(column);
+    Identifiers identifiers(kind);
+    std::unordered_set<std::string_view> seen;
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+      const std::string& name = rows_[row].values[at];
+      if (name.empty() || !seen.insert(name).second) {
+        continue;
+      }
+      identifiers.take(name, where(row));
+      if (isSpreadsheetNumber(name)) {
+        damaged_.push_back(Text::tr("%1: %2 \"%3\" looks like a number that a spreadsheet has shortened",
+                                    where(row), kind, name));
+      }
+    }
+  }
 }
 
 void CsvTable::takeHeader(std::vector<std::string> header, std::size_t line,

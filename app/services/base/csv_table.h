@@ -38,7 +38,8 @@ struct CsvRecord {
 class CsvTable {
  public:
   /// Throws Error: kFileMissing, kFileUnreadable; kBadData for a missing header or column, a duplicate
-  /// column, a line with too few or too many values, unclosed quotes, invalid UTF-8.
+  /// column, a line with too few or too many values, unclosed quotes, invalid UTF-8, and for identifiers
+  /// (columns such as subject, rater, group) that cannot be read or look alike (Identifiers).
   static CsvTable read(const std::filesystem::path& file, std::initializer_list<std::string_view> required,
                        std::initializer_list<std::string_view> optional = {});
   /// Parses a table like read(); `name`: file name for messages.
@@ -50,6 +51,9 @@ class CsvTable {
   [[nodiscard]] bool has(std::string_view column) const noexcept;
   /// Returns the columns that were not asked for, including misspelt optional ones.
   [[nodiscard]] const std::vector<std::string>& ignored() const noexcept { return ignored_; }
+
+  /// Returns a sentence for each identifier that a spreadsheet seems to have turned into a number.
+  [[nodiscard]] const std::vector<Text>& damaged() const noexcept { return damaged_; }
 
   /// Returns "marks.csv, line 7", with the first line of the row.
   [[nodiscard]] std::string where(std::size_t row) const;
@@ -80,11 +84,13 @@ class CsvTable {
                   std::initializer_list<std::string_view> required,
                   std::initializer_list<std::string_view> optional);
   void takeRow(Row row);
+  void checkIdentifiers();
   [[nodiscard]] std::size_t position(std::string_view column) const;
 
   std::string name_;
   std::vector<std::string> header_;
   std::vector<std::string> ignored_;
+  std::vector<Text> damaged_;
   std::vector<Row> rows_;
 };
 

@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/audit_service.h"
-#include "app/services/access/person_text.h"
 #include "app/services/base/csv_table.h"
+#include "app/services/base/identifiers.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/consent.h"
 #include "db/connection/connection.h"
@@ -95,6 +95,20 @@ void checkTexts(const PersonEntry& entry) {
   }
 }
 
+/// Throws if somebody else's number looks like this new one.
+void requireNoLikeness(PeopleRepository& repository, const std::string& number, const PersonId& personId) {
+  const std::string likeness = likenessOf(number);
+  for (const Identity& other : repository.identities()) {
+    if (other.personId != personId && !other.externalId.empty() && likenessOf(other.externalId) == likeness) {
+      const auto person = repository.find(other.personId);
+      refuse(Text::tr("the number %1 looks like that of %2, but is another", number,
+                      person ? person->code : other.externalId),
+             Text::tr("staff or student number"),
+             Text::tr("Write it as in the record, or change one of the two"));
+    }
+  }
+}
+
 void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const PersonId& personId) {
   checkTexts(entry);
   if (entry.fullName.empty()) {
@@ -130,6 +144,9 @@ void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const Pe
   if (owner && owner->personId != personId) {
     refuse(Text::tr("somebody else has this staff or student number"), entry.externalId,
            Text::tr("Open that person, or correct the number"));
+  }
+  if (!owner) {
+    requireNoLikeness(repository, entry.externalId, personId);
   }
 }
 

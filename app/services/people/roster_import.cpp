@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/services/access/person_text.h"
+#include "app/services/base/identifiers.h"
 #include "app/services/people/people_service.h"
 #include "app/services/people/roster_rows.h"
 #include "app/services/people/roster_undo.h"
@@ -89,6 +89,7 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
   preview.kind = kind;
   std::map<std::string, std::size_t> firstOf;  // number -> place in the preview
   std::map<std::string, std::size_t> alike;    // keyed by likenessOf() the number
+  std::map<std::string, std::size_t> emails;   // keyed by likenessOf() the address
   LineCount count(progress, Text::tr("Comparing with the record"), file.rows.size(), 0.0, share);
   for (const CsvRecord& record : file.rows) {
     count.next();
@@ -128,6 +129,14 @@ RosterPreview preview(SessionContext& session, const RosterFile& file, RosterKin
       }
       if (row.problem.empty()) {
         compareWithKnown(row, kind, known);
+      }
+      const std::string& email = row.values[rosterIndex(RosterField::kEmail)];
+      if (const auto [other, only] = emails.emplace(likenessOf(email), row.line); !email.empty() && !only) {
+        addHint(row, Text::tr("line %1 has the same e-mail address", other->second));
+      }
+      if (isSpreadsheetNumber(number)) {
+        addHint(row, Text::tr("the number looks like one that a spreadsheet has shortened: compare it with "
+                              "the original list"));
       }
     }
     preview.added += row.status == RosterStatus::kNew ? 1 : 0;

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <optional>
 
-#include "app/services/access/person_text.h"
+#include "app/services/base/identifiers.h"
 #include "app/services/people/people_service.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/core/contracts.h"
@@ -111,8 +111,8 @@ KnownPeople readKnown(SessionContext& session) {
   }
   for (NamedPersonRow& named : namedPeople(session)) {
     if (!named.identity.email.empty()) {
-      known.codeByEmail[lower(named.identity.email)] = named.row.person.code;
-      known.numberByEmail[lower(named.identity.email)] = named.identity.externalId;
+      known.codeByEmail[likenessOf(named.identity.email)] = named.row.person.code;
+      known.numberByEmail[likenessOf(named.identity.email)] = named.identity.externalId;
     }
     if (named.identity.externalId.empty()) {
       continue;
@@ -153,6 +153,10 @@ void refuseRow(RosterRow& row, const Text& problem, const Text& remedy) {
   row.status = RosterStatus::kError;
   row.problem = problem;
   row.remedy = remedy;
+}
+
+void addHint(RosterRow& row, const Text& hint) {
+  row.hint = row.hint.empty() ? hint : Text::verbatim("%1; %2", row.hint, hint);
 }
 
 void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
@@ -202,10 +206,10 @@ void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
 void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known) {
   const std::string& email = row.values[rosterIndex(RosterField::kEmail)];
   const std::string& number = row.values[rosterIndex(RosterField::kExternalId)];
-  if (const auto other = known.numberByEmail.find(lower(email));
+  if (const auto other = known.numberByEmail.find(likenessOf(email));
       !email.empty() && other != known.numberByEmail.end() && other->second != number) {
-    row.hint = Text::tr("the e-mail address belongs to %1 already, under another number",
-                        known.codeByEmail.at(lower(email)));
+    addHint(row, Text::tr("the e-mail address belongs to %1 already, under another number",
+                          known.codeByEmail.at(likenessOf(email))));
   }
   const auto found = known.byNumber.find(number);
   if (found == known.byNumber.end()) {
@@ -221,7 +225,7 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   row.personId = found->second.id;
   row.code = found->second.code;
   if (found->second.left) {
-    row.hint = Text::tr("this person has left; the import does not bring them back");
+    addHint(row, Text::tr("this person has left; the import does not bring them back"));
   }
   for (const RosterField field : rosterFields(kind)) {
     const std::string& value = row.values[rosterIndex(field)];
@@ -232,10 +236,10 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   }
   const bool addsTrainee = kind == RosterKind::kTrainees && !found->second.entry.trainee;
   if (addsTrainee) {
-    row.hint = Text::tr("known as a rater; becomes a trainee too");
+    addHint(row, Text::tr("known as a rater; becomes a trainee too"));
   }
   if (kind == RosterKind::kRaters && found->second.entry.raterClass.empty()) {
-    row.hint = Text::tr("known as a trainee; becomes a rater too");
+    addHint(row, Text::tr("known as a trainee; becomes a rater too"));
   }
   row.status = row.changes.empty() && !addsTrainee ? RosterStatus::kSame : RosterStatus::kChanges;
 }

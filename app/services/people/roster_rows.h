@@ -29,8 +29,8 @@ struct KnownPeople {
   };
   std::map<std::string, Known> byNumber;
   std::map<std::string, std::string> codeByLikeness{};  ///< keyed by likenessOf() the number
-  std::map<std::string, std::string> codeByEmail;       ///< keyed by lower-case address
-  std::map<std::string, std::string> numberByEmail;
+  std::map<std::string, std::string> codeByEmail;       ///< keyed by likenessOf() the address
+  std::map<std::string, std::string> numberByEmail;     ///< likewise
   std::vector<SeniorityClass> classes;
 };
 
@@ -40,6 +40,8 @@ struct KnownPeople {
 void checkColumns(const RosterFile& file, RosterKind kind, const RosterColumns& columns);
 /// Marks a row as rejected; the first reason counts.
 void refuseRow(RosterRow& row, const Text& problem, const Text& remedy);
+/// Adds a warning to a row that does not stop the import.
+void addHint(RosterRow& row, const Text& hint);
 /// Normalises the values of a row, or rejects the row.
 void understand(RosterRow& row, RosterKind kind, const KnownPeople& known);
 /// Compares a row with the existing person of the same number.

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/base/identifiers.h"
 #include "app/services/study/day_plan.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/curriculum.h"
@@ -26,8 +27,9 @@ void checkName(StudyRepository& study, const CohortId& own, const std::string& n
   if (name.empty()) {
     refuseParameter(Text::tr("the cohort has no name"), Text::tr("cohort"), Text::tr("Enter one"));
   }
+  requireReadable(name, Text::tr("cohort"));
   for (const Cohort& other : study.cohorts()) {
-    if (other.name == name && other.id != own) {
+    if (other.id != own && likenessOf(other.name) == likenessOf(name)) {
       refuseParameter(Text::tr("another cohort has this name"), name, Text::tr("Choose another name"));
     }
   }
@@ -51,7 +53,9 @@ void checkNewCohort(const NewCohort& cohort) {
     if (group.code.empty()) {
       bad(Text::tr("a group has no code"), Text::tr("Give each group a short code, such as G1"));
     }
-    if (!codes.insert(group.code).second) {
+    requireReadable(group.code, Text::tr("cohort"));
+    requireReadable(group.label, Text::tr("cohort"));
+    if (!codes.insert(likenessOf(group.code)).second) {
       bad(Text::tr("two groups are called %1", group.code), Text::tr("Rename one of them"));
     }
   }
@@ -258,11 +262,12 @@ Occasion addOccasion(SessionContext& session, const std::string& label) {
   if (label.empty()) {
     refuseParameter(Text::tr("the occasion has no name"), Text::tr("occasion"), Text::tr("Enter one"));
   }
+  requireReadable(label, Text::tr("occasion"));
   Transaction transaction(session.connection());
   OccasionRepository repository(session.connection());
   const Occasions known = repository.all();
   for (const Occasion& other : known) {
-    if (other.label == label) {
+    if (likenessOf(other.label) == likenessOf(label)) {
       refuseParameter(Text::tr("another occasion has this name"), label, Text::tr("Choose another name"));
     }
   }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "app/services/base/identifiers.h"
 #include "app/services/study/curriculum_content.h"
 #include "assessment/catalogue/quantity.h"
 #include "assessment/domain/study/curriculum.h"
@@ -125,29 +126,42 @@ class Examination {
   }
 
   void checkCodes() {
-    std::set<std::string> seen;
+    std::set<std::string> alike;  // by likenessOf()
     for (std::size_t row = 0; row < content_.modules.size(); ++row) {
       const TrainingModule& module = content_.modules[row];
       goTo(CurriculumSpot::Part::kModule, row);
       if (module.code.empty()) {
         add(Text::tr("module \"%1\"", module.title), Text::tr("has no code"),
             Text::tr("Give it a short one, such as M1"));
-      } else if (!seen.insert(module.code).second) {
+      } else if (!alike.insert(likenessOf(module.code)).second) {
         add(Text::tr("module %1", module.code), Text::tr("has the code of another module"),
             Text::tr("Rename one of them"));
       }
+      modules_.insert(module.code);
+      checkReadable(Text::tr("module %1", module.code), {&module.code, &module.title});
     }
-    modules_ = seen;
-    seen.clear();
+    alike.clear();
     for (std::size_t row = 0; row < content_.arms.size(); ++row) {
       const StudyArm& arm = content_.arms[row];
       goTo(CurriculumSpot::Part::kArm, row);
       if (arm.code.empty()) {
         add(Text::tr("arm \"%1\"", arm.label), Text::tr("has no code"),
             Text::tr("Give it a short one, such as G1"));
-      } else if (!seen.insert(arm.code).second) {
+      } else if (!alike.insert(likenessOf(arm.code)).second) {
         add(Text::tr("arm %1", arm.code), Text::tr("has the code of another arm"),
             Text::tr("Rename one of them"));
+      }
+      checkReadable(Text::tr("arm %1", arm.code), {&arm.code, &arm.label});
+      for (const TrainingPhase& phase : arm.phases) {
+        checkReadable(Text::tr("arm %1", arm.code), {&phase.label});
+      }
+    }
+  }
+
+  void checkReadable(const Text& where, std::initializer_list<const std::string*> texts) {
+    for (const std::string* text : texts) {
+      if (const Text flaw = flawOf(*text, kLongestField); !flaw.empty()) {
+        add(where, Text::tr("has a text that %1", flaw), Text::tr("Type it again"), CurriculumField::kTitle);
       }
     }
   }

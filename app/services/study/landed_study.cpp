@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/services/base/identifiers.h"
 #include "app/services/people/people_service.h"
 #include "app/services/study/cohort_service.h"
 #include "app/services/study/curriculum_content.h"
@@ -288,6 +289,19 @@ class Landing {
   std::map<std::string, std::string> occasionOf_;  // code by the name used in the data
 };
 
+/// Throws if a name or label of imported data cannot be read, or two names of people look alike.
+void checkNames(const LandedStudy& study) {
+  Identifiers people("name");
+  for (const LandedPerson& one : study.people) {
+    people.take(one.name, one.name);
+    requireReadable(one.level, one.name);
+  }
+  for (const LandedRater& one : study.raters) {
+    people.take(one.name, one.name);
+  }
+  requireReadable(study.curriculum.name, Text::tr("curriculum"));
+}
+
 }  // namespace
 
 void requireLanding(SessionContext& session) {
@@ -300,6 +314,7 @@ void requireLanding(SessionContext& session) {
 LandedOutcome landStudy(SessionContext& session, LandedStudy study, const LandingNote& note,
                         const ProgressCallback& progress) {
   requireLanding(session);
+  checkNames(study);
   // The header of a recording is part of its hash: what was simulated stays so, whatever the study says.
   study.cohort.demonstration =
       study.cohort.demonstration ||

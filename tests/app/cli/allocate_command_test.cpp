@@ -43,6 +43,10 @@ class AllocateCommand : public TableCommands {
     return out.value("reason", "");
   }
 
+  void expectAlike(const std::string& json, const std::string& words) const {
+    expectRefused("allocate --seed 1 --design " + write("alike.json", json), {words});
+  }
+
   static std::string personList() {
     std::string list;
     for (int i = 1; i <= 30; ++i) {
@@ -59,6 +63,15 @@ class AllocateCommand : public TableCommands {
     return arms;
   }
 };
+
+TEST_F(AllocateCommand, NamesThatLookAlikeAreRefused) {
+  expectAlike(R"({"study": "S1", "arms": ["A", "a"], "participants": 2, "persons": ["P1", "P2"]})",
+              "arm \"a\" looks like \"A\"");
+  expectAlike(R"({"study": "S1", "arms": ["A", "B"], "participants": 2, "persons": ["P1", "P\uff11"]})",
+              "persons[0]");
+  expectAlike(R"({"study": "S1", "arms": ["A", "B\u0007"], "participants": 2, "persons": ["P1", "P2"]})",
+              "invisible character U+0007");
+}
 
 TEST_F(AllocateCommand, ReproducesThePermutationOfItsSeedAndReplaysIt) {
   // mt19937_64 with seed 20240601, Fisher-Yates from the end; checked by an independent program.

@@ -61,6 +61,41 @@ TEST_F(AssessmentCommands, EvaluateGivesAnIntervalOverResampledPanels) {
   EXPECT_FALSE(answer(call)["models"][0].contains("N_interval"));
 }
 
+/// One name in two spellings would count as two people; both lines are named.
+TEST_F(AssessmentCommands, NamesThatLookAlikeAreRefusedByEveryReader) {
+  const std::vector<std::string> spellings{
+      "Jos\xC3\xA9\xC2\xA0"
+      "A1",
+      "Jose\xCC\x81 A1", "jos\xC3\xA9 a1", "Jos\xC3\xA9 \xEF\xBC\xA1\xEF\xBC\x91", "JOS\xC3\x89 A1"};
+  const std::string name = "Jos\xC3\xA9 A1";
+  for (const std::string& other : spellings) {
+    const auto two = [&](const std::string& header, const std::string& before, const std::string& after) {
+      return write("two.csv",
+                   header + "\n" + before + name + after + "\nx,y,3\n" + before + other + after + "\n");
+    };
+    const std::vector<std::string> both{"looks like", "line 2", "line 4"};
+    expectRefused("compare-groups " + two("subject,group,score", "", ",g,1"), both);
+    expectRefused("compare-groups " + two("score,subject,group", "1,", ",g"), both);
+    expectRefused("agreement --ratings " + two("target,rater,score", "", ",r,1"), both);
+    expectRefused("learning " + two("subject,attempt,value", "", ",1,1"), both);
+  }
+  expectRefused(
+      "compare-groups " + write("groups.csv", "subject,group,score\na,G1,1\nb,g1,2\nc,\xEF\xBC\xA7\x31,3\n"),
+      {"group \"g1\" looks like \"G1\"", "line 2", "line 3"});
+  expectRefused(
+      "agreement --ratings " + write("zero.csv", "target,rater,score\nT1,A,1\nT1,A\xE2\x80\x8B,2\n"),
+      {"a rater contains the invisible character U+200B", "line 3"});
+  expectRefused("agreement --ratings " + write("bell.csv", "target,rater,score\nT1,A,1\nT\x07,A,2\n"),
+                {"a target contains the invisible character U+0007", "line 3"});
+}
+
+TEST_F(AssessmentCommands, ANumberThatASpreadsheetShortenedIsTold) {
+  const std::string file = write("excel.csv", "subject,group,score\n1E+05,a,1\nS2,a,2\nS3,b,3\nS4,b,5\n");
+  const ProgramRun run = runTorsio("compare-groups " + file, folder_);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("line 2: subject \"1E+05\" looks like a number"), std::string::npos) << run.err;
+}
+
 TEST_F(AssessmentCommands, EvaluateReadsAnyColumnOrderAndReproducesThePaper) {
   // Eq. 25: 0.2 x 7 + 0.3 x 8 + 0.5 x 9 = 8.3; plain mean (140 + 80 + 90) / 40 = 7.75;
   // Eq. 26: (20 x 1.69 + 10 x 0.09 + 10 x 0.49) / 40 = 0.99.

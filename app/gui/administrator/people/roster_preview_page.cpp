@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The last step of the roster wizard: preview and import.
+#include <algorithm>
 #include <utility>
 
 #include <QLabel>
@@ -19,7 +20,8 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kWhole = 1000;  // of the progress bar
+constexpr int kWhole = 1000;   // of the progress bar
+constexpr int kNoteLines = 3;  // of an error and its remedy in the narrowest window
 
 }  // namespace
 
@@ -29,7 +31,8 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
       shell_(shell),
       summary_(new QLabel(this)),
       progress_(ranged(new QProgressBar(this), 0, kWhole)),
-      lines_(new DataTable(QStringLiteral("roster-preview"), this)) {
+      lines_(new DataTable(QStringLiteral("roster-preview"), this)),
+      note_(named(sentence(this, false), "rosterNote")) {
   setTitle(tr("Preview of the import"));
   setSubTitle(
       tr("Nothing has been saved yet. If any line has an error, nothing is imported: correct the file and "
@@ -38,12 +41,18 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
   summary_->setWordWrap(true);
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("Progress"));
+  keepPlace(progress_, progress_->sizeHint().height());
   progress_->hide();
+  keepPlace(note_, kNoteLines * note_->fontMetrics().lineSpacing());
+  note_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  note_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * kSpace);
   column->addWidget(summary_);
   column->addWidget(progress_);
   column->addWidget(lines_, 1);
+  column->addWidget(note_);
+  connect(lines_, &DataTable::currentChanged, this, &RosterPreviewPage::showNote);
   connect(&shell, &ShellContext::jobMoved, this, [this](const QString& step, double fraction) {
     if (busy_) {
       showProgress(step, fraction);
@@ -71,7 +80,9 @@ void RosterPreviewPage::showProgress(const QString& step, double fraction) {
 
 void RosterPreviewPage::initializePage() {
   import_.preview.reset();
+  lines_->filter().clear();  // it was typed for another file
   lines_->setRows({});
+  note_->clear();
   begin(
       tr("Comparing %n line(s) with the record\u2026", nullptr, static_cast<int>(import_.file->rows.size())));
   shell_.run(
@@ -136,7 +147,26 @@ void RosterPreviewPage::showPreview() {
     rows.push_back(std::move(shown));
   }
   lines_->setRows(std::move(rows));
+  const auto wrong = std::find_if(preview.rows.begin(), preview.rows.end(),
+                                  [](const RosterRow& row) { return !row.problem.empty(); });
+  if (wrong != preview.rows.end()) {
+    lines_->select(QString::number(static_cast<qulonglong>(wrong->line)));
+  }
   Q_EMIT completeChanged();
+}
+
+void RosterPreviewPage::showNote(const QString& line) {
+  note_->clear();
+  if (!import_.preview) {
+    return;
+  }
+  for (const RosterRow& row : import_.preview->rows) {
+    if (QString::number(static_cast<qulonglong>(row.line)) == line) {
+      const QString note = rosterNote(row);
+      note_->setText(note.isEmpty() ? QString() : tr("Line %1: %2").arg(line, note));
+      return;
+    }
+  }
 }
 
 void RosterPreviewPage::commit(std::function<void()> done) {

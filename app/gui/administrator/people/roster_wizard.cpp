@@ -282,6 +282,7 @@ void RosterColumnsPage::addChoice(RosterField field) {
   connect(choice, &QComboBox::currentIndexChanged, this, &QWizardPage::completeChanged);
   if (needed) {
     QLabel* missing = fieldHint(this);
+    keepPlace(missing, missing->fontMetrics().height());
     form_->addWidget(missing, row + 1, side + 1);
     checks_->add(missing, choice, [choice] {
       return choice->currentData().toInt() < 0 ? tr("Required: choose its column, or add one to the file.")
@@ -347,6 +348,13 @@ struct RosterTexts {
 };
 
 }  // namespace
+
+void keepPlace(QWidget* widget, int height_px) {
+  QSizePolicy kept = widget->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  widget->setSizePolicy(kept);
+  widget->setMinimumHeight(height_px);
+}
 
 QString rosterFieldName(RosterField field) {
   return toQString(Text(rosterFieldLabel(field)));

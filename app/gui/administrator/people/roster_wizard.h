@@ -126,15 +126,19 @@ class RosterPreviewPage : public QWizardPage {
   void showPreview();
   void showProblem(const QString& words);
   void showProgress(const QString& step, double fraction);
+  void showNote(const QString& line);
 
   RosterImport& import_;
   ShellContext& shell_;
   QLabel* summary_;
   QProgressBar* progress_;
   DataTable* lines_;
+  QLabel* note_;  // of the current line, in full
   bool busy_ = false;
 };
 
+/// Keeps at least this height for a widget that comes and goes, so that what is below does not move.
+void keepPlace(QWidget* widget, int height_px);
 /// Names a field of a roster in the user's language.
 [[nodiscard]] QString rosterFieldName(RosterField field);
 /// Names the effect on a line, with its sign: "+ new".

@@ -402,6 +402,24 @@ TEST(ForeignImport, StoresNothingIfCancelledOrRejectedAtTheEnd) {
   EXPECT_THROW(importForeign(centre.as("statistician"), ForeignLayout::kCsv, map, ""), Error);
 }
 
+TEST(ForeignImport, RefusesNamesThatLookAlikeAndLabelsThatCannotBeRead) {
+  StudyCentre centre;
+  const auto before = centre.rowCounts();
+  const auto refused = [&](const std::function<void(ordered_json&)>& spoil) {
+    return refusalOf(centre, "csv", [&](ordered_json& map, std::string&) { spoil(map); });
+  };
+  EXPECT_THAT(
+      refused([](ordered_json& map) {
+        map["people"][1]["name"] = map["people"][0]["name"].get<std::string>() + "\u00A0";
+      }),
+      ::testing::AllOf(HasSubstr("looks like"), HasSubstr("\"people\" 1"), HasSubstr("\"people\" 2")));
+  EXPECT_THAT(refused([](ordered_json& map) { map["groups"][0]["label"] = "one\x1B[2J"; }),
+              HasSubstr("invisible character U+001B"));
+  EXPECT_THAT(refused([](ordered_json& map) { map["cohort"] = "Spring\u202E"; }),
+              HasSubstr("invisible character U+202E"));
+  EXPECT_EQ(centre.rowCounts(), before);
+}
+
 TEST(ForeignMeasures, AreUndefinedIfTheyWouldBeMisleading) {
   TrialHeader header;
   header.sceneId = std::string(kForeignScene);

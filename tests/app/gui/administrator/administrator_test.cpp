@@ -453,6 +453,30 @@ TEST_F(RosterWizardTest, ImportsNothingIfAnyLineIsWrongAndSaysWhatToCorrect) {
   EXPECT_EQ(office.centre.audited("roster.import"), 0);
 }
 
+TEST_F(RosterWizardTest, TheReasonOfAnErrorIsReadInFullAndAFilterIsForOneFile) {
+  open("Staff ID,Name,E-mail\nS-1,Ann Smith,a@x.org\ns\xEF\xBC\x8D\x31,Bo Chen,b@x.org\nS-3,,c@x.org\n");
+  next();
+  next();
+  const auto& note = child<QLabel>(*wizard, "rosterNote");
+  EXPECT_TRUE(note.text().startsWith(QStringLiteral("Line 3: "))) << note.text().toStdString();
+  EXPECT_TRUE(note.text().contains(QStringLiteral("looks like that of line 2"))) << note.text().toStdString();
+  EXPECT_LE(note.heightForWidth(note.width()), note.height());
+  lines().select(QStringLiteral("4"));
+  EXPECT_TRUE(note.text().contains(QStringLiteral("is missing"))) << note.text().toStdString();
+
+  const int top = lines().y();
+  lines().filter().setText(QStringLiteral("Bo"));
+  ASSERT_EQ(lines().visibleRows(), 1);
+  wizard->back();
+  wizard->back();
+  writeFileAtomically(office.centre.folder() / "roster.csv", "Staff ID,Name,E-mail\nS-1,Ann Smith,a@x.org\n");
+  next();
+  next();
+  EXPECT_EQ(lines().visibleRows(), 1) << "a filter for another file";
+  EXPECT_EQ(lines().y(), top);
+  EXPECT_TRUE(note.text().isEmpty()) << note.text().toStdString();
+}
+
 TEST_F(RosterWizardTest, ACorrectedFileKeepsItsColumnsAndEmptyOrDuplicateLinesAreNoObstacle) {
   open("Kennung;Wer;Jahre;Bemerkung\nS-1;Ann Smith;24;erste\nS-2;Bo Chen;250;zweite\n");
   next();

@@ -303,6 +303,30 @@ RosterPreview look(SessionContext& session, const std::string& text,
   return previewRoster(session, file, kind, suggestColumns(file, kind));
 }
 
+TEST(PeopleService, ANumberThatLooksLikeSomebodyElsesIsRefused) {
+  StudyCentre centre;
+  SessionContext& session = centre.as("administrator");
+  addPerson(session, {.fullName = "Ann Smith", .externalId = "S-10", .trainee = true});
+
+  const std::string refused = testing::refusalText(
+      [&] { addPerson(session, {.fullName = "Bo Chen", .externalId = "s-1O", .trainee = true}); });
+
+  EXPECT_NE(refused.find("looks like that of T-01"), std::string::npos) << refused;
+}
+
+TEST(RosterPreview, TellsWhatASpreadsheetDidAndOneAddressForTwo) {
+  StudyCentre centre;
+  const RosterPreview preview = look(centre.as("administrator"),
+                                     "id,name,email\n1E+05,Ann Smith,ann@x.org\nS-2,Bo Chen,Ann@X.org\n"
+                                     "S-1E+05,Cy Diaz,\n2.34568E+11,Di Eck,\n");
+
+  EXPECT_TRUE(preview.importable());
+  EXPECT_NE(preview.rows[0].hint.str().find("spreadsheet"), std::string::npos);
+  EXPECT_NE(preview.rows[1].hint.str().find("line 2 has the same e-mail address"), std::string::npos);
+  EXPECT_EQ(preview.rows[2].hint.str(), "");
+  EXPECT_NE(preview.rows[3].hint.str().find("spreadsheet"), std::string::npos);
+}
+
 TEST(RosterFile, ReadsCommaSemicolonAndTabWithAndWithoutByteOrderMark) {
   for (const char separator : {',', ';', '\t'}) {
     for (const char* mark : {"", "\xEF\xBB\xBF"}) {

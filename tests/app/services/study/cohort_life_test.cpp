@@ -195,6 +195,9 @@ TEST(CohortLife, ItsNameIsUnique) {
 
   EXPECT_THROW(renameCohort(session, life.cohortId, ""), Error);
   EXPECT_THROW(renameCohort(session, life.cohortId, "Spring"), Error);
+  EXPECT_THROW(addCohort(session, {.name = "spring\u00A0", .groups = {{"G1", "one"}}}), Error);
+  EXPECT_THROW(addCohort(session, {.name = "Autumn", .groups = {{"G1", "one"}, {"g\uFF11", "two"}}}), Error);
+  EXPECT_THROW(addCohort(session, {.name = "Autumn", .groups = {{"G1", "one\x07"}}}), Error);
   EXPECT_THROW(addCohort(session, {.name = "Spring", .groups = {{"G1", "one"}}}), Error);
   renameCohort(session, life.cohortId, "Autumn 2026");
 

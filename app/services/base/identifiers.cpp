@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/access/person_text.h"
+#include "app/services/base/identifiers.h"
 
 #include <QString>
+
+#include "sim/core/error.h"
 
 namespace torsio {
 
@@ -89,6 +91,48 @@ std::string likenessOf(std::string_view number) {
     }
   }
   return QString::fromStdU32String(likeness).toStdString();
+}
+
+bool isSpreadsheetNumber(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789";
+  const std::size_t exponent = text.find("E+");
+  if (exponent == std::string_view::npos) {
+    return false;
+  }
+  const std::string_view mantissa = text.substr(0, exponent);
+  const std::string_view power = text.substr(exponent + 2);
+  const auto areDigits = [](std::string_view part) {
+    return !part.empty() && part.find_first_not_of(kDigits) == std::string_view::npos;
+  };
+  const bool pointed = mantissa.size() > 2 && (mantissa[1] == '.' || mantissa[1] == ',');
+  return power.size() >= 2 && areDigits(power) && areDigits(mantissa.substr(0, 1)) &&
+         (mantissa.size() == 1 || (pointed && areDigits(mantissa.substr(2))));
+}
+
+void requireReadable(std::string_view text, const Text& where, std::size_t longest) {
+  if (const Text flaw = flawOf(text, longest); !flaw.empty()) {
+    refuse(Text::tr("this text %1", flaw), where, Text::tr("Type it again"));
+  }
+}
+
+void Identifiers::take(const std::string& name, const std::string& where) {
+  std::string likeness = likenessOf(name);
+  const auto known = byLikeness_.find(likeness);
+  if (known != byLikeness_.end() && known->second.name == name) {
+    return;
+  }
+  if (const Text flaw = flawOf(name, kLongestField); !flaw.empty()) {
+    refuse(Text::tr("a %1 %2", kind_, flaw), where, Text::tr("Type it again"));
+  }
+  if (likeness.empty()) {
+    refuse(Text::tr("a %1 consists of blanks", kind_), where, Text::tr("Type it again"));
+  }
+  if (known != byLikeness_.end()) {
+    refuse(Text::tr("%1 \"%2\" looks like \"%3\" in %4, but is another", kind_, name, known->second.name,
+                    known->second.where),
+           where, Text::tr("Write both in the same way, or change one of the two"));
+  }
+  byLikeness_.emplace(std::move(likeness), First{name, where});
 }
 
 }  // namespace torsio
