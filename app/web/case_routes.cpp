@@ -51,8 +51,9 @@ HttpResponse answerCase(Call& call) {
   const AssignmentId id = caseOf(call);
   const OpenedSheet opened = openSheet(call.context, id);
   const ViewingRules rules = viewingRules(call.context);
-  call.session->played = id.text();
-  call.session->reported = call.now;
+  if (!opened.shown.live && opened.state != SheetState::kSubmitted) {
+    beginWatching(call.context, id.text());
+  }
   return jsonAnswer({{"label", opened.shown.label},
                      {"live", opened.shown.live},
                      {"state", stateName(opened.state)},
@@ -91,19 +92,9 @@ HttpResponse answerSave(Call& call) {
   }
 }
 
-/// Returns the time since the last report of the same recording, by the server's clock, and starts anew.
-std::int64_t passedSinceReport_us(Call& call, const std::string& recording) {
-  const bool same = call.session->played == recording;
-  const auto passed = same ? call.now - call.session->reported : SteadyTime::duration::zero();
-  call.session->played = recording;
-  call.session->reported = call.now;
-  return std::chrono::duration_cast<std::chrono::microseconds>(passed).count();
-}
-
 HttpResponse answerViewing(Call& call) {
   const AssignmentId id = caseOf(call);
-  const std::int64_t passed_us = passedSinceReport_us(call, id.text());
-  const OpenedSheet opened = reportViewing(call.context, id, playedOf(call.body), passed_us);
+  const OpenedSheet opened = reportViewing(call.context, id, playedOf(call.body));
   return jsonAnswer({{"watched", watchedJson(opened.watched)},
                      {"share", opened.watched.share()},
                      {"worked_us", opened.watched.worked_us()},
@@ -197,7 +188,7 @@ constexpr std::int64_t kMaxSteps = 1'000'000;
 const char* const kCampaign = "campaign ";
 
 std::string keyOf(const CampaignId& campaignId, const std::string& label) {
-  return kCampaign + campaignId.text() + " " + label;
+  return modelRecording(campaignId.text(), label);
 }
 
 /// What this session watched of a model; empty if nothing.
@@ -294,12 +285,11 @@ std::shared_ptr<const CasePicture> modelPicture(Call& call) {
 HttpResponse answerModelViewing(Call& call) {
   const auto [campaignId, label] = modelOf(call);
   const std::string key = keyOf(campaignId, label);
-  const std::int64_t passed_us = passedSinceReport_us(call, key);
   WatchLog& log =
       call.session->modelsWatched.try_emplace(key, WatchLog(modelPicture(call)->length_us)).first->second;
-  log = creditedLog(std::move(log),
-                    playable(playedOf(call.body), evaluationRules(call.context), Text::tr("model %1", label)),
-                    passed_us);
+  log = watchedInBrowser(
+      call.context, key, log,
+      playable(playedOf(call.body), evaluationRules(call.context), Text::tr("model %1", label)));
   return jsonAnswer({{"watched", watchedJson(log)},
                      {"share", log.share()},
                      {"worked_us", log.worked_us()},

@@ -184,6 +184,7 @@ void CasePage::enter(const QVariant& argument) {
   rules_ = viewingRules(shell().session());
   opened_ = openSheet(shell().session(), id);
   watched_ = opened_.watched;
+  kept_ = watched_;
   caseRemarks_ = caseRemarks(shell().session(), id);
   versions_ = sheetVersions(shell().session(), id);
   sheet_->beginSheet(opened_.rubric, opened_.sheet);
@@ -255,6 +256,12 @@ void CasePage::customEvent(QEvent* event) {
   }
 }
 
+/// Replaces what was played here by what counts of it.
+void CasePage::keepWatched() {
+  watched_ = watchedInWindow(shell().session(), opened_.shown.assignmentId.text(), kept_, watched_);
+  kept_ = watched_;
+}
+
 void CasePage::save() {
   if (opened_.state == SheetState::kSubmitted) {
     return;
@@ -263,6 +270,7 @@ void CasePage::save() {
       shell(), saved_, [] { return tr("Saved"); },
       [this] {
         SheetEditor& editor = *sheet_->editor();
+        keepWatched();
         editor.saved(saveSheet(shell().session(), opened_.shown.assignmentId, editor.sheet(), watched_));
         opened_.state = SheetState::kDraft;
       });
@@ -338,6 +346,7 @@ void CasePage::submit() {
   }
   attempt(shell(), [&] {
     noteWork();
+    keepWatched();
     submitSheet(shell().session(), opened_.shown.assignmentId, sheet_->editor()->sheet(), watched_);
     shell().notify(tr("Case %1 is submitted and sealed").arg(toQString(opened_.shown.label)));
     opened_.state = SheetState::kSubmitted;

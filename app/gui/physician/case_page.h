@@ -52,6 +52,7 @@ class CasePage : public Page {
   void load();
   void edited();
   void save();
+  void keepWatched();
   void addBookmark(const QString& text);
   void askRemark();
   /// Opens the field with one's own remark; empty `id`: the one nearest to the playhead.
@@ -98,6 +99,7 @@ class CasePage : public Page {
   OpenedSheet opened_;
   ViewingRules rules_;
   WatchLog watched_;
+  WatchLog kept_;  // what counts of it so far
   std::vector<CaseRemark> caseRemarks_;
   RemarkId edited_;  ///< remark being edited; empty: a new one
   std::vector<SheetVersion> versions_;

@@ -23,11 +23,19 @@
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
+#include "app/services/review/watched_time.h"
 #include "assessment/domain/rating/instrument.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/sheet.h"
+#include "sim/core/error.h"
 
 namespace torsio::gui {
+
+namespace {
+
+constexpr qint64 kKeepWatchedEvery_us = 5'000'000;
+
+}  // namespace
 
 EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
     : Page(shell, parent),
@@ -70,6 +78,9 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   connect(replay_, &ReplayPanel::played, this, [this](qint64 from, qint64 to, double speed) {
     watched().played(from, to, speed);
     sheet_->touched();
+    if (from / kKeepWatchedEvery_us != to / kKeepWatchedEvery_us) {
+      keepWatched();
+    }
     showWatched();
   });
   connect(campaigns_, &QComboBox::activated, this, [this](int at) {
@@ -86,6 +97,18 @@ const EvaluationForm* EvaluationPage::form() const {
 
 WatchLog& EvaluationPage::watched() {
   return watched_[{form()->campaignId, model()->hiddenLabel}];
+}
+
+/// Replaces what was played here by what counts of it; tried again later while the record cannot be reached.
+void EvaluationPage::keepWatched() {
+  const std::pair key{form()->campaignId, model()->hiddenLabel};
+  try {
+    watched_[key] = watchedInWindow(shell().session(), modelRecording(key.first.text(), key.second),
+                                    kept_[key], watched_[key]);
+    kept_[key] = watched_[key];
+  } catch (const Error&) {
+    return;
+  }
 }
 
 void EvaluationPage::showWatched() {
@@ -164,6 +187,7 @@ void EvaluationPage::openRecording() {
         }
         if (watched().length_us() == 0) {
           watched() = WatchLog(loaded->playback.duration_us());
+          kept_[{form()->campaignId, model()->hiddenLabel}] = watched();
         }
         replay_->setSpeeds(evaluationRules(this->shell().session()).speeds);
         replay_->show(std::move(loaded));
@@ -216,6 +240,7 @@ void EvaluationPage::submit() {
     return;
   }
   const ViewingRules rules = evaluationRules(shell().session());
+  keepWatched();
   const SheetCheck check = checkEvaluation(*form(), *one, watched(), rules);
   if (!check.mayBeSubmitted()) {
     said_.say(

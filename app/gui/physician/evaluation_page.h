@@ -56,6 +56,7 @@ class EvaluationPage : public Page {
   void showDefinition();
   /// What was watched of the open model.
   [[nodiscard]] WatchLog& watched();
+  void keepWatched();
   void showWatched();
 
   PageHeading* heading_;
@@ -72,6 +73,7 @@ class EvaluationPage : public Page {
   std::size_t campaign_ = 0;
   std::size_t model_ = 0;
   std::map<std::pair<CampaignId, std::string>, WatchLog> watched_;  // by campaign and hidden label
+  std::map<std::pair<CampaignId, std::string>, WatchLog> kept_;     // what counts of it so far
 };
 
 }  // namespace torsio::gui

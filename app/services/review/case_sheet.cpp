@@ -12,11 +12,13 @@
 #include "app/services/access/signing.h"
 #include "app/services/review/panel_opening.h"
 #include "app/services/review/sheet_editor.h"
+#include "app/services/review/watched_time.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/assignment.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/written_words.h"
 #include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/desk_repository.h"
@@ -161,16 +163,15 @@ void requireWatched(const SheetCheck& check, const Text& where) {
   }
 }
 
-void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
-                 const WatchLog& watchedHere) {
-  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
-  requireSheetWords(sheet, assignment.caseLabel);
-  const OpenedSheet opened = openSheet(session, assignmentId);
-  WatchLog watched = watchedHere;
-  watched.join(opened.watched);
-  const SheetCheck check =
-      checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
-  requireWatched(check, Text::tr("case %1", opened.shown.label));
+SheetSealed::SheetSealed(const std::string& caseLabel)
+    : Error(ErrorCode::kBadData, Text::tr("this sheet is sealed already"), Text::tr("case %1", caseLabel),
+            Text::tr("Open it again to read it, or to change it with a reason")) {}
+
+namespace {
+
+void seal(SessionContext& session, const Assignment& assignment, const Sheet& sheet,
+          const OpenedSheet& opened, const WatchLog& watched) {
+  const AssignmentId& assignmentId = opened.shown.assignmentId;
   const MarkId markId = session.ids().newUuid();
   Transaction transaction(session.connection());
   SheetRepository(session.connection()).submit(assignmentId, markId, sheet, "", session.now_us());
@@ -180,6 +181,31 @@ void submitSheet(SessionContext& session, const AssignmentId& assignmentId, cons
   session.note(AuditAction::kSheetSubmit, AuditObject::kAssignment, assignmentId,
                seenJson(opened.shown, watched));
   transaction.commit();
+}
+
+}  // namespace
+
+void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
+                 const WatchLog& watchedHere) {
+  const Assignment assignment = ownAssignment(session, Operation::kMarkSubmit, assignmentId);
+  requireSheetWords(sheet, assignment.caseLabel);
+  const OpenedSheet opened = openSheet(session, assignmentId);
+  if (opened.state == SheetState::kSubmitted) {
+    throw SheetSealed(opened.shown.label);
+  }
+  WatchLog watched = watchedHere;
+  watched.join(opened.watched);
+  const SheetCheck check =
+      checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(session));
+  requireWatched(check, Text::tr("case %1", opened.shown.label));
+  try {
+    seal(session, assignment, sheet, opened, watched);
+  } catch (const DbError&) {
+    if (SheetRepository(session.connection()).submitted(assignmentId)) {
+      throw SheetSealed(opened.shown.label);  // by another page, between the question and the answer
+    }
+    throw;
+  }
   endSigning(session);
 }
 
@@ -228,51 +254,8 @@ std::vector<SheetVersion> sheetVersions(SessionContext& session, const Assignmen
   return versions;
 }
 
-namespace {
-
-constexpr double kLateReport_us = 500'000.0;
-constexpr double kSameSpeed = 0.001;
-
-void requirePlayable(const PlayedStretch& stretch, const ViewingRules& rules, const Text& where) {
-  const bool forwards = stretch.from_us >= 0 && stretch.to_us >= stretch.from_us;
-  if (!forwards || !std::isfinite(stretch.speed)) {
-    refuseParameter(Text::tr("the watched part is not in the recording"), where,
-                    Text::tr("Open the case again"));
-  }
-  const bool allowed =
-      stretch.speed == 1.0 || std::any_of(rules.speeds.begin(), rules.speeds.end(), [&](double speed) {
-        return std::abs(speed - stretch.speed) <= kSameSpeed;
-      });
-  if (!allowed) {
-    refuseParameter(Text::tr("the recording was played at a speed that is not allowed"), where,
-                    Text::tr("Play it again at an allowed speed"));
-  }
-}
-
-}  // namespace
-
-std::vector<PlayedStretch> playable(std::vector<PlayedStretch> played, const ViewingRules& rules,
-                                    const Text& where) {
-  for (const PlayedStretch& stretch : played) {
-    requirePlayable(stretch, rules, where);
-  }
-  return played;
-}
-
-WatchLog creditedLog(WatchLog log, const std::vector<PlayedStretch>& played, std::int64_t passed_us) {
-  double left_us = static_cast<double>(std::max<std::int64_t>(passed_us, 0)) + kLateReport_us;
-  for (const PlayedStretch& stretch : played) {
-    const double most_us = left_us * stretch.speed;
-    const double length_us = std::min(static_cast<double>(stretch.to_us - stretch.from_us), most_us);
-    log.played(stretch.from_us, stretch.from_us + std::llround(length_us), stretch.speed);
-    left_us -= length_us / stretch.speed;
-  }
-  log.worked(std::clamp<std::int64_t>(passed_us, 0, kLongestPause_us));
-  return log;
-}
-
 OpenedSheet reportViewing(SessionContext& session, const AssignmentId& assignmentId,
-                          const std::vector<PlayedStretch>& played, std::int64_t passed_us) {
+                          const std::vector<PlayedStretch>& played) {
   const ViewingRules rules = viewingRules(session);
   Transaction transaction(session.connection());
   OpenedSheet opened = openSheet(session, assignmentId);
@@ -283,7 +266,7 @@ OpenedSheet reportViewing(SessionContext& session, const AssignmentId& assignmen
                              : Text::tr("the sheet was submitted already"),
            where, Text::tr("Read the queue again"));
   }
-  opened.watched = creditedLog(std::move(opened.watched), stretches, passed_us);
+  opened.watched = watchedInBrowser(session, assignmentId.text(), std::move(opened.watched), stretches);
   DeskRepository(session.connection()).saveDraftViewing(assignmentId, opened.watched.stored());
   transaction.commit();
   return opened;

@@ -11,10 +11,12 @@
 #include "app/services/access/session_context.h"
 #include "app/services/review/blinded_case.h"
 #include "app/services/review/watch_log.h"
+#include "app/services/review/watched_time.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/rating/rubric.h"
 #include "assessment/domain/rating/sheet.h"
 #include "assessment/domain/rating/sheet_check.h"
+#include "sim/core/error.h"
 
 namespace torsio {
 
@@ -62,8 +64,14 @@ std::int64_t saveSheet(SessionContext& session, const AssignmentId& assignmentId
 /// Throws Error{kBadData} if too little of the recording was watched, or at a speed that is not allowed.
 void requireWatched(const SheetCheck& check, const Text& where);
 
+/// The sheet to be sealed is sealed already, by an earlier or a simultaneous submission. kBadData.
+class SheetSealed : public Error {
+ public:
+  explicit SheetSealed(const std::string& caseLabel);
+};
+
 /// Seals the sheet with the viewing data. kMarkSubmit, the actor's case; audited. Throws Error{kBadData} if
-/// checkSheet() finds problems, DbError{kUnique} if it was submitted before.
+/// checkSheet() finds problems, SheetSealed if it was submitted before.
 void submitSheet(SessionContext& session, const AssignmentId& assignmentId, const Sheet& sheet,
                  const WatchLog& watched);
 
@@ -89,30 +97,11 @@ struct SheetVersion {
 [[nodiscard]] std::vector<SheetVersion> sheetVersions(SessionContext& session,
                                                       const AssignmentId& assignmentId);
 
-/// A stretch that a player reports as played without seeking.
-struct PlayedStretch {
-  std::int64_t from_us = 0;
-  std::int64_t to_us = 0;
-  double speed = 1.0;  ///< 1: real time
-};
-
-/// A longer time without a key press or playback counts as a break.
-inline constexpr std::int64_t kLongestPause_us = 60'000'000;
-
-/// Returns what a player reports. Throws Error{kBadParameter} for a reversed stretch and a speed that is not
-/// allowed. Pure function.
-[[nodiscard]] std::vector<PlayedStretch> playable(std::vector<PlayedStretch> played,
-                                                  const ViewingRules& rules, const Text& where);
-/// Adds a player's report, limited to what the elapsed time allows at each stretch's speed. `log`: previous
-/// state; `passed_us`: since the last report of the same player, by a clock that the player does not control.
-/// Anything beyond it, plus half a second for delays, is cut off at the end. Pure function.
-[[nodiscard]] WatchLog creditedLog(WatchLog log, const std::vector<PlayedStretch>& played,
-                                   std::int64_t passed_us);
-
-/// Adds the report of a remote player to the viewing data of a case and stores it with the draft. Returns the
-/// current sheet. kMarkSubmit, the actor's recorded case, not submitted. Throws Error{kBadParameter} for a
-/// reversed stretch and a speed that the centre does not allow, {kBadData} for a live or submitted case.
+/// Adds the report of a browser to the viewing data of a case (watchedInBrowser()) and stores it with the
+/// draft. Returns the current sheet. kMarkSubmit, the actor's recorded case, not submitted. Throws
+/// Error{kBadParameter} for a reversed stretch and a speed that the centre does not allow, {kBadData} for a
+/// live or submitted case.
 [[nodiscard]] OpenedSheet reportViewing(SessionContext& session, const AssignmentId& assignmentId,
-                                        const std::vector<PlayedStretch>& played, std::int64_t passed_us);
+                                        const std::vector<PlayedStretch>& played);
 
 }  // namespace torsio

@@ -15,6 +15,7 @@
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/instrument.h"
 #include "db/connection/connection.h"
+#include "db/connection/db_error.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
@@ -260,6 +261,25 @@ SheetCheck checkEvaluation(const EvaluationForm& form, const EvaluationFormModel
   return checkSheetLines(lines, seen, rules);
 }
 
+namespace {
+
+void sealMarks(SessionContext& session, const CampaignId& campaignId, const std::string& modelCode,
+               const std::vector<EvaluationMark>& marks, const nlohmann::json& note) {
+  Transaction transaction(session.connection());
+  EvaluationRepository(session.connection(), session.station()).submit(campaignId, marks);
+  for (const EvaluationMark& mark : marks) {
+    sign(session, {.kind = SignedKind::kEvaluationMark,
+                   .objectId = mark.id,
+                   .meaning = SignatureMeaning::kScored,
+                   .demonstration = mark.demonstration});
+  }
+  DeskRepository(session.connection()).removeEvaluationDraft(campaignId, session.actor().personId, modelCode);
+  session.note(AuditAction::kEvaluationForm, AuditObject::kEvaluationCampaign, campaignId, note);
+  transaction.commit();
+}
+
+}  // namespace
+
 void submitEvaluation(SessionContext& session, const CampaignId& campaignId, const std::string& hiddenLabel,
                       const WatchLog& watched) {
   const OpenForm open = ownForm(session, campaignId);
@@ -284,19 +304,13 @@ void submitEvaluation(SessionContext& session, const CampaignId& campaignId, con
     marks.push_back(std::move(mark));
   }
   requireWatched(check, Text::tr("model %1", hiddenLabel));
-  Transaction transaction(session.connection());
-  EvaluationRepository(session.connection(), session.station()).submit(campaignId, marks);
-  for (const EvaluationMark& mark : marks) {
-    sign(session, {.kind = SignedKind::kEvaluationMark,
-                   .objectId = mark.id,
-                   .meaning = SignatureMeaning::kScored,
-                   .demonstration = mark.demonstration});
+  try {
+    sealMarks(session, campaignId, open.models[model].code, marks,
+              open.form.models[model].recorded ? viewingNote(watched) : nlohmann::json());
+  } catch (const DbError&) {
+    (void)openModel(ownForm(session, campaignId), hiddenLabel);  // says so if another page was first
+    throw;
   }
-  DeskRepository(session.connection())
-      .removeEvaluationDraft(campaignId, session.actor().personId, open.models[model].code);
-  session.note(AuditAction::kEvaluationForm, AuditObject::kEvaluationCampaign, campaignId,
-               open.form.models[model].recorded ? viewingNote(watched) : nlohmann::json());
-  transaction.commit();
   endSigning(session);
 }
 

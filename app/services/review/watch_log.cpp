@@ -65,6 +65,26 @@ void WatchLog::join(const WatchLog& other) {
   worked_us_ = std::max(worked_us_, other.worked_us_);
 }
 
+std::vector<std::pair<std::int64_t, std::int64_t>> WatchLog::without(const WatchLog& other) const {
+  std::vector<std::pair<std::int64_t, std::int64_t>> rest;
+  for (const auto& [from, to] : spans_) {
+    std::int64_t at = from;
+    for (const auto& [known, end] : other.spans_) {
+      if (end <= at || known >= to) {
+        continue;
+      }
+      if (known > at) {
+        rest.emplace_back(at, known);
+      }
+      at = end;
+    }
+    if (at < to) {
+      rest.emplace_back(at, to);
+    }
+  }
+  return rest;
+}
+
 void WatchLog::add(std::int64_t from, std::int64_t to) {
   from = std::max<std::int64_t>(from, 0);
   to = std::min(to, length_us_);

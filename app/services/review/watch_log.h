@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -27,6 +28,10 @@ class WatchLog {
   /// Merges another log of the same recording, such as that of another desk or an earlier save: keeps
   /// everything watched and counts no minute twice.
   void join(const WatchLog& other);
+  /// Merges only the working time.
+  void joinWork(const WatchLog& other) noexcept { worked_us_ = std::max(worked_us_, other.worked_us_); }
+  /// Returns the stretches of this log that `other` lacks, microseconds, ascending.
+  [[nodiscard]] std::vector<std::pair<std::int64_t, std::int64_t>> without(const WatchLog& other) const;
 
   /// Returns the share watched, 0..1; 1 for a live case.
   [[nodiscard]] double share() const noexcept;

@@ -185,6 +185,12 @@ inline constexpr std::array kSealRules{
              .sealing = Sealing::kNot,
              .key = "assignment_id",
              .reason = seal_reasons::kDraft},
+    SealRule{.table = "watch_account",
+             .sealing = Sealing::kNot,
+             .key = "rater_id",
+             .reason =
+                 "what may still be credited, overwritten every two seconds; what counted is sealed with "
+                 "the mark"},
     SealRule{.table = "paper_entry",
              .sealing = Sealing::kNot,
              .key = "assignment_id, entered_by",

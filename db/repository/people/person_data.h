@@ -133,6 +133,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"self_score", "trainee_id = ?"},
     PersonRule{"self_score_row", person_conditions::kOwnScores},
     PersonRule{"rater_warmup", "rater_id = ?"},
+    PersonRule{"watch_account", "rater_id = ?", OnErase::kDelete},
     PersonRule{"retention_hold", "person_id = ?"},
     PersonRule{"exposure", person_conditions::kAsTrainee},
     PersonRule{"deviation", person_conditions::kAsTrainee, OnErase::kClear, "description = NULL"},

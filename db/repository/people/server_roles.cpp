@@ -69,6 +69,7 @@ constexpr std::array kStationRights{
     StationRight{"mark_draft_row", kAll},
     StationRight{"draft_viewing", kAll},
     StationRight{"evaluation_draft", kAll},
+    StationRight{"watch_account", kAll},
     StationRight{"paper_entry", kAll},
     StationRight{"paper_entry_row", kAll},
 };
@@ -190,6 +191,7 @@ constexpr std::array kRowPolicies{
               " mark_draft_row.assignment_id)",
               kOfTheSheet},
     RowPolicy{"draft_viewing", kOfTheSheet, kOfTheSheet},
+    RowPolicy{"watch_account", "rater_id = (SELECT actor_person())", "rater_id = (SELECT actor_person())"},
     RowPolicy{"paper_entry", kAddsOthers, kAddsOthers},
     RowPolicy{"paper_entry_row", kAddsOthers, kAddsOthers},
     RowPolicy{"self_score", "(SELECT sees_all_marks()) OR trainee_id = (SELECT actor_person())",

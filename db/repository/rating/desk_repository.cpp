@@ -111,6 +111,25 @@ void DeskRepository::sealViewing(const AssignmentId& assignmentId, const MarkId&
   transaction.commit();
 }
 
+WatchAccount DeskRepository::watchAccount(const RaterId& raterId) const {
+  return selectFirst(
+             connection_,
+             "SELECT recording, player, charged_utc_us, slack_us FROM watch_account WHERE rater_id = ?",
+             {raterId},
+             [](RowReader& row) {
+               return WatchAccount{row.text(), row.text(), row.int64(), row.int64()};
+             })
+      .value_or(WatchAccount{});
+}
+
+void DeskRepository::saveWatchAccount(const RaterId& raterId, const WatchAccount& account) {
+  connection_.execute(insertInto("watch_account", "rater_id, recording, player, charged_utc_us, slack_us") +
+                          " ON CONFLICT (rater_id) DO UPDATE SET recording = excluded.recording, player ="
+                          " excluded.player, charged_utc_us = excluded.charged_utc_us, slack_us ="
+                          " excluded.slack_us",
+                      {raterId, account.recording, account.player, account.charged_utc_us, account.slack_us});
+}
+
 std::vector<std::int64_t> DeskRepository::workingTimes_us(const RaterId& raterId, std::int64_t limit) const {
   return selectAll(
       connection_,

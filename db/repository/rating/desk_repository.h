@@ -12,6 +12,7 @@
 #include "assessment/domain/rating/campaign.h"
 #include "assessment/domain/rating/mark.h"
 #include "assessment/domain/rating/sheet.h"
+#include "assessment/domain/rating/watch_account.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
@@ -37,6 +38,9 @@ class DeskRepository {
   [[nodiscard]] std::optional<SheetViewing> draftViewing(const AssignmentId& assignmentId) const;
   /// Seals the viewing data with the mark and deletes those of the draft.
   void sealViewing(const AssignmentId& assignmentId, const MarkId& markId, const SheetViewing& viewing);
+  /// The account of a rater's watched time; a new one if there is none.
+  [[nodiscard]] WatchAccount watchAccount(const RaterId& raterId) const;
+  void saveWatchAccount(const RaterId& raterId, const WatchAccount& account);
   /// Working times of a rater's first versions, newest first, at most `limit`.
   [[nodiscard]] std::vector<std::int64_t> workingTimes_us(const RaterId& raterId, std::int64_t limit) const;
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <random>
 #include <set>
 #include <string>
 
@@ -396,16 +397,17 @@ TEST(ReviewQueue, EstimatesTimesAndKnowsTheNextCase) {
 
 constexpr std::int64_t kMinuteOfPlay_us = 60'000'000;
 
-TEST(CreditedLog, AcceptsNoMoreThanTheElapsedTime) {
-  const WatchLog all = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 1.0}}, 10'000'000);
+TEST(CreditedLog, AcceptsNoMoreThanTheBudget) {
+  const CreditedLog all = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 1.0}}, 10'500'000);
 
-  EXPECT_NEAR(all.share(), 10.5 / 60.0, 1e-9);
-  EXPECT_EQ(all.worked_us(), 10'000'000);
+  EXPECT_NEAR(all.log.share(), 10.5 / 60.0, 1e-9);
+  EXPECT_EQ(all.used_us, 10'500'000);
 }
 
 TEST(CreditedLog, ASlowerSpeedCoversLess) {
-  const WatchLog half = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 0.5}}, 19'500'000);
-  const WatchLog twice = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 2.0}}, 19'500'000);
+  const WatchLog half = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 0.5}}, 20'000'000).log;
+  const WatchLog twice =
+      creditedLog(WatchLog(kMinuteOfPlay_us), {{0, kMinuteOfPlay_us, 2.0}}, 20'000'000).log;
 
   EXPECT_NEAR(half.share(), 10.0 / 60.0, 1e-9);
   EXPECT_NEAR(twice.share(), 40.0 / 60.0, 1e-9);
@@ -413,9 +415,10 @@ TEST(CreditedLog, ASlowerSpeedCoversLess) {
   EXPECT_EQ(twice.fastest(), 2.0);
 }
 
-TEST(CreditedLog, StretchesShareTheElapsedTime) {
+TEST(CreditedLog, StretchesShareTheBudget) {
   const WatchLog log = creditedLog(WatchLog(kMinuteOfPlay_us),
-                                   {{0, 6'000'000, 1.0}, {30'000'000, 40'000'000, 1.0}}, 9'500'000);
+                                   {{0, 6'000'000, 1.0}, {30'000'000, 40'000'000, 1.0}}, 10'000'000)
+                           .log;
 
   const auto spans = log.spans();
   ASSERT_EQ(spans.size(), 2U);
@@ -423,11 +426,117 @@ TEST(CreditedLog, StretchesShareTheElapsedTime) {
   EXPECT_EQ(spans[1].second - spans[1].first, 4'000'000);
 }
 
-TEST(CreditedLog, AClockThatGoesBackAcceptsNothing) {
-  const WatchLog log = creditedLog(WatchLog(kMinuteOfPlay_us), {{0, 30'000'000, 1.0}}, -5'000'000);
+TEST(CreditedLog, ABudgetBelowNothingAcceptsNothing) {
+  EXPECT_EQ(creditedLog(WatchLog(kMinuteOfPlay_us), {{0, 30'000'000, 1.0}}, -5'000'000).log.share(), 0.0);
+}
 
-  EXPECT_LE(log.share(), 0.5 / 60.0 + 1e-9);
-  EXPECT_EQ(log.worked_us(), 0);
+/// Whatever is reported in whatever order, a rater is credited with the time gone by and one slack.
+TEST(WatchAccount, CreditedTimeNeverExceedsTheTimeGoneBy) {
+  std::mt19937_64 random(20261130);
+  const auto below = [&](std::int64_t most) {
+    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most));
+  };
+  for (int run = 0; run < 200; ++run) {
+    WatchAccount account;
+    std::int64_t now_us = 1'000'000'000;
+    std::int64_t credited_us = 0;
+    const std::int64_t begun_us = now_us;
+    const std::int64_t pause_us = below(4'000'000) + 1;
+    for (int report = 0; report < 300; ++report) {
+      now_us += below(3) == 0 ? 0 : below(pause_us);
+      const std::string recording = std::to_string(below(1 + run % 3));
+      const std::int64_t budget = budget_us(account, recording, now_us);
+      const double speed = std::array{0.5, 1.0, 2.0}[static_cast<std::size_t>(below(3))];
+      const std::int64_t from_us = below(kMinuteOfPlay_us);
+      const std::int64_t used_us = creditedLog(WatchLog(kMinuteOfPlay_us),
+                                               {{from_us, from_us + below(kMinuteOfPlay_us), speed}}, budget)
+                                       .used_us;
+      account = charged(recording, "browser", now_us, budget - used_us);
+      credited_us += used_us;
+      ASSERT_LE(credited_us, now_us - begun_us + kWatchSlack_us) << run << ", report " << report;
+    }
+  }
+}
+
+/// Several desks of one rater: browsers, which report, and a window.
+class WatchedTime : public ::testing::Test {
+ protected:
+  static constexpr std::int64_t kTrial_us = 20'000'000;
+
+  void report(const AssignmentId& id, std::int64_t from_us, std::int64_t to_us) {
+    (void)reportViewing(*centre_.physician(0), id, {{from_us, to_us, 1.0}});
+  }
+  [[nodiscard]] std::int64_t seen_us(const AssignmentId& id) {
+    return std::llround(openSheet(*desk_, id).watched.share() * static_cast<double>(kTrial_us));
+  }
+
+  ReviewCentre centre_{{.trainees = 2, .trial_s = 20.0}};
+  std::unique_ptr<SessionContext> desk_ = centre_.physician(0);
+  AssignmentId first_ = centre_.cases(0).front();
+  AssignmentId second_ = centre_.cases(0).back();
+};
+
+TEST_F(WatchedTime, ManySmallReportsAreCreditedWithOneSlack) {
+  beginWatching(*desk_, first_.text());
+  for (std::int64_t at = 0; at < kTrial_us; at += 400'000) {
+    report(first_, at, at + 400'000);
+  }
+  EXPECT_LE(seen_us(first_), kWatchSlack_us + 10'000);
+
+  beginWatching(*desk_, first_.text());
+  centre_.passTime_us(2'000'000);
+  report(first_, 0, kTrial_us);
+  EXPECT_NEAR(static_cast<double>(seen_us(first_)), 2e6, 2e4) << "the slack is spent";
+}
+
+TEST_F(WatchedTime, TwoHalvesAtOnceTakeTheTimeOfBoth) {
+  beginWatching(*desk_, first_.text());
+  for (int s = 0; s < 5; ++s) {
+    centre_.passTime_us(1'000'000);
+    report(first_, s * 1'000'000, (s + 1) * 1'000'000);
+    report(first_, 10'000'000 + s * 1'000'000, 11'000'000 + s * 1'000'000);
+  }
+  EXPECT_LE(seen_us(first_), 5'000'000 + kWatchSlack_us + 100'000);
+}
+
+TEST_F(WatchedTime, TwoRecordingsAreNeverWatchedAtOnce) {
+  beginWatching(*desk_, first_.text());
+  for (int s = 0; s < 5; ++s) {
+    centre_.passTime_us(1'000'000);
+    report(first_, s * 1'000'000, (s + 1) * 1'000'000);
+    report(second_, s * 1'000'000, (s + 1) * 1'000'000);
+  }
+  EXPECT_LE(seen_us(first_) + seen_us(second_), 5'000'000 + kWatchSlack_us + 100'000);
+}
+
+TEST_F(WatchedTime, AWindowBesideABrowserSharesItsTime) {
+  beginWatching(*desk_, first_.text());
+  WatchLog kept(kTrial_us);
+  for (int s = 1; s <= 5; ++s) {
+    centre_.passTime_us(1'000'000);
+    report(first_, (s - 1) * 1'000'000, s * 1'000'000);
+    WatchLog played = kept;
+    played.played(0, s * 1'000'000, 1.0);
+    kept = watchedInWindow(*desk_, second_.text(), kept, played);
+  }
+  const auto window_us = std::llround(kept.share() * static_cast<double>(kTrial_us));
+  EXPECT_LE(seen_us(first_) + window_us, 5'000'000 + kWatchSlack_us + 100'000);
+
+  WatchLog played = kept;
+  played.played(0, 10'000'000, 1.0);
+  kept = watchedInWindow(*desk_, second_.text(), kept, played);
+  EXPECT_NEAR(kept.share(), 0.5, 1e-9) << "alone again, its own player keeps the time";
+}
+
+TEST_F(WatchedTime, AnHonestBrowserLosesNothing) {
+  beginWatching(*desk_, first_.text());
+  std::int64_t at_us = 0;
+  for (const std::int64_t late_us : {300'000, 0, 400'000, 100'000, 0, 200'000, 0, 0, 300'000, 0}) {
+    centre_.passTime_us(2'000'000 + late_us - (at_us == 0 ? 0 : 100'000));
+    report(first_, at_us, at_us + 1'900'000);
+    at_us += 1'900'000;
+  }
+  EXPECT_GE(seen_us(first_), 18'500'000);
 }
 
 TEST(WatchLog, MergesTheLogsOfTwoDesks) {
@@ -450,8 +559,11 @@ TEST(ReportViewing, IsAddedToTheDraftAndReadBack) {
   const auto physician = centre.physician(0);
   const AssignmentId id = centre.cases(0).front();
 
-  (void)reportViewing(*physician, id, {{0, 1'000'000, 1.0}}, 1'000'000);
-  const WatchLog log = reportViewing(*physician, id, {{1'000'000, 2'000'000, 1.0}}, 1'000'000).watched;
+  beginWatching(*physician, id.text());
+  centre.passTime_us(1'000'000);
+  (void)reportViewing(*physician, id, {{0, 1'000'000, 1.0}});
+  centre.passTime_us(1'000'000);
+  const WatchLog log = reportViewing(*physician, id, {{1'000'000, 2'000'000, 1.0}}).watched;
 
   EXPECT_GT(log.share(), 0.99);
   EXPECT_NEAR(openSheet(*physician, id).watched.share(), log.share(), 0.01);
@@ -464,7 +576,9 @@ TEST(ReportViewing, TwoDesksLoseNothing) {
   const AssignmentId id = centre.cases(0).front();
   const OpenedSheet atTheDesk = openSheet(*desk, id);
 
-  (void)reportViewing(*browser, id, {{1'000'000, 2'000'000, 1.0}}, 1'000'000);
+  beginWatching(*browser, id.text());
+  centre.passTime_us(1'000'000);
+  (void)reportViewing(*browser, id, {{1'000'000, 2'000'000, 1.0}});
   WatchLog own = atTheDesk.watched;
   own.played(0, 1'000'000, 1.0);
   saveSheet(*desk, id, reviewSheet(7, 7, 7), own);
@@ -480,7 +594,7 @@ TEST(ReportViewing, RejectsInvalidStretchesAndForbiddenSpeeds) {
   const AssignmentId id = centre.cases(0).front();
   const AssignmentId live = centre.cases(0, true).front();
   const auto refused = [&](const AssignmentId& of, const PlayedStretch& stretch) {
-    return testing::refusalCode([&] { (void)reportViewing(*physician, of, {stretch}, 1'000'000); });
+    return testing::refusalCode([&] { (void)reportViewing(*physician, of, {stretch}); });
   };
 
   EXPECT_EQ(refused(id, {500'000, 0, 1.0}), ErrorCode::kBadParameter);
