@@ -48,6 +48,7 @@ struct ServeArguments {
   std::string certificate;
   std::string key;
   std::string publicUrl;
+  std::vector<std::string> hosts;
   std::string ownCertificate;
   std::string state;
   std::int64_t endsWith = 0;
@@ -109,6 +110,19 @@ std::vector<std::string> addressesOf(const ServeArguments& arguments, const web:
     addresses.push_back((encrypted ? "https://" : "http://") + name + ":" + std::to_string(port) + "/");
   }
   return addresses;
+}
+
+/// Returns the names by which browsers may call the desk, besides numeric addresses.
+std::vector<std::string> namesOf(const ServeArguments& arguments, const std::string& certificate) {
+  std::vector<std::string> names = arguments.hosts;
+  for (const std::string& name : web::namesIn(certificate)) {
+    names.push_back(name);
+  }
+  for (const std::string& name : web::machineNames()) {
+    names.push_back(name);
+    names.push_back(name + ".local");
+  }
+  return names;
 }
 
 /// Waits; true: the server is to stop.
@@ -223,6 +237,7 @@ void serve(const ServeArguments& arguments) {
   web::WebDesk desk({.locator = locator,
                      .assets = assetsFolder(),
                      .publicUrl = arguments.publicUrl,
+                     .hosts = namesOf(arguments, tls.certificate),
                      .accessLog = arguments.quiet ? web::LogLine() : writeLog,
                      .log = writeLog,
                      .strictTransport = !arguments.certificate.empty() || !arguments.publicUrl.empty()});
@@ -259,6 +274,8 @@ void addServe(CLI::App& program) {
   command->add_option("--key", arguments->key, "PEM file: the key of the certificate");
   command->add_option("--public-url", arguments->publicUrl,
                       "Address for browsers through a proxy, https://...");
+  command->add_option("--host", arguments->hosts,
+                      "Further name by which browsers may call the desk; *.example.org: any one below");
   command->add_option("--own-certificate", arguments->ownCertificate, "Folder for a self-signed certificate");
   command->add_option("--state", arguments->state, "File that contains the desk's address while it is open");
   command->add_option("--ends-with", arguments->endsWith, "Process id: the desk stops when that process ends")

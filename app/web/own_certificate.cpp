@@ -167,6 +167,23 @@ std::vector<std::string> machineNames() {
   return names;
 }
 
+std::vector<std::string> namesIn(const std::string& certificate) {
+  std::vector<std::string> names;
+  const Certificate one = certificateIn(certificate);
+  for (unsigned at = 0; one != nullptr; ++at) {
+    std::array<char, 256> text{};
+    std::size_t size = text.size();
+    const int kind = gnutls_x509_crt_get_subject_alt_name(one.get(), at, text.data(), &size, nullptr);
+    if (kind == GNUTLS_E_REQUESTED_DATA_NOT_AVAILABLE) {
+      break;
+    }
+    if (kind == GNUTLS_SAN_DNSNAME) {
+      names.emplace_back(text.data(), size);
+    }
+  }
+  return names;
+}
+
 std::string fingerprintOf(const std::string& certificate) {
   const Certificate one = certificateIn(certificate);
   std::array<unsigned char, 32> bytes{};

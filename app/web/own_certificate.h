@@ -24,6 +24,9 @@ struct OwnCertificate {
 /// file is readable by its owner only. Throws Error{kFileUnwritable, kFileUnreadable}.
 [[nodiscard]] OwnCertificate ownCertificate(const std::filesystem::path& folder,
                                             const std::vector<std::string>& names, std::int64_t now_s);
+/// Returns the DNS names in the first certificate of a PEM text, such as "desk.example.org" or
+/// "*.example.org".
+[[nodiscard]] std::vector<std::string> namesIn(const std::string& certificate);
 /// Returns the fingerprint of the first certificate in a PEM text; empty if there is none.
 [[nodiscard]] std::string fingerprintOf(const std::string& certificate);
 

@@ -85,6 +85,7 @@ struct Route {
   /// half a minute.
   bool waits = false;
   Hashing hashing = Hashing::kNever;
+  bool isOfHealth = false;  ///< answers whatever name the desk is called by: it tells nothing
 };
 /// HTTP: no content.
 inline constexpr int kNothingNew = 204;

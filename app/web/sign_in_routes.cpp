@@ -71,6 +71,13 @@ json userJson(Call& call, const Actor& actor) {
   return user;
 }
 
+/// Where a password is tried: in a browser from which its owner has signed in before, or at an address.
+std::string placeOf(const Call& call, const std::string& login) {
+  return call.desk.knownBrowsers().knows(call.request.cookie(kKnownCookie), login)
+             ? "known browser"
+             : "address " + call.desk.clientOf(call.request);
+}
+
 HttpResponse welcome(Call& call, const SignInAnswer& answer) {
   switch (answer.outcome) {
     case SignIn::kOk:
@@ -98,20 +105,26 @@ HttpResponse welcome(Call& call, const SignInAnswer& answer) {
   const auto session = call.desk.sessions().find(cookie, call.now);
   HttpResponse response = jsonAnswer({{"outcome", "ok"}, {"token", session->token}, {"user", user}});
   response.headers.emplace_back("Set-Cookie", cookieOf(cookie));
+  response.headers.emplace_back(
+      "Set-Cookie",
+      std::string(kKnownCookie) + "=" +
+          call.desk.knownBrowsers().cookieAfter(call.request.cookie(kKnownCookie), answer.actor.login) +
+          "; Path=/; Secure; HttpOnly; SameSite=Strict; Max-Age=15552000");
   return response;
 }
 
 HttpResponse answerSignIn(Call& call) {
   const std::string login = call.body.text("login", kLongestLogin);
   const std::string password = call.body.text("password", kLongestPassword);
-  return welcome(call, signIn(call.context, login, password));
+  return welcome(call, signIn(call.context, login, password, placeOf(call, login)));
 }
 
 HttpResponse answerPassword(Call& call) {
   const std::string login = call.body.text("login", kLongestLogin);
   const std::string oldPassword = call.body.text("oldPassword", kLongestPassword);
   const std::string newPassword = call.body.text("newPassword", kLongestPassword);
-  const SignInAnswer changed = changeOwnPassword(call.context, login, oldPassword, newPassword);
+  const SignInAnswer changed =
+      changeOwnPassword(call.context, login, oldPassword, newPassword, placeOf(call, login));
   if (changed.outcome == SignIn::kOk) {
     call.desk.sessions().closeAll(changed.actor.userId);
   }
@@ -175,7 +188,10 @@ HttpResponse answerTexts(Call& call) {
 
 std::vector<Route> healthRoutes() {
   const auto good = [](Call& /*call*/) { return jsonAnswer({{"status", "ok"}}); };
-  return {{"GET", "/healthz", RouteAccess::kAlways, good}, {"GET", "/readyz", RouteAccess::kOpen, good}};
+  const auto route = [&](const char* path, RouteAccess access) {
+    return Route{.method = "GET", .path = path, .access = access, .answer = good, .isOfHealth = true};
+  };
+  return {route("/healthz", RouteAccess::kAlways), route("/readyz", RouteAccess::kOpen)};
 }
 
 std::vector<Route> signInRoutes() {

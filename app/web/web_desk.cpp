@@ -2,6 +2,8 @@
 #include "app/web/web_desk.h"
 
 #include <algorithm>
+#include <arpa/inet.h>
+#include <array>
 #include <exception>
 #include <iterator>
 #include <typeinfo>
@@ -137,6 +139,38 @@ HttpResponse refusedByRecord(const DbError& error, const Wording& wording) {
   }
 }
 
+/// Returns the host of "Name.example:8443", "[::1]:8443" or "name/path", in lower case, without a final dot.
+std::string hostIn(const std::string& text) {
+  std::string host = text.substr(0, text.find('/'));
+  if (host.starts_with("[")) {
+    host = host.substr(1, host.find(']') - 1);
+  } else {
+    host.resize(std::min(host.size(), host.find(':')));
+  }
+  std::transform(host.begin(), host.end(), host.begin(), [](unsigned char letter) {
+    return static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter - 'A' + 'a' : letter);
+  });
+  if (host.ends_with(".")) {
+    host.pop_back();
+  }
+  return host;
+}
+
+bool isNumericAddress(const std::string& host) {
+  std::array<unsigned char, 16> bytes{};
+  return inet_pton(AF_INET, host.c_str(), bytes.data()) == 1 ||
+         inet_pton(AF_INET6, host.c_str(), bytes.data()) == 1;
+}
+
+/// `own`: a name, or "*.name" for one label more.
+bool isNamedBy(const std::string& own, const std::string& name) {
+  if (!own.starts_with("*.")) {
+    return own == name;
+  }
+  const std::size_t dot = name.find('.');
+  return dot != std::string::npos && dot > 0 && name.substr(dot) == own.substr(1);
+}
+
 bool isChange(const std::string& method) {
   return method != "GET" && method != "HEAD";
 }
@@ -240,6 +274,15 @@ bool WebDesk::fromOwnPage(const HttpRequest& request) const {
   return request.header("origin") == addressFor(request);
 }
 
+bool WebDesk::isCalledByItsName(const HttpRequest& request) const {
+  const std::string name = hostIn(request.header("host"));
+  const std::string proxied = hostIn(
+      settings_.publicUrl.substr(std::min(settings_.publicUrl.size(), settings_.publicUrl.find("//") + 2)));
+  return isNumericAddress(name) || name == "localhost" || (!name.empty() && name == proxied) ||
+         std::any_of(settings_.hosts.begin(), settings_.hosts.end(),
+                     [&name](const std::string& own) { return isNamedBy(hostIn(own), name); });
+}
+
 std::string WebDesk::addressFor(const HttpRequest& request) const {
   const std::string scheme = request.encrypted ? "https://" : "http://";
   return settings_.publicUrl.empty() ? scheme + request.header("host") : settings_.publicUrl;
@@ -288,6 +331,13 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
     }
     reply(std::move(response));
   };
+  const bool asksForHealth = match.route != nullptr && match.route->isOfHealth;
+  if (!asksForHealth && !isCalledByItsName(request)) {
+    return finish(refusal(421,
+                          simpleRefusal(Text::tr("this desk is not called by that name"),
+                                        Text::tr("Use the address that an administrator gave you")),
+                          wording));
+  }
   if (request.method == "GET") {
     if (auto page = pages_.answer(request)) {
       return finish(std::move(*page), "GET a page");

@@ -33,6 +33,10 @@ struct DeskSettings {
   std::filesystem::path assets{};
   /// URL as seen by browsers behind a proxy, "https://desk.example.org"; empty: taken from the request.
   std::string publicUrl{};
+  /// Further names by which browsers may call the desk; "*.example.org": one label more. Numeric addresses,
+  /// "localhost" and the host of `publicUrl` always are its own. Any other name is refused: it may be one
+  /// that somebody else lets point here (DNS rebinding).
+  std::vector<std::string> hosts{};
   std::size_t workers = 0;                              ///< 0: as many as suit the database engine
   PasswordCost passwordCost = PasswordCost::kModerate;  ///< for hashes made here; tests use a cheap one
   /// Receives one line per answer: "GET /api/cases/* 200 3 ms", with the route's pattern instead of the
@@ -80,11 +84,14 @@ class WebDesk {
   /// Answers waiting pages and lets none wait any more: before the server stops.
   void endWaiting() { waiting_.end(); }
   [[nodiscard]] WrongTries& wrongTries() noexcept { return wrongTries_; }
+  [[nodiscard]] const KnownBrowsers& knownBrowsers() const noexcept { return knownBrowsers_; }
 
  private:
   [[nodiscard]] HttpResponse answer(const HttpRequest& request, const Route& route,
                                     const std::vector<std::string>& parts, SessionContext& context);
   [[nodiscard]] bool fromOwnPage(const HttpRequest& request) const;
+  /// Returns whether the Host header names this desk.
+  [[nodiscard]] bool isCalledByItsName(const HttpRequest& request) const;
   [[nodiscard]] const Wording& wordingFor(const HttpRequest& request) const;
   struct Job;
   /// Queues a request for a thread, or answers that there are too many.
@@ -104,6 +111,7 @@ class WebDesk {
   Router router_;
   WebSessions sessions_;
   WrongTries wrongTries_;
+  KnownBrowsers knownBrowsers_;
   PictureCache pictures_;
   OrganShelf shelf_;
   std::map<std::string, Wording> languages_;

@@ -72,6 +72,25 @@ std::optional<AssignmentId> WebSession::caseOf(const std::string& handle) const 
   return AssignmentId(what.substr(kCaseThing.size()));
 }
 
+std::string KnownBrowsers::markOf(const std::string& login) const {
+  Digest digest;
+  digest.update(std::string_view(secret_));
+  digest.update(std::string_view(login));
+  return digest.hex();
+}
+
+bool KnownBrowsers::knows(const std::string& cookie, const std::string& login) const {
+  return cookie.find(markOf(login)) != std::string::npos;
+}
+
+std::string KnownBrowsers::cookieAfter(const std::string& before, const std::string& login) const {
+  constexpr std::size_t kMostMarks = 12;  // people who share a browser
+  const std::string mark = markOf(login);
+  const std::size_t most = (kMostMarks - 1) * mark.size();
+  const bool ours = before.find_first_not_of("0123456789abcdef") == std::string::npos;
+  return knows(before, login) ? before : mark + (ours ? before.substr(0, most) : std::string());
+}
+
 std::string browserName(const std::string& userAgent) {
   // Browsers also name those they resemble: the first match is right.
   constexpr std::array<std::pair<const char*, const char*>, 5> kBrowsers{{{"Edg/", "Edge"},

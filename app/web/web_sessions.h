@@ -19,6 +19,9 @@ namespace torsio::web {
 /// Cookie name; the prefix makes browsers bind it to this host and to encryption.
 inline constexpr const char* kCookie = "__Host-torsio";
 
+/// Names the accounts that have signed in from a browser before.
+inline constexpr const char* kKnownCookie = "__Host-torsio-known";
+
 using SteadyTime = std::chrono::steady_clock::time_point;
 
 /// Returns the time for sessions and waiting pages; counts the computer's sleep, too, so that a session that
@@ -50,11 +53,8 @@ struct WebSession {
   [[nodiscard]] std::string handleOf(const AssignmentId& assignmentId);
   [[nodiscard]] std::optional<AssignmentId> caseOf(const std::string& handle) const;
 
-  /// The recording being played (a case, or a model of an evaluation): a rater cannot watch two at once.
-  std::string played{};
   /// What was watched of the models of evaluations, by campaign and label.
   std::map<std::string, WatchLog> modelsWatched{};
-  SteadyTime reported{};  ///< time of its last report
 
  private:
   mutable std::mutex mutex_;                    // for the handles: heavy routes read them without `busy`
@@ -110,6 +110,19 @@ class WebSessions {
   std::optional<SteadyTime> idleRead_;
   std::mutex mutex_;
   std::map<std::string, Held> held_;
+};
+
+/// Recognises browsers from which somebody has signed in: their tries at a password are not counted together
+/// with those of others at the same address. Until the server ends. Thread-safe, immutable.
+class KnownBrowsers {
+ public:
+  /// Returns the cookie of a browser after a good sign-in; `before`: the cookie that it sent.
+  [[nodiscard]] std::string cookieAfter(const std::string& before, const std::string& login) const;
+  [[nodiscard]] bool knows(const std::string& cookie, const std::string& login) const;
+
+ private:
+  [[nodiscard]] std::string markOf(const std::string& login) const;
+  std::string secret_ = freshSecret();
 };
 
 /// Extracts browser and system from a user agent: "Firefox, Windows"; empty if unknown. The rest is not kept.

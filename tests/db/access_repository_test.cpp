@@ -153,6 +153,21 @@ TEST_F(AccessRepositoryTest, SlowsDownGuessingUntilASuccess) {
   EXPECT_EQ(repository.signIn("anna", kPassword, now_us + 2 * kSecond_us).outcome, SignIn::kMustChange);
 }
 
+TEST_F(AccessRepositoryTest, FailuresMakeOnlyTheirPlaceWait) {
+  AccessRepository repository = access(connection());
+  repository.addUser(anna(), kPassword);
+  for (int i = 0; i < 20; ++i) {
+    for (const char* login : {"anna", "nobody"}) {
+      const SignIn answered = repository.signIn(login, "guess", kSampleTime_us, "192.0.2.1").outcome;
+      EXPECT_EQ(answered, i <= kFreeFailures ? SignIn::kWrong : SignIn::kWait) << login << i;
+    }
+  }
+
+  EXPECT_EQ(repository.signIn("anna", kPassword, kSampleTime_us, "192.0.2.1").outcome, SignIn::kWait);
+  EXPECT_EQ(repository.signIn("anna", kPassword, kSampleTime_us, "192.0.2.2").outcome, SignIn::kMustChange);
+  EXPECT_EQ(repository.signIn("anna", kPassword, kSampleTime_us).outcome, SignIn::kMustChange);
+}
+
 TEST_F(AccessRepositoryTest, TreatsUnknownLoginsLikeKnownOnes) {
   AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
@@ -168,7 +183,7 @@ TEST_F(AccessRepositoryTest, TreatsUnknownLoginsLikeKnownOnes) {
     now_us += 7 * kSecond_us;
   }
 
-  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM sign_in_failure"), 2);
+  EXPECT_EQ(numberFrom(connection(), "SELECT count(*) FROM sign_in_failure"), 3);
 }
 
 TEST_F(AccessRepositoryTest, AFailureInTheFutureLocksForAtMostAMinute) {
@@ -189,7 +204,8 @@ TEST_F(AccessRepositoryTest, AFailureInTheFutureLocksForAtMostAMinute) {
 TEST_F(AccessRepositoryTest, NeverWaitsLongerThanAMinute) {
   AccessRepository repository = access(connection());
   repository.addUser(anna(), kPassword);
-  connection().execute("UPDATE app_user SET failed_count = ?", {1000});
+  (void)repository.signIn("anna", "guess", 0);
+  connection().execute("UPDATE sign_in_failure SET failed_count = ?", {1000});
 
   EXPECT_EQ(repository.signIn("anna", "guess", 0).outcome, SignIn::kWrong);
 

@@ -85,6 +85,10 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
   return answer;
 }
 
+std::string placeOf(const SessionContext& session, const std::string& place) {
+  return place.empty() ? "station " + session.station() : place;
+}
+
 nlohmann::json rolesJson(const std::vector<std::string>& roles) {
   return {{"roles", roles}};
 }
@@ -164,18 +168,24 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
   transaction.commit();
 }
 
-SignInAnswer signIn(SessionContext& session, const std::string& login, const std::string& password) {
-  return answer(session, login, signInAccess(session).signIn(login, password, session.now_us()), false);
+SignInAnswer signIn(SessionContext& session, const std::string& login, const std::string& password,
+                    const std::string& place) {
+  return answer(session, login,
+                signInAccess(session).signIn(login, password, session.now_us(), placeOf(session, place)),
+                false);
 }
 
 SignInAnswer signInForPractice(SessionContext& session, const std::string& login, const std::string& pin) {
-  return answer(session, login, signInAccess(session).signInForPractice(login, pin, session.now_us()), true);
+  return answer(session, login,
+                signInAccess(session).signInForPractice(login, pin, session.now_us(), placeOf(session, {})),
+                true);
 }
 
 SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
-                               const std::string& oldPassword, const std::string& newPassword) {
+                               const std::string& oldPassword, const std::string& newPassword,
+                               const std::string& place) {
   AccessRepository access = signInAccess(session);
-  const SignInResult old = access.signIn(login, oldPassword, session.now_us());
+  const SignInResult old = access.signIn(login, oldPassword, session.now_us(), placeOf(session, place));
   if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
     noteFailure(session, login, old.outcome, "password");
     throw Error(ErrorCode::kPermission, Text::tr("the present password is not right"), Text::tr("password"),
@@ -196,7 +206,9 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
 
 SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password) {
   const std::string login = session.actor().login;
-  const SignInResult result = signInAccess(session).signIn(login, password, session.now_us());
+  // Not the place of signing in: whoever is not signed in cannot make this one wait.
+  const SignInResult result =
+      signInAccess(session).signIn(login, password, session.now_us(), "signed in at " + session.station());
   if (result.outcome != SignIn::kOk) {
     noteFailure(session, login, result.outcome, "password");
   }

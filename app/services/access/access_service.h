@@ -37,16 +37,18 @@ struct SignInAnswer {
 };
 
 /// Signs in with a password; for kOk the session then belongs to the actor. Audited; failures without the
-/// typed text.
+/// typed text. `place`: where it is tried, such as a browser's address; empty: this station. Failures make
+/// only this place wait, so nobody can keep the owner of an account out from elsewhere.
 [[nodiscard]] SignInAnswer signIn(SessionContext& session, const std::string& login,
-                                  const std::string& password);
+                                  const std::string& password, const std::string& place = {});
 /// Signs in with the station PIN, only for practice without a record.
 [[nodiscard]] SignInAnswer signInForPractice(SessionContext& session, const std::string& login,
                                              const std::string& pin);
 /// Changes the password after kMustChange or on request, and signs in. Throws Error{kBadParameter} for a weak
-/// or unchanged password, {kPermission} if the old one is wrong.
+/// or unchanged password, {kPermission} if the old one is wrong. `place`: see signIn().
 SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login,
-                               const std::string& oldPassword, const std::string& newPassword);
+                               const std::string& oldPassword, const std::string& newPassword,
+                               const std::string& place = {});
 /// Checks the signed-in user's password; the session is unchanged. A failure counts and is audited like one
 /// at sign-in.
 [[nodiscard]] SignInAnswer checkOwnPassword(SessionContext& session, const std::string& password);

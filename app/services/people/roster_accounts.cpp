@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/services/base/identifiers.h"
 #include "app/services/people/roster_accounts.h"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <string>
 
 #include "app/services/access/access_service.h"
-#include "app/services/access/person_text.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/person.h"
 

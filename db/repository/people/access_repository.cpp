@@ -144,21 +144,26 @@ void AccessRepository::setActive(const UserId& userId, bool active) {
 }
 
 std::optional<AccessRepository::Account> AccessRepository::account(const std::string& login) const {
-  return selectFirst(
-      connection_,
-      "SELECT id, password_hash, pin_hash, must_change_password, state, failed_count, locked_until_utc_us"
-      " FROM app_user WHERE login = ?",
-      {login}, [](RowReader& row) {
-        return Account{row.text(),  0,          row.text(), row.text(), row.boolean(), row.text() == "active",
-                       row.int64(), row.int64()};
-      });
+  return selectFirst(connection_,
+                     "SELECT id, password_hash, pin_hash, must_change_password, state FROM app_user"
+                     " WHERE login = ?",
+                     {login}, [](RowReader& row) {
+                       return Account{
+                           row.text(), 0, row.text(), row.text(), row.boolean(), row.text() == "active"};
+                     });
 }
 
-AccessRepository::Account AccessRepository::unknownAccount(const std::string& login) const {
+void AccessRepository::readFailures(Account& account, const std::string& login,
+                                    const std::string& place) const {
+  const std::string secret =
+      account.id.empty() ? selectFirst(connection_, "SELECT id FROM centre", {}, readText).value_or("")
+                         : account.passwordHash;
   Digest digest;
-  digest.update(std::string_view(login));
+  for (const std::string& part : {secret, place, login}) {
+    digest.update(static_cast<std::int64_t>(part.size()));
+    digest.update(std::string_view(part));
+  }
   const Digest::Value hash = digest.value();
-  Account account;
   account.bucket = (static_cast<std::int64_t>(hash[0]) << 8) | hash[1];
   if (const auto known = selectFirst(connection_,
                                      "SELECT failed_count, locked_until_utc_us FROM sign_in_failure"
@@ -168,20 +173,14 @@ AccessRepository::Account AccessRepository::unknownAccount(const std::string& lo
                                      })) {
     std::tie(account.failures, account.lockedUntilUtc_us) = *known;
   }
-  return account;
 }
 
 void AccessRepository::setFailures(const Account& account, std::int64_t failures,
                                    std::int64_t lockedUntilUtc_us) {
-  if (account.id.empty()) {
-    connection_.execute(insertInto("sign_in_failure", "bucket, failed_count, locked_until_utc_us") +
-                            " ON CONFLICT (bucket) DO UPDATE SET failed_count = excluded.failed_count,"
-                            " locked_until_utc_us = excluded.locked_until_utc_us",
-                        {account.bucket, failures, lockedUntilUtc_us});
-    return;
-  }
-  connection_.execute("UPDATE app_user SET failed_count = ?, locked_until_utc_us = ? WHERE id = ?",
-                      {failures, lockedUntilUtc_us, account.id});
+  connection_.execute(insertInto("sign_in_failure", "bucket, failed_count, locked_until_utc_us") +
+                          " ON CONFLICT (bucket) DO UPDATE SET failed_count = excluded.failed_count,"
+                          " locked_until_utc_us = excluded.locked_until_utc_us",
+                      {account.bucket, failures, lockedUntilUtc_us});
 }
 
 std::optional<std::int64_t> AccessRepository::waitOf(const Account& account, std::int64_t now_us) {
@@ -194,8 +193,9 @@ std::optional<std::int64_t> AccessRepository::waitOf(const Account& account, std
 }
 
 SignInResult AccessRepository::check(const std::string& login, const std::string& secret, bool pin,
-                                     std::int64_t now_us) {
-  const Account found = account(login).value_or(unknownAccount(login));
+                                     std::int64_t now_us, const std::string& place) {
+  Account found = account(login).value_or(Account{});
+  readFailures(found, login, place);
   if (const std::optional<std::int64_t> until_us = waitOf(found, now_us)) {
     return {SignIn::kWait, "", *until_us};
   }
@@ -218,13 +218,13 @@ SignInResult AccessRepository::check(const std::string& login, const std::string
 }
 
 SignInResult AccessRepository::signIn(const std::string& login, const std::string& password,
-                                      std::int64_t now_us) {
-  return check(login, password, false, now_us);
+                                      std::int64_t now_us, const std::string& place) {
+  return check(login, password, false, now_us, place);
 }
 
 SignInResult AccessRepository::signInForPractice(const std::string& login, const std::string& pin,
-                                                 std::int64_t now_us) {
-  return check(login, pin, true, now_us);
+                                                 std::int64_t now_us, const std::string& place) {
+  return check(login, pin, true, now_us, place);
 }
 
 void AccessRepository::setPassword(const UserId& userId, const SealedSecret& password, bool mustChange) {
@@ -328,7 +328,8 @@ std::string AccessRepository::passwordStamp(const UserId& userId) const {
 
 SignInResult AccessRepository::signInWithCode(const std::string& codeHash, const std::string& station,
                                               std::int64_t now_us) {
-  const Account gate = unknownAccount("card at " + station);
+  Account gate;
+  readFailures(gate, "card", station);
   if (const std::optional<std::int64_t> until_us = waitOf(gate, now_us)) {
     return {SignIn::kWait, "", *until_us};
   }

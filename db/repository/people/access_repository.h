@@ -76,8 +76,10 @@ class AccessRepository {
   void setRoles(const UserId& userId, const std::vector<std::string>& roles);
   void setActive(const UserId& userId, bool active);
 
+  /// `place`: where it is tried, such as a station or an address. Failures count for this place only, so
+  /// that nobody can keep the owner of an account out from elsewhere.
   [[nodiscard]] SignInResult signIn(const std::string& login, const std::string& password,
-                                    std::int64_t now_us);
+                                    std::int64_t now_us, const std::string& place = {});
   /// Sets a password: the user's own change, or an administrator's reset (`mustChange`). Ends waits and
   /// invitations.
   void setPassword(const UserId& userId, const SealedSecret& password, bool mustChange);
@@ -85,7 +87,7 @@ class AccessRepository {
   /// Sets the station PIN, which only opens practice without a record; empty removes it.
   void setPin(const UserId& userId, const SealedSecret& pin);
   [[nodiscard]] SignInResult signInForPractice(const std::string& login, const std::string& pin,
-                                               std::int64_t now_us);
+                                               std::int64_t now_us, const std::string& place = {});
 
   /// Stores the hash of a user's new kiosk code; earlier codes become invalid.
   void setKioskCode(const std::string& id, const UserId& userId, const std::string& codeHash,
@@ -118,8 +120,10 @@ class AccessRepository {
   struct Account;
   [[nodiscard]] std::optional<Account> account(const std::string& login) const;
   [[nodiscard]] SignInResult check(const std::string& login, const std::string& secret, bool pin,
-                                   std::int64_t now_us);
-  [[nodiscard]] Account unknownAccount(const std::string& login) const;
+                                   std::int64_t now_us, const std::string& place);
+  /// Reads the failures at a place from their bucket. What nobody outside knows (the account's hash, or the
+  /// centre's id for unknown logins) chooses it: no login can be made up that shares another's.
+  void readFailures(Account& account, const std::string& login, const std::string& place) const;
   /// End of the current wait; empty: none.
   [[nodiscard]] std::optional<std::int64_t> waitOf(const Account& account, std::int64_t now_us);
   void setFailures(const Account& account, std::int64_t failures, std::int64_t lockedUntilUtc_us);

@@ -52,7 +52,11 @@ WebAnswer parsed(const std::string& bytes) {
     const std::string line = bytes.substr(at, next - at);
     const std::size_t colon = line.find(": ");
     if (colon != std::string::npos) {
-      answer.headers[lower(line.substr(0, colon))] = line.substr(colon + 2);
+      const std::string name = lower(line.substr(0, colon));
+      answer.headers.emplace(name, line.substr(colon + 2));
+      if (name == "set-cookie") {
+        answer.cookies.push_back(line.substr(colon + 2, line.find(';', colon) - colon - 2));
+      }
     }
     at = next + 2;
   }
@@ -102,9 +106,14 @@ WebAnswer WebClient::exchange(const std::string& head, const std::string& body) 
     bytes.append(name).append(": ").append(value).append("\r\n");
   }
   WebAnswer answer = raw(bytes + "\r\n" + body);
-  const auto set = answer.headers.find("set-cookie");
-  if (set != answer.headers.end()) {
-    cookie = set->second.substr(0, set->second.find(';'));
+  for (const std::string& one : answer.cookies) {
+    const std::string name = one.substr(0, one.find('=') + 1);
+    const std::size_t old = cookie.find(name);
+    if (old != std::string::npos) {
+      cookie.erase(old, cookie.find("; ", old) == std::string::npos ? std::string::npos
+                                                                    : cookie.find("; ", old) + 2 - old);
+    }
+    cookie += (cookie.empty() || cookie.ends_with("; ") ? "" : "; ") + one;
   }
   return answer;
 }

@@ -17,7 +17,8 @@ namespace torsio {
 /// A server's answer. Status 0: the connection was closed without one.
 struct WebAnswer {
   int status = 0;
-  std::map<std::string, std::string> headers{};  ///< lower-case names
+  std::map<std::string, std::string> headers{};  ///< lower-case names; the first of each
+  std::vector<std::string> cookies{};            ///< "name=value", of every Set-Cookie
   std::string body{};                            ///< decompressed
   [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(body, nullptr, false); }
 };

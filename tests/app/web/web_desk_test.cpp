@@ -164,6 +164,62 @@ TEST(WebDesk, ARightPasswordDoesNotWaitForWrongOnesUnderOtherNames) {
                  static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(took).count()));
   for (std::thread& one : guessing) {
     one.join();
+
+/// Wrong passwords from elsewhere, or from the same address, do not keep the owner of an account out.
+TEST(WebDesk, NobodyCanLockTheOwnerOfAnAccountOut) {
+  const Served served;
+  WebClient owner = served.client();
+  ASSERT_TRUE(owner.signIn("physician0", kPassword)) << "from now on this browser is known";
+  WebClient stranger = served.client();
+  int last = 0;
+  for (int i = 0; i < 6; ++i) {
+    last = stranger.send("POST", "/api/sign-in", {{"login", "physician0"}, {"password", "x"}}).status;
+  }
+  EXPECT_EQ(last, 429);
+  EXPECT_FALSE(stranger.signIn("physician0", kPassword)) << "who has guessed waits, even with the right one";
+
+  EXPECT_TRUE(owner.signIn("physician0", kPassword)) << "at the same address, in a known browser";
+  WebClient other = served.client();
+  EXPECT_TRUE(other.signIn("physician1", kPassword)) << "of another name";
+  other.cookie = "__Host-torsio-known=" + std::string(64, 'a');
+  EXPECT_FALSE(other.signIn("physician0", kPassword)) << "a forged mark";
+}
+
+/// A page elsewhere whose name points to this machine would be of the same origin as the desk (DNS
+/// rebinding).
+TEST(WebDesk, AnswersOnlyUnderItsOwnNames) {
+  const Served served;
+  const WebClient client = served.client();
+  const auto status = [&](const std::string& host, const std::string& path) {
+    return client.raw("GET " + path + " HTTP/1.1\r\n" + host + "Connection: close\r\n\r\n").status;
+  };
+  for (const char* own :
+       {"localhost", "LOCALHOST.:8443", "127.0.0.1", "127.0.0.1:8443", "192.0.2.7", "[::1]:8443"}) {
+    EXPECT_EQ(status("Host: " + std::string(own) + "\r\n", "/"), 200) << own;
+    EXPECT_EQ(status("Host: " + std::string(own) + "\r\n", "/api/me"), 401) << own;
+  }
+  for (const char* other : {"evil.example", "evil.example:8443", "localhost.evil.example",
+                            "127.0.0.1.evil.example", "localhost@evil.example", "", "[::1", "127.0.0.1#x"}) {
+    EXPECT_EQ(status("Host: " + std::string(other) + "\r\n", "/"), 421) << other;
+    EXPECT_EQ(status("Host: " + std::string(other) + "\r\n", "/api/me"), 421) << other;
+    EXPECT_EQ(status("Host: " + std::string(other) + "\r\n", "/healthz"), 200) << other;
+  }
+
+  web::DeskSettings named{.locator = served.centre.locator(), .assets = assetsFolder(), .workers = 1};
+  named.publicUrl = "https://desk.example.org";
+  named.hosts = {"Room-3", "*.clinic.example"};
+  web::WebDesk desk(named);
+  const auto answered = [&](const std::string& host) {
+    int status = 0;
+    desk.handle({.method = "GET", .path = "/", .headers = {{"host", host}}},
+                [&status](const web::HttpResponse& response) { status = response.status; });
+    return status;
+  };
+  for (const char* own : {"desk.example.org", "room-3:8443", "a.clinic.example"}) {
+    EXPECT_EQ(answered(own), 200) << own;
+  }
+  for (const char* other : {"example.org", "clinic.example", "a.b.clinic.example", ".clinic.example"}) {
+    EXPECT_EQ(answered(other), 421) << other;
   }
 }
 
@@ -192,9 +248,9 @@ TEST(WebDesk, AcceptsRequestsOnlyFromItsOwnPage) {
   EXPECT_EQ(other.send("POST", path, remark).status, 403);
   const std::string text = remark.dump();
   const std::string head =
-      "POST " + path + " HTTP/1.1\r\nHost: h\r\nConnection: close\r\nCookie: " + client.cookie +
+      "POST " + path + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nCookie: " + client.cookie +
       "\r\nX-Torsio-Token: " + client.token +
-      "\r\nOrigin: http://h\r\nContent-Length: " + std::to_string(text.size()) + "\r\nContent-Type: ";
+      "\r\nOrigin: http://localhost\r\nContent-Length: " + std::to_string(text.size()) + "\r\nContent-Type: ";
   EXPECT_EQ(client.raw(head + "text/plain\r\n\r\n" + text).status, 403);
   EXPECT_EQ(client.raw(head + "application/json\r\n\r\n" + text).status, 200);
   const auto desk = served.centre.trialIds();
@@ -225,6 +281,9 @@ TEST(WebDesk, ACaseIsScoredSavedAndSubmitted) {
   ASSERT_EQ(sealed.status, 200) << sealed.body;
 
   EXPECT_EQ(client.get(path).json().at("state"), "submitted");
+  const WebAnswer again = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
+  EXPECT_EQ(again.status, 400) << again.body;
+  EXPECT_NE(again.body.find("this sheet is sealed already"), std::string::npos) << again.body;
   EXPECT_EQ(sealed.json().at("next"), firstCase(client));
   const auto desk = served.centre.physician(0);
   int submitted = 0;
@@ -232,6 +291,35 @@ TEST(WebDesk, ACaseIsScoredSavedAndSubmitted) {
     submitted += openSheet(*desk, id).state == SheetState::kSubmitted;
   }
   EXPECT_EQ(submitted, 1) << "the window finds what the browser has sealed";
+}
+
+TEST(WebDesk, OfTwoSubmissionsAtOnceOneSealsAndTheOtherSaysSo) {
+  const Served served({.raters = 1, .trainees = 1, .trial_s = 0.5});
+  std::vector<WebClient> tabs{served.physician(0), served.physician(0)};
+  std::vector<std::string> paths;
+  for (WebClient& tab : tabs) {
+    paths.push_back("/api/cases/" + firstCase(tab));
+  }
+  (void)tabs[0].get(paths[0]);
+  ASSERT_EQ(tabs[0]
+                .send("POST", paths[0] + "/viewing",
+                      {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}})
+                .status,
+            200);
+  std::vector<WebAnswer> answers(tabs.size());
+  std::vector<std::thread> pressing;
+  for (std::size_t i = 0; i < tabs.size(); ++i) {
+    pressing.emplace_back([&, i] {
+      answers[i] = tabs[i].send("POST", paths[i] + "/submit", {{"sheet", sheetBody(0, 70, 80, 75)}});
+    });
+  }
+  for (std::thread& one : pressing) {
+    one.join();
+  }
+  EXPECT_EQ(std::min(answers[0].status, answers[1].status), 200) << answers[0].body << answers[1].body;
+  EXPECT_EQ(std::max(answers[0].status, answers[1].status), 400) << answers[0].body << answers[1].body;
+  EXPECT_NE((answers[0].body + answers[1].body).find("this sheet is sealed already"), std::string::npos)
+      << answers[0].body << answers[1].body;
 }
 
 TEST(WebDesk, TheWindowAndTwoTabsNeverOverwriteEachOther) {

@@ -169,7 +169,7 @@ TEST(HttpServer, ReportsAnAddressInUse) {
 
 std::string headOf(const WebClient& client, const std::string& line) {
   return line +
-         " HTTP/1.1\r\nHost: h\r\nConnection: close\r\nOrigin: http://h\r\nContent-Type: "
+         " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nOrigin: http://localhost\r\nContent-Type: "
          "application/json\r\n" +
          "Cookie: " + client.cookie + "\r\nX-Torsio-Token: " + client.token + "\r\n";
 }
@@ -233,7 +233,7 @@ TEST(WebAttacks, PathTraversalIsRefused) {
 TEST(WebAttacks, ContradictoryRequestsAreRefused) {
   const ServedDesk served;
   const WebClient client = served.physician(0);
-  const std::string host = "Host: h\r\nConnection: close\r\n";
+  const std::string host = "Host: localhost\r\nConnection: close\r\n";
   const std::vector<std::string> requests = {
       "GET / HTTP/0.9\r\n" + host + "\r\n",
       "GET / HTTP/9.9\r\n" + host + "\r\n",
