@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -23,16 +24,44 @@ void refuseUnwritable(const fs::path& file) {
               Text::tr("Check that the folder exists, is not read-only, and that the disk is not full"));
 }
 
+namespace {
+
+/// Reads a pipe or a device to its end; calls `endless`, which throws, for more than any input of Torsio.
+std::string readStream(std::istream& in, const std::function<void()>& endless) {
+  constexpr std::size_t kMost_bytes = 256UL * 1024UL * 1024UL;
+  constexpr std::size_t kPiece_bytes = 64UL * 1024UL;
+  std::string bytes;
+  std::string piece(kPiece_bytes, '\0');
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
+    bytes.append(piece, 0, static_cast<std::size_t>(in.gcount()));
+    if (bytes.size() > kMost_bytes) {
+      endless();
+    }
+  }
+  return bytes;
+}
+
+}  // namespace
+
 std::string readFile(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) {
     throw Error(ErrorCode::kFileMissing, Text::tr("no such file"), file.string(), Text::tr("Check the path"));
   }
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  if (fs::is_directory(file, ignored) || !in || (in.peek() != EOF && !(bytes << in.rdbuf()))) {
-    throw Error(ErrorCode::kFileUnreadable, Text::tr("cannot be read"), file.string(),
+  const auto refuseFile = [&file](const Text& what) {
+    throw Error(ErrorCode::kFileUnreadable, what, file.string(),
                 Text::tr("Check that it is a file you may read"));
+  };
+  std::ifstream in(file, std::ios::binary);
+  if (fs::is_directory(file, ignored) || !in) {
+    refuseFile(Text::tr("cannot be read"));
+  }
+  if (!fs::is_regular_file(file, ignored)) {
+    return readStream(in, [&] { refuseFile(Text::tr("does not end")); });
+  }
+  std::ostringstream bytes;
+  if (in.peek() != EOF && !(bytes << in.rdbuf())) {
+    refuseFile(Text::tr("cannot be read"));
   }
   return bytes.str();
 }

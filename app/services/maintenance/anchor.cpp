@@ -84,7 +84,24 @@ bool keeps(const fs::path& witness, const std::string& line) {
   if (!fs::is_regular_file(witness, ignored)) {
     return false;
   }
-  return readFile(witness).find(line + "\n") != std::string::npos;
+  return readKept(witness).find(line + "\n") != std::string::npos;
+}
+
+/// Throws Error{kFileUnwritable} unless lines may be appended: to a new or empty file, or to one that begins
+/// with such a line. A link could lead anywhere.
+void requireWitness(const fs::path& witness, const std::string& kept) {
+  const auto refuseFile = [&witness](const Text& what) {
+    throw Error(ErrorCode::kFileUnwritable, what, witness.string(),
+                Text::tr("Name a new file, or one that torsio audit head --witness wrote"));
+  };
+  std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(witness, ignored))) {
+    refuseFile(Text::tr("is a link: heads are never written through one"));
+  }
+  const std::string first = kept.substr(0, kept.find('\n'));
+  if (!kept.empty() && !isWhole(first) && cutOffEnd(kept) != kept) {
+    refuseFile(Text::tr("is no file of heads: nothing was written to it"));
+  }
 }
 
 /// Lines kept elsewhere, sorted by kind.
@@ -204,7 +221,8 @@ void appendToWitness(const fs::path& witness, const std::string& head) {
       fs::exists(there) && !fs::is_regular_file(there)) {
     refuseUnwritable(witness);  // opening a pipe would wait for a reader
   }
-  const std::string kept = fs::exists(witness, ignored) ? readFile(witness) : std::string();
+  const std::string kept = fs::exists(witness, ignored) ? readKept(witness) : std::string();
+  requireWitness(witness, kept);
   const std::uintmax_t before = kept.size() - cutOffEnd(kept).size();
   if (before < kept.size()) {
     fs::resize_file(witness, before, ignored);
@@ -272,7 +290,7 @@ std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::ve
 }
 
 std::vector<std::string> headsOf(const fs::path& witness) {
-  std::string kept = readFile(witness);
+  std::string kept = readKept(witness);
   kept.resize(kept.size() - cutOffEnd(kept).size());
   std::istringstream in(kept);
   std::vector<std::string> heads;

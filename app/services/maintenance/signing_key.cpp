@@ -59,7 +59,7 @@ SecretKey drawKey() {
 
 SecretKey readKey(const fs::path& file) {
   TORSIO_EXPECTS(sodium_init() >= 0);
-  std::istringstream words(readFile(file));
+  std::istringstream words(readKept(file));
   std::string word;
   std::string version;
   std::string hex;
@@ -147,8 +147,25 @@ std::optional<KeyReplacement> replacementOf(const std::string& line) {
   return sound ? std::optional(std::move(made)) : std::nullopt;
 }
 
+std::string readKept(const fs::path& file) {
+  constexpr std::uintmax_t kLargest_bytes = 64UL * 1024UL * 1024UL;  // two centuries of heads
+  std::error_code ignored;
+  const fs::file_status there = fs::status(file, ignored);
+  const auto refuseFile = [&file](const Text& what) {
+    throw Error(ErrorCode::kFileUnreadable, what, file.string(),
+                Text::tr("Choose the file that torsio audit wrote"));
+  };
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    refuseFile(Text::tr("is a pipe, a device or a folder: keys and heads are kept in files"));
+  }
+  if (fs::exists(there) && fs::file_size(file, ignored) > kLargest_bytes) {
+    refuseFile(Text::tr("is too large for a file of keys or heads"));
+  }
+  return readFile(file);
+}
+
 std::vector<KeyReplacement> replacementsIn(const fs::path& file) {
-  std::istringstream in(readFile(file));
+  std::istringstream in(readKept(file));
   std::vector<KeyReplacement> found;
   for (std::string line; std::getline(in, line);) {
     std::optional<KeyReplacement> made = replacementOf(line);

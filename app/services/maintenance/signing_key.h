@@ -54,6 +54,9 @@ struct KeyReplacement {
 [[nodiscard]] bool isReplacementLine(const std::string& line);
 /// Returns empty if the line is not a complete replacement.
 [[nodiscard]] std::optional<KeyReplacement> replacementOf(const std::string& line);
+/// Reads a file of keys or heads. Throws Error: kFileMissing; kFileUnreadable, also for a pipe or a device,
+/// which would wait or never end, and for a file that is too large to be one.
+[[nodiscard]] std::string readKept(const std::filesystem::path& file);
 /// Returns the genuine replacements in a key or witness file. Throws Error (kFileMissing).
 [[nodiscard]] std::vector<KeyReplacement> replacementsIn(const std::filesystem::path& file);
 

@@ -2,6 +2,8 @@
 // Heads of the audit trail stored elsewhere detect what no check of the file alone can detect.
 #include "app/services/maintenance/anchor.h"
 
+#include <sys/stat.h>
+
 #include <gtest/gtest.h>
 
 #include "db/connection/connection.h"
@@ -213,6 +215,43 @@ TEST_F(Anchor, ATruncatedLineIsNoHeadAndDoesNotAffectOthers) {
   writeFileAtomically(file("notes"), "a text of somebody");
   appendToWitness(file("notes"), head);
   EXPECT_EQ(readFile(file("notes")), "a text of somebody\n" + whole);
+}
+
+TEST_F(Anchor, AWitnessThatNeverEndsIsRefusedAtOnce) {
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  for (const std::string& endless : {file("pipe"), std::string("/dev/zero"), folder_.string()}) {
+    const ProgramRun read = runTorsio("audit verify" + database() + " --witness " + endless, folder_,
+                                      "timeout 30 prlimit --as=4000000000");
+    EXPECT_EQ(read.code, static_cast<int>(ErrorCode::kFileUnreadable)) << endless << read.err;
+    const ProgramRun key =
+        runTorsio("audit verify" + database() + " --witness " + file("witness") + " --key " + endless,
+                  folder_, "timeout 30 prlimit --as=4000000000");
+    EXPECT_EQ(key.code, static_cast<int>(ErrorCode::kFileUnreadable)) << endless << key.err;
+  }
+  const ProgramRun table = runTorsio("compare-groups /dev/zero", folder_, "timeout 60");
+  EXPECT_EQ(table.code, static_cast<int>(ErrorCode::kFileUnreadable)) << table.err;
+}
+
+TEST_F(Anchor, HeadsAreWrittenOnlyToAFileOfHeads) {
+  const std::string letter = "Dear colleague,\nthis is no witness.\n";
+  writeFileAtomically(file("letter"), letter);
+  fs::create_symlink(file("letter"), file("link"));
+  fs::create_symlink(file("nothing yet"), file("dangling"));
+  fs::create_symlink(file("witness"), file("to the witness"));
+  for (const char* name : {"letter", "link", "dangling", "to the witness"}) {
+    const ProgramRun refused = run("audit head" + database() + " --witness '" + file(name) + "'");
+    EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kFileUnwritable)) << name << refused.err;
+  }
+  EXPECT_EQ(readFile(file("letter")), letter);
+  EXPECT_FALSE(fs::exists(file("nothing yet")));
+
+  writeFileAtomically(file("empty"), "");
+  writeFileAtomically(file("killed"), "torsio-head 1 2 ab");
+  for (const char* name : {"empty", "killed", "new", "witness"}) {
+    const ProgramRun written = run("audit head" + database() + " --witness " + file(name));
+    EXPECT_EQ(written.code, 0) << name << written.err;
+  }
+  EXPECT_EQ(run("audit verify" + database() + " --witness " + file("killed")).code, 0);
 }
 
 TEST_F(Anchor, TheKeyIsReadableOnlyByItsOwnerAndNeverOverwritten) {
