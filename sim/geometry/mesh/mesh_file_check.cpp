@@ -273,6 +273,9 @@ void requirePlausibleFile(const std::filesystem::path& file, std::string_view ex
                 Text::tr("Check that it is a file you may read"));
   }
   requirePlausibleHead(head, size, extension, file.string());
+  if (extension == "glb" || extension == "gltf") {
+    requirePlausibleGltf(readFile(file), extension, file.string());
+  }
 }
 
 void requirePlausibleOff(std::string_view bytes, const std::string& where) {

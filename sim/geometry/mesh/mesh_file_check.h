@@ -66,6 +66,11 @@ void requirePlausiblePly(std::string_view bytes, const std::string& where);
 /// Checks a whole OFF file; `where` names it. Throws as requirePlausibleFile.
 void requirePlausibleOff(std::string_view bytes, const std::string& where);
 
+/// Checks a whole GLB or glTF 2 file (`extension`: "glb" or "gltf"): everything that its JSON promises lies
+/// in its buffers, and what parts of meshes, pictures and animations copy of them is at most 16 times the
+/// file. `where` names it. Throws as requirePlausibleFile.
+void requirePlausibleGltf(std::string_view bytes, std::string_view extension, const std::string& where);
+
 /// Checks the first bytes of a file of `size` bytes: STL, GLB, glTF, COLLADA, OBJ.
 void requirePlausibleHead(std::string_view head, std::uint64_t size, std::string_view extension,
                           const std::string& where);

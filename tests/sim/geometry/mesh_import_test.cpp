@@ -2,6 +2,8 @@
 #include "sim/geometry/mesh/mesh_import.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -209,6 +211,43 @@ TEST_F(MeshImport, RefusesHugeDeclaredCounts) {
   std::string cut = plyBytes(organ_);
   cut.resize(cut.size() - 20);
   EXPECT_THAT(refusal(file("cut.ply", cut), ErrorCode::kFileUnreadable), HasSubstr("of element face"));
+}
+
+/// What a glTF file promises must be in it before the importer reserves memory for it.
+TEST_F(MeshImport, RefusesAGlbThatPromisesMoreThanItHolds) {
+  const std::string sound = glbBytes(organ_);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string bytes = sound;
+    const std::size_t at = bytes.find(from);
+    EXPECT_NE(at, std::string::npos) << from << " is not in " << bytes.substr(20, 900);
+    const std::size_t digits = bytes.find_first_not_of("0123456789", at + from.size());
+    std::string number = to;
+    number.resize(std::max(to.size(), digits - at - from.size()), ' ');
+    const std::size_t grown = number.size() - (digits - at - from.size());
+    bytes.replace(at + from.size(), digits - at - from.size(), number);
+    // The chunk and the file grow by as much.
+    for (const std::size_t field : {8UL, 12UL}) {
+      std::uint32_t length = 0;
+      std::memcpy(&length, bytes.data() + field, 4);
+      length += static_cast<std::uint32_t>(grown);
+      std::memcpy(bytes.data() + field, &length, 4);
+    }
+    return bytes;
+  };
+  for (const char* field : {"\"count\":", "\"byteLength\":", "\"byteOffset\":", "\"byteStride\":"}) {
+    if (sound.find(field) == std::string::npos) {
+      continue;
+    }
+    EXPECT_THAT(refusal(file("big.glb", changed(field, "800000000")), ErrorCode::kFileUnreadable),
+                HasSubstr("it promises more than the file holds"))
+        << field;
+    EXPECT_THAT(refusal(file("none.glb", changed(field, "-1")), ErrorCode::kFileUnreadable),
+                HasSubstr("it promises more than the file holds"))
+        << field;
+  }
+  std::string other = sound;
+  other[4] = 1;
+  EXPECT_THAT(refusal(file("old.glb", other), ErrorCode::kFileUnreadable), HasSubstr("not of version 2"));
 }
 
 TEST_F(MeshImport, RefusesNumbersThatAreNone) {
