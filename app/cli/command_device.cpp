@@ -31,10 +31,16 @@ void askToStop(int) {
 }
 
 /// An interrupted program would leave the last force on the device until the vendor's watchdog notices, and
-/// some units unusable until replugged.
+/// some units unusable until replugged. A program that a terminal halts (Ctrl+Z) would keep it for as long as
+/// it sleeps: it ends instead.
 void closeInOrderOnSignals() {
   std::signal(SIGINT, askToStop);
   std::signal(SIGTERM, askToStop);
+#ifdef SIGTSTP
+  for (const int signal : {SIGHUP, SIGTSTP, SIGTTIN, SIGTTOU}) {
+    std::signal(signal, askToStop);
+  }
+#endif
 }
 
 struct DeviceArguments {

@@ -80,6 +80,18 @@ TEST_F(DeviceCommand, L1_CheckSaysWhatToInstallWithoutAVendorLibrary) {
   expectMentions(result.err, {"torsio: Library: ", "not installed"});
 }
 
+/// Ctrl+Z: a program that sleeps would leave the last force on the device.
+TEST_F(DeviceCommand, AHaltedCheckEndsWithTheOutputOff) {
+  setenv("FAKEHD_LOG", (folder_ / "log").c_str(), 1);
+  const ProgramRun halted = runTorsio("device check --seconds 30 --library " TORSIO_FAKEHD, folder_,
+                                      "timeout --signal=TSTP --kill-after=20 2");
+  unsetenv("FAKEHD_LOG");
+
+  EXPECT_NE(halted.code, 137) << "it had to be killed";
+  const std::string log = readFile(folder_ / "log");
+  EXPECT_NE(log.find("disable"), std::string::npos) << log.substr(log.size() > 500 ? log.size() - 500 : 0);
+}
+
 TEST_F(DeviceCommand, L1_ListNamesEveryDriverWithoutAVendorLibrary) {
   const ProgramRun result = run("list --library /nowhere/libHD.so");
 
