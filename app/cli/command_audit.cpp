@@ -39,7 +39,11 @@ nlohmann::ordered_json jsonOf(const DatabaseCheck& check) {
                         {"id", finding.objectId},
                         {"what", finding.what}});
   }
-  return {{"entries", check.auditEntries}, {"findings", std::move(findings)}};
+  nlohmann::ordered_json clock = nlohmann::ordered_json::array();
+  for (const Text& note : check.clock) {
+    clock.push_back(note.str());
+  }
+  return {{"entries", check.auditEntries}, {"findings", std::move(findings)}, {"clock", std::move(clock)}};
 }
 
 /// Compares the record with heads stored elsewhere.
@@ -76,6 +80,9 @@ void verify(const AuditArguments& arguments) {
         std::cout << " (entry " << finding.sequence << ")";
       }
       std::cout << "\n";
+    }
+    for (const Text& note : check.clock) {
+      std::cout << "Note: " << note << "\n";
     }
     if (check.audit.empty()) {
       std::cout << "The audit trail is whole: " << check.auditEntries

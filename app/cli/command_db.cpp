@@ -9,6 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
+#include "app/services/access/moved_record.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
@@ -18,6 +19,7 @@
 #include "app/services/maintenance/station_anchor.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/results/number_format.h"
+#include "db/connection/locator.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
 #include "sim/core/text.h"
@@ -32,7 +34,9 @@ struct DbArguments {
   std::string file;
   std::string target;
   std::string role = "torsio_station";
+  std::string reason;
   bool replace = false;
+  bool otherCentre = false;
 };
 
 void printContent(const BackupContent& content) {
@@ -106,7 +110,8 @@ void verify(const DbArguments& arguments) {
 
 void restore(const DbArguments& arguments) {
   const std::string file = arguments.database.locator();
-  const Restored restored = restoreRecord(arguments.maintenance.maintainer(), arguments.file, file);
+  const Restored restored =
+      restoreRecord(arguments.maintenance.maintainer(), arguments.file, file, arguments.otherCentre);
   if (restored.plan) {
     std::cout << Text::verbatim(
         "Not in the backup: %1 {person|people}, %2 {run|runs}, %3 {mark|marks}; erased again: %4 "
@@ -129,6 +134,9 @@ void restore(const DbArguments& arguments) {
 void check(const DbArguments& arguments) {
   const DatabaseCheck result = checkDatabase(arguments.database.locator());
   requireSound(result, "Restore the latest backup with torsio db restore");
+  for (const Text& note : result.clock) {
+    std::cout << "Note: " << note << "\n";
+  }
   std::cout << "The database is sound: schema " << result.schemaVersion << ", "
             << Text::verbatim("%1 {entry of the audit trail fits|entries of the audit trail fit}.",
                               result.auditEntries)
@@ -142,6 +150,7 @@ void copy(const DbArguments& arguments) {
     ProgressLine line;
     report = copyDatabase(desk.session(), arguments.target,
                           [&line](const Progress& progress) { line.show(progress); });
+    noteMoved(desk.session(), parseLocator(arguments.target).shown());
   }
   for (const TableDigest& table : report.tables) {
     if (table.rows > 0) {
@@ -152,7 +161,15 @@ void copy(const DbArguments& arguments) {
             << "; counts and hashes are the same on both sides, "
             << Text::verbatim("%1 {entry of the audit trail fits|entries of the audit trail fit}.",
                               report.auditEntries)
-            << "\n";
+            << "\n"
+            << "The record at " << parseLocator(arguments.file).shown()
+            << " takes nothing new from now on; torsio db reopen takes the move back.\n";
+}
+
+void reopen(const DbArguments& arguments) {
+  MaintenanceDesk desk(arguments.maintenance.maintainer(), arguments.database.locator());
+  takeBackMove(desk.session(), arguments.reason);
+  std::cout << "The move is taken back: this record is the living one again.\n";
 }
 
 void prepareServerRoles(const DbArguments& arguments) {
@@ -167,7 +184,7 @@ void prepareServerRoles(const DbArguments& arguments) {
 void addDb(CLI::App& program) {
   auto arguments = std::make_shared<DbArguments>();
   CLI::App* db = program.add_subcommand(
-      "db", "Database maintenance: backup, verify, restore, check, copy, copies, prepare-server");
+      "db", "Database maintenance: backup, verify, restore, check, copy, copies, reopen, prepare-server");
   db->require_subcommand(1);
 
   CLI::App* command = db->add_subcommand("backup", "Copies a database in use into one checked file");
@@ -187,6 +204,8 @@ void addDb(CLI::App& program) {
   addDatabaseOption(*command, arguments->database);
   addMaintenanceOptions(*command, arguments->maintenance);
   addSecondPerson(*command, arguments->maintenance);
+  command->add_flag("--other-centre", arguments->otherCentre,
+                    "The backup of another centre is meant to replace this record: takes two people");
   command->callback([arguments] { restore(*arguments); });
 
   command = db->add_subcommand("copies", "Lists all copies of this record");
@@ -203,6 +222,12 @@ void addDb(CLI::App& program) {
   addDatabaseArgument(*command, "TO", arguments->target, "New file or empty database")->required();
   addMaintenanceOptions(*command, arguments->maintenance);
   command->callback([arguments] { copy(*arguments); });
+
+  command = db->add_subcommand("reopen", "Takes a move back: the record here is the living one again");
+  addDatabaseOption(*command, arguments->database);
+  command->add_option("--reason", arguments->reason, "Reason, for the audit trail")->required();
+  addMaintenanceOptions(*command, arguments->maintenance);
+  command->callback([arguments] { reopen(*arguments); });
 
   command = db->add_subcommand("prepare-server", "Creates the roles of a PostgreSQL server, as its owner");
   addDatabaseArgument(*command, "ADDRESS", arguments->database.address, "postgresql://owner@... address")

@@ -20570,6 +20570,146 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>The other administrators were told by mail</source>
         <translation>已用邮件通知其他管理员</translation>
     </message>
+    <message>
+        <source>Write why you do it</source>
+        <translation>写明这样做的原因</translation>
+    </message>
+    <message>
+        <source>this record was not moved</source>
+        <translation>此记录没有被迁走</translation>
+    </message>
+    <message>
+        <source>Go on working with it</source>
+        <translation>继续使用它</translation>
+    </message>
+    <message>
+        <source>this record has moved to %1 and takes nothing new</source>
+        <translation>此记录已迁到 %1，不再接收新内容</translation>
+    </message>
+    <message>
+        <source>Work with the record there; an administrator can take the move back</source>
+        <translation>请在新位置使用记录；管理员可以撤回迁移</translation>
+    </message>
+    <message>
+        <source>%1: %2 &quot;%3&quot; looks like a number that a spreadsheet has shortened</source>
+        <translation>%1：%2 “%3”像是被电子表格缩短的数字</translation>
+    </message>
+    <message>
+        <source>a %1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>a %1 consists of blanks</source>
+        <translation>%1 只有空白</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; looks like &quot;%3&quot; in %4, but is another</source>
+        <translation>%1 “%2”看起来像 %4 中的“%3”，却是另一个</translation>
+    </message>
+    <message>
+        <source>Name a new file, or one that torsio audit head --witness wrote</source>
+        <translation>请指定新文件，或由 torsio audit head --witness 写出的文件</translation>
+    </message>
+    <message>
+        <source>is a link: heads are never written through one</source>
+        <translation>是链接：审计记录的链头从不经链接写入</translation>
+    </message>
+    <message>
+        <source>is no file of heads: nothing was written to it</source>
+        <translation>不是存放链头的文件：没有写入任何内容</translation>
+    </message>
+    <message>
+        <source>the clock went back: entry %1 is dated %2, entry %3 before it %4</source>
+        <translation>时钟倒退：第 %1 条的时间是 %2，而它之前的第 %3 条是 %4</translation>
+    </message>
+    <message>
+        <source>entry %1 is dated %2, which is yet to come</source>
+        <translation>第 %1 条的时间是 %2，尚未到来</translation>
+    </message>
+    <message>
+        <source>and %1 more such {note|notes} on the clock</source>
+        <translation>另有 %1 条关于时钟的类似提示</translation>
+    </message>
+    <message>
+        <source>this record has moved to %1 already</source>
+        <translation>此记录已经迁到 %1</translation>
+    </message>
+    <message>
+        <source>Move the record there, or take the first move back</source>
+        <translation>请迁移那里的记录，或撤回第一次迁移</translation>
+    </message>
+    <message>
+        <source>this is the backup of another centre, %1: the record of %2 would be gone from here</source>
+        <translation>这是另一中心（%1）的备份：%2 的记录将从这里消失</translation>
+    </message>
+    <message>
+        <source>Give --other-centre if this is meant</source>
+        <translation>如确有此意，请加 --other-centre</translation>
+    </message>
+    <message>
+        <source>putting another centre&apos;s record in this one&apos;s place takes two people</source>
+        <translation>用另一中心的记录替换本记录需要两人</translation>
+    </message>
+    <message>
+        <source>Sign in with --as, and a second administrator with --with</source>
+        <translation>请用 --as 登录，并用 --with 指定第二位管理员</translation>
+    </message>
+    <message>
+        <source>Choose the file that torsio audit wrote</source>
+        <translation>请选择由 torsio audit 写出的文件</translation>
+    </message>
+    <message>
+        <source>is a pipe, a device or a folder: keys and heads are kept in files</source>
+        <translation>是管道、设备或文件夹：密钥和链头保存在文件中</translation>
+    </message>
+    <message>
+        <source>is too large for a file of keys or heads</source>
+        <translation>过大，不可能是密钥或链头文件</translation>
+    </message>
+    <message>
+        <source>line %1 has the same e-mail address</source>
+        <translation>第 %1 行有相同的电子邮件地址</translation>
+    </message>
+    <message>
+        <source>the number looks like one that a spreadsheet has shortened: compare it with the original list</source>
+        <translation>此编号像是被电子表格缩短过：请与原始名单核对</translation>
+    </message>
+    <message>
+        <source>this sheet is sealed already</source>
+        <translation>此评分表已经封存</translation>
+    </message>
+    <message>
+        <source>Open it again to read it, or to change it with a reason</source>
+        <translation>请重新打开查看，或说明理由后修改</translation>
+    </message>
+    <message>
+        <source>has a text that %1</source>
+        <translation>有一段文字%1</translation>
+    </message>
+    <message>
+        <source>this desk is not called by that name</source>
+        <translation>此评分台不以该名称访问</translation>
+    </message>
+    <message>
+        <source>Use the address that an administrator gave you</source>
+        <translation>请使用管理员给您的地址</translation>
+    </message>
+    <message>
+        <source>does not end</source>
+        <translation>没有结尾</translation>
+    </message>
+    <message>
+        <source>it promises more than the file holds</source>
+        <translation>它声明的内容多于文件实有</translation>
+    </message>
+    <message>
+        <source>it is not of version 2</source>
+        <translation>它不是第 2 版</translation>
+    </message>
+    <message>
+        <source>its JSON is damaged</source>
+        <translation>其 JSON 已损坏</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -30425,6 +30565,10 @@ Looking at results before the end of a study makes false findings more likely; e
         <translation>
             <numerusform>正在将 %n 行与记录比较…</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
     </message>
 </context>
 <context>

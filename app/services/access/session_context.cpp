@@ -7,6 +7,7 @@
 #include <QString>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/moved_record.h"
 #include "app/services/access/station_name.h"
 #include "app/services/base/build_info.h"
 #include "assessment/domain/ids.h"
@@ -100,8 +101,23 @@ bool SessionContext::may(Operation operation) const {
   return AccessRepository(*connection_).allowed(key_.actor.userId, std::string(operationCode(operation)));
 }
 
+namespace {
+
+/// Throws if the operation would add something to a record that was moved elsewhere.
+void requireLiving(Connection& connection, Operation operation) {
+  const std::string place = addsToTheRecord(operation) ? movedTo(connection) : std::string();
+  if (!place.empty()) {
+    throw Error(ErrorCode::kDatabase, Text::tr("this record has moved to %1 and takes nothing new", place),
+                connection.location(),
+                Text::tr("Work with the record there; an administrator can take the move back"));
+  }
+}
+
+}  // namespace
+
 void SessionContext::require(Operation operation) const {
   if (may(operation)) {
+    requireLiving(*connection_, operation);
     asked_ = true;
     return;
   }

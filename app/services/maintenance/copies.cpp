@@ -2,7 +2,10 @@
 #include "app/services/maintenance/copies.h"
 
 #include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 #include <QStandardPaths>
 
@@ -10,6 +13,7 @@
 #include "app/services/access/station_name.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
+#include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/copy_register.h"
 #include "sim/core/clock.h"
@@ -77,6 +81,16 @@ std::string placeOf(const std::string& locator) {
                                          : place.shown();
 }
 
+/// Returns when a file was written last.
+std::int64_t changedUtc_us(const fs::path& file) {
+  std::error_code gone;
+  const auto changed = fs::last_write_time(file, gone);
+  return gone ? 0
+              : std::chrono::duration_cast<std::chrono::microseconds>(
+                    std::chrono::file_clock::to_sys(changed).time_since_epoch())
+                    .count();
+}
+
 /// Returns whether this end of a move is the record at `locator` itself.
 bool isSelf(const RecordCopy& copy, const std::string& locator) {
   return copy.kind == CopyKind::kMoved && copy.place == placeOf(locator) &&
@@ -87,6 +101,55 @@ bool isGone(const RecordCopy& copy) {
   std::error_code unreadable;
   return !onServer(copy) && copy.station == stationName() && !fs::exists(copy.place, unreadable) &&
          !unreadable;
+}
+
+/// Returns the copies beside a record that its restores and schema changes put aside: also what killed ones
+/// left, of which no register tells.
+std::vector<RecordCopy> putAside(const std::string& locator) {
+  const Locator place = parseLocator(locator);
+  std::vector<RecordCopy> found;
+  if (place.engine != Engine::kSqlite) {
+    return found;
+  }
+  std::error_code unreadable;
+  const fs::path record = fs::weakly_canonical(place.file, unreadable);
+  const std::string name = record.filename().string();
+  const std::pair<std::string, CopyKind> kBeginnings[] = {
+      {name + ".before-restore-", CopyKind::kBeforeRestore},
+      {record.stem().string() + "-before-restore-", CopyKind::kBeforeRestore},
+      {name + ".schema-", CopyKind::kBeforeSchema}};
+  for (const fs::directory_entry& entry : fs::directory_iterator(record.parent_path(), unreadable)) {
+    const std::string file = entry.path().filename().string();
+    const bool part = std::any_of(std::begin(kDatabaseParts) + 1, std::end(kDatabaseParts),
+                                  [&file](const char* suffix) { return file.ends_with(suffix); });
+    std::error_code ignored;
+    if (part || file.ends_with(".part") || file.ends_with(".lock") || !entry.is_regular_file(ignored)) {
+      continue;
+    }
+    for (const auto& [beginning, kind] : kBeginnings) {
+      if (file.starts_with(beginning)) {
+        found.push_back({.kind = kind,
+                         .place = entry.path().string(),
+                         .station = stationName(),
+                         .madeUtc_us = changedUtc_us(entry.path())});
+      }
+    }
+  }
+  return found;
+}
+
+/// Returns those of putAside() that are not in the register.
+std::vector<RecordCopy> strays(Connection& connection, const std::string& locator) {
+  const std::vector<RecordCopy> known = CopyRegister(connection).all();
+  std::vector<RecordCopy> found = putAside(locator);
+  std::erase_if(found, [&known](const RecordCopy& stray) {
+    std::error_code ignored;
+    return std::any_of(known.begin(), known.end(), [&](const RecordCopy& copy) {
+      return copy.station == stray.station &&
+             (copy.place == stray.place || fs::equivalent(copy.place, stray.place, ignored));
+    });
+  });
+  return found;
 }
 
 std::vector<ListedCopy> listed(Connection& connection, std::vector<RecordCopy> copies) {
@@ -151,6 +214,9 @@ std::vector<Text> closeKnownCopies(Connection& connection) {
 std::vector<ListedCopy> copiesHolding(SessionContext& session, const PersonId& personId) {
   session.require(Operation::kPersonErase);
   CopyRegister copies(session.connection());
+  for (const RecordCopy& stray : strays(session.connection(), session.key().locator)) {
+    (void)copies.add(stray);
+  }
   std::vector<RecordCopy> there;
   for (RecordCopy& copy : copies.holding(personId)) {
     if (isSelf(copy, session.key().locator)) {
@@ -169,6 +235,9 @@ std::vector<ListedCopy> copiesOf(const std::string& locator) {
   Connection connection = openRecord(locator, OpenMode::kReadOnly);
   std::vector<RecordCopy> copies = CopyRegister(connection).all();
   std::erase_if(copies, [&](const RecordCopy& copy) { return isGone(copy) || isSelf(copy, locator); });
+  for (RecordCopy& stray : strays(connection, locator)) {
+    copies.push_back(std::move(stray));
+  }
   return listed(connection, std::move(copies));
 }
 

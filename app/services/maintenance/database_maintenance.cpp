@@ -10,8 +10,11 @@
 #include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/moved_record.h"
 #include "app/services/base/build_info.h"
 #include "app/services/maintenance/copies.h"
+#include "assessment/domain/people/audit_entry.h"
+#include "assessment/results/number_format.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/connection/locator.h"
@@ -25,6 +28,7 @@
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/time_units.h"
 
 namespace torsio {
 
@@ -47,6 +51,37 @@ constexpr double kReferencesShare = 0.3;  // share of a check; the rest is for t
 constexpr const char* kCheckFolder = "torsio-check-";  // prefix for copies being checked
 constexpr const char* kCheckLock = "in-use";
 
+/// Compares the times of the trail with each other and with now. Stations' clocks may differ a little.
+std::vector<Text> clockNotes(Connection& connection, std::int64_t now_us) {
+  constexpr std::int64_t kTolerance_us = 10 * kMinute_us;
+  constexpr std::size_t kMost = 20;
+  std::vector<Text> notes;
+  std::size_t more = 0;
+  const auto add = [&](const Text& note) {
+    if (notes.size() < kMost) {
+      notes.push_back(note);
+    } else {
+      ++more;
+    }
+  };
+  AuditEntry before;
+  AuditRepository(connection).forEach([&](const AuditEntry& entry) {
+    if (before.sequence > 0 && entry.atUtc_us + kTolerance_us < before.atUtc_us) {
+      add(Text::tr("the clock went back: entry %1 is dated %2, entry %3 before it %4", entry.sequence,
+                   formatUtc(entry.atUtc_us), before.sequence, formatUtc(before.atUtc_us)));
+    }
+    if (entry.atUtc_us > now_us + kTolerance_us) {
+      add(Text::tr("entry %1 is dated %2, which is yet to come", entry.sequence, formatUtc(entry.atUtc_us)));
+    }
+    before.sequence = entry.sequence;
+    before.atUtc_us = entry.atUtc_us;
+  });
+  if (more > 0) {
+    notes.push_back(Text::tr("and %1 more such {note|notes} on the clock", more));
+  }
+  return notes;
+}
+
 DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {}) {
   DatabaseCheck result;
   result.location = connection.location();
@@ -68,6 +103,7 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
       result.audit.push_back({0, "schema", finding.part, finding.what});
     }
     result.auditEntries = AuditRepository(connection).length();
+    result.clock = clockNotes(connection, utcNow_us());
   } catch (const DbError& error) {
     if (error.fault() != DbFault::kCorrupt && error.fault() != DbFault::kOther) {
       throw;
@@ -293,6 +329,10 @@ CopyReport copyAll(const std::string& from, const std::string& to, const Progres
 CopyReport copyDatabase(SessionContext& session, const std::string& to, const ProgressCallback& progress) {
   session.require(Operation::kDatabaseRestore);
   requireOther(session.key().locator, to);
+  if (const std::string place = movedTo(session.connection()); !place.empty()) {
+    refuse(Text::tr("this record has moved to %1 already", place), session.connection().location(),
+           Text::tr("Move the record there, or take the first move back"));
+  }
   AuditNote note{.action = AuditAction::kDatabaseMove,
                  .objectKind = AuditObject::kDatabase,
                  .objectId = parseLocator(to).shown()};

@@ -24,6 +24,9 @@ struct DatabaseCheck {
   std::vector<std::string> damage{};  ///< problems of file and references reported by the engine
   std::vector<AuditFinding> audit{};  ///< mismatches with the audit trail
   std::int64_t auditEntries = 0;
+  /// Entries of the trail dated before an earlier one or in the future (by more than ten minutes): the clock
+  /// of a station was wrong, or set. Not a finding: the order of the trail does not depend on it.
+  std::vector<Text> clock{};
 
   [[nodiscard]] bool sound() const noexcept { return damage.empty() && audit.empty(); }
 };

@@ -236,6 +236,25 @@ void transferCopyRegister(Connection& present, Connection& older) {
   }
 }
 
+/// Throws if another centre's record would replace this one without anybody meaning it, or by the owner of
+/// the file alone.
+void requireMeant(SessionContext& session, const RestorePlan& plan) {
+  if (!plan.otherCentre) {
+    return;
+  }
+  if (!plan.otherCentreMeant) {
+    throw Error(ErrorCode::kUsage,
+                Text::tr("this is the backup of another centre, %1: the record of %2 would be gone from here",
+                         plan.backupCentre, plan.presentCentre),
+                plan.backup.string(), Text::tr("Give --other-centre if this is meant"));
+  }
+  if (session.actor().userId.empty() && needsTwoPeople(session.connection())) {
+    throw Error(ErrorCode::kPermission,
+                Text::tr("putting another centre's record in this one's place takes two people"),
+                plan.backup.string(), Text::tr("Sign in with --as, and a second administrator with --with"));
+  }
+}
+
 /// Migrates the copy, repeats later erasures and audits the restore.
 void updateRestoredCopy(SessionContext& session, const fs::path& ready, const RestorePlan& plan,
                         const fs::path& safety, const UserId& askedBy) {
@@ -267,7 +286,7 @@ RestorePlan planRestore(SessionContext& session, const fs::path& backup, const P
     plan.restored = restored.extent();
     const std::pair<std::string, std::string> there = centreOf(copy);
     plan.backupCentre = there.second;
-    plan.otherCentre = here.first != there.first;
+    plan.otherCentre = !here.first.empty() && here.first != there.first;
     plan.lostPeople = missing(present.people, restored.people);
     plan.lostTrials = missing(present.trials, restored.trials);
     plan.lostMarks = missing(present.marks, restored.marks);
@@ -288,6 +307,7 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   session.require(Operation::kDatabaseRestore);
   requireFile(session);
   requireNobodyAtWork(session);
+  requireMeant(session, plan);
   const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, plan.backupHash);
   const fs::path record = linkTarget(session.key().locator);
   requireRoom(record, plan.backup);
@@ -318,7 +338,15 @@ const fs::path& PreparedRestore::ready() const noexcept {
 }
 
 fs::path PreparedRestore::takeOver() {
-  return replaceSqlite(ready_->path(), target_);
+  const fs::path aside = replaceSqlite(ready_->path(), target_);
+  if (!aside.empty()) {
+    try {
+      registerCopyIn(target_.string(), CopyKind::kBeforeRestore, aside);
+    } catch (const Error&) {
+      return aside;  // it is found by its name (copiesOf())
+    }
+  }
+  return aside;
 }
 
 void noteRestore(SessionContext& session, const fs::path& backup) {
@@ -330,7 +358,8 @@ void noteRestore(SessionContext& session, const fs::path& backup) {
   transaction.commit();
 }
 
-Restored restoreRecord(const Maintainer& maintainer, const fs::path& backup, const std::string& locator) {
+Restored restoreRecord(const Maintainer& maintainer, const fs::path& backup, const std::string& locator,
+                       bool otherCentreMeant) {
   requireOwnRestore(locator);
   const std::string file = linkTarget(locator).string();
   sweepLeftovers(file);
@@ -341,6 +370,8 @@ Restored restoreRecord(const Maintainer& maintainer, const fs::path& backup, con
       MaintenanceDesk desk(maintainer, std::move(*present), file);
       present.reset();
       restored.plan = planRestore(desk.session(), backup);
+      restored.plan->otherCentreMeant = otherCentreMeant;
+      requireMeant(desk.session(), *restored.plan);
       desk.handOver(maintainer, wishOf(backup, restored.plan->backupHash));
       prepared = prepareRestore(desk.session(), *restored.plan);
     }

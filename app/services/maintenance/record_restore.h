@@ -35,10 +35,11 @@ struct RestorePlan {
   std::int64_t lostPeople = 0;  ///< in the current record but not in the backup
   std::int64_t lostTrials = 0;
   std::int64_t lostMarks = 0;
-  std::string presentCentre{};   ///< name of the record's centre
-  std::string backupCentre{};    ///< name of the backup's centre
-  bool otherCentre = false;      ///< the backup belongs to another centre, even if it has the same name
-  std::int64_t erasedSince = 0;  ///< people of the backup who were erased later; they stay erased
+  std::string presentCentre{};    ///< name of the record's centre
+  std::string backupCentre{};     ///< name of the backup's centre
+  bool otherCentre = false;       ///< the backup belongs to another centre, even if it has the same name
+  bool otherCentreMeant = false;  ///< whoever restores has said so; see prepareRestore()
+  std::int64_t erasedSince = 0;   ///< people of the backup who were erased later; they stay erased
 };
 
 /// Reads the whole backup in a separate copy and compares it with the record, without changing anything.
@@ -79,9 +80,11 @@ class PreparedRestore {
 /// Backs up the current record, checked, next to it with the date in its name; then creates a checked copy of
 /// the planned backup with its schema migrated, in which people erased since then stay erased, and whose
 /// audit trail contains the restore, who did it and what was lost. The record itself only gets an audit entry
-/// until takeOver(). kDatabaseRestore. Throws SecondPersonNeeded (subject: the backup's hash) if nobody else
-/// has requested this restore, what planRestore() throws, and kFileUnwritable if there is not enough space;
-/// then at most the finished safety backup remains.
+/// until takeOver(). kDatabaseRestore. Throws Error{kUsage} for the backup of another centre unless
+/// `plan.otherCentreMeant`, {kPermission} if the owner of the file alone means it although the centre wants
+/// two people, SecondPersonNeeded (subject: the backup's hash) if nobody else has requested this restore,
+/// what planRestore() throws, and kFileUnwritable if there is not enough space; then at most the finished
+/// safety backup remains.
 [[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session,
                                                               const RestorePlan& plan,
                                                               const ProgressCallback& progress = {});
@@ -98,7 +101,7 @@ struct Restored {
 /// If the record cannot be read, `maintainer` signs in to the backup, and later erasures are unknown. Throws
 /// Error: kUsage for a server address, kPermission, and what those throw; nothing is changed then.
 Restored restoreRecord(const Maintainer& maintainer, const std::filesystem::path& backup,
-                       const std::string& locator);
+                       const std::string& locator, bool otherCentreMeant = false);
 
 /// Audits in the restored record that it was restored from `backup` without a record to compare with.
 /// kDatabaseRestore.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/first_run.h"
+#include "app/services/access/moved_record.h"
 #include "app/services/base/build_info.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/maintenance_desk.h"
@@ -166,6 +167,7 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
   const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
   server.note(AuditAction::kDatabaseSwitch, AuditObject::kDatabase, parseLocator(locator).shown(),
               {{"tables", copied.tables.size()}, {"rows", copied.rows}});
+  noteMoved(session, parseLocator(locator).shown());
   return locator;
 }
 

@@ -7,6 +7,7 @@
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/migrations.h"
+#include "db/repository/base/audit_repository.h"
 #include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/sample_record.h"
@@ -121,6 +122,7 @@ TEST_F(DbCommandTest, CopiesACentreThereAndBackAndRefusesAUsedTarget) {
 
   EXPECT_EQ(there.code, 0) << there.err;
   EXPECT_NE(there.out.find("Copied and compared"), std::string::npos) << there.out;
+  ASSERT_EQ(run("db reopen --as-system --reason again --database " + file("record.sqlite")).code, 0);
   const ProgramRun again = run("db copy --as-system " + file("record.sqlite") + " " + target);
   EXPECT_EQ(again.code, static_cast<int>(ErrorCode::kBadData));
   EXPECT_NE(again.err.find("the target is not empty"), std::string::npos) << again.err;
@@ -128,6 +130,98 @@ TEST_F(DbCommandTest, CopiesACentreThereAndBackAndRefusesAUsedTarget) {
   const ProgramRun back = run("db copy --as-system " + target + " " + file("back.sqlite"));
   EXPECT_EQ(back.code, 0) << back.err;
   EXPECT_NE(back.out.find("  person: "), std::string::npos) << back.out;
+}
+
+TEST_F(DbCommandTest, TheBackupOfAnotherCentreNeedsToBeMeantByTwoPeople) {
+  {
+    Connection other = openRecord(file("other.sqlite"), OpenMode::kCreate, {.softwareVersion = "test"});
+    const FullRecord rows(other, "other", false);
+  }
+  ASSERT_EQ(
+      run("db backup --as-system " + file("theirs.backup") + " --database " + file("other.sqlite")).code, 0);
+  const std::string restore =
+      "db restore --as-system " + file("theirs.backup") + " --database " + file("record.sqlite");
+
+  const ProgramRun refused = run(restore);
+  EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kUsage)) << refused.err;
+  EXPECT_NE(refused.err.find("backup of another centre"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--other-centre"), std::string::npos) << refused.err;
+  const ProgramRun alone = run(restore + " --other-centre");
+  EXPECT_EQ(alone.code, static_cast<int>(ErrorCode::kPermission)) << alone.err;
+  EXPECT_NE(alone.err.find("takes two people"), std::string::npos) << alone.err;
+  Connection kept = openFile();
+  EXPECT_EQ(numberFrom(kept, "SELECT count(*) FROM training_mark WHERE id = 'real mark'"), 1);
+}
+
+TEST_F(DbCommandTest, EveryFileThatIsPutAsideIsListed) {
+  const std::string database = " --database " + file("record.sqlite");
+  ASSERT_EQ(run("db backup --as-system " + file("b.backup") + database).code, 0);
+  ASSERT_EQ(run("db restore --as-system " + file("b.backup") + database).code, 0);
+  const std::string listed = run("db copies" + database).out;
+  EXPECT_NE(listed.find("record.sqlite.before-restore-1,"), std::string::npos) << listed;
+
+  // What killed restores and schema changes leave, and what is none of theirs.
+  for (const char* stray : {"record.sqlite.before-restore-7", "record-before-restore-20261121T143000Z.sqlite",
+                            "record.sqlite.schema-1.sqlite"}) {
+    fs::copy_file(file("record.sqlite"), file(stray));
+  }
+  for (const char* other :
+       {"record2.sqlite.before-restore-1", "record.sqlite.before-restore-7-wal", "notes.txt"}) {
+    writeFileAtomically(file(other), "text");
+  }
+  const std::string all = run("db copies" + database).out;
+  EXPECT_NE(all.find("record.sqlite.before-restore-7,"), std::string::npos) << all;
+  EXPECT_NE(all.find("record-before-restore-20261121T143000Z.sqlite,"), std::string::npos) << all;
+  EXPECT_NE(all.find("record.sqlite.schema-1.sqlite,"), std::string::npos) << all;
+  EXPECT_EQ(all.find("record2"), std::string::npos) << all;
+  EXPECT_EQ(all.find("-wal"), std::string::npos) << all;
+  EXPECT_EQ(all.find("notes"), std::string::npos) << all;
+}
+
+TEST_F(DbCommandTest, AMovedRecordSaysWhereItWentUntilTheMoveIsTakenBack) {
+  const std::string database = " --database " + file("record.sqlite");
+  ASSERT_EQ(run("db copy --as-system " + file("record.sqlite") + " " + file("there.sqlite")).code, 0);
+
+  const ProgramRun again = run("db copy --as-system " + file("record.sqlite") + " " + file("second.sqlite"));
+  EXPECT_EQ(again.code, static_cast<int>(ErrorCode::kBadData)) << again.err;
+  EXPECT_NE(again.err.find("there.sqlite"), std::string::npos) << again.err;
+  EXPECT_EQ(run("db check" + database).code, 0);
+  EXPECT_EQ(run("db reopen --as-system --reason back --database " + file("there.sqlite")).code,
+            static_cast<int>(ErrorCode::kBadData))
+      << "the copy is the living one";
+
+  const ProgramRun back = run("db reopen --as-system --reason 'a rehearsal'" + database);
+  EXPECT_EQ(back.code, 0) << back.err;
+  Connection record = openFile();
+  EXPECT_EQ(numberFrom(record,
+                       "SELECT count(*) FROM audit_entry WHERE action = 'database.move_given_up'"
+                       " AND reason = 'a rehearsal'"),
+            1);
+  EXPECT_EQ(run("db copy --as-system " + file("record.sqlite") + " " + file("second.sqlite")).code, 0);
+}
+
+TEST_F(DbCommandTest, AClockThatWasSetIsNotedAndTheTrailIsWhole) {
+  {
+    Connection record = openFile();
+    const std::int64_t day_us = 86'400'000'000;
+    for (const std::int64_t days : {20'600, 18'300, 47'200}) {  // 2026, 2020, 2099
+      AuditRepository(record).append({.atUtc_us = days * day_us,
+                                      .actor = "admin",
+                                      .station = "office",
+                                      .action = AuditAction::kPersonChange,
+                                      .objectKind = AuditObject::kPerson,
+                                      .objectId = "p"});
+    }
+  }
+  const std::string database = " --database " + file("record.sqlite");
+
+  const ProgramRun verified = run("audit verify" + database);
+  EXPECT_EQ(verified.code, 0) << verified.err;
+  EXPECT_NE(verified.out.find("Note: the clock went back: entry "), std::string::npos) << verified.out;
+  EXPECT_NE(verified.out.find("2020-02-08"), std::string::npos) << verified.out;
+  EXPECT_NE(verified.out.find("dated 2099-"), std::string::npos) << verified.out;
+  EXPECT_NE(run("audit verify --json" + database).out.find("\"clock\""), std::string::npos);
+  EXPECT_NE(run("db check" + database).out.find("Note: the clock went back"), std::string::npos);
 }
 
 TEST_F(DbCommandTest, ReportsThatAnotherProgramHasTheFileOpen) {

@@ -164,6 +164,8 @@ TEST(WebDesk, ARightPasswordDoesNotWaitForWrongOnesUnderOtherNames) {
                  static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(took).count()));
   for (std::thread& one : guessing) {
     one.join();
+  }
+}
 
 /// Wrong passwords from elsewhere, or from the same address, do not keep the owner of an account out.
 TEST(WebDesk, NobodyCanLockTheOwnerOfAnAccountOut) {

@@ -181,9 +181,11 @@ void RestorePage::restore() {
   if (!ready || asked) {
     return;
   }
+  RestorePlan meant = *plan_;
+  meant.otherCentreMeant = meant.otherCentre;  // its name was typed
   shell().run(
       this, tr("Restoring the backup"),
-      [plan = *plan_](SessionContext& session, const ProgressCallback& progress) {
+      [plan = std::move(meant)](SessionContext& session, const ProgressCallback& progress) {
         return std::shared_ptr<PreparedRestore>(prepareRestore(session, plan, progress));
       },
       [this, name = QFileInfo(toQString(plan_->backup)).fileName()](

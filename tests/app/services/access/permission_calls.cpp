@@ -14,6 +14,7 @@
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
 #include "app/services/access/kiosk_codes.h"
+#include "app/services/access/moved_record.h"
 #include "app/services/access/two_people.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
@@ -391,7 +392,12 @@ std::vector<ServiceCall> reviewCalls() {
        [](W w, Path) { (void)loadBlindedRecording(w, kNoSuch); }},
       {O::kTrialViewAssigned, "recordingName", [](W w, Path) { (void)recordingName(w, kNoSuch); }},
       {O::kTrialViewAssigned, "blindedTask", [](W w, Path) { (void)blindedTask(w, kNoSuch); }},
-      {O::kMarkSubmit, "reportViewing", [](W w, Path) { (void)reportViewing(w, kNoSuch, {}, 0); }},
+      {O::kMarkSubmit, "reportViewing", [](W w, Path) { (void)reportViewing(w, kNoSuch, {}); }},
+      {O::kDatabaseRestore, "noteMoved", [](W w, Path) { noteMoved(w, ""); }},
+      {O::kDatabaseRestore, "takeBackMove", [](W w, Path) { takeBackMove(w, "why"); }},
+      {O::kEvaluationSubmit, "beginWatching", [](W w, Path) { beginWatching(w, ""); }},
+      {O::kEvaluationSubmit, "watchedInBrowser", [](W w, Path) { (void)watchedInBrowser(w, "", {}, {}); }},
+      {O::kEvaluationSubmit, "watchedInWindow", [](W w, Path) { (void)watchedInWindow(w, "", {}, {}); }},
       {O::kMarkSubmit, "changeSubmitted", [](W w, Path) { changeSubmitted(w, kNoSuch, {}, "why"); }},
       {O::kMarkSubmit, "reviewQueue", [](W w, Path) { (void)reviewQueue(w); }},
       {O::kMarkSubmit, "openSheet", [](W w, Path) { (void)openSheet(w, kNoSuch); }},

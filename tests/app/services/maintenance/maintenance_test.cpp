@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/moved_record.h"
 #include "app/services/access/station_name.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
@@ -119,6 +120,46 @@ TEST_F(MaintenanceTest, AnEraseCanNameEveryCopyThatStillHoldsThePerson) {
   fs::remove(in("backup.sqlite"));
   EXPECT_EQ(places(), std::set<std::string>{in("package").string()});
   EXPECT_EQ(readFile(in("package") / "manifest.json").find("\"entries\": 0"), std::string::npos);
+  EXPECT_TRUE(verifyAuditTrail(connection_).empty());
+}
+
+TEST_F(MaintenanceTest, AnEraseNamesTheFilesThatKilledRestoresPutAside) {
+  SessionContext office = sessionOf("administrator");
+  fs::copy_file(in("record.sqlite"), in("record.sqlite.before-restore-3"));
+
+  std::vector<std::string> places;
+  for (const ListedCopy& listed : copiesHolding(office, real_.traineeId)) {
+    places.push_back(listed.copy.place);
+  }
+
+  EXPECT_EQ(places, std::vector<std::string>{in("record.sqlite.before-restore-3").string()});
+  fs::remove(in("record.sqlite.before-restore-3"));
+  EXPECT_TRUE(copiesHolding(office, real_.traineeId).empty());
+}
+
+TEST_F(MaintenanceTest, AMovedRecordTakesNothingNewUntilTheMoveIsTakenBack) {
+  SessionContext office = sessionOf("administrator");
+  SessionContext rater = sessionOf("rater");
+  const auto adds = [&] { office.require(Operation::kPersonEdit); };
+  const auto marks = [&] { rater.require(Operation::kMarkSubmit); };
+  noteMoved(office, "postgresql://server/torsio");
+
+  for (const std::function<void()>& act : {std::function<void()>(adds), std::function<void()>(marks)}) {
+    const auto refused = refusalFrom(act);
+    EXPECT_EQ(refused.code, ErrorCode::kDatabase);
+    EXPECT_NE(refused.text.find("this record has moved to postgresql://server/torsio"), std::string::npos)
+        << refused.text;
+  }
+  EXPECT_NO_THROW(office.require(Operation::kPersonViewCoded));
+  EXPECT_NO_THROW(office.require(Operation::kAuditView));
+  EXPECT_THROW((void)copyDatabase(office, in("second.sqlite").string()), Error);
+
+  EXPECT_THROW(takeBackMove(office, ""), Error);
+  EXPECT_THROW(takeBackMove(rater, "mine"), Error);
+  takeBackMove(office, "a rehearsal");
+  EXPECT_NO_THROW(adds());
+  EXPECT_NO_THROW(marks());
+  EXPECT_THROW(takeBackMove(office, "again"), Error);
   EXPECT_TRUE(verifyAuditTrail(connection_).empty());
 }
 
