@@ -143,7 +143,8 @@ HttpResponse refusedByRecord(const DbError& error, const Wording& wording) {
 std::string hostIn(const std::string& text) {
   std::string host = text.substr(0, text.find('/'));
   if (host.starts_with("[")) {
-    host = host.substr(1, host.find(']') - 1);
+    const std::size_t end = host.find(']');
+    host = end == std::string::npos ? std::string() : host.substr(1, end - 1);
   } else {
     host.resize(std::min(host.size(), host.find(':')));
   }

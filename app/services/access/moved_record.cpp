@@ -18,11 +18,12 @@ namespace {
 constexpr const char* kMovedTo = "record.moved_to";  // name of the setting
 
 constexpr std::array kHarmless = {
-    Operation::kPractice,          Operation::kTrialViewOwn,      Operation::kTrialViewAssigned,
-    Operation::kTrialViewCoded,    Operation::kMarkViewOwn,       Operation::kMarkViewCoded,
+    Operation::kPractice,          Operation::kTrialViewOwn,       Operation::kTrialViewAssigned,
+    Operation::kTrialViewCoded,    Operation::kMarkViewOwn,        Operation::kMarkViewCoded,
     Operation::kPersonViewCoded,   Operation::kPersonViewIdentity, Operation::kPersonExport,
-    Operation::kAllocationView,    Operation::kReportExportCoded, Operation::kReportExportNamed,
-    Operation::kAuditView,         Operation::kDatabaseBackup,    Operation::kDatabaseRestore};
+    Operation::kPersonErase,       Operation::kRetentionManage,    Operation::kAllocationView,
+    Operation::kReportExportCoded, Operation::kReportExportNamed,  Operation::kAuditView,
+    Operation::kDatabaseBackup,    Operation::kDatabaseRestore};
 
 }  // namespace
 

@@ -239,6 +239,7 @@ void transferCopyRegister(Connection& present, Connection& older) {
 /// Throws if another centre's record would replace this one without anybody meaning it, or by the owner of
 /// the file alone.
 void requireMeant(SessionContext& session, const RestorePlan& plan) {
+  session.require(Operation::kDatabaseRestore);
   if (!plan.otherCentre) {
     return;
   }

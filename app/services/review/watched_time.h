@@ -47,8 +47,8 @@ void beginWatching(SessionContext& session, const std::string& recording);
 /// this recording. Call inside the transaction that stores the log.
 [[nodiscard]] WatchLog watchedInBrowser(SessionContext& session, const std::string& recording, WatchLog log,
                                         const std::vector<PlayedStretch>& played);
-/// Returns what counts of a window's log. `kept`: what counted before. The window's player keeps real time, so
-/// everything new counts unless a browser or another window has reported since: then no more than the time
+/// Returns what counts of a window's log. `kept`: what counted before. The window's player keeps real time,
+/// so everything new counts unless a browser or another window has reported since: then no more than the time
 /// gone by.
 [[nodiscard]] WatchLog watchedInWindow(SessionContext& session, const std::string& recording,
                                        const WatchLog& kept, const WatchLog& played);

@@ -9,12 +9,12 @@ namespace torsio {
 /// Time that a rater is credited with beyond the time gone by, once: reports arrive late.
 inline constexpr std::int64_t kWatchSlack_us = 500'000;
 
-/// The watched time that a rater may still be credited with, over all sessions, pages and windows: whatever is
-/// reported, in any order, the credited time never exceeds the time gone by plus kWatchSlack_us, and time
+/// The watched time that a rater may still be credited with, over all sessions, pages and windows: whatever
+/// is reported, in any order, the credited time never exceeds the time gone by plus kWatchSlack_us, and time
 /// counts for one recording only. A plain value.
 struct WatchAccount {
-  std::string recording{};         ///< being played: a case, or a model of an evaluation; empty: none yet
-  std::string player{};            ///< who reported last
+  std::string recording{};          ///< being played: a case, or a model of an evaluation; empty: none yet
+  std::string player{};             ///< who reported last
   std::int64_t charged_utc_us = 0;  ///< the time up to here is used
   std::int64_t slack_us = kWatchSlack_us;  ///< what is left of kWatchSlack_us, 0 or more
 };

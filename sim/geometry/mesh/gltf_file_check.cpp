@@ -74,12 +74,11 @@ class GltfPromises {
   GltfPromises(const Json& json, std::uint64_t binary, std::uint64_t file, const std::string& where)
       : json_(json), file_(file), where_(where) {
     for (const Json& buffer : listAt(json, "buffers")) {
-      const std::uint64_t length = object(buffer, "a buffer").contains("byteLength")
-                                       ? numberAt(buffer, "byteLength", 0, where_)
-                                       : 0;
+      const std::uint64_t length =
+          object(buffer, "a buffer").contains("byteLength") ? numberAt(buffer, "byteLength", 0, where_) : 0;
       const auto uri = buffer.find("uri");
-      const bool embedded = uri != buffer.end() && uri->is_string() &&
-                            uri->get_ref<const std::string&>().starts_with("data:");
+      const bool embedded =
+          uri != buffer.end() && uri->is_string() && uri->get_ref<const std::string&>().starts_with("data:");
       const std::uint64_t held = uri == buffer.end() ? binary : embedded ? file : kLargestBeside_bytes;
       if (length > held) {
         refuseGltf(where_, name("buffer", buffers_.size()));
@@ -92,8 +91,7 @@ class GltfPromises {
     for (const Json& view : listAt(json_, "bufferViews")) {
       const std::uint64_t buffer = numberAt(object(view, "a buffer view"), "buffer", 0, where_);
       const std::uint64_t length = numberAt(view, "byteLength", 0, where_);
-      if (buffer >= buffers_.size() ||
-          numberAt(view, "byteOffset", 0, where_) + length > buffers_[buffer]) {
+      if (buffer >= buffers_.size() || numberAt(view, "byteOffset", 0, where_) + length > buffers_[buffer]) {
         refuseGltf(where_, name("buffer view", views_.size()));
       }
       views_.push_back({length, numberAt(view, "byteStride", 0, where_)});
@@ -143,14 +141,13 @@ class GltfPromises {
   std::uint64_t accessorBytes(const Json& accessor) const {
     const std::uint64_t count = numberAt(accessor, "count", 0, where_);
     const auto type = accessor.find("type");
-    const std::uint64_t size = componentBytes(numberAt(accessor, "componentType", 0, where_)) *
-                               componentsOf(type != accessor.end() && type->is_string() ? type->get<std::string>()
-                                                                                        : std::string());
+    const std::uint64_t size =
+        componentBytes(numberAt(accessor, "componentType", 0, where_)) *
+        componentsOf(type != accessor.end() && type->is_string() ? type->get<std::string>() : std::string());
     if (accessor.contains("bufferView")) {
       const std::uint64_t view = numberAt(accessor, "bufferView", 0, where_);
       const std::uint64_t offset = numberAt(accessor, "byteOffset", 0, where_);
-      const std::uint64_t step =
-          view < views_.size() ? std::max(size, views_[view].stride) : kMostNumber;
+      const std::uint64_t step = view < views_.size() ? std::max(size, views_[view].stride) : kMostNumber;
       const bool held = view < views_.size() && step <= file_ &&
                         (count == 0 || offset + (count - 1) * step + size <= views_[view].length);
       if (!held) {

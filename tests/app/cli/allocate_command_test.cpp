@@ -43,8 +43,8 @@ class AllocateCommand : public TableCommands {
     return out.value("reason", "");
   }
 
-  void expectAlike(const std::string& json, const std::string& words) const {
-    expectRefused("allocate --seed 1 --design " + write("alike.json", json), {words});
+  void expectAlike(const std::string& order, const std::string& words) const {
+    expectRefused("allocate --seed 1 --design " + write("alike.json", order), {words});
   }
 
   static std::string personList() {

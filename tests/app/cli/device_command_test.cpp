@@ -82,14 +82,22 @@ TEST_F(DeviceCommand, L1_CheckSaysWhatToInstallWithoutAVendorLibrary) {
 
 /// Ctrl+Z: a program that sleeps would leave the last force on the device.
 TEST_F(DeviceCommand, AHaltedCheckEndsWithTheOutputOff) {
-  setenv("FAKEHD_LOG", (folder_ / "log").c_str(), 1);
-  const ProgramRun halted = runTorsio("device check --seconds 30 --library " TORSIO_FAKEHD, folder_,
-                                      "timeout --signal=TSTP --kill-after=20 2");
-  unsetenv("FAKEHD_LOG");
+  const std::string log = (folder_ / "log").string();
+  const std::string script = "export FAKEHD_LOG=" + log +
+                             "\n" TORSIO_PROGRAM " device check --seconds 60 --library " TORSIO_FAKEHD
+                             " >/dev/null 2>&1 & p=$!\n"
+                             "until grep -qs hdStartScheduler " +
+                             log +
+                             "; do sleep 0.1; done\n"
+                             "kill -TSTP $p; (sleep 40; kill -KILL $p) >/dev/null 2>&1 & k=$!\n"
+                             "wait $p; c=$?; kill $k; exit $c\n";
+  writeFileAtomically(folder_ / "halt.sh", script);
+  const ProgramRun halted = runProgram("sh", (folder_ / "halt.sh").string(), folder_);
 
-  EXPECT_NE(halted.code, 137) << "it had to be killed";
-  const std::string log = readFile(folder_ / "log");
-  EXPECT_NE(log.find("disable"), std::string::npos) << log.substr(log.size() > 500 ? log.size() - 500 : 0);
+  EXPECT_EQ(halted.code, kDevice) << "137: it had to be killed";
+  const std::string calls = readFile(log);
+  EXPECT_NE(calls.find("hdDisableDevice"), std::string::npos) << calls;
+  EXPECT_LT(calls.find("hdStartScheduler"), calls.rfind("force output off")) << calls;
 }
 
 TEST_F(DeviceCommand, L1_ListNamesEveryDriverWithoutAVendorLibrary) {

@@ -14,6 +14,7 @@
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/audit_verification.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/core/file_io.h"
 #include "tests/db/sample_record.h"
 
@@ -78,6 +79,7 @@ void CutOffMaintenance::SetUp() {
 void CutOffMaintenance::makeRecord(const std::string& name, const std::string& prefix) const {
   Connection connection = openRecord(file(name), OpenMode::kCreate, {.softwareVersion = "test"});
   const FullRecord rows(connection, prefix, false);
+  SettingRepository(connection).set("two_people", "no", kSampleTime_us);
 }
 
 ProgramRun CutOffMaintenance::run(const std::vector<std::string>& arguments, const char* program) const {

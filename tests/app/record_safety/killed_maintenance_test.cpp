@@ -17,6 +17,7 @@
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/system/demonstration_data.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/core/file_io.h"
 #include "tests/db/sample_record.h"
 
@@ -91,25 +92,25 @@ class KilledMaintenance : public CutOffMaintenance {
     return originals;
   }
   [[nodiscard]] CutOff restore() const {
-    return {
-        .arguments = {"db", "restore", "--as-system", file("old.backup"), "--database", file("kept.sqlite")},
-        .before =
-            [this] {
-              for (const auto& entry : fs::directory_iterator(folder_)) {
-                if (entry.path().filename().string().find("kept") == 0) {
-                  fs::remove(entry.path());
-                }
-              }
-              fs::copy_file(file("record.sqlite"), file("kept.sqlite"));
-            },
-        .after =
-            [this] {
-              Connection record = openRecord(file("kept.sqlite"), OpenMode::kReadWrite);
-              EXPECT_TRUE(isSound(record));
-              const std::string person = personIn(record);
-              EXPECT_TRUE(person.starts_with("real") || person.starts_with("other")) << person;
-              EXPECT_TRUE(person.starts_with("real") || originalsBeside() > 0) << "the original is gone";
-            }};
+    return {.arguments = {"db", "restore", "--as-system", "--other-centre", file("old.backup"), "--database",
+                          file("kept.sqlite")},
+            .before =
+                [this] {
+                  for (const auto& entry : fs::directory_iterator(folder_)) {
+                    if (entry.path().filename().string().find("kept") == 0) {
+                      fs::remove(entry.path());
+                    }
+                  }
+                  fs::copy_file(file("record.sqlite"), file("kept.sqlite"));
+                },
+            .after =
+                [this] {
+                  Connection record = openRecord(file("kept.sqlite"), OpenMode::kReadWrite);
+                  EXPECT_TRUE(isSound(record));
+                  const std::string person = personIn(record);
+                  EXPECT_TRUE(person.starts_with("real") || person.starts_with("other")) << person;
+                  EXPECT_TRUE(person.starts_with("real") || originalsBeside() > 0) << "the original is gone";
+                }};
   }
   [[nodiscard]] std::string moveTarget() const {
     return onPostgresql() ? addressWithoutPassword() : file("moved.sqlite");
@@ -118,6 +119,8 @@ class KilledMaintenance : public CutOffMaintenance {
     return {.arguments = {"db", "copy", "--as-system", file("record.sqlite"), target},
             .before =
                 [this, target] {
+                  Connection record = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
+                  SettingRepository(record).set("record.moved_to", "", kSampleTime_us);
                   if (onPostgresql()) {
                     emptySchema(target);
                   } else {

@@ -15,6 +15,7 @@
 #include "db/migrations/backup.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/sample_record.h"
@@ -43,6 +44,7 @@ class RecordSafety : public ::testing::Test {
   void makeRecord(const std::string& name, const std::string& prefix = "real") const {
     Connection connection = openRecord(file(name), OpenMode::kCreate, {.softwareVersion = "test"});
     const FullRecord rows(connection, prefix, false);
+    SettingRepository(connection).set("two_people", "no", kSampleTime_us);
   }
   [[nodiscard]] std::string personIn(const std::string& name, OpenMode mode = OpenMode::kReadOnly) const {
     Connection connection = openRecord(file(name), mode);
@@ -127,10 +129,10 @@ TEST_F(RecordSafety, EveryRestoreKeepsThePreviousRecord) {
         0);
   }
 
-  const ProgramRun first =
-      run("db restore --as-system " + file("a.backup") + " --database " + file("record.sqlite"));
-  const ProgramRun second =
-      run("db restore --as-system " + file("b.backup") + " --database " + file("record.sqlite"));
+  const ProgramRun first = run("db restore --as-system --other-centre " + file("a.backup") + " --database " +
+                               file("record.sqlite"));
+  const ProgramRun second = run("db restore --as-system --other-centre " + file("b.backup") + " --database " +
+                                file("record.sqlite"));
 
   EXPECT_EQ(first.code, 0) << first.err;
   EXPECT_EQ(second.code, 0) << second.err;
@@ -354,7 +356,7 @@ TEST_F(RecordSafety, LinksLeadToTheRecordAndHideNone) {
       << "the record itself, by another name";
   EXPECT_EQ(run("audit head --witness " + file("link.backup") + database).code,
             codeOf(ErrorCode::kFileUnwritable));
-  ASSERT_EQ(run("db restore --as-system " + file("b.backup") + database).code, 0);
+  ASSERT_EQ(run("db restore --as-system --other-centre " + file("b.backup") + database).code, 0);
   EXPECT_TRUE(fs::is_symlink(file("link.sqlite")));
   EXPECT_EQ(personIn("disk/record.sqlite").substr(0, 2), "b ");
   EXPECT_EQ(personIn("link.sqlite").substr(0, 2), "b ");

@@ -192,19 +192,19 @@ TEST(WebDesk, NobodyCanLockTheOwnerOfAnAccountOut) {
 TEST(WebDesk, AnswersOnlyUnderItsOwnNames) {
   const Served served;
   const WebClient client = served.client();
-  const auto status = [&](const std::string& host, const std::string& path) {
+  const auto statusOf = [&](const std::string& host, const std::string& path) {
     return client.raw("GET " + path + " HTTP/1.1\r\n" + host + "Connection: close\r\n\r\n").status;
   };
   for (const char* own :
        {"localhost", "LOCALHOST.:8443", "127.0.0.1", "127.0.0.1:8443", "192.0.2.7", "[::1]:8443"}) {
-    EXPECT_EQ(status("Host: " + std::string(own) + "\r\n", "/"), 200) << own;
-    EXPECT_EQ(status("Host: " + std::string(own) + "\r\n", "/api/me"), 401) << own;
+    EXPECT_EQ(statusOf("Host: " + std::string(own) + "\r\n", "/"), 200) << own;
+    EXPECT_EQ(statusOf("Host: " + std::string(own) + "\r\n", "/api/me"), 401) << own;
   }
   for (const char* other : {"evil.example", "evil.example:8443", "localhost.evil.example",
                             "127.0.0.1.evil.example", "localhost@evil.example", "", "[::1", "127.0.0.1#x"}) {
-    EXPECT_EQ(status("Host: " + std::string(other) + "\r\n", "/"), 421) << other;
-    EXPECT_EQ(status("Host: " + std::string(other) + "\r\n", "/api/me"), 421) << other;
-    EXPECT_EQ(status("Host: " + std::string(other) + "\r\n", "/healthz"), 200) << other;
+    EXPECT_EQ(statusOf("Host: " + std::string(other) + "\r\n", "/"), 421) << other;
+    EXPECT_EQ(statusOf("Host: " + std::string(other) + "\r\n", "/api/me"), 421) << other;
+    EXPECT_EQ(statusOf("Host: " + std::string(other) + "\r\n", "/healthz"), 200) << other;
   }
 
   web::DeskSettings named{.locator = served.centre.locator(), .assets = assetsFolder(), .workers = 1};

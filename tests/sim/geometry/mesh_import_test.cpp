@@ -215,7 +215,7 @@ TEST_F(MeshImport, RefusesHugeDeclaredCounts) {
 
 /// What a glTF file promises must be in it before the importer reserves memory for it.
 TEST_F(MeshImport, RefusesAGlbThatPromisesMoreThanItHolds) {
-  const std::string sound = glbBytes(organ_);
+  const std::string sound = testing::glbBytes(organ_);
   const auto changed = [&](const std::string& from, const std::string& to) {
     std::string bytes = sound;
     const std::size_t at = bytes.find(from);

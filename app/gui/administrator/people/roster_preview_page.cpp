@@ -150,7 +150,7 @@ void RosterPreviewPage::showPreview() {
   const auto wrong = std::find_if(preview.rows.begin(), preview.rows.end(),
                                   [](const RosterRow& row) { return !row.problem.empty(); });
   if (wrong != preview.rows.end()) {
-    lines_->select(QString::number(static_cast<qulonglong>(wrong->line)));
+    showNote(QString::number(static_cast<qulonglong>(wrong->line)));
   }
   Q_EMIT completeChanged();
 }
