@@ -215,6 +215,43 @@ Start startAt(LearningFamily family, std::span<const double> t, std::span<const 
   return out;
 }
 
+/// Half the derivative of the residual squares by the rate, the other parameters following it.
+double slopeByRate(LearningFamily family, std::span<const double> t, std::span<const double> y,
+                   bool asymptote, double rate) {
+  const std::vector<double> b = startAt(family, t, y, asymptote, rate).parameters;
+  const double gain = b[asymptote ? 1 : 0];
+  double slope = 0.0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double rest = y[i] - (asymptote ? b[0] : 0.0) - gain * shape(family, rate, t[i]);
+    slope -= rest * gain * shapeByRate(family, rate, t[i]);
+  }
+  return slope;
+}
+
+/// Returns the rate near `rate` at which the residual squares are least, to the last digits: near the minimum
+/// the squares no longer distinguish rates that their derivative still does.
+double settledRate(LearningFamily family, std::span<const double> t, std::span<const double> y,
+                   bool asymptote, double rate) {
+  constexpr int kHalvings = 200;
+  const auto slope = [&](double at) { return slopeByRate(family, t, y, asymptote, at); };
+  for (double reach = 1e-9; reach < 0.1; reach *= 10.0) {
+    double low = rate * (1.0 - reach);
+    double high = rate * (1.0 + reach);
+    if (!(slope(low) < 0.0 && slope(high) > 0.0)) {
+      continue;
+    }
+    for (int i = 0; i < kHalvings && low < high; ++i) {
+      const double middle = std::midpoint(low, high);
+      if (middle == low || middle == high) {
+        break;
+      }
+      (slope(middle) < 0.0 ? low : high) = middle;
+    }
+    return std::midpoint(low, high);
+  }
+  return rate;
+}
+
 /// Residual squares at infinite rate: the first point is fitted by itself.
 double restAtFastest(std::span<const double> t, std::span<const double> y, bool asymptote) {
   const auto first = std::min_element(t.begin(), t.end()) - t.begin();
@@ -271,19 +308,27 @@ Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std:
     }
   }
   if (best->parameters.back() == fastest && restAtFastest(t, y, asymptote) <= best->rss) {
-    // The first point is fitted by itself: the rest is known, the rate only that it is fast.
-    for (const double rate : {2.0, 1.0, 0.5, 0.2, 0.05}) {
-      const Start start = startAt(family, t, y, asymptote, rate);
-      if (const Outcome<CurveFit> fit = fitCurve(familyCurve(family, asymptote), t, y, start.parameters)) {
-        return fit;
-      }
-    }
-    return Outcome<CurveFit>::undefined(Text::tr("the parameters cannot be separated"));
+    return Outcome<CurveFit>::undefined(
+        Text::tr("the first attempt stands apart from all others, so a rate cannot be told"));
   }
   if (asymptote && best->parameters.back() == slowest && restAtSlowest(family, t, y) <= best->rss) {
     return Outcome<CurveFit>::undefined(Text::tr("the values do not level off within these attempts"));
   }
-  return fitCurve(familyCurve(family, asymptote), t, y, best->parameters);
+  const Curve curve = familyCurve(family, asymptote);
+  Outcome<CurveFit> fit = fitCurve(curve, t, y, best->parameters);
+  if (!fit) {
+    return fit;
+  }
+  const double rate = settledRate(family, t, y, asymptote, fit->parameters.back());
+  const std::vector<double> settled = startAt(family, t, y, asymptote, rate).parameters;
+  const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(settled.data(), std::ssize(settled));
+  if (const std::optional<State> state = evaluate(curve, t, y, b)) {
+    CurveFit out;
+    out.iterations = fit->iterations;
+    finish(*state, b, out);
+    return out;
+  }
+  return fit;
 }
 
 }  // namespace

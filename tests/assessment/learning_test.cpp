@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <numeric>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -83,6 +84,33 @@ TEST(FitLearningCurve, AgreesForBothFamiliesOnBothDataSets) {
   EXPECT_TRUE(matches(line->intercept, e.at("intercept").get<double>(), 1e-9));
   EXPECT_TRUE(matches(line->ratePerDoubling, e.at("learning_rate_per_doubling").get<double>(), 1e-9));
   EXPECT_TRUE(matches(line->rSquared, e.at("r2").get<double>(), 1e-9));
+}
+
+Outcome<LearningCurve> exponentialOf(const std::vector<double>& error) {
+  std::vector<double> attempt(error.size());
+  std::iota(attempt.begin(), attempt.end(), 1.0);
+  return fitLearningCurve(LearningFamily::kExponential, attempt, error);
+}
+
+TEST(FitLearningCurve, FindsTheRateToTheLastDigits) {
+  // Near the minimum the squares of these errors no longer change; their derivative does. With 60 digits:
+  const Outcome<LearningCurve> got = exponentialOf(
+      {4.038089015174049,  5.148028585479431,   3.983205387978457, 5.670835384802446, 7.681882868243928,
+       5.90456219529016,   1.3386557963146795,  5.830839578670681, 2.50324408111964,  1.9078664474653482,
+       4.7762649201087894, 0.33846042496866513, 4.31344680193596,  2.305149653031106, 1.6937807673147143,
+       0.3099557746609044, 1.0990563055468712,  1.381856676947542, 2.755374021746963, 6.1299693843525835});
+  ASSERT_TRUE(got) << got.reason().str();
+  EXPECT_NEAR(got->asymptote, 1.27562847924453624855, 1e-12);
+}
+
+TEST(FitLearningCurve, IsUndefinedIfTheFirstAttemptStandsApart) {
+  // Ever faster rates fit ever better: a valley on the way is not the best fit.
+  EXPECT_THAT(exponentialOf({1.2206322200956747, 3.4644494002670156, 3.0242573854239074, 2.9076948515824865,
+                             0.8909750859692185, 0.7879916518724008, 1.246856498378819, 1.103382136900103,
+                             5.325634042814083, 0.6655563006308953})
+                  .reason()
+                  .str(),
+              ::testing::HasSubstr("the first attempt stands apart"));
 }
 
 TEST(FitLearningCurve, HoldsAnAbsurdAsymptoteAtZeroAndRefusesThreeAttempts) {
