@@ -13,8 +13,9 @@
 #include "app/cli/json_output.h"
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
+#include "app/outputs/dataset/cohort_exchange.h"
+#include "app/outputs/dataset/replication.h"
 #include "app/outputs/report/cell_trace.h"
-#include "app/outputs/report/replication.h"
 #include "app/outputs/report/report_export.h"
 #include "app/outputs/report/report_names.h"
 #include "app/outputs/wording/wording.h"
@@ -136,15 +137,21 @@ void addCohort(CLI::App& report) {
 
 void replicate(const CohortArguments& given) {
   MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
-  const ReportRequest request = reportNamed(desk.session(), given.names);
+  const ReportRequest named = reportNamed(desk.session(), given.names);
   TrialDigests digests(assetsFolder());
-  const ReplicationPackage package = writeReplication(
-      desk.session(), request, reportInputs(desk.session(), request, digests, {}), given.out);
+  const ExchangeData data = exchangeData(
+      desk.session(),
+      {.cohortId = named.cohortId, .campaignId = named.campaignId, .frozenId = named.frozenId}, digests);
+  const ExchangeFiles written = exportReplication(desk.session(), data, given.out);
   if (given.json) {
-    printJson({{"folder", package.folder.string()}, {"files", package.files}, {"hash", package.contentHash}});
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const std::filesystem::path& file : written.files) {
+      files.push_back(file.string());
+    }
+    printJson({{"folder", given.out}, {"files", files}, {"hash", written.contentHash}});
     return;
   }
-  std::cout << package.folder.string() << ": " << package.files.size()
+  std::cout << given.out << ": " << written.files.size()
             << " files; Rscript analysis.R in it computes the numbers again\n";
 }
 

@@ -20710,6 +20710,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>its JSON is damaged</source>
         <translation>其 JSON 已损坏</translation>
     </message>
+    <message>
+        <source>the first attempt stands apart from all others, so a rate cannot be told</source>
+        <translation>第一次尝试与其他各次相差太远，无法得出学习速度</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -25056,6 +25060,22 @@ Leave it empty to remove it.</source>
     <message>
         <source>Below the headings, cells are exactly as the file will hold them: words in English, numbers with all their digits.</source>
         <translation>表头以下的单元格即文件中的原值：词语为英文，数字保留全部位数。</translation>
+    </message>
+    <message>
+        <source>Marks and a script that computes the report again (R)</source>
+        <translation>评分与可重新计算报告的脚本（R）</translation>
+    </message>
+    <message>
+        <source>Every mark, the measures of each run, the numbers of the report, and a script for R that computes them again, in a new folder. Anybody can run it: Rscript analysis.R.</source>
+        <translation>在新文件夹中写入每个评分、每次训练的测量值、报告的数字，以及可重新计算它们的 R 脚本。任何人都可运行：Rscript analysis.R。</translation>
+    </message>
+    <message>
+        <source>New folder</source>
+        <translation>新文件夹</translation>
+    </message>
+    <message>
+        <source>replication-%1</source>
+        <translation>复算-%1</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/outputs/dataset/dataset_study.h"
+#include "app/outputs/dataset/replication.h"
 #include "app/outputs/report/report_names.h"
 #include "app/services/base/build_info.h"
 #include "app/services/base/csv_table.h"
@@ -191,6 +192,13 @@ ExchangeFiles exportTables(SessionContext& session, const ExchangeData& data, Ta
   std::vector<std::filesystem::path> files = writeTables(tablesOf(data.set), format, folder, progress);
   return noted(session, data.request, "tables", std::ssize(data.inputs.trainees), false, data.pseudonyms,
                std::move(files));
+}
+
+ExchangeFiles exportReplication(SessionContext& session, const ExchangeData& data,
+                                const std::filesystem::path& folder) {
+  session.require(Operation::kReportExportCoded);
+  return noted(session, data.request, "replication", std::ssize(data.inputs.trainees), false, data.pseudonyms,
+               writeReplication(data.inputs, data.analysed.ledger, folder));
 }
 
 ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,

@@ -77,6 +77,9 @@ struct DatasetRequest {
   bool whole = false;  ///< include what importDataset() needs; under codes, with single marks, not as BIDS
 };
 
+/// Writes a folder from which R computes the numbers again (writeReplication()). kReportExportCoded; audited.
+ExchangeFiles exportReplication(SessionContext& session, const ExchangeData& data,
+                                const std::filesystem::path& folder);
 /// Exports like exportWorkbook(), but a data set (writeDataset()) with the trajectories of the cohort's
 /// recordings. Throws Error{kBadParameter}, before anything is written, for a rate that does not divide 1000
 /// Hz, an incomplete description, or a whole data set that is pseudonymised, BIDS or may not contain single

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/outputs/report/replication.h"
+#include "app/outputs/dataset/replication.h"
 
 #include <algorithm>
 #include <array>
@@ -11,15 +11,12 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#include <nlohmann/json.hpp>
 
 #include "app/services/base/assets.h"
 #include "app/services/base/build_info.h"
 #include "app/services/base/csv_table.h"
-#include "assessment/results/analysed_cohort.h"
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/record_sentences.h"
-#include "db/connection/connection.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
@@ -40,7 +37,7 @@ constexpr std::size_t kShownDifferences = 20;
 constexpr std::string_view kAgrees = "TRUE";  // as R writes it
 
 /// Files that the script reads. What is not in one of them is computed.
-enum class Part { kMarks, kEvaluationMarks, kMeasures, kGiven, kComputed };
+enum class PackageFile { kMarks, kEvaluationMarks, kMeasures, kGiven, kComputed };
 
 /// Statistics by section that are facts of the plan, of people or of the record, not computed from marks and
 /// measures.
@@ -57,26 +54,26 @@ const StatisticsOfSections kGiven = {
       "noted_rest_min"}},
     {"record",
      {"blake2b", "samples", "late_ticks", "force_cuts", "runs_with_force_cuts", "runs_without_hash",
-      "scale_lowest", "scale_highest", "given_in_all", "given_blinded", "given_live",
-      "entered_without_sheet", "not_assessable", "signed", "not_signed", "models_hidden",
-      "raters_who_are_trainees", "head", "file_blake2b"}},
+      "scale_lowest", "scale_highest", "given_in_all", "given_blinded", "given_live", "entered_without_sheet",
+      "not_assessable", "signed", "not_signed", "models_hidden", "raters_who_are_trainees", "head",
+      "file_blake2b"}},
 };
 constexpr std::string_view kDeviations = "deviation";  // a section of notes
 
-Part partOf(const CohortCsvRow& row) {
+PackageFile fileOf(const CohortCsvRow& row) {
   if (row.section == "training" && row.statistic == "rater_mark") {
-    return Part::kMarks;
+    return PackageFile::kMarks;
   }
   if (row.section == "evaluation" && row.statistic == "mark") {
-    return Part::kEvaluationMarks;
+    return PackageFile::kEvaluationMarks;
   }
   if (row.section == "trial" && row.item != "all") {
-    return Part::kMeasures;
+    return PackageFile::kMeasures;
   }
   const auto section = kGiven.find(row.section);
-  const bool given = row.section == kDeviations ||
-                     (section != kGiven.end() && section->second.contains(row.statistic));
-  return given ? Part::kGiven : Part::kComputed;
+  const bool given =
+      row.section == kDeviations || (section != kGiven.end() && section->second.contains(row.statistic));
+  return given ? PackageFile::kGiven : PackageFile::kComputed;
 }
 
 struct Codeword {
@@ -105,11 +102,12 @@ constexpr auto kCodebook = std::to_array<Codeword>({
     {"recomputed.csv", "agrees", "whether R found the same within 1e-9"},
 });
 
-std::string readme(const CohortInputs& inputs) {
+std::string packageReadme(const CohortInputs& inputs) {
   std::string text =
       "How to compute the numbers of this study again\n\n"
       "  Rscript analysis.R\n\n"
-      "in this folder, with R alone (Debian: r-base-core). The script reads marks.csv, evaluation_marks.csv,\n"
+      "in this folder, with R alone (Debian: r-base-core). The script reads marks.csv, "
+      "evaluation_marks.csv,\n"
       "measures.csv and given.csv, computes what follows from them, writes recomputed.csv and compares it\n"
       "with expected.csv, which holds every number of the report. It ends with an error if one differs by\n"
       "more than 1e-9. codebook.csv explains the columns. manifest.csv holds the BLAKE2b-256 hash of each\n"
@@ -124,31 +122,33 @@ std::string readme(const CohortInputs& inputs) {
   return text;
 }
 
-std::map<std::string, std::string> contentsOf(const CohortInputs& inputs) {
-  const std::vector<CohortCsvRow> rows = cohortCsvRows(analysedCohort(inputs).ledger);
+std::map<std::string, std::string> packageContents(const CohortInputs& inputs, const Ledger& ledger) {
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(ledger);
   std::map<std::string, std::string> files;
   std::string& marks = files["marks.csv"] = csvLine({"trainee", "group", "rater", "occasion", "mark"});
-  std::string& evaluation = files["evaluation_marks.csv"] = csvLine({"rater", "class", "model", "index", "mark"});
+  std::string& evaluation = files["evaluation_marks.csv"] =
+      csvLine({"rater", "class", "model", "index", "mark"});
   std::string& measures = files["measures.csv"] =
       csvLine({"trainee", "group", "model", "number", "when", "statistic", "value"});
   std::string& given = files["given.csv"] =
       csvLine({"section", "item", "group", "model", "index", "occasion", "statistic", "value"});
   for (const CohortCsvRow& row : rows) {
-    switch (partOf(row)) {
-      case Part::kMarks:
+    switch (fileOf(row)) {
+      case PackageFile::kMarks:
         marks += csvLine({row.item, row.group, row.index, row.occasion, row.value});
         break;
-      case Part::kEvaluationMarks:
+      case PackageFile::kEvaluationMarks:
         evaluation += csvLine({row.item, row.group, row.model, row.index, row.value});
         break;
-      case Part::kMeasures:
-        measures += csvLine({row.item, row.group, row.model, row.index, row.occasion, row.statistic, row.value});
+      case PackageFile::kMeasures:
+        measures +=
+            csvLine({row.item, row.group, row.model, row.index, row.occasion, row.statistic, row.value});
         break;
-      case Part::kGiven:
-        given += csvLine({row.section, row.item, row.group, row.model, row.index, row.occasion, row.statistic,
-                       row.value});
+      case PackageFile::kGiven:
+        given += csvLine(
+            {row.section, row.item, row.group, row.model, row.index, row.occasion, row.statistic, row.value});
         break;
-      case Part::kComputed:
+      case PackageFile::kComputed:
         break;
     }
   }
@@ -157,12 +157,12 @@ std::map<std::string, std::string> contentsOf(const CohortInputs& inputs) {
   for (const Codeword& word : kCodebook) {
     files["codebook.csv"] += csvLine({word.file, word.column, word.meaning});
   }
-  files["README.txt"] = readme(inputs);
+  files["README.txt"] = packageReadme(inputs);
   files[kScript] = readFile(assetsFolder() / "replication" / kScript);
   return files;
 }
 
-std::string hashOf(const std::string& content) {
+std::string fileHash(const std::string& content) {
   Digest digest;
   digest.update(content);
   return digest.hex();
@@ -174,11 +174,12 @@ void compareFiles(const fs::path& folder, ReplicationCheck& check) {
   for (std::size_t r = 0; r < manifest.rows(); ++r) {
     const std::string& name = manifest.text(r, "file");
     if (fs::path(name).filename() != name) {
-      refuse(Text::tr("the manifest names a file outside the folder"), name, Text::tr("Get the package anew"));
+      refuse(Text::tr("the manifest names a file outside the folder"), name,
+             Text::tr("Get the package anew"));
     }
     if (!fs::exists(folder / name)) {
       check.differences.push_back(Text::tr("%1 is missing", name));
-    } else if (hashOf(readFile(folder / name)) != manifest.cell(r, "blake2b")) {
+    } else if (fileHash(readFile(folder / name)) != manifest.cell(r, "blake2b")) {
       check.differences.push_back(Text::tr("%1 is not as it was written", name));
     }
   }
@@ -186,9 +187,8 @@ void compareFiles(const fs::path& folder, ReplicationCheck& check) {
 
 /// Adds the numbers that R found to differ, and counts all.
 void compareNumbers(const fs::path& recomputed, ReplicationCheck& check) {
-  const CsvTable table =
-      CsvTable::read(recomputed, {"section", "item", "group", "model", "index", "occasion", "statistic", "value",
-                                  "expected", "agrees"});
+  const CsvTable table = CsvTable::read(recomputed, {"section", "item", "group", "model", "index", "occasion",
+                                                     "statistic", "value", "expected", "agrees"});
   check.recomputed = static_cast<std::int64_t>(table.rows());
   for (std::size_t r = 0; r < table.rows() && check.differences.size() < kShownDifferences; ++r) {
     if (table.cell(r, "agrees") == kAgrees) {
@@ -198,8 +198,8 @@ void compareNumbers(const fs::path& recomputed, ReplicationCheck& check) {
     for (const char* column : {"section", "item", "group", "model", "index", "occasion", "statistic"}) {
       key += (key.empty() ? "" : ",") + csvCell(table.cell(r, column));
     }
-    check.differences.push_back(Text::tr("%1: %2 expected, R found %3", key, table.cell(r, "expected"),
-                                         table.cell(r, "value")));
+    check.differences.push_back(
+        Text::tr("%1: %2 expected, R found %3", key, table.cell(r, "expected"), table.cell(r, "value")));
   }
 }
 
@@ -230,9 +230,8 @@ std::string complaintOfScript(const fs::path& folder) {
 
 }  // namespace
 
-ReplicationPackage writeReplication(SessionContext& session, const ReportRequest& request,
-                                    const CohortInputs& inputs, const fs::path& folder) {
-  session.require(Operation::kReportExportCoded);
+std::vector<fs::path> writeReplication(const CohortInputs& inputs, const Ledger& ledger,
+                                       const fs::path& folder) {
   if (!inputs.singleMarks) {
     refuseParameter(Text::tr("single marks may not be seen yet"), std::string("replicate"),
                     Text::tr("Freeze the data when every sheet is in, or export as the owner of the file"));
@@ -241,7 +240,6 @@ ReplicationPackage writeReplication(SessionContext& session, const ReportRequest
     throw Error(ErrorCode::kFileUnwritable, Text::tr("the folder exists already"), folder.string(),
                 Text::tr("Name a new folder"));
   }
-  ReplicationPackage package{folder, {}, {}};
   const fs::path parent = fs::absolute(folder).parent_path();
   QTemporaryDir making(QString::fromStdString((parent / ".torsio-replication-XXXXXX").string()));
   if (!making.isValid()) {
@@ -250,29 +248,17 @@ ReplicationPackage writeReplication(SessionContext& session, const ReportRequest
   }
   const fs::path made = making.path().toStdString();
   std::string manifest = csvLine({"file", "blake2b"});
-  for (const auto& [name, content] : contentsOf(inputs)) {
+  std::vector<fs::path> files;
+  for (const auto& [name, content] : packageContents(inputs, ledger)) {
     writeFileAtomically(made / name, content);
-    manifest += csvLine({name, hashOf(content)});
-    package.files.push_back(name);
+    manifest += csvLine({name, fileHash(content)});
+    files.push_back(folder / name);
   }
   writeFileAtomically(made / kManifest, manifest);
-  package.files.emplace_back(kManifest);
-  package.contentHash = hashOf(manifest);
+  files.push_back(folder / kManifest);
   fs::rename(made, folder);
   making.setAutoRemove(false);
-  const nlohmann::ordered_json what = {{"format", "replication"},
-                                       {"identity", "coded"},
-                                       {"campaign", request.campaignId},
-                                       {"frozen", request.frozenId},
-                                       {"trainees", inputs.trainees.size()},
-                                       {"hash", package.contentHash}};
-  Transaction transaction(session.connection());
-  session.note({.action = AuditAction::kReportExportCoded,
-                .objectKind = AuditObject::kCohort,
-                .objectId = request.cohortId.text(),
-                .newJson = what.dump()});
-  transaction.commit();
-  return package;
+  return files;
 }
 
 ReplicationCheck checkReplication(const fs::path& folder) {

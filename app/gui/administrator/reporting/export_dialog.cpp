@@ -77,6 +77,8 @@ void ExportDialog::build() {
   form_->addItem(tr("Data set to be published (Frictionless)"), static_cast<int>(Form::kFrictionless));
   form_->addItem(tr("Data set to be published (RO-Crate)"), static_cast<int>(Form::kRoCrate));
   form_->addItem(tr("Data set to be published (BIDS)"), static_cast<int>(Form::kBids));
+  form_->addItem(tr("Marks and a script that computes the report again (R)"),
+                 static_cast<int>(Form::kReplication));
   if (shell_.may(Operation::kReportExportNamed)) {
     form_->addItem(tr("Scores for a learning system (Moodle, .csv)"), static_cast<int>(Form::kGradebook));
   }
@@ -224,6 +226,11 @@ QStringList ExportDialog::contents() const {
   for (const Text& sentence : pseudonymSentences(*data_)) {
     words << toQString(sentence);
   }
+  if (chosen() == Form::kReplication) {
+    words << tr(
+        "Every mark, the measures of each run, the numbers of the report, and a script for R that computes "
+        "them again, in a new folder. Anybody can run it: Rscript analysis.R.");
+  }
   if (isDataset()) {
     words << tr(
         "The tables below, the paths and forces of %n recordings, parameters of the tissue models, "
@@ -315,6 +322,8 @@ void ExportDialog::askPlace() {
   const QString place =
       book ? askFileToSave(this, tr("Save workbook"), name + QStringLiteral(".xlsx"), tr("Workbook (*.xlsx)"))
       : grades ? askFileToSave(this, tr("Save scores"), name + QStringLiteral(".csv"), tr("Table (*.csv)"))
+      : chosen() == Form::kReplication
+          ? askFileToSave(this, tr("New folder"), tr("replication-%1").arg(name), tr("Folder (*)"))
       : isDataset()
           ? askFileToSave(this, tr("New folder for the data set"), tr("dataset-%1").arg(name),
                           tr("Folder (*)"))
@@ -349,6 +358,8 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
             return exportTables(session, *given, TableFormat::kR, place, progress);
           case Form::kCsv:
             return exportTables(session, *given, TableFormat::kCsv, place, progress);
+          case Form::kReplication:
+            return exportReplication(session, *given, place);
           case Form::kGradebook:
             return exportGradebook(session, request, *digests, place);
           case Form::kFrictionless:

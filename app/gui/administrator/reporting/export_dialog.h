@@ -29,7 +29,7 @@ class ExportDialog : public QDialog {
 
  public:
   /// In the order of the list of formats.
-  enum class Form { kWorkbook, kSpss, kR, kCsv, kFrictionless, kRoCrate, kBids, kGradebook };
+  enum class Form { kWorkbook, kSpss, kR, kCsv, kFrictionless, kRoCrate, kBids, kReplication, kGradebook };
 
   /// `language`: of the workbook, one of reportLanguages().
   ExportDialog(ShellContext& shell, const ReportRequest& request, std::shared_ptr<TrialDigests> digests,

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A study's numbers are computed again in R, from a folder that Torsio wrote.
+#include "app/outputs/dataset/replication.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/outputs/report/replication.h"
-#include "assessment/results/cohort_report.h"
+#include "app/outputs/dataset/cohort_exchange.h"
+#include "assessment/results/analysed_cohort.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "tests/app/outputs/dataset/foreign_readers.h"
@@ -19,16 +23,25 @@
 namespace torsio {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::hasProgram;
+using ::testing::HasSubstr;
 using testing::OwnFolder;
 using testing::refusalCode;
 using testing::StudyCentre;
 
 class Replication : public ::testing::Test {
  protected:
-  ReplicationPackage write(const CohortInputs& inputs) {
-    return writeReplication(centre_.as("administrator"), {.cohortId = cohort_}, inputs, folder_);
+  std::vector<std::string> write(CohortInputs inputs) {
+    ExchangeData data{};
+    data.request.cohortId = cohort_;
+    data.inputs = std::move(inputs);
+    data.analysed = analysedCohort(data.inputs);
+    std::vector<std::string> names;
+    for (const std::filesystem::path& file :
+         exportReplication(centre_.as("administrator"), data, folder_).files) {
+      names.push_back(file.filename().string());
+    }
+    return names;
   }
   void change(const char* file, const std::string& from, const std::string& to) {
     std::string text = readFile(folder_ / file);
@@ -44,10 +57,10 @@ class Replication : public ::testing::Test {
 };
 
 TEST_F(Replication, ContainsMarksMeasuresScriptAndHashesOfAllFiles) {
-  const ReplicationPackage package = write(testing::demonstrationCohort());
-  EXPECT_THAT(package.files, ::testing::IsSupersetOf({"marks.csv", "evaluation_marks.csv", "measures.csv",
-                                                      "given.csv", "expected.csv", "analysis.R", "codebook.csv",
-                                                      "README.txt", "manifest.csv"}));
+  EXPECT_THAT(
+      write(testing::demonstrationCohort()),
+      ::testing::IsSupersetOf({"marks.csv", "evaluation_marks.csv", "measures.csv", "given.csv",
+                               "expected.csv", "analysis.R", "codebook.csv", "README.txt", "manifest.csv"}));
   const std::string marks = readFile(folder_ / "marks.csv");
   EXPECT_EQ(std::count(marks.begin(), marks.end(), '\n'), 901);
   EXPECT_THAT(readFile(folder_ / "README.txt"), HasSubstr("Simulated"));
