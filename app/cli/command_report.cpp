@@ -151,8 +151,8 @@ void replicate(const CohortArguments& given) {
     printJson({{"folder", given.out}, {"files", files}, {"hash", written.contentHash}});
     return;
   }
-  std::cout << given.out << ": " << written.files.size()
-            << " files; Rscript analysis.R in it computes the numbers again\n";
+  std::cout << given.out << ": " << written.files.size() << " files, hash " << written.contentHash
+            << "\nTo recompute, run Rscript analysis.R there\n";
 }
 
 void checkPackage(const CohortArguments& given, const std::string& folder) {
@@ -162,9 +162,15 @@ void checkPackage(const CohortArguments& given, const std::string& folder) {
     for (const Text& difference : check.differences) {
       differences.push_back(difference.str());
     }
-    printJson({{"same", check.same()}, {"recomputed", check.recomputed}, {"differences", differences}});
+    printJson({{"same", check.same()},
+               {"recomputed", check.recomputed},
+               {"computed", check.computed},
+               {"own_script", check.ownScript},
+               {"differences", differences}});
   } else {
-    std::cout << check.recomputed << " numbers computed by R\n";
+    std::cout << check.recomputed << " of " << check.computed << " computed numbers recomputed by R\n"
+              << (check.ownScript ? ""
+                                  : "The folder's analysis.R is not this program's, which was run instead\n");
     for (const Text& difference : check.differences) {
       std::cout << difference << "\n";
     }
@@ -172,15 +178,15 @@ void checkPackage(const CohortArguments& given, const std::string& folder) {
   if (!check.same()) {
     throw Error(ErrorCode::kVerifyFailed,
                 Text::verbatim("the package does not give the numbers of its report"), folder,
-                Text::verbatim("Get it anew from whoever wrote it, or write it again"));
+                Text::verbatim("Get a fresh copy from whoever wrote it, or write it again"));
   }
 }
 
 void addReplicate(CLI::App& report) {
   auto arguments = std::make_shared<CohortArguments>();
   auto folder = std::make_shared<std::string>();
-  CLI::App* command =
-      report.add_subcommand("replicate", "Writes or checks a folder that computes the numbers again in R");
+  CLI::App* command = report.add_subcommand(
+      "replicate", "Writes or checks a folder from which R recomputes the report's numbers");
   addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
       ->capture_default_str();
   addReportNames(*command, arguments->names);
@@ -188,6 +194,9 @@ void addReplicate(CLI::App& report) {
   command
       ->add_option("--check", *folder, "Folder to check: hashes, R, number by number; code 13 if it differs")
       ->excludes(out);
+  for (const char* name : {"--cohort", "--evaluation", "--frozen"}) {
+    command->get_option(name)->excludes("--check");
+  }
   addSignIn(*command, arguments->maintenance, "--login");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments, folder] {

@@ -34,7 +34,8 @@ constexpr const char* kRecomputed = "recomputed.csv";
 constexpr const char* kManifest = "manifest.csv";
 constexpr int kPatience_ms = 600'000;
 constexpr std::size_t kShownDifferences = 20;
-constexpr std::string_view kAgrees = "TRUE";  // as R writes it
+constexpr std::uintmax_t kLargestFile = 1'000'000'000;  // bytes
+constexpr std::string_view kAgrees = "TRUE";            // as R writes it
 
 /// Files that the script reads. What is not in one of them is computed.
 enum class PackageFile { kMarks, kEvaluationMarks, kMeasures, kGiven, kComputed };
@@ -168,21 +169,55 @@ std::string fileHash(const std::string& content) {
   return digest.hex();
 }
 
-/// Adds the files that are not as the manifest says.
-void compareFiles(const fs::path& folder, ReplicationCheck& check) {
-  const CsvTable manifest = CsvTable::read(folder / kManifest, {"file", "blake2b"});
+/// Names of the files of a package besides its manifest.
+constexpr std::array<const char*, 8> kFiles = {kScript,     "README.txt",           "codebook.csv",
+                                               kExpected,   "evaluation_marks.csv", "given.csv",
+                                               "marks.csv", "measures.csv"};
+
+/// Returns a file of a package. Throws Error{kFileUnreadable} for a link, a folder, a pipe or a huge file.
+std::string packageFile(const fs::path& file) {
+  if (!fs::is_regular_file(fs::symlink_status(file)) || fs::file_size(file) > kLargestFile) {
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("not a plain file of a replication package"),
+                file.string(), Text::tr("Get a fresh copy of the package"));
+  }
+  return readFile(file);
+}
+
+/// Adds the files that are not as the manifest says; copies the others to `place`.
+void compareFiles(const fs::path& folder, const fs::path& place, ReplicationCheck& check) {
+  const CsvTable manifest = CsvTable::parse(packageFile(folder / kManifest), kManifest, {"file", "blake2b"});
+  std::map<std::string, std::string> hashes;
   for (std::size_t r = 0; r < manifest.rows(); ++r) {
-    const std::string& name = manifest.text(r, "file");
-    if (fs::path(name).filename() != name) {
-      refuse(Text::tr("the manifest names a file outside the folder"), name,
-             Text::tr("Get the package anew"));
-    }
-    if (!fs::exists(folder / name)) {
-      check.differences.push_back(Text::tr("%1 is missing", name));
-    } else if (fileHash(readFile(folder / name)) != manifest.cell(r, "blake2b")) {
-      check.differences.push_back(Text::tr("%1 is not as it was written", name));
+    if (!hashes.emplace(manifest.text(r, "file"), manifest.cell(r, "blake2b")).second) {
+      refuse(Text::tr("the manifest names a file twice"), manifest.where(r),
+             Text::tr("Get a fresh copy of the package"));
     }
   }
+  for (const char* name : kFiles) {
+    if (!fs::exists(fs::symlink_status(folder / name))) {
+      check.differences.push_back(Text::tr("%1 is missing", std::string(name)));
+      continue;
+    }
+    const std::string content = packageFile(folder / name);
+    if (fileHash(content) != hashes[name]) {
+      check.differences.push_back(Text::tr("%1 was changed after it was written", std::string(name)));
+    }
+    writeFileAtomically(place / name, content);
+  }
+}
+
+/// Counts the expected numbers that can be computed from marks and measures.
+std::int64_t computedIn(const fs::path& expected) {
+  const CsvTable table = CsvTable::read(expected, {"section", "item", "statistic"});
+  std::int64_t count = 0;
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    CohortCsvRow row;
+    row.section = table.cell(r, "section");
+    row.item = table.cell(r, "item");
+    row.statistic = table.cell(r, "statistic");
+    count += fileOf(row) == PackageFile::kComputed ? 1 : 0;
+  }
+  return count;
 }
 
 /// Adds the numbers that R found to differ, and counts all.
@@ -222,7 +257,7 @@ std::string complaintOfScript(const fs::path& folder) {
   }
   const std::string said = process.readAll().right(400).trimmed().toStdString();
   if (!fs::exists(folder / kRecomputed)) {
-    throw Error(ErrorCode::kFileUnreadable, Text::tr("R computed nothing"), said,
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("R produced no results"), said,
                 Text::tr("Run it in the folder by hand: Rscript analysis.R"));
   }
   return process.exitCode() == 0 ? std::string() : said;
@@ -231,14 +266,18 @@ std::string complaintOfScript(const fs::path& folder) {
 }  // namespace
 
 std::vector<fs::path> writeReplication(const CohortInputs& inputs, const Ledger& ledger,
-                                       const fs::path& folder) {
+                                       const fs::path& named) {
   if (!inputs.singleMarks) {
     refuseParameter(Text::tr("single marks may not be seen yet"), std::string("replicate"),
                     Text::tr("Freeze the data when every sheet is in, or export as the owner of the file"));
   }
-  if (fs::exists(folder)) {
+  const fs::path folder = named.has_filename() ? named : named.parent_path();  // "rep/" is "rep"
+  const auto refuseExisting = [&folder] {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("the folder exists already"), folder.string(),
                 Text::tr("Name a new folder"));
+  };
+  if (fs::exists(fs::symlink_status(folder))) {
+    refuseExisting();
   }
   const fs::path parent = fs::absolute(folder).parent_path();
   QTemporaryDir making(QString::fromStdString((parent / ".torsio-replication-XXXXXX").string()));
@@ -256,27 +295,39 @@ std::vector<fs::path> writeReplication(const CohortInputs& inputs, const Ledger&
   }
   writeFileAtomically(made / kManifest, manifest);
   files.push_back(folder / kManifest);
-  fs::rename(made, folder);
+  std::error_code failed;
+  fs::rename(made, folder, failed);
+  if (failed) {  // somebody else was faster
+    refuseExisting();
+  }
   making.setAutoRemove(false);
   return files;
 }
 
 ReplicationCheck checkReplication(const fs::path& folder) {
   if (!fs::exists(folder / kManifest) || !fs::exists(folder / kScript)) {
-    throw Error(ErrorCode::kFileMissing, Text::tr("no replication package"), folder.string(),
+    throw Error(ErrorCode::kFileMissing, Text::tr("not a replication package"), folder.string(),
                 Text::tr("Name the folder that torsio report replicate --out wrote"));
   }
-  ReplicationCheck check;
-  compareFiles(folder, check);
-  QTemporaryDir copy;
+  const QTemporaryDir copy;
+  if (!copy.isValid()) {
+    throw Error(ErrorCode::kFileUnwritable, Text::tr("there is no folder for temporary files"), "",
+                Text::tr("Check the free space of /tmp, or set TMPDIR to a folder that can be written"));
+  }
   const fs::path place = copy.path().toStdString();
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file() && entry.path().filename() != kRecomputed) {
-      fs::copy_file(entry.path(), place / entry.path().filename());
+  ReplicationCheck check;
+  compareFiles(folder, place, check);
+  const std::string script = readFile(assetsFolder() / "replication" / kScript);
+  check.ownScript = fs::exists(place / kScript) && readFile(place / kScript) == script;
+  for (const char* name : kFiles) {
+    if (!fs::exists(place / name) && std::string_view(name) != kScript) {
+      return check;  // nothing to compute from
     }
   }
+  writeFileAtomically(place / kScript, script);  // never a script that came with the folder
   const std::string complaint = complaintOfScript(place);
   compareNumbers(place / kRecomputed, check);
+  check.computed = computedIn(place / kExpected);
   if (check.same() && !complaint.empty()) {
     check.differences.push_back(Text::tr("R ends with an error: %1", complaint));
   }

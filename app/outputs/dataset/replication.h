@@ -21,14 +21,16 @@ std::vector<std::filesystem::path> writeReplication(const CohortInputs& inputs, 
 /// What a check of such a folder found.
 struct ReplicationCheck {
   std::int64_t recomputed = 0;      ///< numbers that R computed
+  std::int64_t computed = 0;        ///< of so many; the others are bootstrap limits and the like
+  bool ownScript = true;            ///< the folder's script is this program's, which alone is run
   std::vector<Text> differences{};  ///< changed or missing files, numbers that differ; at most 20
   [[nodiscard]] bool same() const noexcept { return differences.empty(); }
 };
 
-/// Compares the files with the manifest, runs analysis.R on a copy of the folder, and compares its numbers
-/// with the expected ones key by key. Changes nothing in `folder`; takes up to a minute. Needs a
-/// QCoreApplication. Throws Error{kFileMissing} if the folder is no such package or R is not installed,
-/// kFileUnreadable if R cannot finish.
+/// Compares the files with the manifest, runs this program's analysis.R (never the folder's own) on a copy,
+/// and takes over what it finds. Changes nothing in `folder`; takes up to a minute. Needs a QCoreApplication.
+/// Throws Error: kFileMissing if the folder is no such package or R is not installed, kFileUnreadable for
+/// links and pipes or if R cannot finish, kFileUnwritable without a temporary folder.
 [[nodiscard]] ReplicationCheck checkReplication(const std::filesystem::path& folder);
 
 }  // namespace torsio

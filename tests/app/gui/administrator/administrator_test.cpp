@@ -211,6 +211,10 @@ void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& fo
     shell.waitForJobs();
     EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("set")));
     child<QComboBox>(dialog, "format").setCurrentIndex(7);
+    exported.writeTo(folder / "package");
+    shell.waitForJobs();
+    EXPECT_TRUE(fs::exists(folder / "package" / "marks.csv"));
+    child<QComboBox>(dialog, "format").setCurrentIndex(8);
     exported.writeTo(folder / "grades.csv");
     shell.waitForJobs();
     EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("grades.csv")));
@@ -328,7 +332,7 @@ TEST(AdministratorPages, RunsAWholeStudyFromTheRosterToTheReport) {
   expectReportInChinese(*reports, office.centre.folder() / "chinese.pdf");
   EXPECT_EQ(office.centre.audited("report.export_coded"), 3);
   expectExports(*reports, office.shell(), office.centre.folder());
-  EXPECT_EQ(office.centre.audited("report.export_coded"), 6);
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 7);
   EXPECT_EQ(office.centre.audited("report.export_named"), 1);
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }

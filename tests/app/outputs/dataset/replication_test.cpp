@@ -92,7 +92,7 @@ TEST_F(Replication, RFindsTheSameNumbersAndAChangedMarkIsFound) {
   writeFileAtomically(folder_ / "marks.csv", text);
   const ReplicationCheck changed = checkReplication(folder_);
   ASSERT_GT(changed.differences.size(), 3U);
-  EXPECT_THAT(changed.differences.front().str(), HasSubstr("marks.csv is not as it was written"));
+  EXPECT_THAT(changed.differences.front().str(), HasSubstr("marks.csv was changed after it was written"));
   EXPECT_THAT(changed.differences.back().str(), HasSubstr("expected, R found"));
 }
 
@@ -107,10 +107,30 @@ TEST_F(Replication, FindsAMissingFile) {
   EXPECT_EQ(check.differences.front().str(), "codebook.csv is missing");
 }
 
-TEST_F(Replication, AManifestCannotNameFilesElsewhere) {
+TEST_F(Replication, NeverRunsAScriptThatCameWithTheFolder) {
+  if (!hasProgram("Rscript")) {
+    GTEST_SKIP() << "R is not installed";
+  }
   write(testing::demonstrationCohort());
-  change("manifest.csv", "codebook.csv", "../codebook.csv");
+  const std::filesystem::path trace = place_.path() / "trace";
+  writeFileAtomically(folder_ / "analysis.R", "file.create('" + trace.string() + "')\n");
+  const ReplicationCheck check = checkReplication(folder_);
+  EXPECT_FALSE(std::filesystem::exists(trace));
+  EXPECT_FALSE(check.ownScript);
+  EXPECT_GT(check.recomputed, 1'000);
+  ASSERT_EQ(check.differences.size(), 1U);
+  EXPECT_EQ(check.differences.front().str(), "analysis.R was changed after it was written");
+}
+
+TEST_F(Replication, AManifestMustNameEveryFileOnce) {
+  write(testing::demonstrationCohort());
+  const std::string whole = readFile(folder_ / "manifest.csv");
+  writeFileAtomically(folder_ / "manifest.csv", whole + whole.substr(whole.find('\n') + 1));
   EXPECT_EQ(refusalCode([&] { (void)checkReplication(folder_); }), ErrorCode::kBadData);
+  std::filesystem::remove(folder_ / "marks.csv");
+  std::filesystem::create_symlink("/etc/hostname", folder_ / "marks.csv");
+  writeFileAtomically(folder_ / "manifest.csv", whole);
+  EXPECT_EQ(refusalCode([&] { (void)checkReplication(folder_); }), ErrorCode::kFileUnreadable);
 }
 
 }  // namespace
