@@ -50,7 +50,7 @@ void runDoctor(DoctorArguments given) {
   }
   if (worst == CheckState::kFailed || (given.strict && worst == CheckState::kWarning)) {
     throw Error(ErrorCode::kVerifyFailed, Text::verbatim("this installation needs attention"), "",
-                Text::verbatim("Do what stands below each line that is not good"));
+                Text::verbatim("Follow the advice below each line marked warning or failed"));
   }
 }
 
@@ -59,12 +59,12 @@ void runDoctor(DoctorArguments given) {
 void addDoctor(CLI::App& program) {
   auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* command = program.add_subcommand(
-      "doctor", "Whether this computer has what Torsio needs, and what to do where not");
+      "doctor", "Checks that this computer has what Torsio needs, and says how to fix what is missing");
   addDatabaseArgument(*command, "--database", arguments->installation.locator,
                       "SQLite file or postgresql://... address; default: the record of the window");
   command->add_option("--certificate", arguments->installation.certificate,
-                      "PEM file of the browser desk, for its days left");
-  command->add_flag("--strict", arguments->strict, "Warnings end with code 13, too");
+                      "Certificate of the browser desk (PEM), to check when it expires");
+  command->add_flag("--strict", arguments->strict, "Exit with code 13 for warnings as well");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { runDoctor(*arguments); });
 }

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <functional>
+#include <future>
 #include <iterator>
+#include <memory>
+#include <thread>
 
 #include "app/services/base/build_info.h"
 #include "app/services/installation/installation_checks.h"
@@ -44,10 +48,29 @@ InstallationCheck made(const char* name, const std::function<InstallationCheck()
   try {
     return check();
   } catch (const Error& error) {
-    return {name, CheckState::kFailed, error.happenedText(), error.remedyText()};
+    return failed(name, error);
   } catch (const std::exception& error) {
-    return {name, CheckState::kFailed, Text::tr("could not be looked at: %1", error.what()), {}};
+    return {name, CheckState::kFailed, Text::tr("could not be checked: %1", error.what()),
+            Text::tr("Check the paths and permissions of this account")};
   }
+}
+
+/// Reads the record in a thread of its own: a server that does not answer must not stop the others.
+std::vector<InstallationCheck> timedRecordChecks(const Installation& of) {
+  auto task = std::make_shared<std::packaged_task<std::vector<InstallationCheck>()>>(
+      [of] { return recordChecks(of); });
+  std::future<std::vector<InstallationCheck>> checks = task->get_future();
+  std::thread([task] { (*task)(); }).detach();
+  if (checks.wait_for(std::chrono::seconds(kPatience_s)) == std::future_status::ready) {
+    try {
+      return checks.get();
+    } catch (const std::exception& error) {
+      return {{"record", CheckState::kFailed, Text::tr("could not be checked: %1", error.what()),
+               Text::tr("Check the path and its permissions")}};
+    }
+  }
+  return {{"record", CheckState::kFailed, Text::tr("it did not answer within %1 s", kPatience_s),
+           Text::tr("Ask who runs the database server, or check the disk")}};
 }
 
 /// Returns the folder of a record; the working folder's disk for a record on a server.
@@ -86,7 +109,7 @@ Text labelOf(CheckState state) {
     case CheckState::kSkipped:
       break;
   }
-  return Text::tr("not looked at");
+  return Text::tr("not checked");
 }
 
 Text labelOf(const InstallationCheck& check) {
@@ -113,17 +136,19 @@ Text summaryOf(const std::vector<InstallationCheck>& checks) {
   };
   const auto failed = count(CheckState::kFailed);
   const auto warned = count(CheckState::kWarning);
-  return failed + warned == 0 ? Text::tr("Everything that was looked at is in order.")
-                              : Text::tr("%1 {does|do} not work, %2 could be better.", failed, warned);
+  return failed + warned == 0
+             ? Text(Text::tr("No problems."))
+             : Text::tr("%1 {problem|problems}, %2 {thing|things} that could be better.", failed, warned);
 }
 
 std::vector<InstallationCheck> checkInstallation(const Installation& installation) {
   Installation of = installation;
-  if (of.locator.empty()) {
-    of.locator = defaultDatabase();
+  of.named = !of.locator.empty();
+  if (!of.named) {
+    of.locator = defaultDatabasePath().string();
   }
   std::vector<InstallationCheck> checks = {good("program", Text::tr("Torsio %1", softwareVersion()))};
-  std::vector<InstallationCheck> record = recordChecks(of);
+  std::vector<InstallationCheck> record = timedRecordChecks(of);
   std::move(record.begin(), record.end(), std::back_inserter(checks));
   checks.push_back(made("disk", [&] { return diskCheck(folderOf(of.locator)); }));
   checks.push_back(made("clock", clockCheck));

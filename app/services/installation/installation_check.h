@@ -21,7 +21,7 @@ enum class CheckState : std::uint8_t {
 /// Returns "good", "warning", "failed" or "skipped", as --json prints it.
 [[nodiscard]] std::string_view storedText(CheckState state) noexcept;
 
-/// Returns "in order", "could be better", "does not work" or "not looked at".
+/// Returns "in order", "could be better", "does not work" or "not checked".
 [[nodiscard]] Text labelOf(CheckState state);
 
 /// One line about this installation.
@@ -38,6 +38,7 @@ struct InstallationCheck {
 /// What to look at.
 struct Installation {
   std::string locator{};                ///< of the record; empty: the one that the window opens
+  bool named = false;                   ///< set by checkInstallation(): `locator` was given
   std::filesystem::path certificate{};  ///< PEM file of the browser desk; empty: none
   std::int64_t now_us = 0;              ///< UTC
 };

@@ -39,7 +39,7 @@ bool hasDisplay() {
 }  // namespace
 
 InstallationCheck displayCheck() {
-  return hasDisplay() ? good("display", Text::tr("a display is there"))
+  return hasDisplay() ? good("display", Text::tr("found"))
                       : InstallationCheck{"display",
                                           CheckState::kSkipped,
                                           Text::tr("no display: a server, or a session without a desktop"),
@@ -54,7 +54,7 @@ InstallationCheck graphicsCheck() {
   std::error_code failed;
   for (const auto& entry : std::filesystem::directory_iterator("/dev/dri", failed)) {
     if (entry.path().filename().string().starts_with("renderD")) {
-      return good("graphics", Text::tr("a graphics card is there: %1", entry.path().string()));
+      return good("graphics", Text::tr("found: %1", entry.path().string()));
     }
   }
   return {"graphics", CheckState::kWarning,
@@ -62,17 +62,17 @@ InstallationCheck graphicsCheck() {
           Text::tr("Use a computer with a graphics card for training stations; for anything else this is "
                    "enough")};
 #else
-  return {"graphics", CheckState::kSkipped, Text::tr("not looked at on this system"), {}};
+  return {"graphics", CheckState::kSkipped, Text::tr("not checked on this system"), {}};
 #endif
 }
 
 InstallationCheck deviceCheck() {
   const DeviceChoice choice = rememberedDevice();
   if (choice.driver.empty()) {
-    return good("device", Text::tr("no haptic device was chosen here: mouse and keyboard"));
+    return good("device", Text::tr("no haptic device is chosen; mouse and keyboard are used"));
   }
   const DeviceDriver& driver = chosenDriver(choice);
-  return good("device", Text::tr("chosen here: %1; `torsio device check` tries it", driver.id));
+  return good("device", Text::tr("%1 is chosen; torsio device check tests it", driver.id));
 }
 
 InstallationCheck realTimeCheck() {
@@ -86,7 +86,7 @@ InstallationCheck realTimeCheck() {
 InstallationCheck memoryCheck() {
   const std::array<char, 1> page{};
   return LockedMemory(page.data(), page.size()).locked()
-             ? good("memory", Text::tr("the system lets the servo keep its memory"))
+             ? good("memory", Text::tr("the system allows the servo's memory to be locked"))
              : InstallationCheck{"memory", CheckState::kWarning, refusedToServo(true, false),
                                  grantRealTime()};
 }
@@ -105,7 +105,7 @@ InstallationCheck clockCheck() {
                             "be wrong"),
                    Text::tr("Turn time synchronisation on: timedatectl set-ntp true")};
 #else
-  return {"clock", CheckState::kSkipped, Text::tr("not looked at on this system"), {}};
+  return {"clock", CheckState::kSkipped, Text::tr("not checked on this system"), {}};
 #endif
 }
 
@@ -129,18 +129,26 @@ InstallationCheck certificateCheck(const Installation& installation) {
       QSslCertificate::fromPath(QString::fromStdString(installation.certificate.string()));
   if (chain.isEmpty()) {
     return {"certificate", CheckState::kFailed,
-            Text::tr("no certificate in %1", installation.certificate.string()),
+            std::filesystem::is_regular_file(installation.certificate)
+                ? Text::tr("no certificate in %1", installation.certificate.string())
+                : Text::tr("no such file: %1", installation.certificate.string()),
             Text::tr("Name the PEM file that torsio serve uses")};
   }
-  const std::int64_t days =
-      (chain.front().expiryDate().toMSecsSinceEpoch() * 1000 - installation.now_us) / kDay_us;
-  if (days > kCertificateSoon_days) {
+  const std::int64_t from_us = chain.front().effectiveDate().toMSecsSinceEpoch() * 1000;
+  if (from_us > installation.now_us) {
+    return {"certificate", CheckState::kFailed, Text::tr("not valid before %1", formatUtc(from_us)),
+            Text::tr("Check the clock, or get another certificate")};
+  }
+  const std::int64_t until_us = chain.front().expiryDate().toMSecsSinceEpoch() * 1000;
+  const std::int64_t days = (until_us - installation.now_us) / kDay_us;
+  if (until_us > installation.now_us && days > kCertificateSoon_days) {
     return good("certificate", Text::tr("valid for another %1 {day|days}", days));
   }
-  return {
-      "certificate", days < 0 ? CheckState::kFailed : CheckState::kWarning,
-      days < 0 ? Text::tr("expired %1 {day|days} ago", -days) : Text::tr("expires in %1 {day|days}", days),
-      Text::tr("Renew it and start torsio serve again")};
+  const Text remedy = Text::tr("Renew it and start torsio serve again");
+  if (until_us <= installation.now_us) {
+    return {"certificate", CheckState::kFailed, Text::tr("expired on %1", formatUtc(until_us)), remedy};
+  }
+  return {"certificate", CheckState::kWarning, Text::tr("expires in %1 {day|days}", days), remedy};
 }
 
 InstallationCheck keyCheck(const std::filesystem::path& record) {
@@ -154,7 +162,7 @@ InstallationCheck keyCheck(const std::filesystem::path& record) {
   const std::string known = publicAnchorKey(key);
   if (key.parent_path() == std::filesystem::absolute(record).parent_path()) {
     return {"key", CheckState::kWarning, Text::tr("the key %1 lies beside the record", known.substr(0, 16)),
-            Text::tr("Keep it elsewhere: who copies the record must not get the key")};
+            Text::tr("Keep it elsewhere: whoever copies the record must not get the key")};
   }
   return good("key", Text::tr("the key %1 can be used", known.substr(0, 16)));
 }
@@ -167,6 +175,7 @@ InstallationCheck witnessCheck() {
             Text::tr("Choose one on the page Audit trail, on another disk")};
   }
   const std::vector<std::string> heads = headsOf(witness);
+  static_cast<void>(readHead(heads.back()));  // throws for anything else
   return good("witness", Text::tr("%1 {line|lines} in %2", heads.size(), witness.string()));
 }
 

@@ -66,8 +66,7 @@ InstallationCheck copiesCheck(const std::vector<ListedCopy>& copies, std::int64_
     return good("copies", Text::tr("%1 {copy is|copies are} known, none past its date", copies.size()));
   }
   return {"copies", CheckState::kWarning,
-          Text::tr("%1 of %2 {copy is|copies are} past the date by which it should be deleted", due,
-                   copies.size()),
+          Text::tr("%1 of %2 {copy|copies} should have been deleted by now", due, copies.size()),
           Text::tr("torsio db copies lists them; delete those files")};
 }
 
@@ -95,9 +94,6 @@ InstallationCheck fleetCheck(Connection& connection, std::int64_t now_us) {
 
 std::vector<InstallationCheck> recordChecks(const Installation& of) {
   std::vector<InstallationCheck> checks;
-  const auto broken = [&checks](const char* name, const Error& error) {
-    checks.push_back({name, CheckState::kFailed, error.happenedText(), error.remedyText()});
-  };
   const auto withoutRecord = [&checks](std::initializer_list<const char*> names) {
     for (const char* name : names) {
       checks.push_back({name, CheckState::kSkipped, Text::tr("the record could not be opened"), {}});
@@ -109,11 +105,11 @@ std::vector<InstallationCheck> recordChecks(const Installation& of) {
     connection.emplace(openDatabase(of.locator, OpenMode::kReadOnly));
     checks.push_back(good("record", Text::tr("%1 can be opened", connection->location())));
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::kFileMissing) {
+    if (error.code() == ErrorCode::kFileMissing && !of.named) {
       checks.push_back({"record", CheckState::kWarning, Text::tr("there is no record yet: %1", of.locator),
                         Text::tr("Start Torsio once, or name the record: --database FILE")});
     } else {
-      broken("record", error);
+      checks.push_back(failed("record", error));
     }
     return withoutRecord({"schema", "trail_clock", "backup", "copies", "fleet"});
   }
@@ -132,7 +128,7 @@ std::vector<InstallationCheck> recordChecks(const Installation& of) {
     checks.push_back(copiesCheck(copies, of.now_us));
     checks.push_back(fleetCheck(*connection, of.now_us));
   } catch (const Error& error) {
-    broken("schema", error);
+    checks.push_back(failed("schema", error));
     return withoutRecord({"trail_clock", "backup", "copies", "fleet"});
   }
   return checks;

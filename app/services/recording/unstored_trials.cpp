@@ -131,11 +131,16 @@ UnstoredTrials unstoredTrials(const std::string& locator, const fs::path& folder
   return found;
 }
 
+std::filesystem::path defaultDatabasePath() {
+  return std::filesystem::path(
+             QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
+         "torsio.sqlite";
+}
+
 std::string defaultDatabase() {
-  const std::filesystem::path folder =
-      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
-  ensureFolder(folder);
-  return (folder / "torsio.sqlite").string();
+  const std::filesystem::path file = defaultDatabasePath();
+  ensureFolder(file.parent_path());
+  return file.string();
 }
 
 TrialStore::TrialStore(const std::string& locator)

@@ -99,7 +99,7 @@ TEST_F(Doctor, FindsAClockBehindTheAuditTrail) {
 
 TEST_F(Doctor, LooksAtTheRestIfThereIsNoRecord) {
   of_.locator = (emptyFolder("doctor") / "none.sqlite").string();
-  EXPECT_EQ(check("record").state, CheckState::kWarning);
+  EXPECT_EQ(check("record").state, CheckState::kFailed) << "it was named";
   EXPECT_EQ(check("backup").state, CheckState::kSkipped);
   EXPECT_NE(check("disk").state, CheckState::kSkipped);
   EXPECT_FALSE(std::filesystem::exists(of_.locator)) << "it changes nothing";
@@ -119,6 +119,18 @@ TEST_F(Doctor, NamesAMissingCertificate) {
   EXPECT_EQ(check("certificate").state, CheckState::kSkipped);
   of_.certificate = emptyFolder("doctor") / "none.pem";
   EXPECT_EQ(check("certificate").state, CheckState::kFailed);
+}
+
+TEST_F(Doctor, CreatesNoFolderAndSurvivesAHomeThatCannotBeWritten) {
+  const std::filesystem::path folder = emptyFolder("doctor");
+  const std::filesystem::path home = folder / "home";
+  const ProgramRun run = runTorsio("doctor --json", folder, "-u XDG_DATA_HOME HOME=" + home.string());
+  EXPECT_EQ(run.code, 0) << run.err;
+  const nlohmann::json said = nlohmann::json::parse(run.out, nullptr, false);
+  ASSERT_TRUE(said.is_object()) << run.out << run.err;
+  EXPECT_EQ(said["checks"][1]["name"], "record");
+  EXPECT_EQ(said["checks"][1]["state"], "warning");
+  EXPECT_FALSE(std::filesystem::exists(home)) << "it changes nothing";
 }
 
 TEST_F(Doctor, PrintsItsChecksAndEndsWithACodeForMonitoring) {
