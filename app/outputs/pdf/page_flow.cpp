@@ -168,7 +168,10 @@ void PageFlow::table(const PlainTable& table, const TableLayout& layout, double 
   };
   header(PdfRole::kHeaderCell);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    const double under_mm = r + 1 == table.rows.size() ? keepWithLast_mm : 0.0;
+    const std::size_t left = table.rows.size() - r - 1;  // no row stands alone on the next page
+    const double under_mm = left == 0   ? keepWithLast_mm
+                            : left == 1 ? layout.rows_mm[r + 1] + keepWithLast_mm
+                                        : 0.0;
     if (cursor_mm_ + layout.rows_mm[r] + under_mm > bottom_mm()) {
       newPage();
       header(PdfRole::kArtifact);  // readers have heard it already

@@ -134,8 +134,13 @@ class Composer {
     for (const ReportTable& table : section.tables) {
       items.push_back(tableItem(table));
     }
-    const double below_mm =
-        section.paragraphs.empty() && !items.empty() ? 2.0 * gap_mm + items.front().begin_mm : 20.0;
+    double below_mm = 20.0;
+    if (section.paragraphs.size() <= 1 && !items.empty()) {  // no heading stands alone, or with one sentence
+      below_mm = 3.0 * gap_mm + items.front().begin_mm;
+      for (const Text& paragraph : section.paragraphs) {
+        below_mm += flow_.textHeight_mm(say_(paragraph), 9.5);
+      }
+    }
     flow_.text(say_(section.title), section.onFirstPage ? 13.0 : 16.0, true, kAccent, below_mm);
     flow_.bookmark(say_(section.title), 0);
     flow_.space(gap_mm);
@@ -207,20 +212,20 @@ class Composer {
 
   /// Figures or a table that are placed together.
   struct Item {
+    bool table = false;
     double begin_mm = 0.0;  ///< room that its first part needs
     double whole_mm = 0.0;
     std::function<void()> add;
   };
 
-  /// Places items in order; where one does not fit on the page, a later one that does fills the room first.
+  /// Places items in order; where a figure does not fit on the page, the next table fills the room if it can.
   void place(std::vector<Item> items) {
     while (!items.empty()) {
       auto next = items.begin();
-      if (next->begin_mm > flow_.room_mm()) {
-        next = std::find_if(items.begin(), items.end(), [room_mm = flow_.room_mm()](const Item& item) {
-          return item.whole_mm <= room_mm;
-        });
-        next = next == items.end() ? items.begin() : next;
+      if (!next->table && next->begin_mm > flow_.room_mm()) {
+        const auto table =
+            std::find_if(items.begin(), items.end(), [](const Item& item) { return item.table; });
+        next = table != items.end() && table->whole_mm <= flow_.room_mm() ? table : next;
       }
       next->add();
       items.erase(next);
@@ -230,7 +235,7 @@ class Composer {
   [[nodiscard]] Item figureItem(const ReportFigure& figure) {
     const double height_mm = heightOf(figure, flow_.width_mm());
     const double begin_mm = 2.0 * kHeading_mm + height_mm;
-    return {begin_mm, begin_mm + notesHeight_mm(figure.notes, figure.provenance, flow_.width_mm()),
+    return {false, begin_mm, begin_mm + notesHeight_mm(figure.notes, figure.provenance, flow_.width_mm()),
             [this, &figure, height_mm] {
               flow_.text(say_(figure.title), kTitle_pt, true, kAccent, height_mm + kHeading_mm);
               flow_.bookmark(say_(figure.title), 1);
@@ -259,7 +264,14 @@ class Composer {
     return items;
   }
 
-  [[nodiscard]] double halfHeight_mm() const { return flow_.columnWidth_mm() / kHalfRatio; }
+  /// Returns the height of a chart in a column; the rows of a forest need room for their names.
+  [[nodiscard]] double columnHeight_mm(const ReportFigure& figure) const {
+    const double height_mm = flow_.columnWidth_mm() / kHalfRatio;
+    return figure.kind == FigureKind::kForest
+               ? std::max(height_mm,
+                          kFrame_mm + kAnswerRow_mm * static_cast<double>(figure.categories.size()))
+               : height_mm;
+  }
 
   /// Two figures beside each other.
   [[nodiscard]] Item pairItem(const ReportFigure& left, const ReportFigure& right) {
@@ -268,16 +280,17 @@ class Composer {
       return flow_.textHeight_mm(say_(figure.title), kTitle_pt, true, width_mm);
     };
     const double titles_mm = std::max(title_mm(left), title_mm(right));
-    const double height_mm = titles_mm + halfHeight_mm() +
+    const double chart_mm = std::max(columnHeight_mm(left), columnHeight_mm(right));
+    const double height_mm = titles_mm + chart_mm +
                              std::max(notesHeight_mm(left.notes, left.provenance, width_mm),
                                       notesHeight_mm(right.notes, right.provenance, width_mm));
     const std::array<double, 2> below_mm = {titles_mm - title_mm(left), titles_mm - title_mm(right)};
-    return {height_mm, height_mm, [this, &left, &right, height_mm, below_mm] {
+    return {false, height_mm, height_mm, [this, &left, &right, height_mm, chart_mm, below_mm] {
               flow_.beginColumns(height_mm);
-              addInColumn(left, below_mm[0]);
+              addInColumn(left, below_mm[0], chart_mm);
               addNotes(left.notes, left.provenance);
               flow_.nextColumn();
-              addInColumn(right, below_mm[1]);
+              addInColumn(right, below_mm[1], chart_mm);
               addNotes(right.notes, right.provenance);
               flow_.endColumns();
             }};
@@ -287,11 +300,11 @@ class Composer {
   [[nodiscard]] Item loneItem(const ReportFigure& figure) {
     const double width_mm = flow_.columnWidth_mm();
     const double height_mm =
-        std::max(halfHeight_mm() + flow_.textHeight_mm(say_(figure.title), kTitle_pt, true, width_mm),
+        std::max(columnHeight_mm(figure) + flow_.textHeight_mm(say_(figure.title), kTitle_pt, true, width_mm),
                  notesHeight_mm(figure.notes, figure.provenance, width_mm));
-    return {height_mm, height_mm, [this, &figure, height_mm] {
+    return {false, height_mm, height_mm, [this, &figure, height_mm] {
               flow_.beginColumns(height_mm);
-              addInColumn(figure, 0.0);
+              addInColumn(figure, 0.0, columnHeight_mm(figure));
               flow_.nextColumn();
               flow_.space(kHeading_mm);
               addNotes(figure.notes, figure.provenance);
@@ -300,12 +313,12 @@ class Composer {
             }};
   }
 
-  /// Adds title and chart of a figure. `below_mm`: free below the title.
-  void addInColumn(const ReportFigure& figure, double below_mm) {
+  /// Adds title and chart of a figure. `below_mm`: free below the title; `chart_mm`: height.
+  void addInColumn(const ReportFigure& figure, double below_mm, double chart_mm) {
     flow_.text(say_(figure.title), kTitle_pt, true, kAccent);
     flow_.bookmark(say_(figure.title), 1);
     flow_.space(below_mm);
-    addChart(figure, halfHeight_mm(), kColumnScale);
+    addChart(figure, chart_mm, kColumnScale);
   }
 
   /// `scale`: pixels of the chart for each one that it has over the whole width.
@@ -338,7 +351,7 @@ class Composer {
     if (whole_mm - kHeading_mm < kShortTable_mm) {
       begin_mm = whole_mm;
     }
-    return {begin_mm + kHeading_mm, whole_mm + kHeading_mm,
+    return {true, begin_mm + kHeading_mm, whole_mm + kHeading_mm,
             [this, &table, cells = std::move(cells), layout = std::move(layout), begin_mm, notes_mm] {
               flow_.text(say_(table.title), kTitle_pt, true, kAccent, begin_mm);
               flow_.bookmark(say_(table.title), 1);

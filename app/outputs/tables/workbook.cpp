@@ -10,7 +10,6 @@
 #include <xlsxwriter.h>
 
 #include "app/outputs/tables/workbook_sheets.h"
-#include "assessment/results/figure_table.h"
 #include "sim/core/error.h"
 #include "sim/core/file_lock.h"
 #include "sim/core/time_units.h"
@@ -134,24 +133,34 @@ class Workbook {
     writeFigures(book_, names_.back(), pen, figures, formats_, say_);
   }
 
-  /// Adds one row per number of a figure that is a result.
+  /// Adds one row per value of a figure that is a result: its number, and its address.
   void addFigureAddresses(const std::vector<const ReportFigure*>& figures, const ResultNames& names) {
     SheetPen pen = heading(say_(Text::tr("Addresses of figures")),
-                           {Text::tr("Figure"), Text::tr("Row"), Text::tr("Column"), Text::tr("Value"),
+                           {Text::tr("Figure"), Text::tr("Series"), Text::tr("Place"), Text::tr("Value"),
                             Text::tr("Address for torsio report trace")});
     std::uint32_t at = 1;
+    const auto add = [&](const ReportFigure& figure, const FigureSeries& series, const std::string& place,
+                         double value, const ResultKey& key) {
+      pen.text(at, 0, say_(figure.title));
+      pen.text(at, 1, say_(series.name));
+      pen.text(at, 2, place);
+      pen.number(at, 3, value, formats_.figure);
+      pen.text(at++, 4, keyAddress(key, names));
+    };
     for (const ReportFigure* figure : figures) {
-      const ReportTable numbers = figureTable(*figure);
-      for (const std::vector<ReportCell>& row : numbers.rows) {
-        for (std::size_t c = 1; c < row.size(); ++c) {
-          if (row[c].key == nullptr || row[c].empty()) {
-            continue;
+      for (const FigureSeries& series : figure->series) {
+        if (series.box && series.boxKey != nullptr) {
+          add(*figure, series, say_(Text::tr("median")), series.box->median, *series.boxKey);
+        }
+        for (std::size_t i = 0; i < std::min(series.y.size(), series.keys.size()); ++i) {
+          if (series.y[i] && series.keys[i] != nullptr) {
+            const bool category = i < figure->categories.size() && series.x.empty();
+            add(*figure, series,
+                category              ? say_(figure->categories[i])
+                : i < series.x.size() ? cellText(ExportCell(series.x[i]))
+                                      : std::string(),
+                *series.y[i], *series.keys[i]);
           }
-          pen.text(at, 0, say_(figure->title));
-          pen.text(at, 1, say_(row.front()));
-          pen.text(at, 2, say_(numbers.columns[c]));
-          pen.text(at, 3, say_(row[c]));
-          pen.text(at++, 4, keyAddress(*row[c].key, names));
         }
       }
     }

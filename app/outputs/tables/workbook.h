@@ -26,7 +26,7 @@ struct WorkbookContents {
 };
 
 /// Writes an Office Open XML workbook: frozen headings, filters, column widths; numbers have 15 digits, times
-/// are spreadsheet times (UTC), text is never a formula. A sheet gives the address of each number of a figure
+/// are spreadsheet times (UTC), text is never a formula. A sheet gives the address of each value of a figure
 /// in cohort.csv, as `torsio report trace` takes it; the last one explains each column and its source.
 /// Writes through a temporary file next to `file`, so memory use stays small. Throws Error{kFileUnwritable},
 /// or what `progress` throws; an older file of that name is then untouched. Any thread.

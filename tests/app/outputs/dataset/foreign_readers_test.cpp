@@ -6,6 +6,8 @@
 #include <charconv>
 #include <csignal>
 #include <functional>
+#include <map>
+#include <optional>
 #include <set>
 #include <sys/resource.h>
 
@@ -203,24 +205,28 @@ TEST(Workbook, PreservesEveryNumberAndTextIsNeverAFormula) {
       "for row in book['Protocol deviations'].iter_rows(min_row=2):\n"
       "    print('D', row[3].data_type, json.dumps(row[3].value, ensure_ascii=False), sep='\\t')\n"
       "for row in book['Addresses of figures'].iter_rows(min_row=2, values_only=True):\n"
-      "    print('A', row[4], sep='\\t')\n"
+      "    print('A', repr(row[3]), row[4], sep='\\t')\n"
       "print('M', book['Methods']['A1'].data_type)\n"
       "print('C', len(book['Figures']._charts), sheet.freeze_panes, sheet.auto_filter.ref)\n");
   const std::string said = outputOf(
       "/usr/bin/python3 '" + script.string() + "' '" + written.file.string() + "'", written.folder.path());
   const std::vector<CohortCsvRow> rows = cohortCsvRows(written.inputs);
   std::size_t at = 0;
-  std::set<std::string> known;
+  std::map<std::string, std::optional<double>> known;
   const AnalysedCohort cohort = analysedCohort(written.inputs);
   for (const Result& result : cohort.ledger.every()) {
-    known.insert(keyAddress(result.key, cohort.ledger.names()));
+    known[keyAddress(result.key, cohort.ledger.names())] = numberIn(result.value);
   }
   std::size_t addresses = 0;
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("A\t", 0) == 0) {
       ++addresses;
-      EXPECT_TRUE(known.contains(line.substr(2))) << line;
+      const std::size_t tab = line.find('\t', 2);
+      const auto result = known.find(line.substr(tab + 1));
+      ASSERT_NE(result, known.end()) << line;
+      ASSERT_TRUE(result->second) << line;
+      EXPECT_NEAR(numberIn(line.substr(2, tab - 2)), *result->second, 1e-9) << "the value of the address";
     }
     if (line.rfind("N\t", 0) != 0) {
       continue;
