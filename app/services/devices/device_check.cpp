@@ -156,8 +156,11 @@ class Check {
   /// Returns false, with a finding, if the device was lost or the user cancelled.
   bool stillThere(const DeviceSnapshot& now) {
     const bool fellSilent = now.state == DeviceState::kSilent && now.timing.ticks > 0;
-    if ((fellSilent || now.state == DeviceState::kLost) && heldUp_.starved()) {
+    const bool starved = heldUp_.starved();
+    if (starved && (fellSilent || now.state == DeviceState::kLost)) {
       add(FindingGrade::kBad, Text::tr("Computer"), heldUp_.sentence(), HeldUp::remedy());
+    }
+    if (fellSilent && starved) {
       return false;
     }
     if (fellSilent) {
@@ -169,7 +172,8 @@ class Check {
     if (now.state == DeviceState::kLost) {
       add(FindingGrade::kBad, Text::tr("Connection"),
           Text::tr("%1 after %2 s", device_->lossText(now.lostBecause), formatFixed(elapsed_s(begun_us_), 1)),
-          Text::tr("Check cable and power, then plug the device in again and repeat the check"));
+          starved ? HeldUp::remedy()
+                  : Text::tr("Check cable and power, then plug the device in again and repeat the check"));
       return false;
     }
     if (cancelled()) {

@@ -122,7 +122,8 @@ void monitorDevice(const DeviceMonitorRequest& request) {
     }
     request.show(shown);
     if (now.state == DeviceState::kLost && heldUp.starved()) {
-      throw Error(ErrorCode::kDevice, heldUp.sentence(), device.capabilities().model, HeldUp::remedy());
+      throw Error(ErrorCode::kDevice, Text::tr("%1; %2", heldUp.sentence(), device.lossText(now.lostBecause)),
+                  device.capabilities().model, HeldUp::remedy());
     }
     if (now.state == DeviceState::kLost) {
       throw Error(ErrorCode::kDevice, device.lossText(now.lostBecause), device.capabilities().model,

@@ -12,6 +12,8 @@ namespace {
 constexpr std::int64_t kNoAccident_us = 50'000;
 // Sum from which a servo, which must be called every millisecond, has suffered, too.
 constexpr std::int64_t kStarved_us = 250'000;
+// What was longer ago does not explain why a device is lost now.
+constexpr std::int64_t kRecently_us = 2'000'000;
 
 }  // namespace
 
@@ -19,11 +21,18 @@ void HeldUp::pause_s(double seconds) {
   const std::int64_t from_us = clock_.now_us();
   torsio::pause_s(seconds);
   const std::int64_t late_us = clock_.now_us() - from_us - static_cast<std::int64_t>(1e6 * seconds);
-  late_us_ += late_us > kNoAccident_us ? late_us : 0;
+  if (late_us > kNoAccident_us) {
+    late_us_ = recently() ? late_us_ + late_us : late_us;
+    newest_us_ = clock_.now_us();
+  }
+}
+
+bool HeldUp::recently() const {
+  return clock_.now_us() - newest_us_ <= kRecently_us;
 }
 
 bool HeldUp::starved() const {
-  return late_us_ >= kStarved_us;
+  return recently() && late_us_ >= kStarved_us;
 }
 
 Text HeldUp::sentence() const {

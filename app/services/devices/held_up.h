@@ -9,7 +9,7 @@
 namespace torsio {
 
 /// Tells a computer that is too busy from a device that does not answer: how long this thread slept beyond
-/// what it asked for. One thread.
+/// what it asked for in the last two seconds. One thread.
 class HeldUp {
  public:
   /// Blocks this thread for a time.
@@ -21,8 +21,11 @@ class HeldUp {
   [[nodiscard]] static Text remedy();
 
  private:
+  [[nodiscard]] bool recently() const;
+
   MonotonicClock clock_;
   std::int64_t late_us_ = 0;
+  std::int64_t newest_us_ = 0;  // when this thread was last late
 };
 
 }  // namespace torsio

@@ -137,12 +137,14 @@ struct HeardTick {
 };
 
 /// Lets frames without a force pass, so that the device has its zero.
-void sendZero(DeviceChannel& channel) {
+/// Returns whether the device took a frame without force.
+bool sendZero(DeviceChannel& channel) {
   constexpr std::uint64_t kFrames = 3;
   const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
   while (channel.frames.load() < kFrames && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
+  return channel.frames.load() > 0;
 }
 
 int serve(DeviceChannel& channel) {
@@ -164,7 +166,10 @@ int serve(DeviceChannel& channel) {
     auto& tick = *new HeardTick{{&channel, &device}};
     if (channel.request.onlyLetGo) {
       device.start({HeardTick::run, &tick});
-      sendZero(channel);
+      if (!sendZero(channel)) {
+        throw Error(ErrorCode::kDevice,
+                    Text::tr("the second connection was not called by the device's servo"), "", "");
+      }
       channel.stage.store(ChannelStage::kServing);
       endOrphan(channel, device);
       return 0;
