@@ -131,7 +131,7 @@ Text importSentence(const CohortOrigin& origin) {
       origin.contentHash.substr(0, kPrintedHash), origin.importedBy, formatUtc(origin.importedUtc_us));
   const Text vouched =
       origin.signedBy.empty()
-          ? Text::tr("%1, signed by nobody, so nothing shows that its marks were not simulated", from)
+          ? Text::tr("%1, not signed, so nothing proves that its marks are real", from)
           : Text::tr("%1, signed with the key %2", from, origin.signedBy.substr(0, kPrintedHash));
   if (origin.earlier.empty()) {
     return vouched;

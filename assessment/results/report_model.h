@@ -70,7 +70,7 @@ struct ReportTable {
   std::vector<Text> columns;
   std::vector<std::vector<ReportCell>> rows;  ///< each as long as `columns`; numbers are already formatted
   bool individual = false;                    ///< lists single people: not part of an aggregated report
-  bool annex = false;                         ///< only a reviewer looks it up: behind the report
+  bool annex = false;                         ///< shown only in the annex
   std::vector<ReportParagraph> notes;
   Provenance provenance;
 };
@@ -150,7 +150,7 @@ struct ReportFigure {
   std::optional<double> yMin;  ///< of the value axis, in either orientation
   std::optional<double> yMax;
   bool individual = false;      ///< shows single people: not part of an aggregated report
-  bool annex = false;           ///< only a reviewer looks it up: behind the report
+  bool annex = false;           ///< shown only in the annex
   bool valuesInLabels = false;  ///< labels or a table of the section have the values: no table of its own
   std::vector<ReportParagraph> notes;
   Provenance provenance;
@@ -161,7 +161,7 @@ struct ReportSection {
   std::string id;  ///< stable id, "methods"
   Text title;
   bool onFirstPage = false;  ///< below the title, on the same page
-  bool annex = false;        ///< only a reviewer looks it up: behind the report
+  bool annex = false;        ///< shown only in the annex
   std::vector<ReportParagraph> paragraphs{};
   std::vector<ReportFigure> figures{};
   std::vector<ReportTable> tables{};

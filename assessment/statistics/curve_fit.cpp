@@ -309,7 +309,7 @@ Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std:
   }
   if (best->parameters.back() == fastest && restAtFastest(t, y, asymptote) <= best->rss) {
     return Outcome<CurveFit>::undefined(
-        Text::tr("the first attempt stands apart from all others, so a rate cannot be told"));
+        Text::tr("the first attempt differs too much from the others to estimate a learning rate"));
   }
   if (asymptote && best->parameters.back() == slowest && restAtSlowest(family, t, y) <= best->rss) {
     return Outcome<CurveFit>::undefined(Text::tr("the values do not level off within these attempts"));

@@ -19720,7 +19720,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Whether those who enrolled or assigned knew the sequence</source>
-        <translation>入组者和分组者能否看到序列</translation>
+        <translation>负责入组和分组的人员是否知道随机序列</translation>
     </message>
     <message>
         <source>Who was blinded</source>
@@ -19728,7 +19728,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>How blinding was done, and how alike the interventions were</source>
-        <translation>如何设盲，各种干预有多相似</translation>
+        <translation>如何设盲，各干预的相似程度</translation>
     </message>
     <message>
         <source>Statistical methods</source>
@@ -19959,10 +19959,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>Cheng 等 2016：模拟研究</translation>
     </message>
     <message>
-        <source>%1, signed by nobody, so nothing shows that its marks were not simulated</source>
-        <translation>%1，无人签名，因此无从证明其评分并非模拟</translation>
-    </message>
-    <message>
         <source>%1, signed with the key %2</source>
         <translation>%1，以密钥 %2 签名</translation>
     </message>
@@ -20079,28 +20075,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>图</translation>
     </message>
     <message>
-        <source>Row</source>
-        <translation>行</translation>
-    </message>
-    <message>
         <source>Address for torsio report trace</source>
         <translation>地址（用于 torsio report trace）</translation>
     </message>
     <message>
-        <source>%1; %2 {was|were} withdrawn, and nobody else was asked for {it|them}</source>
-        <translation>%1；%2 份已撤回，且未请他人代评</translation>
-    </message>
-    <message>
-        <source>could not be looked at: %1</source>
-        <translation>无法查看：%1</translation>
-    </message>
-    <message>
         <source>Torsio %1</source>
         <translation>Torsio %1</translation>
-    </message>
-    <message>
-        <source>a display is there</source>
-        <translation>有显示器</translation>
     </message>
     <message>
         <source>no display: a server, or a session without a desktop</source>
@@ -20111,10 +20091,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>没有显示器</translation>
     </message>
     <message>
-        <source>a graphics card is there: %1</source>
-        <translation>有显卡：%1</translation>
-    </message>
-    <message>
         <source>no graphics card: the processor draws, and the picture moves less smoothly</source>
         <translation>没有显卡：由处理器绘图，画面不够流畅</translation>
     </message>
@@ -20123,24 +20099,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>训练站请使用带显卡的计算机；其他用途这样已足够</translation>
     </message>
     <message>
-        <source>not looked at on this system</source>
-        <translation>在此系统上不查看</translation>
-    </message>
-    <message>
-        <source>no haptic device was chosen here: mouse and keyboard</source>
-        <translation>此处未选择力反馈设备：鼠标和键盘</translation>
-    </message>
-    <message>
-        <source>chosen here: %1; `torsio device check` tries it</source>
-        <translation>此处选择的是 %1；用 torsio device check 试用</translation>
-    </message>
-    <message>
         <source>the system grants real-time priority</source>
         <translation>系统允许实时优先级</translation>
-    </message>
-    <message>
-        <source>the system lets the servo keep its memory</source>
-        <translation>系统允许伺服锁定内存</translation>
     </message>
     <message>
         <source>the system does not say whether the clock is set</source>
@@ -20183,10 +20143,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>还有 %1 天有效</translation>
     </message>
     <message>
-        <source>expired %1 {day|days} ago</source>
-        <translation>已于 %1 天前过期</translation>
-    </message>
-    <message>
         <source>expires in %1 {day|days}</source>
         <translation>%1 天后过期</translation>
     </message>
@@ -20196,7 +20152,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>this station has no signing key: nothing shows that an export or the audit trail comes from here</source>
-        <translation>本工作站没有签名密钥：无从证明导出或审计记录来自此处</translation>
+        <translation>本工作站没有签名密钥：无从证明导出文件或审计记录来自此处</translation>
     </message>
     <message>
         <source>Make one on the page Audit trail, in a place outside the record&apos;s folder</source>
@@ -20207,16 +20163,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>密钥 %1 与记录库放在一起</translation>
     </message>
     <message>
-        <source>Keep it elsewhere: who copies the record must not get the key</source>
-        <translation>请另存他处：复制记录库的人不应得到密钥</translation>
-    </message>
-    <message>
         <source>the key %1 can be used</source>
         <translation>密钥 %1 可用</translation>
     </message>
     <message>
         <source>no witness file: a record that was cut short or exchanged cannot be recognised</source>
-        <translation>没有见证文件：被截短或被替换的记录库无法识别</translation>
+        <translation>没有见证文件：无法发现记录库被截短或替换</translation>
     </message>
     <message>
         <source>Choose one on the page Audit trail, on another disk</source>
@@ -20259,10 +20211,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>已知 %1 份副本，均未到期</translation>
     </message>
     <message>
-        <source>%1 of %2 {copy is|copies are} past the date by which it should be deleted</source>
-        <translation>%2 份副本中有 %1 份已过应删除的日期</translation>
-    </message>
-    <message>
         <source>torsio db copies lists them; delete those files</source>
         <translation>torsio db copies 会列出它们；请删除这些文件</translation>
     </message>
@@ -20288,7 +20236,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>version %1 of %2: older than this program</source>
-        <translation>版本 %1（共 %2）：比本程序旧</translation>
+        <translation>版本 %1（本程序为 %2）：早于本程序</translation>
     </message>
     <message>
         <source>Open the record once in the window, so that it is brought up to date</source>
@@ -20301,18 +20249,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Start Torsio once, or name the record: --database FILE</source>
         <translation>请启动一次 Torsio，或指定记录库：--database FILE</translation>
-    </message>
-    <message>
-        <source>the manifest names a file outside the folder</source>
-        <translation>清单列出了文件夹之外的文件</translation>
-    </message>
-    <message>
-        <source>Get the package anew</source>
-        <translation>请重新获取复算包</translation>
-    </message>
-    <message>
-        <source>%1 is not as it was written</source>
-        <translation>%1 与写出时不同</translation>
     </message>
     <message>
         <source>R is not installed</source>
@@ -20331,10 +20267,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请在该文件夹中手动运行：Rscript analysis.R</translation>
     </message>
     <message>
-        <source>R computed nothing</source>
-        <translation>R 没有计算出结果</translation>
-    </message>
-    <message>
         <source>the folder exists already</source>
         <translation>文件夹已存在</translation>
     </message>
@@ -20345,10 +20277,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Check the path and its permissions</source>
         <translation>请检查路径及其权限</translation>
-    </message>
-    <message>
-        <source>no replication package</source>
-        <translation>不是复算包</translation>
     </message>
     <message>
         <source>Name the folder that torsio report replicate --out wrote</source>
@@ -20437,18 +20365,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>does not work</source>
         <translation>不可用</translation>
-    </message>
-    <message>
-        <source>not looked at</source>
-        <translation>未查看</translation>
-    </message>
-    <message>
-        <source>Everything that was looked at is in order.</source>
-        <translation>查看过的各项均正常。</translation>
-    </message>
-    <message>
-        <source>%1 {does|do} not work, %2 could be better.</source>
-        <translation>%1 项不可用，%2 项可以改进。</translation>
     </message>
     <message>
         <source>first half; the second comes from the administrator who confirms</source>
@@ -20711,8 +20627,124 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>其 JSON 已损坏</translation>
     </message>
     <message>
-        <source>the first attempt stands apart from all others, so a rate cannot be told</source>
-        <translation>第一次尝试与其他各次相差太远，无法得出学习速度</translation>
+        <source>not a plain file of a replication package</source>
+        <translation>不是复算包中的普通文件</translation>
+    </message>
+    <message>
+        <source>Get a fresh copy of the package</source>
+        <translation>请重新获取该包</translation>
+    </message>
+    <message>
+        <source>the manifest names a file twice</source>
+        <translation>清单两次列出同一文件</translation>
+    </message>
+    <message>
+        <source>%1 was changed after it was written</source>
+        <translation>%1 写出后被改动</translation>
+    </message>
+    <message>
+        <source>R produced no results</source>
+        <translation>R 没有得出结果</translation>
+    </message>
+    <message>
+        <source>not a replication package</source>
+        <translation>不是复算包</translation>
+    </message>
+    <message>
+        <source>there is no folder for temporary files</source>
+        <translation>没有可放临时文件的文件夹</translation>
+    </message>
+    <message>
+        <source>Check the free space of /tmp, or set TMPDIR to a folder that can be written</source>
+        <translation>请检查 /tmp 的剩余空间，或将 TMPDIR 设为可写的文件夹</translation>
+    </message>
+    <message>
+        <source>could not be checked: %1</source>
+        <translation>无法检查：%1</translation>
+    </message>
+    <message>
+        <source>Check the paths and permissions of this account</source>
+        <translation>请检查本账户的路径和权限</translation>
+    </message>
+    <message>
+        <source>it did not answer within %1 s</source>
+        <translation>%1 s 内没有回应</translation>
+    </message>
+    <message>
+        <source>Ask who runs the database server, or check the disk</source>
+        <translation>请询问数据库服务器的管理者，或检查磁盘</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>未检查</translation>
+    </message>
+    <message>
+        <source>No problems.</source>
+        <translation>没有问题。</translation>
+    </message>
+    <message>
+        <source>%1 {problem|problems}, %2 {thing|things} that could be better.</source>
+        <translation>%1 个问题，%2 项可以改进。</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>已找到</translation>
+    </message>
+    <message>
+        <source>not checked on this system</source>
+        <translation>此系统上不检查</translation>
+    </message>
+    <message>
+        <source>no haptic device is chosen; mouse and keyboard are used</source>
+        <translation>本机未选择力反馈设备，使用鼠标和键盘</translation>
+    </message>
+    <message>
+        <source>%1 is chosen; torsio device check tests it</source>
+        <translation>本机选用 %1；可用 torsio device check 检测</translation>
+    </message>
+    <message>
+        <source>the system allows the servo&apos;s memory to be locked</source>
+        <translation>系统允许锁定伺服的内存</translation>
+    </message>
+    <message>
+        <source>no such file: %1</source>
+        <translation>没有这个文件：%1</translation>
+    </message>
+    <message>
+        <source>not valid before %1</source>
+        <translation>%1 之前无效</translation>
+    </message>
+    <message>
+        <source>Check the clock, or get another certificate</source>
+        <translation>请检查时钟，或换一份证书</translation>
+    </message>
+    <message>
+        <source>expired on %1</source>
+        <translation>已于 %1 过期</translation>
+    </message>
+    <message>
+        <source>Keep it elsewhere: whoever copies the record must not get the key</source>
+        <translation>请另存他处：复制记录库的人不应得到密钥</translation>
+    </message>
+    <message>
+        <source>%1 of %2 {copy|copies} should have been deleted by now</source>
+        <translation>%2 份副本中有 %1 份早应删除</translation>
+    </message>
+    <message>
+        <source>%1; %2 {was|were} withdrawn and not reassigned</source>
+        <translation>%1；%2 份已撤回且未另行分配</translation>
+    </message>
+    <message>
+        <source>%1, not signed, so nothing proves that its marks are real</source>
+        <translation>%1，未签名，因此无从证明其评分属实</translation>
+    </message>
+    <message>
+        <source>the first attempt differs too much from the others to estimate a learning rate</source>
+        <translation>第一次尝试与其他各次相差太大，无法估计学习速度</translation>
+    </message>
+    <message>
+        <source>the second connection was not called by the device&apos;s servo</source>
+        <translation>第二个连接未被设备的伺服调用</translation>
     </message>
 </context>
 <context>
@@ -25779,7 +25811,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>What to do</source>
-        <translation>怎么办</translation>
+        <translation>处理办法</translation>
     </message>
 </context>
 <context>
@@ -26541,7 +26573,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>Looking at this computer</source>
-        <translation>正在查看本计算机</translation>
+        <translation>正在检查本计算机</translation>
     </message>
     <message>
         <source>Check this c&amp;omputer</source>

@@ -238,7 +238,7 @@ std::vector<Strange> people() {
          in.imported = CohortOrigin{"Torsio", "set", std::string(64, 'c'), "admin", 1'767'600'000'000'000};
        }),
        {"This study was imported: from set (Torsio, hash cccccccccccccccc) by admin on 2026-01-05 08:00 "
-        "UTC, signed by nobody, so nothing shows that its marks were not simulated"}},
+        "UTC, not signed, so nothing proves that its marks are real"}},
       {"imported with a signature",
        with([](CohortInputs& in) {
          in.imported = CohortOrigin{.layout = "Torsio",
@@ -249,7 +249,7 @@ std::vector<Strange> people() {
                                     .signedBy = std::string(64, 'd')};
        }),
        {"signed with the key dddd"},
-       {"simulated"}},
+       {"marks are real"}},
       {"simulated",
        with([](CohortInputs& in) { in.demonstration = true; }),
        {kAsPlanned},

@@ -110,7 +110,7 @@ TEST(FitLearningCurve, IsUndefinedIfTheFirstAttemptStandsApart) {
                              5.325634042814083, 0.6655563006308953})
                   .reason()
                   .str(),
-              ::testing::HasSubstr("the first attempt stands apart"));
+              ::testing::HasSubstr("the first attempt differs too much"));
 }
 
 TEST(FitLearningCurve, HoldsAnAbsurdAsymptoteAtZeroAndRefusesThreeAttempts) {

@@ -105,7 +105,9 @@ class Rater(threading.Thread):
             self.sealed.add(line["label"])
             return True
         path = f"/api/cases/{line['case']}"
-        _, opened = self.ask("GET", path)
+        status, opened = self.ask("GET", path)
+        if status != 200:  # the database is away
+            return False
         sheet = opened["sheet"]
         sheet["rows"] = [{**row, "score_steps": 60 + 10 * i, "not_assessable": ""}
                          for i, row in enumerate({"code": row["code"]} for row in opened["rubric"]["rows"])]

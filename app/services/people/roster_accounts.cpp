@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/services/base/identifiers.h"
 #include "app/services/people/roster_accounts.h"
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "app/services/access/access_service.h"
+#include "app/services/base/identifiers.h"
 #include "assessment/domain/people/account.h"
 #include "assessment/domain/people/person.h"
 

@@ -307,10 +307,8 @@ std::int64_t lastStateChange_us(Connection& connection, const EnrolmentId& id) {
 Text sentenceOf(const SheetCount& sheets) {
   const Text in = Text::tr("%1 of %2 {sheet|sheets} that raters were asked for {is|are} in", sheets.submitted,
                            sheets.asked);
-  return sheets.dropped == 0
-             ? in
-             : Text::tr("%1; %2 {was|were} withdrawn, and nobody else was asked for {it|them}", in,
-                        sheets.dropped);
+  return sheets.dropped == 0 ? in
+                             : Text::tr("%1; %2 {was|were} withdrawn and not reassigned", in, sheets.dropped);
 }
 
 SheetCount countSheets(Connection& connection, const CohortId& cohortId) {

@@ -11,9 +11,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/start_password.h"
 #include "app/services/maintenance/server_move.h"
 #include "app/services/people/consent_service.h"
 #include "app/services/people/people_service.h"
+#include "app/services/people/roster_accounts.h"
 #include "app/services/people/roster_import.h"
 #include "app/services/study/cohort_service.h"
 #include "db/connection/locator.h"
