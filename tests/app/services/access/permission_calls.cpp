@@ -376,6 +376,8 @@ std::vector<ServiceCall> reportingCalls() {
        }},
       {O::kReportExportCoded, "exportTables",
        [](W w, Path folder) { exportTables(w, {}, TableFormat::kCsv, folder / "tables"); }},
+      {O::kReportExportCoded, "exportReplication",
+       [](W w, Path folder) { exportReplication(w, {}, folder / "replication"); }},
       {O::kReportExportCoded, "exportDataset",
        [](W w, Path folder) { exportDataset(w, {}, {}, folder / "dataset"); }},
       {O::kReportExportNamed, "exportGradebook",
