@@ -94,7 +94,7 @@ std::string likenessOf(std::string_view number) {
 }
 
 bool isSpreadsheetNumber(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789";
+  static constexpr std::string_view kDigits = "0123456789";
   const std::size_t exponent = text.find("E+");
   if (exponent == std::string_view::npos) {
     return false;
