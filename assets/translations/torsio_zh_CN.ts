@@ -20143,8 +20143,8 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>还有 %1 天有效</translation>
     </message>
     <message>
-        <source>expires in %1 {day|days}</source>
-        <translation>%1 天后过期</translation>
+        <source>expires within %1 {day|days}</source>
+        <translation>%1 天内过期</translation>
     </message>
     <message>
         <source>Renew it and start torsio serve again</source>

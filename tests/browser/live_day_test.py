@@ -38,6 +38,9 @@ class Server:
 
     def start(self):
         self.process = subprocess.Popen(self.command, env=self.environment, stdout=subprocess.DEVNULL)
+        self.wait_until_ready()
+
+    def wait_until_ready(self):
         end = time.monotonic() + 60
         while True:
             with contextlib.suppress(OSError):

@@ -33,13 +33,7 @@ class LoggedServer(Server):
         self.command.remove("--quiet")
         self.process = subprocess.Popen(self.command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         threading.Thread(target=lambda: self.lines.extend(self.process.stderr), daemon=True).start()
-        while True:
-            with contextlib.suppress(OSError):
-                ask = http.client.HTTPConnection("127.0.0.1", self.port, timeout=5)
-                ask.request("GET", "/readyz")
-                if ask.getresponse().status == 200:
-                    return
-            time.sleep(0.1)
+        self.wait_until_ready()
 
     def times_ms(self):
         """Of routes that answer at once; one that waits for a call is no measure of work."""

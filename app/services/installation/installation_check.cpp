@@ -150,6 +150,11 @@ std::vector<InstallationCheck> checkInstallation(const Installation& installatio
   std::vector<InstallationCheck> checks = {good("program", Text::tr("Torsio %1", softwareVersion()))};
   std::vector<InstallationCheck> record = timedRecordChecks(of);
   std::move(record.begin(), record.end(), std::back_inserter(checks));
+  for (const char* name : {"schema", "trail_clock", "fleet", "copies", "backup"}) {
+    if (std::none_of(checks.begin(), checks.end(), [name](const auto& one) { return one.name == name; })) {
+      checks.push_back({name, CheckState::kSkipped, Text::tr("the record could not be opened"), {}});
+    }
+  }
   checks.push_back(made("disk", [&] { return diskCheck(folderOf(of.locator)); }));
   checks.push_back(made("clock", clockCheck));
   checks.push_back(made("key", [&] { return keyCheck(of.locator); }));

@@ -47,8 +47,8 @@ inline constexpr double kDiskFull_gb = 0.5;
 [[nodiscard]] InstallationCheck keyCheck(const std::filesystem::path& record);
 [[nodiscard]] InstallationCheck witnessCheck();
 
-/// Of the record: "record", "schema", "trail_clock", "backup", "copies", "fleet" (record_checks.cpp). Those
-/// that need an open record are skipped if it cannot be opened.
+/// Of the record, until one fails: "record", "schema", "trail_clock", "fleet", "copies", "backup"
+/// (record_checks.cpp).
 [[nodiscard]] std::vector<InstallationCheck> recordChecks(const Installation& installation);
 
 }  // namespace torsio

@@ -148,7 +148,7 @@ InstallationCheck certificateCheck(const Installation& installation) {
   if (until_us <= installation.now_us) {
     return {"certificate", CheckState::kFailed, Text::tr("expired on %1", formatUtc(until_us)), remedy};
   }
-  return {"certificate", CheckState::kWarning, Text::tr("expires in %1 {day|days}", days), remedy};
+  return {"certificate", CheckState::kWarning, Text::tr("expires within %1 {day|days}", days + 1), remedy};
 }
 
 InstallationCheck keyCheck(const std::filesystem::path& record) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <initializer_list>
-#include <optional>
 #include <set>
-#include <utility>
 
 #include "app/services/base/build_info.h"
 #include "app/services/installation/installation_checks.h"
@@ -94,42 +91,34 @@ InstallationCheck fleetCheck(Connection& connection, std::int64_t now_us) {
 
 std::vector<InstallationCheck> recordChecks(const Installation& of) {
   std::vector<InstallationCheck> checks;
-  const auto withoutRecord = [&checks](std::initializer_list<const char*> names) {
-    for (const char* name : names) {
-      checks.push_back({name, CheckState::kSkipped, Text::tr("the record could not be opened"), {}});
-    }
-    return std::move(checks);
-  };
-  std::optional<Connection> connection;
+  const char* at = "record";
   try {
-    connection.emplace(openDatabase(of.locator, OpenMode::kReadOnly));
-    checks.push_back(good("record", Text::tr("%1 can be opened", connection->location())));
-  } catch (const Error& error) {
-    if (error.code() == ErrorCode::kFileMissing && !of.named) {
-      checks.push_back({"record", CheckState::kWarning, Text::tr("there is no record yet: %1", of.locator),
-                        Text::tr("Start Torsio once, or name the record: --database FILE")});
-    } else {
-      checks.push_back(failed("record", error));
-    }
-    return withoutRecord({"schema", "trail_clock", "backup", "copies", "fleet"});
-  }
-  try {
-    const SchemaState schema = checkSchema(*connection, embeddedMigrations());
+    Connection connection = openDatabase(of.locator, OpenMode::kReadOnly);
+    checks.push_back(good(at, Text::tr("%1 can be opened", connection.location())));
+    at = "schema";
+    const SchemaState schema = checkSchema(connection, embeddedMigrations());
     if (schema.version < schema.known) {
-      checks.push_back({"schema", CheckState::kWarning,
+      checks.push_back({at, CheckState::kWarning,
                         Text::tr("version %1 of %2: older than this program", schema.version, schema.known),
                         Text::tr("Open the record once in the window, so that it is brought up to date")});
-      return withoutRecord({"trail_clock", "backup", "copies", "fleet"});
+      return checks;
     }
-    checks.push_back(good("schema", Text::tr("version %1", schema.version)));
+    checks.push_back(good(at, Text::tr("version %1", schema.version)));
+    at = "trail_clock";
+    checks.push_back(trailClockCheck(connection, of.now_us));
+    at = "fleet";
+    checks.push_back(fleetCheck(connection, of.now_us));
+    at = "copies";
     const std::vector<ListedCopy> copies = copiesOf(of.locator);
-    checks.push_back(trailClockCheck(*connection, of.now_us));
-    checks.push_back(backupCheck(of.locator, copies, of.now_us));
     checks.push_back(copiesCheck(copies, of.now_us));
-    checks.push_back(fleetCheck(*connection, of.now_us));
+    checks.push_back(backupCheck(of.locator, copies, of.now_us));
   } catch (const Error& error) {
-    checks.push_back(failed("schema", error));
-    return withoutRecord({"trail_clock", "backup", "copies", "fleet"});
+    if (checks.empty() && error.code() == ErrorCode::kFileMissing && !of.named) {
+      checks.push_back({at, CheckState::kWarning, Text::tr("there is no record yet: %1", of.locator),
+                        Text::tr("Start Torsio once, or name the record: --database FILE")});
+    } else {
+      checks.push_back(failed(at, error));
+    }
   }
   return checks;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <QTcpServer>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -103,6 +104,18 @@ TEST_F(Doctor, LooksAtTheRestIfThereIsNoRecord) {
   EXPECT_EQ(check("backup").state, CheckState::kSkipped);
   EXPECT_NE(check("disk").state, CheckState::kSkipped);
   EXPECT_FALSE(std::filesystem::exists(of_.locator)) << "it changes nothing";
+}
+
+TEST_F(Doctor, DoesNotWaitForAServerThatIsSilent) {
+  QTcpServer silent;  // accepts and never answers
+  ASSERT_TRUE(silent.listen(QHostAddress::LocalHost));
+  of_.locator =
+      "postgresql://station@127.0.0.1:" + std::to_string(silent.serverPort()) + "/torsio?sslmode=disable";
+  const std::vector<InstallationCheck> checks = checkInstallation(of_);
+  ASSERT_GT(checks.size(), 15U);
+  EXPECT_EQ(checks[1].name, "record");
+  EXPECT_EQ(checks[1].state, CheckState::kFailed);
+  EXPECT_EQ(checks[2].state, CheckState::kSkipped);
 }
 
 TEST_F(Doctor, RefusesARecordOfANewerSchema) {
