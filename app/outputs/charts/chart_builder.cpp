@@ -12,6 +12,7 @@
 #include <QBoxSet>
 #include <QCategoryAxis>
 #include <QChart>
+#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QLegend>
 #include <QLegendMarker>
@@ -31,11 +32,48 @@ namespace {
 constexpr std::size_t kFewPoints = 14;  // lines with at most this many points have markers
 constexpr double kFaint = 0.5;          // opacity of individual curves
 constexpr double kCloud = 0.6;          // opacity of the dots of a cloud
+constexpr int kEdge_px = 2;             // around a chart
 
 constexpr std::array kMarkers{
     QScatterSeries::MarkerShapeCircle,   QScatterSeries::MarkerShapeRectangle,
     QScatterSeries::MarkerShapeTriangle, QScatterSeries::MarkerShapeRotatedRectangle,
     QScatterSeries::MarkerShapePentagon, QScatterSeries::MarkerShapeStar};
+
+/// A chart whose legend takes as many rows as its names need. Qt cuts the names off instead.
+class RowedChart : public QChart {
+ protected:
+  void resizeEvent(QGraphicsSceneResizeEvent* event) override {
+    QChart::resizeEvent(event);
+    if (!legend()->isVisible()) {
+      return;
+    }
+    const QFontMetricsF metrics(legend()->font());
+    const double beside_px = 2.0 * metrics.height();  // a name's marker with the space round it
+    const double width = size().width() - 2.0 * kEdge_px;
+    double widest = 0.0;
+    int names = 0;
+    double oneRow = 0.0;
+    for (const QLegendMarker* marker : legend()->markers()) {
+      if (marker->isVisible()) {
+        const double item = metrics.horizontalAdvance(marker->label()) + beside_px;
+        widest = std::max(widest, item);
+        oneRow += item;
+        ++names;
+      }
+    }
+    if (oneRow <= width) {
+      legend()->attachToChart();
+      setMargins(QMargins(kEdge_px, kEdge_px, kEdge_px, kEdge_px));
+      return;
+    }
+    const int columns = std::max(1, static_cast<int>(width / widest));
+    const int rows = (names + columns - 1) / columns;
+    const int height = static_cast<int>(std::ceil(rows * (metrics.height() + 2.0 * kEdge_px))) + kEdge_px;
+    legend()->detachFromChart();
+    legend()->setGeometry(kEdge_px, 0.0, width, height);
+    setMargins(QMargins(kEdge_px, kEdge_px + height, kEdge_px, kEdge_px));
+  }
+};
 
 /// Draws one figure into a chart.
 class Builder {
@@ -44,7 +82,7 @@ class Builder {
       : figure_(figure),
         style_(look),
         say_(wording),
-        chart_(std::make_unique<QChart>()),
+        chart_(std::make_unique<RowedChart>()),
         axes_(figure, look, wording, *chart_) {}
 
   std::unique_ptr<QChart> take() {
@@ -95,7 +133,7 @@ class Builder {
     chart_->setAnimationOptions(QChart::NoAnimation);
     chart_->setDropShadowEnabled(false);
     chart_->setBackgroundVisible(false);
-    chart_->setMargins(QMargins(2, 2, 2, 2));
+    chart_->setMargins(QMargins(kEdge_px, kEdge_px, kEdge_px, kEdge_px));
     chart_->layout()->setContentsMargins(0, 0, 0, 0);
     QLegend* legend = chart_->legend();
     legend->setAlignment(Qt::AlignTop);

@@ -13,6 +13,7 @@
 #include <QFontMetricsF>
 #include <QGraphicsScene>
 #include <QImage>
+#include <QLegend>
 #include <QLegendMarker>
 #include <QPainter>
 #include <QPdfWriter>
@@ -213,6 +214,25 @@ TEST(ChartAxes, TheLastNumberBelowFitsIntoTheChart) {
       QFontMetricsF(axis->labelsFont()).horizontalAdvance(axis->categoriesLabels().back()) / 2.0;
   EXPECT_LE(chart->plotArea().right() + half, 800.0);
   EXPECT_GT(chart->plotArea().right(), 700.0);
+}
+
+TEST(ChartLegend, TakesAsManyRowsAsItsNamesNeed) {
+  ReportFigure figure = differences(FigureKind::kForest);
+  figure.references = {{0.0, Text::tr("as the others")}, {-1.0, Text::tr("lower limit of agreement")}};
+  figure.references.push_back({1.0, Text::tr("upper limit of agreement")});
+  QGraphicsScene scene;
+  QChart* chart = buildChart(figure).release();
+  scene.addItem(chart);
+  const auto heightIn = [chart](double width) {
+    chart->resize(width, 300);
+    QCoreApplication::processEvents();
+    return chart->legend()->geometry().height();
+  };
+  const double oneRow = heightIn(1200);
+
+  EXPECT_GT(heightIn(260), 2.0 * oneRow);
+  EXPECT_GT(chart->plotArea().top(), chart->legend()->geometry().bottom());
+  EXPECT_NEAR(heightIn(1200), oneRow, 1.0);  // back beside the chart when there is room again
 }
 
 /// Renders a chart as on screen and in print; returns the image and the plot's area.
