@@ -87,8 +87,13 @@ void tellAnswers(SessionContext& session) {
 /// Creates a centre whose live cases are still to be called, for a day that is played by `torsio serve`.
 /// Prints its address and keeps it until the input ends. `locator` empty: in a file.
 int prepareDay(const std::string& locator) {
-  testing::ReviewCentre centre(
-      {.raters = 10, .trainees = 3, .trial_s = 0.5, .live = true, .called = false, .locator = locator});
+  testing::ReviewCentre centre({.raters = 10,
+                                .trainees = 3,
+                                .trial_s = 0.5,
+                                .live = true,
+                                .liveOccasions = {"pre", "mid", "post"},
+                                .called = false,
+                                .locator = locator});
   AccessRepository access(centre.connection(), PasswordCost::kTest);
   for (const UserAccount& user : access.users()) {
     access.setPassword(user.id, access.sealPassword(user.login, "correct horse battery"), false);

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A day at the real arm: `live_day_test.py TORSIO DESK_SERVER [--to PICTURES]`. Ten raters, one of them in Chromium and
-one in Firefox, and an administrator who calls on a phone. The server is killed while a sheet is filled in, and if
-TORSIO_TEST_POSTGRES is set, the day is played once more on a PostgreSQL of its own, which goes away and comes back.
+one in Firefox, and an administrator who calls one trainee to all three occasions on a phone. While sheets are filled in,
+the server is killed and the network cut, and if TORSIO_TEST_POSTGRES is set, the day is played once more on a PostgreSQL
+of its own, which goes away and comes back.
 Exit status 1 on failure, 77 if there is no such browser."""
 import argparse
 import contextlib
@@ -12,6 +13,8 @@ import os
 import pathlib
 import re
 import shutil
+import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -23,16 +26,79 @@ from webdriver import Browser, Failed, Firefox
 
 START = pathlib.Path(__file__).parents[1] / "support" / "start-postgres.sh"
 RATERS = 10
+TRAINEE = "TR-4100"
 WITHOUT_BROWSER = range(2, RATERS)
 
 
+class Cable:
+    """The network between the browsers and a server at `port`: cut, it loses every connection, with what is under way."""
+
+    def __init__(self, port):
+        self.behind = port
+        self.whole = True
+        self.lock = threading.Lock()
+        self.ends = set()
+        self.listener = socket.create_server(("127.0.0.1", 0), backlog=64)
+        self.port = self.listener.getsockname()[1]
+        threading.Thread(target=self.accept, daemon=True).start()
+
+    def accept(self):
+        with contextlib.suppress(OSError):  # closed
+            while True:
+                near, _ = self.listener.accept()
+                try:
+                    far = socket.create_connection(("127.0.0.1", self.behind), timeout=5)
+                except OSError:  # the server is away
+                    self.drop(near)
+                    continue
+                far.settimeout(None)
+                with self.lock:
+                    self.ends.update((near, far))
+                    whole = self.whole
+                if not whole:
+                    self.drop(near, far)
+                    continue
+                for one, other in ((near, far), (far, near)):
+                    threading.Thread(target=self.carry, args=(one, other), daemon=True).start()
+
+    def carry(self, one, other):
+        with contextlib.suppress(OSError):
+            while data := one.recv(65536):
+                other.sendall(data)
+        self.drop(one, other)
+
+    def drop(self, *ends):
+        for end in ends:
+            with self.lock:
+                self.ends.discard(end)
+            with contextlib.suppress(OSError):  # at once, and so that a thread that reads it notices
+                end.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+                end.shutdown(socket.SHUT_RDWR)
+            end.close()
+
+    def cut(self):
+        with self.lock:
+            self.whole = False
+            ends = list(self.ends)
+        self.drop(*ends)
+
+    def mend(self):
+        self.whole = True
+
+    def close(self):
+        self.listener.close()
+        self.cut()
+
+
 class Server:
-    """`torsio serve`, which can be killed and started again at the same address."""
+    """`torsio serve`, which can be killed and started again at the same address; the browsers reach it over a cable."""
 
     def __init__(self, program, locator, environment):
         self.environment = environment
-        self.port = free_port()
-        self.command = [program, "serve", "--database", locator, "--listen", f"127.0.0.1:{self.port}", "--quiet"]
+        self.own_port = free_port()
+        self.command = [program, "serve", "--database", locator, "--listen", f"127.0.0.1:{self.own_port}", "--quiet"]
+        self.cable = Cable(self.own_port)
+        self.port = self.cable.port
         self.url = f"http://127.0.0.1:{self.port}/"
         self.start()
 
@@ -44,7 +110,7 @@ class Server:
         end = time.monotonic() + 60
         while True:
             with contextlib.suppress(OSError):
-                ask = http.client.HTTPConnection("127.0.0.1", self.port, timeout=5)
+                ask = http.client.HTTPConnection("127.0.0.1", self.own_port, timeout=5)
                 ask.request("GET", "/readyz")
                 if ask.getresponse().status == 200:
                     return
@@ -59,6 +125,7 @@ class Server:
     def close(self):
         self.process.terminate()
         check("a stop drains and ends well", self.process.wait(30) == 0)
+        self.cable.close()
 
 
 class Rater(threading.Thread):
@@ -131,10 +198,10 @@ def sign_in(browser, url, login, there):
     browser.there(there)
 
 
-def call(office, trainee):
+def call(office, trainee, occasion):
     office.run("const form = document.querySelector('.call-form');"
                "const [code, room] = form.querySelectorAll('input'); code.value = arguments[0]; room.value = 'Skills lab';"
-               "form.querySelector('select').value = 'post'; form.querySelector('[type=submit]').click()", trainee)
+               "form.querySelector('select').value = arguments[1]; form.querySelector('[type=submit]').click()", trainee, occasion)
     office.says(".called", trainee)
 
 
@@ -179,20 +246,20 @@ def play(program, locator, pictures, database):
         kinds = [Browser, Firefox if shutil.which(Firefox.PROGRAM) else Browser]
         desks = [stack.enter_context(kind(webgl=False)) for kind in kinds]
         for number, desk in enumerate(desks):
-            sign_in(desk, server.url, f"physician{number}", ".cases")
+            sign_in(desk, server.url, f"physician{number}", "[aria-labelledby=cases-title]")
         sign_in(office, server.url, "office", ".call-form")
         before = [""] * len(desks)
 
-        def calls(trainee):
+        def calls(occasion):
             begun = time.monotonic()
-            call(office, trainee)
+            call(office, TRAINEE, occasion)
             called = time.monotonic()
             for number, desk in enumerate(desks):
-                print(f"{trainee}: the sheet of rater {number} is open {opens(desk, called, before[number]):.1f} s after the call,"
+                print(f"{occasion}: the sheet of rater {number} is open {opens(desk, called, before[number]):.1f} s after the call,"
                       f" {time.monotonic() - begun:.1f} s after the caller began")
                 before[number] = desk.text(".live-sheet h1")
 
-        calls("TR-4100")
+        calls("pre")
         office.picture(pictures / "caller.png")
         for number, desk in enumerate(desks):
             score(desk)
@@ -201,7 +268,7 @@ def play(program, locator, pictures, database):
         office.until("all sheets are in", lambda: "10 of 10" in office.text(".called"))
         end_call(office)
 
-        calls("TR-4101")
+        calls("mid")
         for desk in desks:
             score(desk)
             desk.says(".saved", "Saved")
@@ -221,12 +288,13 @@ def play(program, locator, pictures, database):
         office.until("all sheets are in", lambda: "10 of 10" in office.text(".called"))
         end_call(office)
 
-        calls("TR-4102")
-        if database:
-            database.down()
-            desks[0].keys("7")
+        calls("post")
+        plugs = [(server.cable.cut, server.cable.mend)] + ([(database.down, database.up)] if database else [])
+        for key, (pull, put_back) in enumerate(plugs, 7):
+            pull()
+            desks[0].keys(str(key))
             desks[0].says(".saved", "Not saved yet")
-            database.up()
+            put_back()
             desks[0].says(".saved", "Saved")
             check("nobody was signed out", not desks[0].run("return document.querySelector('.gate').checkVisibility()"))
         for desk in desks:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Plugs pulled in the middle of ten live sheets: `live_kills_test.py TORSIO DESK_SERVER [--kills N]`. Ten raters without
-a browser save marks as fast as they can while the server is killed N times; if TORSIO_TEST_POSTGRES is set, once more on
-a PostgreSQL of its own, where server and database are killed in turn, N times each. What a rater was told is saved must
+a browser save marks as fast as they can while the server is killed and the network cut N times each; if
+TORSIO_TEST_POSTGRES is set, once more on a PostgreSQL of its own, which is killed N times as well. What a rater was told is saved must
 be there after each kill, nothing twice, and all ten sheets can be submitted. Exit status 1 on failure."""
 import argparse
 import contextlib
@@ -14,11 +14,10 @@ import sys
 import threading
 import time
 
-from live_day_test import RATERS, Postgres, Rater, Server, centre
+from live_day_test import RATERS, TRAINEE, Postgres, Rater, Server, centre
 from real_desk_test import check
 from webdriver import Failed
 
-TRAINEE = "TR-4100"
 PATIENCE_S = 60
 
 
@@ -129,21 +128,23 @@ def play(program, locator, kills, database):
                 check("everybody saves again", time.monotonic() < end)
                 time.sleep(0.02)
 
+        plugs = {"server": (server.kill, server.start), "network": (server.cable.cut, server.cable.mend)}
+        if database:
+            plugs["database"] = (database.crash, database.up)
         longest_s = 0.0
-        for instant in range(kills * (2 if database else 1)):
+        for instant in range(kills * len(plugs)):
+            name, (pull, put_back) = list(plugs.items())[instant % len(plugs)]
             all_save()
             time.sleep(chance.uniform(0.0, 0.3))
             begun = time.monotonic()
-            if database and instant % 2:
-                database.crash()
-                database.up()
-            else:
-                server.kill()
-                server.start()
+            pull()
+            if name == "network":
+                time.sleep(chance.uniform(0.0, 0.3))
+            put_back()
             up = time.monotonic()
             all_save()
             longest_s = max(longest_s, time.monotonic() - up)
-            print(f"kill {instant + 1}: away {up - begun:.1f} s, everybody saves {time.monotonic() - up:.1f} s later", flush=True)
+            print(f"{name} {instant + 1}: away {up - begun:.1f} s, everybody saves {time.monotonic() - up:.1f} s later", flush=True)
         for one in raters:
             one.done = True
         for one in raters:
@@ -161,11 +162,11 @@ def main():
     given = arguments.parse_args()
     with centre(given.desk_server) as locator:
         play(given.program, locator, given.kills, None)
-        print(f"ok      {given.kills} kills on SQLite", flush=True)
+        print(f"ok      {given.kills} kills of the server and cuts of the network on SQLite", flush=True)
     if os.environ.get("TORSIO_TEST_POSTGRES"):
         with contextlib.closing(Postgres()) as database, centre(given.desk_server, database.locator) as locator:
             play(given.program, locator, given.kills, database)
-            print(f"ok      {given.kills} kills of the server and of PostgreSQL", flush=True)
+            print(f"ok      {given.kills} kills of the server and of PostgreSQL, {given.kills} cuts of the network", flush=True)
     return 0
 
 

@@ -57,10 +57,10 @@ class Browser(Client):
         self.waits = threading.Event()
 
     def ask(self, method, path, body=None):
-        connection = http.client.HTTPConnection("127.0.0.1", self.server.port, timeout=60, source_address=(self.address, 0))
+        connection = http.client.HTTPConnection("127.0.0.1", self.server.own_port, timeout=60, source_address=(self.address, 0))
         with contextlib.closing(connection):
             connection.request(method, path, None if body is None else json.dumps(body),
-                               {"Content-Type": "application/json", "Origin": self.server.url.rstrip("/"), **self.headers})
+                               {"Content-Type": "application/json", "Origin": f"http://127.0.0.1:{self.server.own_port}", **self.headers})
             answer = connection.getresponse()
             text = answer.read()
             if answer.getheader("Set-Cookie"):

@@ -118,6 +118,18 @@ nlohmann::json callJson(const std::string& occasionCode, const std::string& room
   return {{"occasion", occasionCode}, {"room", room}};
 }
 
+/// Returns who is at the arm; the call may be of another cohort than the one on the screen.
+Text whoIsCalled(SessionContext& session, const LiveCall& call) {
+  for (const Cohort& cohort : StudyRepository(session.connection()).cohorts()) {
+    for (const DayBoardRow& row : dayBoard(session, cohort.id).rows) {
+      if (row.enrolmentId == call.enrolmentId) {
+        return Text::tr("%1 (cohort %2) is called in this room", row.traineeCode, cohort.name);
+      }
+    }
+  }
+  return Text::tr("another trainee is called in this room");
+}
+
 /// Returns the open call of the same case; throws if the room or trainee is in another call.
 std::optional<LiveCallId> alreadyCalled(SessionContext& session, const CallRequest& request,
                                         const Occasion& occasion) {
@@ -132,8 +144,8 @@ std::optional<LiveCallId> alreadyCalled(SessionContext& session, const CallReque
     refuse(Text::tr("this trainee is called in %1 already", call.room), request.room,
            Text::tr("End that call first"));
   }
-  if (calls.openIn(request.room)) {
-    refuse(Text::tr("another trainee is called in this room"), request.room, Text::tr("End that call first"));
+  if (const std::optional<LiveCall> other = calls.openIn(request.room)) {
+    refuse(whoIsCalled(session, *other), request.room, Text::tr("End that call first"));
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/support/review_centre.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/services/recording/recorded_run.h"
@@ -122,17 +123,25 @@ void ReviewCentre::addAssignments(const Setup& setup) {
   revision.createdUtc_us = kReviewTime_us;
   rubrics.addRevision(revision);
   rubricRevisionId_ = revision.id;
+  // The recorded cases, then the live ones of each occasion.
+  std::vector<std::string> occasions(1, "mid");
+  if (setup.live) {
+    occasions.insert(occasions.end(), setup.liveOccasions.begin(), setup.liveOccasions.end());
+  }
   std::vector<Assignment> assignments;
   const std::size_t trainees = enrolmentIds_.size();
   for (std::size_t rater = 0; rater < static_cast<std::size_t>(setup.raters); ++rater) {
-    for (std::size_t k = 0; k < (setup.live ? 2 : 1) * trainees; ++k) {
+    for (std::size_t k = 0; k < occasions.size() * trainees; ++k) {
       const bool live = k >= trainees;
-      const std::size_t trainee = live ? k - trainees : (k + rater) % trainees;
+      if (!live && std::count(occasions.begin() + 1, occasions.end(), occasions.front()) > 0) {
+        continue;  // scored live instead
+      }
+      const std::size_t trainee = live ? k % trainees : (k + rater) % trainees;
       Assignment one;
       one.id = ids().newUuid();
       one.raterId = raterId(rater);
       one.enrolmentId = enrolmentIds_[trainee];
-      one.occasionCode = live ? "post" : "mid";
+      one.occasionCode = occasions[k / trainees];
       one.trialId = live ? TrialId() : trialIds_[trainee];
       one.rubricRevisionId = rubricRevisionId_;
       one.caseLabel = std::to_string(k + 2) + std::string(1, "CFHKMPRTWX"[rater % 10]);

@@ -27,7 +27,8 @@ class ReviewCentre : public TestRecord {
     int raters = 2;
     int trainees = 2;
     double trial_s = 2.0;
-    bool live = false;          ///< include the live cases
+    bool live = false;                               ///< include the live cases
+    std::vector<std::string> liveOccasions{"post"};  ///< with "mid", the recordings are not scored
     bool dueByTrainee = false;  ///< each trainee's cases have a separate deadline, days 1, 2 ...
     bool called = true;         ///< all live cases were called to the real arm
     /// Of the recordings; null: the bar of the servo tests (which no file describes).

@@ -27,6 +27,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/rating/call_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
@@ -157,9 +158,10 @@ TEST_F(LiveDay, ACallThatIsNotDueNeedsAReason) {
 TEST_F(LiveDay, ARoomHasOneTraineeAndATraineeOneRoom) {
   const LiveCallId first = callTrainee(office(), request(0));
   EXPECT_EQ(callTrainee(office(), request(0)), first) << "called again by another hand";
-  EXPECT_NE(
-      refusal([&] { callTrainee(office(), request(1)); }).find("another trainee is called in this room"),
-      std::string::npos);
+  EXPECT_NE(refusal([&] { callTrainee(office(), request(1)); })
+                .find("T-01 (cohort " + StudyRepository(centre.connection()).cohort(cohort).name +
+                      ") is called in this room"),
+            std::string::npos);
   EXPECT_NE(
       refusal([&] { callTrainee(office(), request(0, {}, {}, "Room 2")); }).find("called in Skills lab"),
       std::string::npos);
