@@ -28,6 +28,9 @@ struct ExportArguments {
   std::string campaign;
   std::string out;
   std::string format = "csv";
+  std::string system = "moodle";
+  std::string status;
+  std::string occasion;
   std::string language = "en";
   std::string keyFile;
   DatasetRequest dataset;
@@ -109,7 +112,9 @@ void writeGrades(const ExportArguments& given) {
   ExchangeRequest request = given.request;
   nameRequest(desk.session(), given.cohort, {}, request);
   TrialDigests digests(assetsFolder());
-  print(exportGradebook(desk.session(), request, digests, given.out), {}, given.json);
+  print(exportGradebook(desk.session(), request, digests,
+                        {gradebookForm(given.system), given.status, given.occasion}, given.out),
+        {}, given.json);
 }
 
 void addCommon(CLI::App& command, ExportArguments& arguments, const char* out) {
@@ -152,8 +157,13 @@ void addExport(CLI::App& program) {
   addDefaulted(*tables, "--as", arguments->format, "spss, r or csv");
   tables->callback([arguments] { run(*arguments, &writeTableFiles); });
 
-  CLI::App* grades = parent->add_subcommand("gradebook", "Scores for a learning system (Moodle's CSV)");
+  CLI::App* grades = parent->add_subcommand("gradebook", "Scores for a learning system");
   addCommon(*grades, *arguments, "File to write");
+  addDefaulted(*grades, "--as", arguments->system, "moodle, canvas or ilias");
+  grades->add_option("--status", arguments->status,
+                     "With --as ilias: status file of the exercise, downloaded from ILIAS as CSV");
+  grades->add_option("--occasion", arguments->occasion,
+                     "With --as ilias: occasion whose scores are the marks; default: the last");
   grades->callback([arguments] { writeGrades(*arguments); });
 }
 

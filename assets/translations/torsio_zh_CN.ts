@@ -20746,6 +20746,58 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>the second connection was not called by the device&apos;s servo</source>
         <translation>第二个连接未被设备的伺服调用</translation>
     </message>
+    <message>
+        <source>is not an occasion of the cohort</source>
+        <translation>不是该队列的评分时点</translation>
+    </message>
+    <message>
+        <source>Use one of: %1</source>
+        <translation>请使用其中之一：%1</translation>
+    </message>
+    <message>
+        <source>ILIAS knows people by numbers of its own</source>
+        <translation>ILIAS 用自己的编号识别人员</translation>
+    </message>
+    <message>
+        <source>Give the status file of the exercise, downloaded from ILIAS as CSV</source>
+        <translation>请提供从 ILIAS 下载的该练习的状态文件（CSV 格式）</translation>
+    </message>
+    <message>
+        <source>is not a learning system that Torsio writes for</source>
+        <translation>不是 Torsio 支持导出的学习系统</translation>
+    </message>
+    <message>
+        <source>Use moodle, canvas or ilias</source>
+        <translation>请使用 moodle、canvas 或 ilias</translation>
+    </message>
+    <message>
+        <source>is not the status file of an ILIAS exercise: the column %1 is missing</source>
+        <translation>不是 ILIAS 练习的状态文件：缺少“%1”列</translation>
+    </message>
+    <message>
+        <source>Download the status file of the exercise as CSV, and give that</source>
+        <translation>请在 ILIAS 中以 CSV 格式下载该练习的状态文件，再提供该文件</translation>
+    </message>
+    <message>
+        <source>several trainees could have the login %1</source>
+        <translation>登录名 %1 可能属于多名学员</translation>
+    </message>
+    <message>
+        <source>Correct staff numbers and mail addresses in the roster</source>
+        <translation>请在名册中更正工号和邮箱地址</translation>
+    </message>
+    <message>
+        <source>no login of the file belongs to somebody with a score</source>
+        <translation>文件中没有任何登录名对应有成绩的学员</translation>
+    </message>
+    <message>
+        <source>Enter the logins of ILIAS as staff numbers in the roster</source>
+        <translation>请在名册中把 ILIAS 登录名填为工号</translation>
+    </message>
+    <message>
+        <source>%1 (cohort %2) is called in this room</source>
+        <translation>该房间已呼叫 %1（队列 %2）</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -24940,10 +24992,6 @@ Leave it empty to remove it.</source>
         <translation>数据表（.csv）</translation>
     </message>
     <message>
-        <source>Scores for a learning system (Moodle, .csv)</source>
-        <translation>学习系统成绩（Moodle，.csv）</translation>
-    </message>
-    <message>
         <source>For whom and what for; kept in the audit trail</source>
         <translation>供谁使用、作何用途；保存在审计记录中</translation>
     </message>
@@ -25108,6 +25156,26 @@ Leave it empty to remove it.</source>
     <message>
         <source>replication-%1</source>
         <translation>复算-%1</translation>
+    </message>
+    <message>
+        <source>Scores for Moodle (.csv)</source>
+        <translation>供 Moodle 使用的成绩（.csv）</translation>
+    </message>
+    <message>
+        <source>Scores for Canvas (.csv)</source>
+        <translation>供 Canvas 使用的成绩（.csv）</translation>
+    </message>
+    <message>
+        <source>Scores for ILIAS (status file of an exercise, .csv)</source>
+        <translation>供 ILIAS 使用的成绩（练习状态文件，.csv）</translation>
+    </message>
+    <message>
+        <source>The status file of an exercise, which you download from ILIAS first, with each trainee&apos;s score of the last occasion as the mark. Trainees are found by their login: the staff number or the mail address. It names people.</source>
+        <translation>您先从 ILIAS 下载的练习状态文件，其中填入每名学员最后一个评分时点的成绩。按登录名（工号或邮箱地址）查找学员。文件含姓名。</translation>
+    </message>
+    <message>
+        <source>Status file from ILIAS</source>
+        <translation>来自 ILIAS 的状态文件</translation>
     </message>
 </context>
 <context>

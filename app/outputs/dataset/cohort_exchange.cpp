@@ -92,6 +92,62 @@ ExchangeFiles noted(SessionContext& session, const ExchangeRequest& request, con
   return done;
 }
 
+/// Returns the scores that may be shown, with what identifies people elsewhere. Throws Error{kBadData} if
+/// there are none.
+Grades gradesOf(SessionContext& session, const CohortInputs& inputs) {
+  const Ledger ledger = analysedCohort(inputs).ledger;
+  Grades grades{.title = inputs.title.str(), .occasions = {}, .scale = inputs.trainingScale, .people = {}};
+  for (const Text& occasion : ledger.names().occasions) {
+    grades.occasions.push_back(occasion.str());
+  }
+  std::map<std::string, GradedPerson> people;  // by code
+  for (const Result* score : ledger.select({.statistic = "score", .of = kEach})) {
+    GradedPerson& person = people[score->key.of];
+    person.code = score->key.of;
+    person.scores.resize(grades.occasions.size());
+    person.scores.at(*score->key.occasion) = resultText(score->value);
+  }
+  if (people.empty()) {
+    refuse(Text::tr("nobody has a score that may be shown"), inputs.title,
+           Text::tr("Wait until every sheet is in, or freeze the data"));
+  }
+  PeopleRepository repository(session.connection());
+  std::map<PersonId, std::string> codeOf;
+  for (const Trainee& trainee : repository.trainees()) {
+    codeOf[trainee.person.id] = trainee.person.code;
+  }
+  for (const Identity& identity : repository.identities()) {
+    const auto code = codeOf.find(identity.personId);
+    const auto person = code == codeOf.end() ? people.end() : people.find(code->second);
+    if (person != people.end()) {
+      person->second.name = identity.fullName;
+      person->second.email = identity.email;
+      person->second.number = identity.externalId;
+    }
+  }
+  for (auto& [code, person] : people) {
+    grades.people.push_back(std::move(person));
+  }
+  return grades;
+}
+
+/// Returns the position of an occasion by its name; empty: the last one.
+std::size_t occasionAt(const Grades& grades, const std::string& name) {
+  if (name.empty()) {
+    return grades.occasions.size() - 1;
+  }
+  const auto found = std::find(grades.occasions.begin(), grades.occasions.end(), name);
+  if (found == grades.occasions.end()) {
+    std::string known;
+    for (const std::string& occasion : grades.occasions) {
+      known += (known.empty() ? "" : ", ") + occasion;
+    }
+    throw Error(ErrorCode::kBadParameter, Text::tr("is not an occasion of the cohort"), name,
+                Text::tr("Use one of: %1", known));
+  }
+  return static_cast<std::size_t>(found - grades.occasions.begin());
+}
+
 WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report) {
   WorkbookContents contents;
   contents.title = report.title;
@@ -250,46 +306,32 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
 }
 
 ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
-                              const std::filesystem::path& file) {
+                              const GradebookRequest& wanted, const std::filesystem::path& file) {
   session.require(Operation::kReportExportNamed);
-  const CohortInputs inputs =
-      reportInputs(session, {request.cohortId, {}, request.frozenId, ReportIdentity::kCoded}, digests);
-  const Ledger ledger = analysedCohort(inputs).ledger;
-  const std::vector<Text>& occasions = ledger.names().occasions;
-  std::map<std::string, std::vector<std::string>> grades;  // by code, one per occasion
-  for (const Result* score : ledger.select({.statistic = "score", .of = kEach})) {
-    auto& own = grades[score->key.of];
-    own.resize(occasions.size(), "-");
-    own.at(*score->key.occasion) = resultText(score->value);
-  }
-  if (grades.empty()) {
-    refuse(Text::tr("nobody has a score that may be shown"), inputs.title,
-           Text::tr("Wait until every sheet is in, or freeze the data"));
-  }
-  PeopleRepository people(session.connection());
-  std::map<std::string, std::string> codeOf;  // by person
-  for (const Trainee& trainee : people.trainees()) {
-    codeOf[trainee.person.id.text()] = trainee.person.code;
-  }
-  std::map<std::string, Identity> identityOf;  // by code
-  for (const Identity& identity : people.identities()) {
-    if (const auto code = codeOf.find(identity.personId.text()); code != codeOf.end()) {
-      identityOf[code->second] = identity;
-    }
-  }
-  std::vector<std::string> head{"ID number", "Email address"};
-  for (const Text& occasion : occasions) {
-    head.push_back(inputs.title.str() + ": " + occasion.str());
-  }
-  std::string text = csvLine(head);
-  for (const auto& [code, own] : grades) {
-    const Identity& known = identityOf[code];
-    std::vector<std::string> line{known.externalId.empty() ? code : known.externalId, known.email};
-    line.insert(line.end(), own.begin(), own.end());
-    text += csvLine(line);
+  const Grades grades = gradesOf(
+      session,
+      reportInputs(session, {request.cohortId, {}, request.frozenId, ReportIdentity::kCoded}, digests));
+  std::string text;
+  switch (wanted.form) {
+    case GradebookForm::kMoodle:
+      text = moodleGrades(grades);
+      break;
+    case GradebookForm::kCanvas:
+      text = canvasGrades(grades);
+      break;
+    case GradebookForm::kIlias:
+      if (wanted.status.empty()) {
+        throw Error(ErrorCode::kBadParameter, Text::tr("ILIAS knows people by numbers of its own"),
+                    file.string(),
+                    Text::tr("Give the status file of the exercise, downloaded from ILIAS as CSV"));
+      }
+      text = iliasGrades(grades, occasionAt(grades, wanted.occasion), readFile(wanted.status),
+                         wanted.status.string());
+      break;
   }
   writeFileAtomically(file, text);
-  return noted(session, request, "gradebook", std::ssize(grades), true, {}, {file});
+  return noted(session, request, std::string("gradebook, ") + nameOf(wanted.form), std::ssize(grades.people),
+               true, {}, {file});
 }
 
 }  // namespace torsio

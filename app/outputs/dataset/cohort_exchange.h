@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/outputs/dataset/dataset.h"
+#include "app/outputs/dataset/gradebook.h"
 #include "app/outputs/report/report_data.h"
 #include "app/outputs/tables/export_set.h"
 #include "app/outputs/tables/pseudonyms.h"
@@ -87,11 +88,18 @@ ExchangeFiles exportReplication(SessionContext& session, const ExchangeData& dat
 ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, const DatasetRequest& request,
                             const std::filesystem::path& folder, const ProgressCallback& progress = {});
 
-/// Writes a cohort's scores for a learning system (Moodle's CSV): one row per trainee, identified by staff or
-/// student number and mail address, or by code if the centre stores neither; one column per occasion. Omits
-/// scores not to be shown yet. Identifies people as the other system does: kReportExportNamed. Throws
-/// Error{kFileUnwritable}, {kBadData} if there are no scores.
+/// For which learning system scores are written.
+struct GradebookRequest {
+  GradebookForm form = GradebookForm::kMoodle;
+  std::filesystem::path status{};  ///< ILIAS: the status file of the exercise that is filled in
+  std::string occasion{};          ///< ILIAS: name of the occasion whose marks it takes; empty: the last
+};
+
+/// Writes a cohort's scores for a learning system, identified by staff or student number, mail address and
+/// name, or by code if the centre stores none of them. Omits scores not to be shown yet. Identifies people as
+/// the other system does: kReportExportNamed. Throws Error{kFileUnwritable}, {kBadData} if there are no
+/// scores, {kBadParameter} for ILIAS without a status file or with an unknown occasion.
 ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
-                              const std::filesystem::path& file);
+                              const GradebookRequest& wanted, const std::filesystem::path& file);
 
 }  // namespace torsio

@@ -80,7 +80,9 @@ void ExportDialog::build() {
   form_->addItem(tr("Marks and a script that computes the report again (R)"),
                  static_cast<int>(Form::kReplication));
   if (shell_.may(Operation::kReportExportNamed)) {
-    form_->addItem(tr("Scores for a learning system (Moodle, .csv)"), static_cast<int>(Form::kGradebook));
+    form_->addItem(tr("Scores for Moodle (.csv)"), static_cast<int>(Form::kMoodle));
+    form_->addItem(tr("Scores for Canvas (.csv)"), static_cast<int>(Form::kCanvas));
+    form_->addItem(tr("Scores for ILIAS (status file of an exercise, .csv)"), static_cast<int>(Form::kIlias));
   }
   if (!shell_.may(Operation::kPersonViewIdentity)) {
     pseudonymised_->setChecked(true);
@@ -214,9 +216,29 @@ DatasetRequest ExportDialog::dataset() const {
   return request;
 }
 
+std::optional<GradebookForm> ExportDialog::system() const {
+  switch (chosen()) {
+    case Form::kMoodle:
+      return GradebookForm::kMoodle;
+    case Form::kCanvas:
+      return GradebookForm::kCanvas;
+    case Form::kIlias:
+      return GradebookForm::kIlias;
+    default:
+      return std::nullopt;
+  }
+}
+
 QStringList ExportDialog::contents() const {
   QStringList words;
-  if (chosen() == Form::kGradebook) {
+  if (chosen() == Form::kIlias) {
+    words << tr(
+        "The status file of an exercise, which you download from ILIAS first, with each trainee's score of "
+        "the last occasion as the mark. Trainees are found by their login: the staff number or the mail "
+        "address. It names people.");
+    return words;
+  }
+  if (system()) {
     words << tr(
         "A line for each trainee, identified by staff number and mail address, and a score for each "
         "occasion. It names people.");
@@ -274,7 +296,7 @@ void ExportDialog::showTable() {
   if (!data_) {
     return;
   }
-  const bool grades = chosen() == Form::kGradebook;
+  const bool grades = system().has_value();
   pseudonymised_->setVisible(!grades);
   freeText_->setVisible(!grades);
   table_->setEnabled(!grades);
@@ -317,7 +339,14 @@ void ExportDialog::showTable() {
 
 void ExportDialog::askPlace() {
   const bool book = chosen() == Form::kWorkbook;
-  const bool grades = chosen() == Form::kGradebook;
+  const bool grades = system().has_value();
+  QString status;
+  if (chosen() == Form::kIlias) {
+    status = askFileToOpen(this, tr("Status file from ILIAS"), tr("Table (*.csv)"));
+    if (status.isEmpty()) {
+      return;
+    }
+  }
   const QString name = data_ ? toQString(data_->inputs.title) : QString();
   const QString place =
       book ? askFileToSave(this, tr("Save workbook"), name + QStringLiteral(".xlsx"), tr("Workbook (*.xlsx)"))
@@ -329,11 +358,11 @@ void ExportDialog::askPlace() {
                           tr("Folder (*)"))
           : askFileToSave(this, tr("New folder for the tables"), tr("tables-%1").arg(name), tr("Folder (*)"));
   if (!place.isEmpty()) {
-    writeTo(toPath(place));
+    writeTo(toPath(place), toPath(status));
   }
 }
 
-void ExportDialog::writeTo(const std::filesystem::path& place) {
+void ExportDialog::writeTo(const std::filesystem::path& place, const std::filesystem::path& status) {
   if (!data_) {
     return;
   }
@@ -345,6 +374,7 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
   shell_.run(
       this, tr("Writing the export"),
       [place, given = data_, request = request_, digests = digests_, form = chosen(), wanted = dataset(),
+       grades = GradebookRequest{system().value_or(GradebookForm::kMoodle), status, {}},
        wording = wordingIn(language_, Signs::kOfFiles)](SessionContext& session,
                                                         const ProgressCallback& progress) {
         switch (form) {
@@ -360,8 +390,10 @@ void ExportDialog::writeTo(const std::filesystem::path& place) {
             return exportTables(session, *given, TableFormat::kCsv, place, progress);
           case Form::kReplication:
             return exportReplication(session, *given, place);
-          case Form::kGradebook:
-            return exportGradebook(session, request, *digests, place);
+          case Form::kMoodle:
+          case Form::kCanvas:
+          case Form::kIlias:
+            return exportGradebook(session, request, *digests, grades, place);
           case Form::kFrictionless:
           case Form::kRoCrate:
           case Form::kBids:

@@ -29,14 +29,27 @@ class ExportDialog : public QDialog {
 
  public:
   /// In the order of the list of formats.
-  enum class Form { kWorkbook, kSpss, kR, kCsv, kFrictionless, kRoCrate, kBids, kReplication, kGradebook };
+  enum class Form {
+    kWorkbook,
+    kSpss,
+    kR,
+    kCsv,
+    kFrictionless,
+    kRoCrate,
+    kBids,
+    kReplication,
+    kMoodle,
+    kCanvas,
+    kIlias
+  };
 
   /// `language`: of the workbook, one of reportLanguages().
   ExportDialog(ShellContext& shell, const ReportRequest& request, std::shared_ptr<TrialDigests> digests,
                std::string language, QWidget* parent);
 
   /// Writes in the chosen format in the background; reports errors. No effect while data are being read.
-  void writeTo(const std::filesystem::path& place);
+  /// `status`: for ILIAS, the status file that is filled in.
+  void writeTo(const std::filesystem::path& place, const std::filesystem::path& status = {});
   /// Selects a format.
   void choose(Form form);
   /// Cancels running work first.
@@ -51,6 +64,8 @@ class ExportDialog : public QDialog {
   void buildDataset(QFormLayout& form);
   [[nodiscard]] Form chosen() const;
   [[nodiscard]] bool isDataset() const;
+  /// Returns the learning system that scores are written for; empty: another format is chosen.
+  [[nodiscard]] std::optional<GradebookForm> system() const;
   [[nodiscard]] DatasetRequest dataset() const;
   /// Returns sentences about what the chosen format contains and never contains.
   [[nodiscard]] QStringList contents() const;

@@ -164,7 +164,7 @@ TEST(CohortExchange, IsRefusedWithoutTheRightToExport) {
   SmallStudy study;
   for (const char* role : {"trainee", "rater", "allocator", ""}) {
     EXPECT_THROW((void)exchangeData(study.centre.as(role), study.request, study.digests), Error) << role;
-    EXPECT_THROW(exportGradebook(study.centre.as(role), study.request, study.digests,
+    EXPECT_THROW(exportGradebook(study.centre.as(role), study.request, study.digests, {},
                                  study.centre.folder() / "grades.csv"),
                  Error)
         << role;
@@ -175,7 +175,8 @@ TEST(CohortExchange, IsRefusedWithoutTheRightToExport) {
 TEST(Gradebook, IsNotWrittenWithoutScores) {
   SmallStudy study;
   const std::filesystem::path file = study.centre.folder() / "grades.csv";
-  EXPECT_THROW(exportGradebook(study.centre.as("administrator"), study.request, study.digests, file), Error);
+  EXPECT_THROW(exportGradebook(study.centre.as("administrator"), study.request, study.digests, {}, file),
+               Error);
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_THAT(study.newest().action, Not(HasSubstr("export")));
 }

@@ -383,7 +383,7 @@ std::vector<ServiceCall> reportingCalls() {
       {O::kReportExportNamed, "exportGradebook",
        [](W w, Path folder) {
          TrialDigests digests(folder);
-         exportGradebook(w, {.cohortId = kNoSuch}, digests, folder / "grades.csv");
+         exportGradebook(w, {.cohortId = kNoSuch}, digests, {}, folder / "grades.csv");
        }},
   };
 }
