@@ -47,6 +47,13 @@ RatingGrid readRatingGrid(const CsvTable& table) {
   NamePlaces targets;
   NamePlaces raters;
   NamePlaces groups;
+  std::set<std::string> byName;  // so that a pair is compared in the same direction in any order of the lines
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    byName.insert(table.text(row, "rater"));
+  }
+  for (const std::string& rater : byName) {
+    (void)raters(rater);
+  }
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> rowOf;  // rater, target
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& target = table.text(row, "target");

@@ -15,7 +15,7 @@
 
 namespace torsio::cli {
 
-/// Ratings of targets by raters, in file order.
+/// Ratings of targets, in file order, by raters, in the order of their names.
 struct RatingGrid {
   std::vector<std::string> targets;
   std::vector<std::string> raters;

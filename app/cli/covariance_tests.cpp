@@ -148,6 +148,9 @@ Json comparisonJson(const Study& study, const MixedComparison& result, const Cov
   for (std::size_t g = 0; g < result.adjusted.size(); ++g) {
     Json entry{{"group", study.groups[result.groups[g]]}};
     entry.update(estimateJson(result.adjusted[g]));
+    for (const char* against0 : {"statistic", "p"}) {  // the origin of a scale is no hypothesis
+      entry.erase(against0);
+    }
     out["adjusted_means"].push_back(std::move(entry));
   }
   out["pairs"] = Json::array();

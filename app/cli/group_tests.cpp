@@ -78,7 +78,9 @@ Json permutationJson(const Pair& pair, const MonteCarlo& choice) {
   all.insert(all.end(), pair.y.begin(), pair.y.end());
   const auto whole = asWholeNumbers(all);
   if (!whole) {
-    return undefinedJson("the scores have more than six decimals, so they cannot be counted exactly");
+    return undefinedJson(
+        "the scores are neither decimals of at most six places nor means of them, so they cannot be counted "
+        "exactly");
   }
   const std::span<const std::int64_t> counts(*whole);
   return outcomeJson(permutationTest(counts.first(pair.x.size()), counts.subspan(pair.x.size()), choice),

@@ -57,7 +57,7 @@ std::optional<WholeDifferences> wholeDifferences(const PairedScores& pairs) {
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i] != 0.0) {
-      out.step = std::pow(10.0, -std::round(std::log10(static_cast<double>((*whole)[i]) / all[i])));
+      out.step = 1.0 / std::round(static_cast<double>((*whole)[i]) / all[i]);
       break;
     }
   }
@@ -135,7 +135,9 @@ Json testOf(PairedTest test, const std::vector<std::vector<double>>& scores,
   }
   const std::optional<WholeDifferences> differences = wholeDifferences(pairs);
   if (!differences) {
-    return undefinedJson("the scores have more than six decimals, so they cannot be counted exactly");
+    return undefinedJson(
+        "the scores are neither decimals of at most six places nor means of them, so they cannot be counted "
+        "exactly");
   }
   if (differences->steps.empty()) {
     return undefinedJson("nobody has a score at both occasions");

@@ -149,21 +149,33 @@ DoubledRanks doubledRanks(std::span<const double> values) {
   return out;
 }
 
-std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> values) {
-  constexpr double kExactBelow = 9e15;   // every whole double
-  constexpr double kRounding = 4.5e-16;  // a decimal is within half a unit of its double
-  for (double scale = 1.0; scale <= 1e6; scale *= 10.0) {
-    std::vector<std::int64_t> whole;
-    for (const double x : values) {
-      const double scaled = x * scale;
-      const double nearest = std::round(scaled);
-      if (std::abs(scaled) > kExactBelow || std::abs(scaled - nearest) > kRounding * std::abs(scaled)) {
-        break;
-      }
-      whole.push_back(static_cast<std::int64_t>(nearest));
+namespace {
+
+/// Returns values times `scale`, if all of them are whole.
+std::optional<std::vector<std::int64_t>> wholeAt(std::span<const double> values, double scale) {
+  constexpr double kExactBelow = 9e15;  // every whole double
+  constexpr double kRounding = 9e-16;   // of a decimal or a mean to its double, and of the product
+  std::vector<std::int64_t> whole;
+  for (const double x : values) {
+    const double scaled = x * scale;
+    const double nearest = std::round(scaled);
+    if (std::abs(scaled) > kExactBelow || std::abs(scaled - nearest) > kRounding * std::abs(scaled)) {
+      return std::nullopt;
     }
-    if (whole.size() == values.size()) {
-      return whole;
+    whole.push_back(static_cast<std::int64_t>(nearest));
+  }
+  return whole;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> values) {
+  constexpr int kMostMarks = 60;
+  for (int marks = 1; marks <= kMostMarks; ++marks) {
+    for (double scale = 1.0; scale <= 1e6; scale *= 10.0) {
+      if (auto whole = wholeAt(values, marks * scale)) {
+        return whole;
+      }
     }
   }
   return std::nullopt;

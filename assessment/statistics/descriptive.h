@@ -43,8 +43,9 @@ struct DoubledRanks {
 /// - 5.1 and 7.0 - 5.2 are different doubles.
 [[nodiscard]] DoubledRanks doubledRanks(std::span<const double> values);
 
-/// Converts decimals to integers: multiplies all values by the smallest power of ten, up to 10^6, that makes
-/// them integers to within rounding. Empty if a value has more decimals.
+/// Converts decimals, and means of up to 60 of them, to integers: multiplies all values by the smallest such
+/// number times a power of ten, up to 10^6, that makes them integers to within rounding. Empty if there is
+/// none.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> values);
 
 }  // namespace torsio

@@ -58,8 +58,8 @@ std::map<std::string, const GradedPerson*> byLogin(const Grades& grades) {
 }  // namespace
 
 GradebookForm gradebookForm(const std::string& name) {
-  const auto found = std::find_if(kForms.begin(), kForms.end(),
-                                  [&](const auto& form) { return name == form.first; });
+  const auto found =
+      std::find_if(kForms.begin(), kForms.end(), [&](const auto& form) { return name == form.first; });
   if (found == kForms.end()) {
     throw Error(ErrorCode::kBadParameter, Text::tr("is not a learning system that Torsio writes for"), name,
                 Text::tr("Use moodle, canvas or ilias"));
@@ -82,8 +82,7 @@ std::string moodleGrades(const Grades& grades) {
 }
 
 std::string canvasGrades(const Grades& grades) {
-  std::string text =
-      csvLine(columnsOf({"Student", "ID", "SIS User ID", "SIS Login ID", "Section"}, grades));
+  std::string text = csvLine(columnsOf({"Student", "ID", "SIS User ID", "SIS Login ID", "Section"}, grades));
   const std::string highest = resultText(pointsFromSteps(grades.scale.hi, grades.scale));
   text += lineOf({"    Points Possible", "", "", "", ""},
                  std::vector<std::string>(grades.occasions.size(), highest));
@@ -100,7 +99,8 @@ std::string iliasGrades(const Grades& grades, std::size_t occasion, const std::s
   constexpr std::array<std::string_view, 4> kNeeded{"update", "usr_id", "login", "mark"};
   std::array<std::size_t, kNeeded.size()> at{};
   for (std::size_t i = 0; i < kNeeded.size(); ++i) {
-    const auto begin = records.empty() ? std::vector<std::string>::iterator() : records.front().values.begin();
+    const auto begin =
+        records.empty() ? std::vector<std::string>::iterator() : records.front().values.begin();
     const auto end = records.empty() ? begin : records.front().values.end();
     const auto found = std::find(begin, end, kNeeded[i]);
     if (found == end) {

@@ -44,22 +44,24 @@ TEST(Gradebook, OfMoodleHasALinePerPersonAndAColumnPerOccasion) {
 
 // Canvas reads the first columns by these names in this order, then a line with the points that are possible.
 TEST(Gradebook, OfCanvasHasTheColumnsThatCanvasExports) {
-  EXPECT_EQ(canvasGrades(grades()),
-            "Student,ID,SIS User ID,SIS Login ID,Section,Autumn intake: before,Autumn intake: after 40 min\r\n"
-            "    Points Possible,,,,,10,10\r\n"
-            "Ada Green,,1001,ada.green@example.org,,4.5,7.25\r\n"
-            "\"Li, Wei\",,1002,li@example.org,,,8\r\n"
-            "T-03,,T-03,,,3,\r\n");
+  EXPECT_EQ(
+      canvasGrades(grades()),
+      "Student,ID,SIS User ID,SIS Login ID,Section,Autumn intake: before,Autumn intake: after 40 min\r\n"
+      "    Points Possible,,,,,10,10\r\n"
+      "Ada Green,,1001,ada.green@example.org,,4.5,7.25\r\n"
+      "\"Li, Wei\",,1002,li@example.org,,,8\r\n"
+      "T-03,,T-03,,,3,\r\n");
 }
 
 constexpr const char* kStatusHead =
     "update,usr_id,login,lastname,firstname,status,mark,notice,comment,plagiarism,plag_comment\r\n";
 
 TEST(Gradebook, OfIliasFillsInTheStatusFileOfTheExercise) {
-  const std::string status = std::string("\xEF\xBB\xBF") +
-                             "update;usr_id;login;lastname;firstname;status;mark;notice;comment;plagiarism;"
-                             "plag_comment\n0;311;ada.green;Green;Ada;notgraded;;;;;\n"
-                             "0;312;1002;Li;Wei;passed;5;\"late; ill\";;;\n0;313;nobody;No;Body;notgraded;;;;;\n";
+  const std::string status =
+      std::string("\xEF\xBB\xBF") +
+      "update;usr_id;login;lastname;firstname;status;mark;notice;comment;plagiarism;"
+      "plag_comment\n0;311;ada.green;Green;Ada;notgraded;;;;;\n"
+      "0;312;1002;Li;Wei;passed;5;\"late; ill\";;;\n0;313;nobody;No;Body;notgraded;;;;;\n";
 
   EXPECT_EQ(iliasGrades(grades(), 1, status, "status.csv"),
             std::string(kStatusHead) + "1,311,ada.green,Green,Ada,notgraded,7.25,,,,\r\n" +
@@ -73,7 +75,8 @@ TEST(Gradebook, OfIliasSaysWhatDoesNotFit) {
               HasSubstr("column update is missing"));
   EXPECT_THAT(refusal([] { (void)iliasGrades(grades(), 1, "", "empty.csv"); }), HasSubstr("empty.csv"));
   EXPECT_THAT(refusal([] {
-                (void)iliasGrades(grades(), 1, std::string(kStatusHead) + "0,313,nobody,,,,,,,,\r\n", "s.csv");
+                (void)iliasGrades(grades(), 1, std::string(kStatusHead) + "0,313,nobody,,,,,,,,\r\n",
+                                  "s.csv");
               }),
               HasSubstr("no login of the file belongs to somebody with a score"));
   Grades twins = grades();
