@@ -96,6 +96,28 @@ void BloodMap::evaluate(const OrganState& state, std::span<Factor> factors) cons
   }
 }
 
+void BloodMap::cover(const OrganState& state, std::span<std::array<float, 4>> covers) const {
+  TORSIO_EXPECTS(covers.size() == places_.size());
+  std::fill(covers.begin(), covers.end(), std::array{0.0F, 0.0F, 0.0F, 1.0F});
+  const auto lay = [&](const Factor& paint, const auto& shareAt) {
+    for (std::size_t v = 0; v < covers.size(); ++v) {
+      const float share = shareAt(places_[v]);
+      for (std::size_t k = 0; k < paint.size(); ++k) {
+        covers[v][k] += share * (paint[k] - covers[v][k]);
+      }
+      covers[v][3] *= 1.0F - share;
+    }
+  };
+  const HollowPose& pose = state.hollow;
+  for (int i = 0; i < pose.markCount; ++i) {
+    const TissueMark& mark = pose.marks[static_cast<std::size_t>(i)];
+    lay(mark.torn ? kTear : kBruise, [&](const Place& place) { return markShare(place, mark); });
+  }
+  if (pose.clipped) {
+    lay(kClip, [&](const Place& place) { return clipShare(place, state.twist.graspArc_m); });
+  }
+}
+
 BloodMap::Paint BloodMap::markPaint(const TissueMark& mark) const {
   Paint paint{mark.torn ? kTear : kBruise, {}};
   for (const Place& place : places_) {

@@ -31,6 +31,9 @@ class BloodMap {
   /// Returns what evaluate() lays over the blood's colour, the lowest first.
   [[nodiscard]] Paint markPaint(const TissueMark& mark) const;
   [[nodiscard]] Paint clipPaint(double arc_m) const;
+  /// Computes what marks and the clip lay over the blood's colour, one a vertex: sRGB times how far it
+  /// covers, and how far the blood's colour shows through.
+  void cover(const OrganState& state, std::span<std::array<float, 4>> covers) const;
   /// Computes the factor on the tissue's own colour, sRGB, one a vertex of the mesh: blood, marks in their
   /// order, the clip.
   void evaluate(const OrganState& state, std::span<std::array<float, 3>> factors) const;

@@ -330,6 +330,11 @@ RodSkinPlace RodSkin::placeOf(const Vec3& rest_m) const noexcept {
   return placeAt(rest_m, footOf(rest_, rest_m, nearestSample(rest_, rest_m)));
 }
 
+RodCurvePlace RodSkin::placeOn(const RodCurve& curve, std::size_t element, double share) noexcept {
+  const CurvePoint p = pointOf(curve, element, share);
+  return {p.place_m, p.turn, inwards(p), p.stretch, p.bend_per_m.z};
+}
+
 Vec3 RodSkin::positionOf_m(const RodSkinPlace& place, const RodCurve& curve) const noexcept {
   const CurvePoint p = pointOf(curve, place.element, place.share);
   const double thin = curve.widthAt(place.element, place.share) * std::sqrt(place.restStretch / p.stretch);

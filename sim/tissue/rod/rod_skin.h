@@ -41,6 +41,15 @@ struct RodCurve {
 };
 static_assert(std::is_trivially_copyable_v<RodCurve>);
 
+/// How a section lies on a curve, as RodSkin::positionOf_m needs it.
+struct RodCurvePlace {
+  Vec3 place_m;
+  Quat turn;
+  std::array<double, 2> inwards_per_m{};  ///< bend over stretch, towards the inside of the bend
+  double stretch = 1.0;
+  double twist_per_m = 0.0;
+};
+
 /// Coordinates of a point of the organ that go with the tissue: section, place in the straightened section,
 /// distance from the section beyond an end.
 struct RodSkinPlace {
@@ -71,6 +80,13 @@ class RodSkin {
 
   /// Draws the curve of a pose.
   [[nodiscard]] RodCurve curveOf(const RodPose& pose) const noexcept;
+  /// Returns the curve at rest.
+  [[nodiscard]] const RodCurve& restCurve() const noexcept { return rest_; }
+  /// Returns a place of a curve, `share` of the way along an element.
+  [[nodiscard]] static RodCurvePlace placeOn(const RodCurve& curve, std::size_t element,
+                                             double share) noexcept;
+  /// Returns the coordinates of the vertices of the mesh.
+  [[nodiscard]] std::span<const RodSkinPlace> vertexPlaces() const noexcept { return vertices_; }
   /// Returns the coordinates of a point of the organ at rest, or near it.
   [[nodiscard]] RodSkinPlace placeOf(const Vec3& rest_m) const noexcept;
   /// Returns where the point with these coordinates lies.
