@@ -5,6 +5,8 @@
 //   [--smoke] [--parts] [--pictures FOLDER]
 // Without --level: fast and fine. --pictures saves the last picture of each level.
 // --parts prints the processor's work for a frame of the organ, without drawing.
+// TORSIO_DEFORM=processor and =card choose who deforms the organ at the fine level: on a graphics card run
+// both and compare.
 // --smoke fails unless every level drew and the servo ticked; it asserts no timing.
 #include <algorithm>
 #include <array>
@@ -249,22 +251,21 @@ double now_us() {
 }
 
 /// Prints the processor's work for a frame before the scene graph, in us of processor time, medians: vertex
-/// positions; view frame and normals; colours; the buffer for the graphics card.
+/// positions; view frame and normals; colours; the buffer for the graphics card. And what is left of all that
+/// where a vertex shader deforms the organ: the rows of its sections, and the vertices of its shadow.
 void measureParts(const std::shared_ptr<const Scene>& scene) {
   constexpr int kRepeats = 101;
+  constexpr std::size_t kShadowVertices = 1200;  // as SceneView
   ViewScene view = makeViewScene(scene);
   OrganGeometry geometry;
   geometry.setSurface(view.surface, view.skin.get());
   std::vector<Vec3> moved_m(scene->mesh.vertices_m.size());
   std::vector<std::array<float, 3>> colours(moved_m.size());
-  std::array<std::vector<double>, 4> parts_us;
+  std::array<std::vector<double>, 5> parts_us;
   for (int i = 0; i < kRepeats; ++i) {
-    OrganState state;
-    if (scene->hollow) {
-      state = scene->stateAt(scene->hollow->detorsion().start.most_rad * (1.0 - 0.001 * i));
-    } else {
-      state.twist = {scene->pattern.graspArc * scene->lattice().length_m(), 0.01 * (i + 1)};
-    }
+    const double most_rad =
+        scene->hollow ? scene->hollow->detorsion().start.most_rad : scene->pattern.targetAngle_rad;
+    const OrganState state = scene->stateAt(most_rad * (1.0 - 0.001 * i));
     double at_us = now_us();
     const auto note = [&](std::size_t part) {
       const double then_us = now_us();
@@ -282,6 +283,15 @@ void measureParts(const std::shared_ptr<const Scene>& scene) {
     note(2);
     geometry.updateVertices(view.surface);
     note(3);
+    if (view.shader) {
+      view.shader->update(state);
+      const std::size_t step = std::max<std::size_t>(1, moved_m.size() / kShadowVertices);
+      for (std::size_t v = 0; v < moved_m.size(); v += step) {
+        view.surface.place(static_cast<std::uint32_t>(v), view.shader->place_m(static_cast<std::uint32_t>(v)),
+                           {});
+      }
+    }
+    note(4);
   }
   std::printf("%-24s", scene->id.c_str());
   for (std::vector<double>& part_us : parts_us) {
@@ -308,7 +318,7 @@ bool drawFor(SceneView& view, double seconds) {
 
 int bench(const Options& options) {
   if (options.parts) {
-    std::printf("us of the processor a frame    places  normals  colours   buffer\n");
+    std::printf("us of the processor a frame    places  normals  colours   buffer   by shader\n");
     measureParts(sceneOf(options));
     return 0;
   }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <QByteArray>
+#include <QSignalBlocker>
 #include <QVector3D>
 
 namespace torsio::gui {
@@ -88,6 +89,9 @@ void OrganGeometry::setSurface(const OrganSurface& surface, const TissueSkin* sk
                         {rest[0], rest[1], rest[2]}});
     }
   }
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    drawn_[i].along[1] = static_cast<float>(sources_[i]);
+  }
   setIndexData(bytesOf(std::span<const TriangleMesh::Triangle>(corners_)));
   updateVertices(surface);
 }
@@ -124,6 +128,59 @@ void OrganGeometry::updateVertices(const OrganSurface& surface) {
   const auto [low, high] = boundsOf(surface);
   setBounds(low, high);
   update();
+}
+
+void OrganGeometry::setCovers(std::span<const std::array<float, 4>> covers) {
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    std::copy(covers[sources_[i]].begin(), covers[sources_[i]].end(), drawn_[i].colour);
+  }
+  setVertexData(bytesOf(std::span<const DrawnVertex>(drawn_)));
+  update();
+}
+
+void OrganGeometry::setReach(const OrganSurface& surface, std::span<const std::uint32_t> some) {
+  constexpr float kBetween_mm = 12.0F;  // by which vertices between them may lie further out
+  constexpr float kHuge = std::numeric_limits<float>::max();
+  QVector3D low(kHuge, kHuge, kHuge);
+  QVector3D high = -low;
+  for (const std::uint32_t vertex : some) {
+    for (int k = 0; k < 3; ++k) {
+      const float at = surface.vertices()[vertex].position[k];
+      low[k] = std::min(low[k], at - kBetween_mm);
+      high[k] = std::max(high[k], at + kBetween_mm);
+    }
+  }
+  setBounds(low, high);
+  update();
+}
+
+void NumberTexture::setTexels(std::span<const std::array<float, 4>> texels, int wide) {
+  setFormat(RGBA32F);
+  fill(texels.empty() ? nullptr : texels.front().data(), texels.size(), 4, wide);
+}
+
+void NumberTexture::setNumbers(std::span<const float> numbers, int wide) {
+  setFormat(R32F);
+  fill(numbers.data(), numbers.size(), 1, wide);
+}
+
+void NumberTexture::fill(const float* numbers, std::size_t texels, std::size_t each, int wide) {
+  const std::size_t lines = (texels + static_cast<std::size_t>(wide) - 1) / static_cast<std::size_t>(wide);
+  QByteArray bytes(static_cast<qsizetype>(lines * static_cast<std::size_t>(wide) * each * sizeof(float)),
+                   '\0');
+  std::memcpy(bytes.data(), numbers, texels * each * sizeof(float));
+  setSize({wide, static_cast<int>(lines)});
+  setHasTransparency(false);
+  setTextureData(bytes);
+}
+
+QSSGRenderGraphObject* NumberTexture::updateSpatialNode(QSSGRenderGraphObject* node) {
+  // As in MovingGeometry: a notification would request one more, identical frame.
+  QSignalBlocker quiet(this);
+  if (node == nullptr) {
+    quiet.unblock();
+  }
+  return QQuick3DTextureData::updateSpatialNode(node);
 }
 
 void SkinTexture::setSkin(const TissueSkin& skin) {

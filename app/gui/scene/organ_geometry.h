@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <QQuick3DTextureData>
@@ -20,7 +23,7 @@ struct DrawnVertex {
   float normal[3];
   float colour[4];  ///< linear
   float map[2];     ///< position on the painted skin, 0..1
-  float along[2];   ///< mm along the organ; the second is unused
+  float along[2];   ///< mm along the organ; number of the vertex of the organ's mesh
   float rest[3];    ///< rest position, view frame, mm; passed as the tangent
 };
 static_assert(sizeof(DrawnVertex) == 68, "the layout that OrganGeometry announces");
@@ -35,6 +38,11 @@ class OrganGeometry : public MovingGeometry {
   void setSurface(const OrganSurface& surface, const TissueSkin* skin = nullptr);
   /// Moves the vertices of the present organ.
   void updateVertices(const OrganSurface& surface);
+  /// Sets what covers the colour of the tissue, of an organ that a shader moves: one per vertex, sRGB times
+  /// how far it covers, and what shows through (BloodMap::cover).
+  void setCovers(std::span<const std::array<float, 4>> covers);
+  /// Sets the space that the organ takes, of one that a shader moves, from some of its vertices.
+  void setReach(const OrganSurface& surface, std::span<const std::uint32_t> some);
   /// Returns the soft edge of the organ after its last update; valid until the next call.
   std::span<const EdgeVertex> softEdge(const OrganSurface& surface, const Eye& eye);
 
@@ -53,6 +61,22 @@ class SkinTexture : public QQuick3DTextureData {
 
  public:
   void setSkin(const TissueSkin& skin);
+};
+
+/// Numbers for a vertex shader, as a texture. GUI thread.
+class NumberTexture : public QQuick3DTextureData {
+  Q_OBJECT
+
+ public:
+  /// Sets numbers in lines of `wide` texels of four, or of one; the last line is filled up.
+  void setTexels(std::span<const std::array<float, 4>> texels, int wide);
+  void setNumbers(std::span<const float> numbers, int wide);
+
+ protected:
+  QSSGRenderGraphObject* updateSpatialNode(QSSGRenderGraphObject* node) override;
+
+ private:
+  void fill(const float* numbers, std::size_t texels, std::size_t each, int wide);
 };
 
 /// The organ's edges as thin lines, raised above the skin to avoid flicker. GUI thread.

@@ -46,30 +46,40 @@ OrganShadow::OrganShadow(const QVector3D& centre_mm, float radius_mm, float grou
   ground_mm_ = ground_mm;
 }
 
-std::span<const std::uint8_t> OrganShadow::cast(const OrganSurface& organ) {
+std::span<const std::uint8_t> OrganShadow::cast(const OrganSurface& organ,
+                                                std::span<const std::uint32_t> of) {
   std::fill(shade_.begin(), shade_.end(), std::uint8_t{0});
   if (radius_mm_ <= 0.0F) {
     return shade_;
   }
-  const float scale = 0.5F * static_cast<float>(kSide) / (kShadowReach * radius_mm_);
-  for (const SurfaceVertex& v : organ.vertices()) {
-    const float height = v.position[2] - ground_mm_;
-    const float x = scale * (v.position[0] - centre_mm_.x() + kRight * height);
-    const float y = scale * (v.position[1] - centre_mm_.y() - kDown * height);
-    const int column = static_cast<int>(x) + kSide / 2;
-    const int row = static_cast<int>(y) + kSide / 2;
-    if (column < 1 || row < 1 || column >= kSide - 1 || row >= kSide - 1) {
-      continue;
-    }
-    // Four pixels, because the vertices of a coarse mesh are further apart than one.
-    std::uint8_t* here = &shade_[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(column)];
-    here[0] = here[1] = here[kSide] = here[kSide + 1] = 255;
+  const std::span<const SurfaceVertex> vertices = organ.vertices();
+  // Several pixels, because the vertices of a coarse mesh, or a few of a fine one, are further apart than
+  // one.
+  const int spot = of.empty() ? 2 : 3;
+  const std::size_t count = of.empty() ? vertices.size() : of.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    put(vertices[of.empty() ? i : of[i]], spot);
   }
   for (int pass = 0; pass < kPasses; ++pass) {
     soften(shade_, other_, 1, kSide);
     soften(other_, shade_, kSide, 1);
   }
   return shade_;
+}
+
+void OrganShadow::put(const SurfaceVertex& v, int spot) {
+  const float scale = 0.5F * static_cast<float>(kSide) / (kShadowReach * radius_mm_);
+  const float height = v.position[2] - ground_mm_;
+  const float x = scale * (v.position[0] - centre_mm_.x() + kRight * height);
+  const float y = scale * (v.position[1] - centre_mm_.y() - kDown * height);
+  const int column = static_cast<int>(x) + kSide / 2 - (spot - 2);
+  const int row = static_cast<int>(y) + kSide / 2 - (spot - 2);
+  if (column < 1 || row < 1 || column > kSide - spot || row > kSide - spot) {
+    return;
+  }
+  for (int k = 0; k < spot; ++k) {
+    std::fill_n(&shade_[static_cast<std::size_t>((row + k) * kSide + column)], spot, std::uint8_t{255});
+  }
 }
 
 void ShadowTexture::setShade(std::span<const std::uint8_t> shade) {

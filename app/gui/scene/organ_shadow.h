@@ -25,10 +25,13 @@ class OrganShadow {
   /// `ground_mm`: depth of the surface that receives the shadow, in the viewing direction.
   OrganShadow(const QVector3D& centre_mm, float radius_mm, float ground_mm);
 
-  /// Returns the shading, 0 to 255: rows from below, kSide_px squared.
-  std::span<const std::uint8_t> cast(const OrganSurface& organ);
+  /// Returns the shading, 0 to 255: rows from below, kSide_px squared. `of`: the vertices that are in place;
+  /// empty: all.
+  std::span<const std::uint8_t> cast(const OrganSurface& organ, std::span<const std::uint32_t> of = {});
 
  private:
+  void put(const SurfaceVertex& v, int spot);
+
   QVector3D centre_mm_;
   float radius_mm_ = 0.0F;
   float ground_mm_ = 0.0F;

@@ -46,6 +46,15 @@ OrganSurface::OrganSurface(const TriangleMesh& mesh) : triangles_(mesh.triangles
   update(mesh.vertices_m);
 }
 
+void OrganSurface::place(std::uint32_t vertex, const Vec3& at_m, const Vec3& normal) {
+  const QVector3D p = toView(at_m);
+  const QVector3D n = toViewDirection(normalized(normal));
+  for (int k = 0; k < 3; ++k) {
+    vertices_[vertex].position[k] = p[k];
+    vertices_[vertex].normal[k] = n[k];
+  }
+}
+
 void OrganSurface::sink(float depth_mm) {
   for (SurfaceVertex& v : vertices_) {
     for (int k = 0; k < 3; ++k) {

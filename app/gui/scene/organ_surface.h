@@ -29,6 +29,9 @@ class OrganSurface {
   /// Sets the vertices, metres, world frame, one per mesh vertex; recomputes normals (area-weighted).
   void update(std::span<const Vec3> vertices_m);
 
+  /// Sets one vertex, metres, world frame, and its normal, of any length.
+  void place(std::uint32_t vertex, const Vec3& at_m, const Vec3& normal);
+
   /// Moves all vertices inwards along their normals, so that a coincident surface is seen instead.
   void sink(float depth_mm);
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <QGuiApplication>
 #include <QMatrix4x4>
@@ -15,6 +16,7 @@
 #include <QQuickWidget>
 #include <QQuickWindow>
 #include <QUrl>
+#include <QVector4D>
 
 #include "app/gui/scene/drapery.h"
 #include "app/gui/scene/instrument_geometry.h"
@@ -30,6 +32,7 @@ static void initSceneResources() {
   Q_INIT_RESOURCE(torsio_scene);
   Q_INIT_RESOURCE(torsio_light);
   Q_INIT_RESOURCE(torsio_shaders);
+  Q_INIT_RESOURCE(torsio_moved_shaders);
 }
 
 namespace torsio::gui {
@@ -141,6 +144,9 @@ SceneCanvas::SceneCanvas(QWidget& parent) : QObject(&parent) {
 
 void SceneCanvas::readParts() {
   parts_.organ = root_->property("organ").value<OrganGeometry*>();
+  parts_.organVertices = root_->property("organVertices").value<NumberTexture*>();
+  parts_.organNeighbours = root_->property("organNeighbours").value<NumberTexture*>();
+  parts_.organRows = root_->property("organRows").value<NumberTexture*>();
   parts_.skin = root_->property("skin").value<SkinTexture*>();
   parts_.wire = root_->property("wire").value<WireGeometry*>();
   parts_.lattice = root_->property("lattice").value<RibbonGeometry*>();
@@ -212,6 +218,7 @@ void SceneCanvas::registerTypes() {
   static const bool kOnce = [] {
     initSceneResources();
     qmlRegisterType<OrganGeometry>("Torsio.Scene", 1, 0, "OrganGeometry");
+    qmlRegisterType<NumberTexture>("Torsio.Scene", 1, 0, "NumberTexture");
     qmlRegisterType<SkinTexture>("Torsio.Scene", 1, 0, "SkinTexture");
     qmlRegisterType<SurroundingsTexture>("Torsio.Scene", 1, 0, "SurroundingsTexture");
     qmlRegisterType<ShadowTexture>("Torsio.Scene", 1, 0, "ShadowTexture");
@@ -379,9 +386,9 @@ void SceneCanvas::joinContinuations(const std::vector<Continuation>& ends, const
   }
 }
 
-void SceneCanvas::castShadow(const OrganSurface& organ) {
+void SceneCanvas::castShadow(const OrganSurface& organ, std::span<const std::uint32_t> of) {
   if (parts_.shadow != nullptr) {
-    parts_.shadow->setShade(shadow_.cast(organ));
+    parts_.shadow->setShade(shadow_.cast(organ, of));
   }
 }
 
@@ -412,6 +419,32 @@ void SceneCanvas::applyQuality() {
   const bool byItself = quality_ == RenderQuality::kAutomatic && !renderer_.isEmpty() && control_.fine();
   set("best", quality_ == RenderQuality::kBest);
   set("fine", chosen || byItself);
+  const QString wanted = qEnvironmentVariable("TORSIO_DEFORM");
+  const bool card = !renderer_.isEmpty() && kindOf(renderer_) == Renderer::kGraphicsCard;
+  // The best level keeps ambient occlusion, whose pass knows nothing of a material's textures.
+  const bool able = (chosen || byItself) && quality_ != RenderQuality::kBest && wanted != u"processor";
+  const bool before = std::exchange(prefersShader_, able && (card || wanted == u"card"));
+  if (before != prefersShader_) {
+    Q_EMIT shaderPreferred();
+  }
+}
+
+void SceneCanvas::setDeformedByShader(bool deformed) {
+  set("deformedByShader", deformed);
+}
+
+void SceneCanvas::setDents(std::span<const ContactPatch> dents) {
+  static constexpr std::array kNames{std::array{"dentPlace0", "dentDepth0"},
+                                     std::array{"dentPlace1", "dentDepth1"}};
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    const ContactPatch patch = i < dents.size() && dents[i].depth_m > 0.0 ? dents[i] : ContactPatch{};
+    const auto four = [](const Vec3& v, double w) {
+      return QVector4D(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
+                       static_cast<float>(w));
+    };
+    set(kNames[i][0], four(patch.point_m, patch.radius_m));
+    set(kNames[i][1], four(-patch.depth_m * patch.normal, patch.toolRadius_m));
+  }
 }
 
 QImage SceneCanvas::picture() const {

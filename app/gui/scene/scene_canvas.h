@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -18,6 +19,7 @@
 #include "app/gui/scene/quality_control.h"
 #include "app/gui/scene/surroundings.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/core/live_types.h"
 #include "sim/core/pose.h"
 
 class QQuickItem;
@@ -32,6 +34,7 @@ namespace torsio::gui {
 
 class InstrumentGeometry;
 class MarkerGeometry;
+class NumberTexture;
 class OrbitCamera;
 class OrganGeometry;
 class OrganSurface;
@@ -56,6 +59,9 @@ class SceneCanvas : public QObject {
   /// The meshes and textures of scene_view.qml; null on a platform without OpenGL.
   struct Parts {
     OrganGeometry* organ = nullptr;
+    NumberTexture* organVertices = nullptr;
+    NumberTexture* organNeighbours = nullptr;
+    NumberTexture* organRows = nullptr;
     SkinTexture* skin = nullptr;
     WireGeometry* wire = nullptr;
     RibbonGeometry* lattice = nullptr;
@@ -100,11 +106,17 @@ class SceneCanvas : public QObject {
   /// Joins the open ends of the organ to what is painted behind it. Call after setSurroundings().
   void joinContinuations(const std::vector<Continuation>& ends, const OrganSurface& rest);
   /// Updates the shadow to the organ's present shape.
-  void castShadow(const OrganSurface& organ);
+  void castShadow(const OrganSurface& organ, std::span<const std::uint32_t> of = {});
   /// Updates the soft edge after the organ's vertices.
   void edgeOrgan(const OrganSurface& organ);
   void setTheme(const Theme& theme);
   void setQuality(RenderQuality quality);
+  /// Tells whether a vertex shader should deform the organ: at the fine level on a graphics card, or as the
+  /// environment variable TORSIO_DEFORM says ("card": always at that level, "processor": never).
+  [[nodiscard]] bool prefersShader() const noexcept { return prefersShader_; }
+  /// Shows the organ as a vertex shader deforms it, with up to two dents, or as its vertices are.
+  void setDeformedByShader(bool deformed);
+  void setDents(std::span<const ContactPatch> dents);
 
   void redraw();
   [[nodiscard]] std::int64_t framesDrawn() const noexcept { return framesDrawn_; }
@@ -114,6 +126,8 @@ class SceneCanvas : public QObject {
  Q_SIGNALS:
   /// See SceneView::frameDrawn().
   void frameDrawn();
+  /// Emitted when prefersShader() has changed.
+  void shaderPreferred();
 
  private:
   void readParts();
@@ -132,6 +146,7 @@ class SceneCanvas : public QObject {
   QQuickWidget* quick_ = nullptr;  // null on a platform without OpenGL
   QQuickItem* root_ = nullptr;
   Parts parts_;
+  bool prefersShader_ = false;
   std::vector<Solid> solids_;
   std::vector<EdgeVertex> quads_;
   Eye eye_;

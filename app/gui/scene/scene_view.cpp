@@ -60,6 +60,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   canvas_ = new SceneCanvas(*this);
   connect(canvas_, &SceneCanvas::frameDrawn, this, &SceneView::frameDrawn);
   connect(canvas_, &SceneCanvas::frameDrawn, this, &SceneView::endWaiting, Qt::QueuedConnection);
+  connect(canvas_, &SceneCanvas::shaderPreferred, this, &SceneView::showAgain);
   legend_ = new StressLegend(this);
   legend_->hide();
   auto* layout = bareLayout<QVBoxLayout>(this);
@@ -142,6 +143,11 @@ void SceneView::setScene(const ViewScene& view) {
       parts.skin->setSkin(*view_.skin);
     }
     parts.organ->setSurface(view_.surface, view_.skin.get());
+    if (view_.shader) {
+      constexpr int kWide = 1024;  // as in organ_place.glsl
+      parts.organVertices->setTexels(view_.shader->vertices(), kWide);
+      parts.organNeighbours->setNumbers(view_.shader->neighbours(), kWide);
+    }
     parts.wire->setSurface(view_.surface);
     parts.lattice->setLines(view_.lines.lattice, kLatticeWidth * organRadius_, view_.surface);
     parts.grasp->setLines(view_.lines.grasp, kGraspWidth * organRadius_, view_.surface,
@@ -153,6 +159,9 @@ void SceneView::setScene(const ViewScene& view) {
   shearShare_.assign(view_.surface.vertices().size(), 0.0F);
   colours_.resize(view_.surface.vertices().size());
   dented_ = false;
+  findFollowed();
+  byShader_ = false;
+  canvas_->setDeformedByShader(false);
   canvas_->setLook(view_.look);
   setShearVisible(shearVisible_);
   setMarkersVisible(markersVisible_);
@@ -183,8 +192,12 @@ void SceneView::setOrgan(const OrganState& state) {
   if (!view_.deform || !moves(state)) {
     return;
   }
-  deformSkin(state);
   dented_ = false;
+  if (onCard()) {
+    showOnCard(state, {});
+    return;
+  }
+  deformSkin(state);
   showSkin();
 }
 
@@ -194,7 +207,10 @@ void SceneView::setTissue(const LiveState& state) {
   }
   const OrganState organ = organStateOf(state);
   const bool touched = state.patches[0].depth_m > 0.0 || state.patches[1].depth_m > 0.0;
-  if (touched || dented_ || moves(organ)) {
+  if ((touched || dented_ || moves(organ)) && onCard()) {
+    showOnCard(organ, state.patches);
+    dented_ = touched;
+  } else if (touched || dented_ || moves(organ)) {
     deformSkin(organ);
     dented_ = indentSurface(state, deformed_m_);
     showSkin();
@@ -208,7 +224,7 @@ void SceneView::setForce(const Vec3& at_m, const Vec3& force_N) {
 
 bool SceneView::moves(const OrganState& state) const {
   const bool otherShape = view_.shapeNumber && view_.shapeNumber() != shapeShown_;
-  return !shown_.has_value() || *shown_ != state || otherShape;
+  return !shown_.has_value() || *shown_ != state || otherShape || byShader_ != onCard();
 }
 
 void SceneView::deformSkin(const OrganState& state) {
@@ -234,7 +250,115 @@ void SceneView::paintSkin() {
   }
 }
 
+bool SceneView::onCard() const {
+  const bool overlaid = (shearVisible_ && !view_.shear.empty()) || wireframe_ || latticeVisible_ ||
+                        (markersVisible_ && !view_.markers.empty());
+  return canvas_->prefersShader() && view_.shader != nullptr && !view_.shapeNumber && !overlaid;
+}
+
+/// Shows the same state when the way to deform it has changed.
+void SceneView::showAgain() {
+  if (!view_.deform || !shown_.has_value() || byShader_ == onCard()) {
+    return;
+  }
+  const OrganState state = *shown_;
+  if (onCard()) {
+    showOnCard(state, {});
+  } else {
+    deformSkin(state);
+    showSkin();
+  }
+}
+
+// Every vertex that a line, a mesentery or a continuation is tied to; and some hundreds, evenly, for the
+// shadow.
+void SceneView::findFollowed() {
+  constexpr std::size_t kMaxShading = 1200;
+  followed_.clear();
+  shading_.clear();
+  coversCurrent_ = false;
+  const auto add = [this](std::span<const SkinAnchor> anchors) {
+    for (const SkinAnchor& anchor : anchors) {
+      followed_.insert(followed_.end(), anchor.corners.begin(), anchor.corners.end());
+    }
+  };
+  for (const SkinLine& line : view_.lines.grasp) {
+    add(line.anchors);
+  }
+  for (const MesenteryHold& hold : view_.mesentery) {
+    add(hold);
+  }
+  for (const Continuation& one : view_.continuations) {
+    add(one.end);
+    add(one.before);
+  }
+  std::sort(followed_.begin(), followed_.end());
+  followed_.erase(std::unique(followed_.begin(), followed_.end()), followed_.end());
+  const std::size_t count = view_.surface.vertices().size();
+  const std::size_t step = std::max<std::size_t>(1, (count + kMaxShading - 1) / kMaxShading);
+  for (std::size_t v = 0; v < count; v += step) {
+    shading_.push_back(static_cast<std::uint32_t>(v));
+  }
+}
+
+void SceneView::showOnCard(const OrganState& state, std::span<const ContactPatch> dents) {
+  shown_ = state;
+  byShader_ = true;
+  view_.shader->update(state);
+  placeFollowed(dents);
+  coverSkin(state);
+  const SceneCanvas::Parts& parts = canvas_->parts();
+  parts.organRows->setTexels(view_.shader->rows(), static_cast<int>(ShaderSkin::kRowTexels));
+  canvas_->setDents(dents);
+  canvas_->setDeformedByShader(true);
+  canvas_->castShadow(view_.surface, shading_);
+  parts.organ->setReach(view_.surface, shading_);
+  parts.mesentery->follow(view_.surface);
+  parts.continuations->follow(view_.surface);
+  parts.grasp->follow(view_.surface);
+}
+
+void SceneView::placeFollowed(std::span<const ContactPatch> dents) {
+  const auto dented = [dents](Vec3 place_m) {
+    Vec3 sum;
+    for (const ContactPatch& patch : dents) {
+      sum += indentationAt(patch, place_m);
+    }
+    return place_m + sum;
+  };
+  for (const std::uint32_t vertex : shading_) {
+    view_.surface.place(vertex, view_.shader->place_m(vertex), {0.0, 0.0, 1.0});
+  }
+  for (const std::uint32_t vertex : followed_) {
+    view_.surface.place(vertex, dented(view_.shader->place_m(vertex)), view_.shader->normal_m2(vertex));
+  }
+}
+
+/// Passes the colour of the blood, and what covers it where that has changed.
+void SceneView::coverSkin(const OrganState& state) {
+  const HollowPose& pose = state.hollow;
+  const std::array<float, 3> blood =
+      view_.blood.empty() ? std::array{1.0F, 1.0F, 1.0F} : BloodMap::twistedFactor(pose);
+  canvas_->set("organBlood", QVector3D(blood[0], blood[1], blood[2]));
+  const bool same =
+      covered_.markCount == pose.markCount && covered_.clipped == pose.clipped &&
+      std::equal(pose.marks.begin(), pose.marks.begin() + pose.markCount, covered_.marks.begin());
+  if (coversCurrent_ && same) {
+    return;
+  }
+  covered_ = pose;
+  coversCurrent_ = true;
+  covers_.assign(view_.surface.vertices().size(), {0.0F, 0.0F, 0.0F, 1.0F});
+  if (!view_.blood.empty()) {
+    view_.blood.cover(state, covers_);
+  }
+  canvas_->parts().organ->setCovers(covers_);
+}
+
 void SceneView::showSkin() {
+  byShader_ = false;
+  coversCurrent_ = false;
+  canvas_->setDeformedByShader(false);
   view_.surface.update(deformed_m_);
   paintSkin();
   if (!canvas_->drawn()) {
@@ -277,13 +401,18 @@ void SceneView::setShearVisible(bool visible) {
     view_.deform(*shown_, deformed_m_);
     showSkin();
   } else if (canvas_->drawn()) {
+    if (byShader_) {
+      return;
+    }
     canvas_->parts().organ->updateVertices(view_.surface);
     canvas_->edgeOrgan(view_.surface);
   }
+  showAgain();
 }
 
 void SceneView::setMarkersVisible(bool visible) {
   markersVisible_ = visible;
+  showAgain();
   canvas_->set("markersVisible", visible && !view_.markers.empty());
   if (visible && canvas_->drawn() && !view_.surface.vertices().empty()) {
     placeMarkers();
@@ -332,6 +461,7 @@ void SceneView::setToolVisible(bool visible) {
 
 void SceneView::setWireframe(bool visible) {
   wireframe_ = visible;
+  showAgain();
   if (canvas_->drawn() && visible && !view_.surface.vertices().empty()) {
     canvas_->parts().wire->updateVertices(view_.surface);
   }
@@ -340,6 +470,7 @@ void SceneView::setWireframe(bool visible) {
 
 void SceneView::setLattice(bool visible) {
   latticeVisible_ = visible;
+  showAgain();
   if (canvas_->drawn() && visible && !view_.surface.vertices().empty()) {
     canvas_->parts().lattice->follow(view_.surface);
   }
@@ -369,7 +500,9 @@ void SceneView::setTool(const Pose& pose, double grip) {
 
 void SceneView::applyCamera() {
   canvas_->setCamera(camera_, 8.0F * organRadius_);
-  canvas_->edgeOrgan(view_.surface);
+  if (!byShader_) {
+    canvas_->edgeOrgan(view_.surface);
+  }
   Q_EMIT cameraChanged();
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <QImage>
@@ -100,6 +101,14 @@ class SceneView : public QWidget {
 
  private:
   void showSkin();
+  /// Tells whether a vertex shader deforms the organ now.
+  [[nodiscard]] bool onCard() const;
+  void showAgain();
+  /// Shows a state by the vertex shader; `dents`: under the instrument.
+  void showOnCard(const OrganState& state, std::span<const ContactPatch> dents);
+  void placeFollowed(std::span<const ContactPatch> dents);
+  void coverSkin(const OrganState& state);
+  void findFollowed();
   /// Returns whether the state differs from the one shown.
   [[nodiscard]] bool moves(const OrganState& state) const;
   /// Computes the vertices from the state, or from the latest shape of an asynchronous model.
@@ -125,6 +134,13 @@ class SceneView : public QWidget {
   bool markersVisible_ = false;
   std::vector<float> shearShare_;
   std::vector<std::array<float, 3>> colours_;  // one per vertex
+  // Of an organ that a vertex shader deforms.
+  bool byShader_ = false;
+  std::vector<std::uint32_t> followed_;  // vertices that something is tied to
+  std::vector<std::uint32_t> shading_;   // vertices that cast the shadow
+  std::vector<std::array<float, 4>> covers_;
+  HollowPose covered_;  // that covers_ shows
+  bool coversCurrent_ = false;
   OrbitCamera camera_;
   QVector3D organCentre_;
   float organRadius_ = 100.0F;

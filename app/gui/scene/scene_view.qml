@@ -8,6 +8,9 @@ Item {
     id: root
 
     property alias organ: organGeometry
+    property alias organVertices: organVerticesData
+    property alias organNeighbours: organNeighboursData
+    property alias organRows: organRowsData
     property alias skin: skinData
     property alias ghost: ghostGeometry
     property alias surroundings: surroundingsData
@@ -73,6 +76,13 @@ Item {
     property vector3d relief
     property real paintedRelief: 0     // range of the painted skin's fourth channel, mm
     property bool stressVisible: false
+    property bool deformedByShader: false
+    property vector3d organBlood: Qt.vector3d(1, 1, 1)   // factor on the colour of what is twisted, sRGB
+    // Under the instrument, m: place and reach; depth along the normal, and radius of the tool.
+    property vector4d dentPlace0
+    property vector4d dentDepth0
+    property vector4d dentPlace1
+    property vector4d dentDepth1
     property color wireColour: "#20323c"
     property color latticeColour: "#12303c"
     property color graspColour: "#0f766e"
@@ -129,7 +139,7 @@ Item {
             tonemapMode: SceneEnvironment.TonemapModeLinear
             antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
             antialiasingQuality: root.best ? SceneEnvironment.VeryHigh : SceneEnvironment.High
-            aoStrength: root.fine ? 30 : 0
+            aoStrength: root.fine && !root.deformedByShader ? 30 : 0
             aoDistance: 18
             aoSoftness: 20
             aoSampleRate: root.best ? 4 : 3
@@ -191,6 +201,26 @@ Item {
             mipFilter: Texture.Linear
         }
 
+        component NumberMap: Texture {
+            minFilter: Texture.Nearest
+            magFilter: Texture.Nearest
+            mipFilter: Texture.None
+            tilingModeHorizontal: Texture.ClampToEdge
+            tilingModeVertical: Texture.ClampToEdge
+        }
+        NumberMap {
+            id: organVerticesMap
+            textureData: NumberTexture { id: organVerticesData }
+        }
+        NumberMap {
+            id: organNeighboursMap
+            textureData: NumberTexture { id: organNeighboursData }
+        }
+        NumberMap {
+            id: organRowsMap
+            textureData: NumberTexture { id: organRowsData }
+        }
+
         // The fast level: the painted skin, lit by the same lamps without the light probe.
         CustomMaterial {
             id: plainTissue
@@ -229,6 +259,31 @@ Item {
             vertexShader: "qrc:/torsio/shaders/tissue.vert"
             fragmentShader: "qrc:/torsio/shaders/tissue.frag"
             property TextureInput skinMap: TextureInput { texture: skinTexture }
+            property real tissueRoughness: root.tissueRoughness
+            property real filmRoughness: root.filmRoughness
+            property real wetness: root.filmAmount
+            property real scatter: root.scatter
+            property real foldDepth: root.foldDepth
+            property real poreDepth: root.poreDepth
+            property real bumpBroad: root.relief.x
+            property real bumpMiddle: root.relief.y
+            property real bumpSmall: root.relief.z
+        }
+        // The same on a graphics card, which deforms the organ.
+        CustomMaterial {
+            id: movedTissue
+            shadingMode: CustomMaterial.Shaded
+            vertexShader: "qrc:/torsio/shaders/moved_tissue.vert"
+            fragmentShader: livingTissue.fragmentShader
+            property TextureInput skinMap: TextureInput { texture: skinTexture }
+            property TextureInput organVertices: TextureInput { texture: organVerticesMap }
+            property TextureInput organNeighbours: TextureInput { texture: organNeighboursMap }
+            property TextureInput organRows: TextureInput { texture: organRowsMap }
+            property vector3d organBlood: root.organBlood
+            property vector4d dentPlace0: root.dentPlace0
+            property vector4d dentDepth0: root.dentDepth0
+            property vector4d dentPlace1: root.dentPlace1
+            property vector4d dentDepth1: root.dentDepth1
             property real tissueRoughness: root.tissueRoughness
             property real filmRoughness: root.filmRoughness
             property real wetness: root.filmAmount
@@ -352,7 +407,7 @@ Item {
             geometry: OrganGeometry { id: organGeometry }
             receivesShadows: root.fine
             castsShadows: root.fine
-            materials: root.stressVisible ? stressMap : root.fine ? livingTissue : plainTissue
+            materials: root.stressVisible ? stressMap : !root.fine ? plainTissue : root.deformedByShader ? movedTissue : livingTissue
         }
         // Soft edges of organ and solids, one pixel wide: smooth without antialiasing.
         Model {

@@ -18,6 +18,13 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   view.lines = latticeLines(*scene);
   view.shear = ShearMap(scene);
   view.blood = BloodMap(scene);
+  const bool asynchronous = scene->tissue != TissueModel::kTwist;
+  if (SceneCanvas::platformCanRender() && !asynchronous) {
+    if (std::optional<ShaderSkin> skin =
+            ShaderSkin::of(scene, view.blood.empty() ? std::vector<float>{} : view.blood.fed())) {
+      view.shader = std::make_shared<ShaderSkin>(std::move(*skin));
+    }
+  }
   if (view.surroundings == Surroundings::kStomach) {
     view.continuations = stomachContinuations(*scene);
   }

@@ -17,6 +17,7 @@
 #include "sim/core/vec3.h"
 #include "sim/scene/blood_map.h"
 #include "sim/scene/organ_state.h"
+#include "sim/scene/shader_skin.h"
 #include "sim/scene/skin/tissue_skin.h"
 #include "sim/scene/tissue_look.h"
 
@@ -34,6 +35,7 @@ struct ViewScene {
   std::vector<MesenteryHold> mesentery;     ///< for Surroundings::kBowelLoop; otherwise empty
   std::vector<Continuation> continuations;  ///< of a stomach with its own open ends; otherwise empty
   std::vector<SkinAnchor> markers;          ///< empty if the organ has none
+  std::shared_ptr<ShaderSkin> shader;       ///< null if no vertex shader can deform the organ
   /// Computes the vertices for a state of twist, one per vertex of the surface, metres. GUI thread.
   std::function<void(const OrganState&, std::span<Vec3>)> deform;
   /// For an asynchronous model: number of its latest shape, 0 before the first, and that shape's vertices.
