@@ -68,6 +68,7 @@ HollowWall readWall(JsonFields& parent) {
     wall.ventedPressure_Pa = pressure_Pa("vented_pressure_mmhg", wall.pressure_Pa / kPascalsPerMmHg);
   }
   wall.sealed = fields.flag("sealed", false);
+  wall.foldsNeedRoom = fields.flag("folds_need_room", false);
   wall.source = fields.text("source");
   fields.finish();
   return wall;

@@ -46,6 +46,7 @@ HollowContent contentOf(const HollowOrgan::Parts& parts) {
   HollowContent content;
   content.shearModulus_Pa = parts.shearModulus_Pa;
   content.gentLimit = wall.gentLimit;
+  content.foldsNeedRoom = wall.foldsNeedRoom;
   content.restPressure_Pa = wall.restPressure_Pa;
   content.highestPressure_Pa = std::max(wall.restPressure_Pa, wall.pressure_Pa);
   return content;

@@ -29,6 +29,7 @@ struct HollowWall {
   double ventedPressure_Pa = 0.0;
   bool sealed =
       false;  ///< whether it is a gas that keeps to p V = const until it is let out; else p is given
+  bool foldsNeedRoom = false;  ///< TubeWall::foldsNeedRoom; false in scenes from before it was known
   std::string source;
 };
 

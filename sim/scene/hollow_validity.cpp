@@ -26,9 +26,9 @@ constexpr double kRounding = 1.001;
 constexpr double kEmpty = 0.05;  // p R / (G t) below which an empty tube is the nearest checked one
 
 // Torque over that of solid elements, less 1.
-constexpr std::array kTaut{-0.06, 0.07};
+constexpr std::array kTaut{-0.07, 0.07};
 constexpr std::array kFoldedUnderPressure{-0.09, 0.04};
-constexpr std::array kFoldedEmpty{-0.23, 0.32};
+constexpr std::array kFoldedEmpty{-0.16, 0.32};
 
 Text joined(const std::vector<Text>& limits) {
   Text all;

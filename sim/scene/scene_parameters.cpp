@@ -149,6 +149,9 @@ Json toJson(const HollowWall& wall) {
   if (wall.sealed) {  // else as in recordings from before there was a choice
     json["sealed"] = true;
   }
+  if (wall.foldsNeedRoom) {  // likewise
+    json["folds_need_room"] = true;
+  }
   return json;
 }
 

@@ -74,6 +74,7 @@ WrungOrgan::Unloaded WrungOrgan::unloaded(std::span<const WallPlace> places, dou
   tube.wall.ends = {places.front().radius_m / tube.radius_m, places.back().radius_m / tube.radius_m};
   tube.wall.gentLimit = content.gentLimit;
   tube.wall.freeLength = content.freeLength;
+  tube.wall.foldsNeedRoom = content.foldsNeedRoom;
   if (content.freeLength) {
     double thickness = 0.0;
     for (const double t : tube.wall.thickness) {

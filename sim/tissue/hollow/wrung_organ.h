@@ -29,6 +29,7 @@ struct HollowContent {
   double restPressure_Pa = 0.0;     ///< over outside, at which the organ is drawn
   double highestPressure_Pa = 0.0;  ///< up to which the table goes; at least the rest pressure
   bool freeLength = false;          ///< whether the turned end may come nearer
+  bool foldsNeedRoom = true;        ///< TubeWall::foldsNeedRoom
 };
 
 /// A straight hollow organ, or the stretch of one between two holds, that is wrung: SI. Immutable.

@@ -15,11 +15,14 @@ namespace torsio {
 
 namespace {
 
-constexpr double kFoldBending = 2.5;   // c_b, set once by runs in three dimensions (docs/model.md H.3)
-constexpr double kPacking = 200.0;     // stiffness of the packed wall, over G t
-constexpr double kTolerance = 1e-9;    // of the residual
-constexpr double kLoosest = 1e-5;      // residual at which a balance still counts
-constexpr double kLongestStep = 0.15;  // of the radius
+constexpr double kFoldBending = 2.5;  // c_b, set once by runs in three dimensions (docs/model.md H.3)
+// Of a clamped plate in shear, 8.98 pi^2 E / (12 (1 - nu^2)) over G for nu = 0.5 (Timoshenko).
+constexpr double kPlateBuckling = 8.98 * kPi * kPi / 3.0;
+constexpr double kCrestWay = 1.4142135623730951;  // along a crest at 45 degrees, of the way along the axis
+constexpr double kPacking = 200.0;                // stiffness of the packed wall, over G t
+constexpr double kTolerance = 1e-9;               // of the residual
+constexpr double kLoosest = 1e-5;                 // residual at which a balance still counts
+constexpr double kLongestStep = 0.15;             // of the radius
 constexpr double kDifference = 1e-6;
 constexpr int kMaxIterations = 400;
 constexpr int kMaxShifts = 40;
@@ -259,10 +262,22 @@ WrungTube::WrungTube(TubeWall wall, int waves) : wall_(std::move(wall)) {
   for (std::size_t e = 0; e < last; ++e) {
     const double share =
         (wall_.thickness[e] + wall_.thickness[e + 1]) / (wall_.radius[e] + wall_.radius[e + 1]);
-    laws_.push_back({wall_.gentLimit, kFoldBending * share * share * waves * waves / 3.0});
+    const double hold = kFoldBending * share * share * waves * waves / 3.0;
+    laws_.push_back({wall_.gentLimit, wall_.foldsNeedRoom ? std::max(hold, roomHold(e)) : hold});
     even_ =
         even_ && wall_.radius[e] == wall_.radius[last - e] && wall_.thickness[e] == wall_.thickness[last - e];
   }
+}
+
+// A fold ends at a held end, and its crest runs at about 45 degrees to the axis: what buckles is a plate no
+// longer than the way along the crest, clamped at its edges.
+double WrungTube::roomHold(std::size_t element) const noexcept {
+  const std::size_t elements = wall_.radius.size() - 1;
+  const double thickness = 0.5 * (wall_.thickness[element] + wall_.thickness[element + 1]);
+  const double step = wall_.length / static_cast<double>(elements);
+  const double away = (0.5 + static_cast<double>(std::min(element, elements - 1 - element))) * step;
+  const double slender = thickness / (kCrestWay * away);
+  return kPlateBuckling * slender * slender;
 }
 
 double WrungTube::packedRadius(std::size_t node) const noexcept {

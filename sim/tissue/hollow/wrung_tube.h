@@ -17,7 +17,10 @@ struct TubeWall {
   std::array<double, 2> ends{1, 1};  ///< radius to which each end is held round
   double gentLimit = 1.0;            ///< J_m
   bool freeLength = false;           ///< whether the turned end may come nearer; its ends are closed
-  double pull = 0.0;                 ///< on free ends, in G R^2: a folded wall alone holds no length
+  /// Whether folds need room beside a held end, as they do (docs/model.md H.3); false: as in recordings from
+  /// before.
+  bool foldsNeedRoom = false;
+  double pull = 0.0;  ///< on free ends, in G R^2: a folded wall alone holds no length
 };
 
 /// A tube in balance. Units of TubeWall.
@@ -58,6 +61,7 @@ class WrungTube {
 
  private:
   void balance(double angle_rad, double pressure, WrungShape& shape) const;
+  [[nodiscard]] double roomHold(std::size_t element) const noexcept;
   [[nodiscard]] WrungShape mirrored(const WrungShape& shape) const;
 
   TubeWall wall_;

@@ -133,6 +133,66 @@ TEST(HollowSwing, FindsItsWayBackFromItsSurface) {
   EXPECT_LE(astray, scene.mesh.vertices_m.size() / 50 / 20);  // of oesophagus and bulb, beyond the sections
 }
 
+/// Where the middle of the section at a share of the length lies.
+Vec3 middleAt_m(const Scene& scene, double share, const OrganState& lies) {
+  return scene.toDeformed_m(scene.lattice().frameAt(share * scene.lattice().length_m()).centre_m, lies);
+}
+
+Vec3 restingAt_m(const Scene& scene, double share) {
+  return scene.lattice().frameAt(share * scene.lattice().length_m()).centre_m;
+}
+
+double centroidMoves_m(const Scene& scene, const OrganState& lies) {
+  return norm(centroidAt_m(scene, lies) - centroid_m(scene.mesh, scene.mesh.vertices_m));
+}
+
+// Crossing sigmoid transitions, the sign of the more complete twists (AJR 194 (2010) 136, 10.2214/AJR.09.2580).
+TEST(HollowMotion, AHalfTurnOfASigmoidCrossesItsLimbsAndChangesItsShoulders) {
+  const Scene& scene = twistedOrgan("sigmoid");
+  for (const double way : {1.0, -1.0}) {
+    const OrganState lies = scene.stateAt(way * radians(180.0));
+    EXPECT_LT(norm(middleAt_m(scene, 0.4, lies) - restingAt_m(scene, 0.6)), 0.005);
+    EXPECT_LT(norm(middleAt_m(scene, 0.6, lies) - restingAt_m(scene, 0.4)), 0.005);
+    const Vec3 first = middleAt_m(scene, 0.2, lies);  // of the limbs
+    const Vec3 last = middleAt_m(scene, 0.8, lies);
+    EXPECT_LT(first.x * restingAt_m(scene, 0.2).x, 0.0);
+    EXPECT_LT(last.x * restingAt_m(scene, 0.8).x, 0.0);
+    EXPECT_GT(way * (first.y - last.y), 0.08);  // one in front of the other
+    EXPECT_LT(centroidMoves_m(scene, lies), 0.005);
+    for (const double foot : {0.0, 1.0}) {
+      EXPECT_LT(norm(middleAt_m(scene, foot, lies) - restingAt_m(scene, foot)), 1e-9);
+    }
+  }
+}
+
+TEST(HollowMotion, AHalfTurnOfABowelLoopCrossesItsLimbsAndBringsItsTopForward) {
+  const Scene& scene = twistedOrgan("small-bowel-loop");
+  for (const double way : {1.0, -1.0}) {
+    const OrganState lies = scene.stateAt(way * radians(180.0));
+    const Vec3 first = middleAt_m(scene, 0.4, lies);
+    EXPECT_NEAR(first.x, restingAt_m(scene, 0.6).x, 0.003);
+    EXPECT_NEAR(first.z, restingAt_m(scene, 0.6).z, 0.015);
+    EXPECT_NEAR(middleAt_m(scene, 0.5, lies).y - restingAt_m(scene, 0.5).y, -0.079, 0.005);
+    EXPECT_NEAR(centroidMoves_m(scene, lies), 0.019, 0.003);
+    for (const double foot : {0.0, 1.0}) {
+      EXPECT_LT(norm(middleAt_m(scene, foot, lies) - restingAt_m(scene, foot)), 1e-9);
+    }
+  }
+}
+
+// The model has no hinge at the middle of the curvatures (its scene says so): the antrum goes to the left and
+// forward, not up.
+TEST(HollowMotion, TheAntrumOfAStomachThatIsWrungGoesToTheLeftAndForward) {
+  const Scene& scene = twistedOrgan("gastric-mesentero-axial");
+  const OrganState lies = scene.stateAt(radians(180.0));
+  const Vec3 pylorus_m = middleAt_m(scene, 0.0, lies) - restingAt_m(scene, 0.0);
+  EXPECT_NEAR(pylorus_m.x, 0.131, 0.01);
+  EXPECT_NEAR(pylorus_m.y, -0.069, 0.01);
+  EXPECT_NEAR(pylorus_m.z, -0.073, 0.01);
+  EXPECT_NEAR(centroidMoves_m(scene, lies), 0.011, 0.003);
+  EXPECT_LT(norm(middleAt_m(scene, 0.95, lies) - restingAt_m(scene, 0.95)), 1e-9);
+}
+
 TEST(TwistLaw, OneThatIsProportionalChangesNothing) {
   const Scene scene = testing::shippedScene("stomach", "organo-axial");
   const std::vector<Restraint> restraints =

@@ -46,7 +46,7 @@ TEST(WallValidity, AnEmptyFoldedTubeIsOffByAThirdAndOneUnderPressureByATenth) {
 
   EXPECT_TRUE(empty.beyond.empty() && filled.beyond.empty() && taut.beyond.empty());
   EXPECT_GT(empty.torqueError.value()[1], 0.3);
-  EXPECT_LT(empty.torqueError.value()[0], -0.2);
+  EXPECT_LT(empty.torqueError.value()[0], -0.12);
   EXPECT_LT(filled.torqueError.value()[1], 0.12);
   EXPECT_GT(filled.torqueError.value()[0], -0.12);
   EXPECT_GT(taut.torqueError.value()[0], filled.torqueError.value()[0]);
@@ -118,6 +118,7 @@ WrungShape turnedBy(const SolidRun& run, int waves, double step_deg) {
   wall.thickness.assign(41, run.thinness);
   wall.length = run.length;
   wall.gentLimit = run.gentLimit;
+  wall.foldsNeedRoom = true;
   const WrungTube tube(wall, waves);
   WrungShape shape = tube.start();
   const int steps = static_cast<int>(run.angle_deg / step_deg) + 1;
@@ -224,10 +225,10 @@ TEST_P(ShippedWall, IsValidUpToTheTurnThatTheDocumentsSay) {
 
 // The swing of the stomach ends some 15 degrees beyond its largest start.
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedWall,
-                         ::testing::Values(ShippedValidity{"small-bowel-loop", 213.0},
-                                           ShippedValidity{"gastric-organo-axial", 226.0},
-                                           ShippedValidity{"gastric-mesentero-axial", 115.0},
-                                           ShippedValidity{"sigmoid", 90.0}));
+                         ::testing::Values(ShippedValidity{"small-bowel-loop", 222.0},
+                                           ShippedValidity{"gastric-organo-axial", 227.0},
+                                           ShippedValidity{"gastric-mesentero-axial", 118.0},
+                                           ShippedValidity{"sigmoid", 104.0}));
 
 TEST(WallValidity, OfACordHasNoLimit) {
   const HollowOrgan& testis = *twistedOrgan("testis").hollow;

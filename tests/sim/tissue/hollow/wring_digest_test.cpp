@@ -41,11 +41,11 @@ TEST(WringDigest, IsTheSameInEveryBuild) {
   for (int i = 0; i <= 40; ++i) {
     places.push_back({0.030 + 0.0001 * i, 0.0025 - 0.00001 * i});
   }
-  const HollowContent content{.shearModulus_Pa = 5e3, .restPressure_Pa = 400.0, .highestPressure_Pa = 1200.0};
+  HollowContent content{.shearModulus_Pa = 5e3, .restPressure_Pa = 400.0, .highestPressure_Pa = 1200.0};
 
-  const std::uint64_t digest = digestOf(WrungOrgan(places, 0.2, content));
-
-  EXPECT_EQ(digest, 12987385646362752412ULL);
+  EXPECT_EQ(digestOf(WrungOrgan(places, 0.2, content)), 11340372665126202462ULL);
+  content.foldsNeedRoom = false;  // as in recordings from before
+  EXPECT_EQ(digestOf(WrungOrgan(places, 0.2, content)), 12987385646362752412ULL);
 }
 
 }  // namespace

@@ -48,6 +48,12 @@ WrungShape turned(const WrungTube& tube, double angle_deg, double pressure) {
   return shape;
 }
 
+/// With folds that need room beside the ends, as organs of today have them.
+TubeWall withRoom(TubeWall wall) {
+  wall.foldsNeedRoom = true;
+  return wall;
+}
+
 struct MembraneRun {
   double thinness, pressure, gentLimit, waves, angle_deg, torque, lumen;
 };
@@ -84,7 +90,7 @@ TEST(WrungTube, HasTheTorqueOfHeldOutRunsInThreeDimensions) {
   ASSERT_EQ(runs.size(), 28U);
   double sum = 0.0;
   for (const MembraneRun& run : runs) {
-    const WrungTube tube(uniform(run.thinness, 6.0, run.gentLimit), static_cast<int>(run.waves));
+    const WrungTube tube(withRoom(uniform(run.thinness, 6.0, run.gentLimit)), static_cast<int>(run.waves));
 
     const WrungShape shape = turned(tube, run.angle_deg, run.pressure * run.thinness);
 
@@ -343,7 +349,7 @@ struct WrungNumbers {
 // The tube as the product computes it, with the folds that it expects.
 WrungNumbers wrungNumbers(const CalculixRun& run) {
   const int waves = foldWaves({run.thinness, kCalculixLength, run.pressure, kNeverLocks});
-  const WrungTube tube(uniform(run.thinness, kCalculixLength, kNeverLocks), waves);
+  const WrungTube tube(withRoom(uniform(run.thinness, kCalculixLength, kNeverLocks)), waves);
   const WrungShape shape = turned(tube, run.angle_deg, run.pressure * run.thinness);
   const double packed = 2.0 * run.thinness;
   const double open = wrungState(tube.wall(), shape, waves).patency;
@@ -351,16 +357,16 @@ WrungNumbers wrungNumbers(const CalculixRun& run) {
 }
 
 // What the foreign program shows, and how far the product is from it, not what one would wish.
-TEST(WrungCalculix, AnEmptyThinTubeHasTheTorqueWithinAQuarterAndALumenSlightlyTooWide) {
+TEST(WrungCalculix, AnEmptyThinTubeHasTheTorqueWithinASixthAndALumenSlightlyTooWide) {
   for (const CalculixRun& run : calculixRuns("calculix_3d.csv")) {
     if (run.thinness > 0.05 || run.pressure > 0.0) {
       continue;
     }
     const WrungNumbers tube = wrungNumbers(run);
 
-    EXPECT_GT(tube.torque / run.torque, 0.75) << run.angle_deg;
+    EXPECT_GT(tube.torque / run.torque, 0.84) << run.angle_deg;
     EXPECT_LT(tube.torque / run.torque, 1.10) << run.angle_deg;
-    EXPECT_GT(tube.lumen - run.lumen, 0.0) << run.angle_deg;
+    EXPECT_GT(tube.lumen - run.lumen, -0.005) << run.angle_deg;
     EXPECT_LT(tube.lumen - run.lumen, 0.09) << run.angle_deg;
   }
 }
@@ -379,6 +385,40 @@ TEST(WrungCalculix, AnEmptyThickTubeComesOutTooStiffByAThird) {
     ++runs;
   }
   EXPECT_EQ(runs, 9);
+}
+
+/// The angle from which on a tube has folds, by whole degrees.
+double foldsFrom_deg(const TubeWall& wall, double pressure) {
+  const int waves = foldWaves({wall.thickness[0], wall.length, pressure, wall.gentLimit});
+  const WrungTube tube(wall, waves);
+  WrungShape shape = turned(tube, 0.0, pressure * wall.thickness[0]);
+  for (double angle_deg = 1.0; angle_deg < 270.0; angle_deg += 1.0) {
+    tube.solve(radians(angle_deg), pressure * wall.thickness[0], shape);
+    if (shape.folding > 0.0) {
+      return angle_deg;
+    }
+  }
+  return 270.0;
+}
+
+// tests/data/hollow/README.md and docs/validation.md: where the solid elements fold, or collapse.
+TEST(WrungCalculix, FoldsBeginWithinATenthOfTheAngleUnderPressure) {
+  struct Onset {
+    double thinness, pressure, length, gentLimit, angle_deg;
+  };
+  for (const Onset& tube : {Onset{0.10, 0.5, 5.0, 1.0, 110.0}, Onset{0.14, 0.6, 10.0, 1.0, 249.0},
+                            Onset{0.10, 1.55, 5.0, 1.0, 172.0}, Onset{0.11, 1.85, 8.0, 0.6, 244.0}}) {
+    const TubeWall wall = uniform(tube.thinness, tube.length, tube.gentLimit);
+    EXPECT_NEAR(foldsFrom_deg(withRoom(wall), tube.pressure) / tube.angle_deg, 1.0, 0.1) << tube.pressure;
+  }
+  // No folds at 200 degrees.
+  EXPECT_GT(foldsFrom_deg(withRoom(uniform(0.10, 7.0, 0.6)), 2.1), 0.97 * 200.0);
+}
+
+// Without it the wall folds beside its end, where CalculiX has none.
+TEST(WrungCalculix, FoldsThatNeedNoRoomBeginAFifthTooEarly) {
+  EXPECT_LT(foldsFrom_deg(uniform(0.10, 5.0, 1.0), 1.55), 0.8 * 172.0);
+  EXPECT_LT(foldsFrom_deg(uniform(0.11, 8.0, 0.6), 1.85), 0.82 * 244.0);
 }
 
 TEST(WrungCalculix, ATubeUnderPressureHasTorqueAndLumenWithinATenth) {
