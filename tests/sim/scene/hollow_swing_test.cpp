@@ -160,7 +160,7 @@ TEST(HollowMotion, AHalfTurnOfASigmoidCrossesItsLimbsAndChangesItsShoulders) {
     EXPECT_GT(way * (first.y - last.y), 0.08);  // one in front of the other
     EXPECT_LT(centroidMoves_m(scene, lies), 0.005);
     for (const double foot : {0.0, 1.0}) {
-      EXPECT_LT(norm(middleAt_m(scene, foot, lies) - restingAt_m(scene, foot)), 1e-9);
+      EXPECT_LT(norm(middleAt_m(scene, foot, lies) - restingAt_m(scene, foot)), 1e-4);
     }
   }
 }
@@ -175,7 +175,7 @@ TEST(HollowMotion, AHalfTurnOfABowelLoopCrossesItsLimbsAndBringsItsTopForward) {
     EXPECT_NEAR(middleAt_m(scene, 0.5, lies).y - restingAt_m(scene, 0.5).y, -0.079, 0.005);
     EXPECT_NEAR(centroidMoves_m(scene, lies), 0.019, 0.003);
     for (const double foot : {0.0, 1.0}) {
-      EXPECT_LT(norm(middleAt_m(scene, foot, lies) - restingAt_m(scene, foot)), 1e-9);
+      EXPECT_LT(norm(middleAt_m(scene, foot, lies) - restingAt_m(scene, foot)), 1e-4);
     }
   }
 }
