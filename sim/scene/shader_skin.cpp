@@ -97,8 +97,9 @@ bool ShaderSkin::findNeighbours() {
     std::uint32_t at = steps[v].front()[0];
     for (std::size_t i = 0; i < steps[v].size(); ++i) {
       neighbours_.push_back(static_cast<float>(at));
-      const auto next = std::find_if(steps[v].begin(), steps[v].end(),
-                                     [at](const std::array<std::uint32_t, 2>& step) { return step[0] == at; });
+      const auto next =
+          std::find_if(steps[v].begin(), steps[v].end(),
+                       [at](const std::array<std::uint32_t, 2>& step) { return step[0] == at; });
       if (next == steps[v].end()) {
         return false;
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What no statistic may depend on: the order of the lines, the names of people and groups, the unit and the origin of
-// the scores, and which group comes first. Every command that reads a table is tried on data without a pattern.
+// What no statistic may depend on: the order of the lines, the names of people and groups, the unit and the
+// origin of the scores, and which group comes first. Every command that reads a table is tried on data
+// without a pattern.
 
 #include <algorithm>
 #include <cmath>
@@ -158,7 +159,8 @@ std::vector<Line> borderline() {
   std::vector<Line> lines;
   for (std::size_t s = 0; s < 20; ++s) {
     const std::size_t global = 1 + dice.roll(5);
-    lines.push_back({named("s", s), std::to_string(global), scoreFrom(dice, 3.0 + static_cast<double>(global))});
+    lines.push_back(
+        {named("s", s), std::to_string(global), scoreFrom(dice, 3.0 + static_cast<double>(global))});
   }
   return lines;
 }
@@ -175,46 +177,57 @@ std::vector<Line> experts() {
 std::vector<Reading> readings() {
   const std::string ratingsHead = "target,rater,score";
   std::vector<Reading> all;
-  for (const char* method : {"overview", "icc", "krippendorff --resamples 999", "bland-altman", "generalizability"}) {
-    all.push_back({std::string("agreement ") + method, "agreement --ratings", std::string("--method ") + method,
-                   ratingsHead, ratingsOf(9, 4, false), 2});
+  for (const char* method :
+       {"overview", "icc", "krippendorff --resamples 999", "bland-altman", "generalizability"}) {
+    all.push_back({std::string("agreement ") + method, "agreement --ratings",
+                   std::string("--method ") + method, ratingsHead, ratingsOf(9, 4, false), 2});
   }
-  all.push_back({"agreement kappa", "agreement --ratings", "--method kappa", ratingsHead, ratingsOf(14, 4, true), 2, false});
-  all.push_back({"agreement rasch", "agreement --ratings", "--method rasch", ratingsHead, ratingsOf(14, 4, true), 2, false});
+  all.push_back({"agreement kappa", "agreement --ratings", "--method kappa", ratingsHead,
+                 ratingsOf(14, 4, true), 2, false});
+  all.push_back({"agreement rasch", "agreement --ratings", "--method rasch", ratingsHead,
+                 ratingsOf(14, 4, true), 2, false});
   for (const std::size_t groups : {2U, 3U}) {
     all.push_back({"compare " + std::to_string(groups), "compare-groups", "--bootstrap mean --resamples 499",
                    "subject,group,score", without(study(groups, 7, 1), 2), 2});
-    all.push_back({"compare occasions " + std::to_string(groups), "compare-groups", "--residuals --margin 0.7",
-                   "subject,group,occasion,score", study(groups, 8, 3), 3});
+    all.push_back({"compare occasions " + std::to_string(groups), "compare-groups",
+                   "--residuals --margin 0.7", "subject,group,occasion,score", study(groups, 8, 3), 3});
     all.push_back({"compare marks " + std::to_string(groups), "compare-groups", "",
                    "subject,group,occasion,rater,score", marked(study(groups, 6, 2), 3), 4});
   }
   for (const char* test : {"t", "signed-rank", "permutation", "friedman"}) {
     all.push_back({std::string("paired ") + test, "compare-groups",
                    std::string("--bootstrap median --resamples 499 --paired ") + test,
-                   "subject,occasion,score,group", [] {
+                   "subject,occasion,score,group",
+                   [] {
                      std::vector<Line> lines = study(2, 9, 3);
                      for (Line& line : lines) {
                        line = {line[0], line[2], line[3], line[1]};
                      }
                      return lines;
-                   }(), 2});
+                   }(),
+                   2});
   }
   for (const char* test : {"signed-rank", "permutation"}) {  // panel means of three marks
-    Reading means{std::string("paired means ") + test, "compare-groups", std::string("--paired ") + test,
-                  "subject,occasion,score", without(study(1, 9, 2), 1), 2};
+    Reading means{std::string("paired means ") + test, "compare-groups",
+                  std::string("--paired ") + test,     "subject,occasion,score",
+                  without(study(1, 9, 2), 1),          2};
     for (Line& line : means.lines) {
-      line[2] = printed((std::stod(line[2]) * 10.0 + static_cast<double>(line[0].size() + line[2].size() % 3)) / 30.0);
+      line[2] = printed(
+          (std::stod(line[2]) * 10.0 + static_cast<double>(line[0].size() + line[2].size() % 3)) / 30.0);
     }
     means.scales = false;
     all.push_back(std::move(means));
   }
-  all.push_back({"learning", "learning", "--threshold 5", "subject,attempt,value", attempts(false), 2, false});
+  all.push_back(
+      {"learning", "learning", "--threshold 5", "subject,attempt,value", attempts(false), 2, false});
   all.push_back({"learning judged", "learning", "", "subject,attempt,value", attempts(true), 2, false});
-  all.push_back({"evaluate", "evaluate --ratings", "--resamples 499", "index,rater,class,model,score", evaluation(), 4, false});
-  all.push_back({"contrasting groups", "standard-setting", "--method contrasting-groups", "subject,group,score", contrasted(), 2});
+  all.push_back({"evaluate", "evaluate --ratings", "--resamples 499", "index,rater,class,model,score",
+                 evaluation(), 4, false});
+  all.push_back({"contrasting groups", "standard-setting", "--method contrasting-groups",
+                 "subject,group,score", contrasted(), 2});
   all.push_back({"angoff", "standard-setting", "--method angoff", "judge,item,percent", judged(), 2, false});
-  all.push_back({"borderline", "standard-setting", "--method borderline-regression --borderline 2", "subject,global,score", borderline(), 2});
+  all.push_back({"borderline", "standard-setting", "--method borderline-regression --borderline 2",
+                 "subject,global,score", borderline(), 2});
   all.push_back({"proficiency", "standard-setting", "--method proficiency", "expert,value", experts(), 1});
   return all;
 }
@@ -243,8 +256,9 @@ void flatten(const json& node, const std::string& path, std::map<std::string, js
   for (std::size_t i = 0; i < node.size(); ++i) {
     std::string about;
     if (node[i].is_object()) {
-      for (const char* key : {"model", "class", "index", "rater", "raters", "target", "subject", "person", "group", "groups",
-                              "expert", "judge", "item", "occasion", "effect", "category", "threshold"}) {
+      for (const char* key :
+           {"model", "class", "index", "rater", "raters", "target", "subject", "person", "group", "groups",
+            "expert", "judge", "item", "occasion", "effect", "category", "threshold"}) {
         json own = node[i].value(key, json());
         if (own.is_array()) {
           std::sort(own.begin(), own.end());  // the same pair in either direction
@@ -288,10 +302,9 @@ class Metamorphic : public TableCommands {
     int told = 0;
     for (const auto& [path, value] : had) {
       const auto found = has.find(path);
-      const bool same = found != has.end() &&
-                        (value.is_number() && found->second.is_number()
-                             ? isNear(value.get<double>(), found->second.get<double>())
-                             : value == found->second);
+      const bool same = found != has.end() && (value.is_number() && found->second.is_number()
+                                                   ? isNear(value.get<double>(), found->second.get<double>())
+                                                   : value == found->second);
       if (!same && ++told <= 5) {
         ADD_FAILURE() << what << ": " << path << " was " << value << ", is "
                       << (found == has.end() ? json("missing") : found->second);
@@ -312,8 +325,8 @@ std::vector<std::string> columnsOf(const Reading& reading) {
   return columns;
 }
 
-/// The lines in another order. Groups and occasions keep theirs, which decides what is subtracted from what: the line
-/// that names one first stays in front.
+/// The lines in another order. Groups and occasions keep theirs, which decides what is subtracted from what:
+/// the line that names one first stays in front.
 Reading shuffled(Reading reading, std::uint64_t seed) {
   const std::vector<std::string> columns = columnsOf(reading);
   std::set<std::pair<std::size_t, std::string>> seen;
@@ -322,7 +335,8 @@ Reading shuffled(Reading reading, std::uint64_t seed) {
   for (const Line& line : reading.lines) {
     bool isNew = false;
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      isNew = ((columns[c] == "group" || columns[c] == "occasion") && seen.emplace(c, line[c]).second) || isNew;
+      isNew =
+          ((columns[c] == "group" || columns[c] == "occasion") && seen.emplace(c, line[c]).second) || isNew;
     }
     (isNew ? first : rest).push_back(line);
   }
@@ -368,14 +382,15 @@ TEST_F(Metamorphic, NamesChangeNothing) {
   }
 }
 
-/// 3 x + 20: a value stays, or changes as a mean, a difference, a variance or its inverse does. Left out is what has no
-/// unit to change with, by the last word of its path.
+/// 3 x + 20: a value stays, or changes as a mean, a difference, a variance or its inverse does. Left out is
+/// what has no unit to change with, by the last word of its path.
 TEST_F(Metamorphic, AnotherUnitAndOriginChangeValuesAsTheyMust) {
   constexpr double kFactor = 3.0;
   constexpr double kShift = 20.0;
-  // Likelihoods move by a constant, intercepts with the slope; coefficients for a ratio scale or for categories need
-  // that scale.
-  const std::set<std::string> unitless{"restricted_criterion", "ratio", "nominal", "log_likelihood", "intercept"};
+  // Likelihoods move by a constant, intercepts with the slope; coefficients for a ratio scale or for
+  // categories need that scale.
+  const std::set<std::string> unitless{"restricted_criterion", "ratio", "nominal", "log_likelihood",
+                                       "intercept"};
   for (Reading reading : readings()) {
     if (!reading.scales) {
       continue;
@@ -389,7 +404,8 @@ TEST_F(Metamorphic, AnotherUnitAndOriginChangeValuesAsTheyMust) {
       first.options.replace(margin, 12, "--margin 0.7");
     }
     for (Line& line : reading.lines) {
-      line[reading.score] = printed(std::round(10.0 * (kFactor * std::stod(line[reading.score]) + kShift)) / 10.0);
+      line[reading.score] =
+          printed(std::round(10.0 * (kFactor * std::stod(line[reading.score]) + kShift)) / 10.0);
     }
     const std::map<std::string, json> had = flat(read(first, "before"));
     const std::map<std::string, json> has = flat(read(reading, "after"));
@@ -398,8 +414,9 @@ TEST_F(Metamorphic, AnotherUnitAndOriginChangeValuesAsTheyMust) {
     }
     int told = 0;
     for (const auto& [path, value] : had) {
-      const bool left = std::any_of(unitless.begin(), unitless.end(),
-                                    [&](const std::string& word) { return path.find("/" + word) != std::string::npos; });
+      const bool left = std::any_of(unitless.begin(), unitless.end(), [&](const std::string& word) {
+        return path.find("/" + word) != std::string::npos;
+      });
       if (left || !value.is_number()) {
         continue;
       }
@@ -427,13 +444,15 @@ TEST_F(Metamorphic, TheOtherGroupFirstReversesDifferencesOnly) {
     SCOPED_TRACE(reading.name);
     Reading reversed = reading;
     const std::vector<std::string> columns = columnsOf(reading);
-    const std::size_t group = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "group") - columns.begin());
+    const std::size_t group =
+        static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "group") - columns.begin());
     std::stable_sort(reversed.lines.begin(), reversed.lines.end(),
                      [&](const Line& a, const Line& b) { return a[group] > b[group]; });
     const std::map<std::string, json> had = flat(read(reading, "before"));
     const std::map<std::string, json> has = flat(read(reversed, "after"));
     EXPECT_EQ(had.size(), has.size());
-    const double pairs = had.at("/groups[\"g0\"]/n").get<double>() * had.at("/groups[\"g1\"]/n").get<double>();
+    const double pairs =
+        had.at("/groups[\"g0\"]/n").get<double>() * had.at("/groups[\"g1\"]/n").get<double>();
     int told = 0;
     for (const auto& [path, value] : has) {
       if (!value.is_number()) {
@@ -447,8 +466,9 @@ TEST_F(Metamorphic, TheOtherGroupFirstReversesDifferencesOnly) {
         }
         const double before = found->second.get<double>();
         // A rank sum and a probability to be larger are those of the other group.
-        const bool ofTheOther = isNear(1.0 - before, after) ||
-                                (path.find("mann_whitney") != std::string::npos && isNear(pairs - before, after));
+        const bool ofTheOther =
+            isNear(1.0 - before, after) ||
+            (path.find("mann_whitney") != std::string::npos && isNear(pairs - before, after));
         return isNear(before, after) || isNear(-before, after) || ofTheOther;
       };
       const auto swapped = [&path](const std::string& word, const std::string& other) {

@@ -146,7 +146,8 @@ double centroidMoves_m(const Scene& scene, const OrganState& lies) {
   return norm(centroidAt_m(scene, lies) - centroid_m(scene.mesh, scene.mesh.vertices_m));
 }
 
-// Crossing sigmoid transitions, the sign of the more complete twists (AJR 194 (2010) 136, 10.2214/AJR.09.2580).
+// Crossing sigmoid transitions, the sign of the more complete twists (AJR 194 (2010)
+// 136, 10.2214/AJR.09.2580).
 TEST(HollowMotion, AHalfTurnOfASigmoidCrossesItsLimbsAndChangesItsShoulders) {
   const Scene& scene = twistedOrgan("sigmoid");
   for (const double way : {1.0, -1.0}) {

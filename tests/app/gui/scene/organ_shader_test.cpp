@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vertex shader of the organ (assets/shaders) as a program of its own, whose vertices are read back, against
-// Scene::deform. On whatever draws: a graphics card, or Mesa's llvmpipe.
+// The vertex shader of the organ (assets/shaders) as a program of its own, whose vertices are read back,
+// against Scene::deform. On whatever draws: a graphics card, or Mesa's llvmpipe.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,13 +9,12 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include <QFile>
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <gtest/gtest.h>
 
 #include "sim/core/angle.h"
 #include "sim/scene/blood_map.h"
@@ -101,8 +100,10 @@ class OrganShader {
 
   void setOrgan(const ShaderSkin& skin) {
     count_ = skin.vertices().size() / ShaderSkin::kVertexTexels;
-    texture(0, "organVertices", GL_RGBA32F, GL_RGBA, 4, skin.vertices().front().data(), skin.vertices().size(), kWide);
-    texture(1, "organNeighbours", GL_R32F, GL_RED, 1, skin.neighbours().data(), skin.neighbours().size(), kWide);
+    texture(0, "organVertices", GL_RGBA32F, GL_RGBA, 4, skin.vertices().front().data(),
+            skin.vertices().size(), kWide);
+    texture(1, "organNeighbours", GL_R32F, GL_RED, 1, skin.neighbours().data(), skin.neighbours().size(),
+            kWide);
   }
 
   std::vector<Out> run(const ShaderSkin& skin, const std::array<float, 3>& blood,
@@ -120,7 +121,8 @@ class OrganShader {
     GLuint buffers[2] = {};
     gl_->glGenBuffers(2, buffers);
     gl_->glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    gl_->glBufferData(GL_ARRAY_BUFFER, static_cast<qopengl_GLsizeiptr>(covers.size() * 16), covers.data(), GL_STATIC_DRAW);
+    gl_->glBufferData(GL_ARRAY_BUFFER, static_cast<qopengl_GLsizeiptr>(covers.size() * 16), covers.data(),
+                      GL_STATIC_DRAW);
     gl_->glEnableVertexAttribArray(0);
     gl_->glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
     const auto bytes = static_cast<qopengl_GLsizeiptr>(count_ * sizeof(Out));
@@ -167,8 +169,8 @@ class OrganShader {
     gl_->glUniform4f(at(name), static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
                      static_cast<float>(w));
   }
-  void texture(int unit, const char* name, GLint inside, GLenum format, std::size_t each, const float* numbers,
-               std::size_t texels, int wide) {
+  void texture(int unit, const char* name, GLint inside, GLenum format, std::size_t each,
+               const float* numbers, std::size_t texels, int wide) {
     const std::size_t lines = (texels + static_cast<std::size_t>(wide) - 1) / static_cast<std::size_t>(wide);
     std::vector<float> filled(lines * static_cast<std::size_t>(wide) * each);
     std::copy_n(numbers, texels * each, filled.begin());
@@ -252,7 +254,8 @@ TEST(OrganShader, HasNormalsAndColoursOfTheProcessor) {
   OrganState state = scene->stateAt(radians(200.0));
   state.hollow.markCount = 2;
   state.hollow.marks[0] = {.arc_m = 0.5 * scene->lattice().length_m(), .round_rad = 0.3};
-  state.hollow.marks[1] = {.arc_m = 0.5 * scene->lattice().length_m() + 0.004, .round_rad = 0.3, .torn = true};
+  state.hollow.marks[1] = {
+      .arc_m = 0.5 * scene->lattice().length_m() + 0.004, .round_rad = 0.3, .torn = true};
   state.hollow.clipped = true;
   std::vector<std::array<float, 4>> covers(scene->mesh.vertices_m.size());
   blood.cover(state, covers);
