@@ -15,6 +15,7 @@
 #include "sim/core/file_io.h"
 #include "sim/core/portable_math.h"
 #include "sim/geometry/mesh/mesh_export.h"
+#include "sim/scene/hollow_organ.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_parameters.h"
@@ -112,6 +113,27 @@ TEST(Scene, RecordingsFindTheOrganThatTheyWereMadeOn) {
     EXPECT_EQ(found.former, recorded->former);
     EXPECT_EQ(found.id, "stomach");
   }
+}
+
+TEST(Scene, RecordingsOfASigmoidKeepTheFoldsThatTheyWereMadeWith) {
+  SceneRequest before = shipped("sigmoid", "detorse");
+  before.former = true;
+  const Scene former = loadScene(before);
+  const Scene now = loadScene(shipped("sigmoid", "detorse"));
+  EXPECT_FALSE(former.hollow->detorsion().wall.foldsNeedRoom);
+  EXPECT_TRUE(now.hollow->detorsion().wall.foldsNeedRoom);
+
+  for (const Scene* recorded : {&former, &now}) {
+    SceneRequest request = sceneRequestFor(recorded->parametersJson);
+    request.assets = kShippedAssets;
+    request.id = "sigmoid";
+
+    const Scene found = loadScene(request);
+
+    EXPECT_EQ(found.parameterHash, recorded->parameterHash);
+    EXPECT_EQ(found.hollow->peakTorque_Nm(1000.0), recorded->hollow->peakTorque_Nm(1000.0));
+  }
+  EXPECT_NE(former.hollow->peakTorque_Nm(1000.0), now.hollow->peakTorque_Nm(1000.0));
 }
 
 TEST(Scene, HasAFormerStateOnlyAfterAChange) {
