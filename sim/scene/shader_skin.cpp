@@ -213,7 +213,6 @@ void ShaderSkin::computeRows(const OrganState& state) {
     straightRows(state);
   }
   put({});  // the last row has one behind it
-  rowCount_ = rows_.size() / kRowTexels;
 }
 
 void ShaderSkin::put(const Row& row) {

@@ -38,8 +38,6 @@ class ShaderSkin {
   /// Returns the neighbours of all vertices, those of one after the other, counter-clockwise seen from
   /// outside.
   [[nodiscard]] std::span<const float> neighbours() const noexcept { return neighbours_; }
-  /// Returns the number of rows of a frame.
-  [[nodiscard]] std::size_t rowCount() const noexcept { return rowCount_; }
 
   /// Computes the rows of a frame: place, m, and width; turn (x, y, z, w); bend, 1/m, stretch, warping rate,
   /// rad/m; folds (even, odd, waves). Allocates nothing after the first.
@@ -83,7 +81,6 @@ class ShaderSkin {
   std::vector<Texel> vertices_;
   std::vector<float> neighbours_;
   std::vector<Texel> rows_;
-  std::size_t rowCount_ = 0;
 };
 
 }  // namespace torsio
