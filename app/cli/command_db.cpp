@@ -13,6 +13,7 @@
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/interrupted_move.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/record_restore.h"
 #include "app/services/maintenance/server_move.h"
@@ -148,8 +149,15 @@ void copy(const DbArguments& arguments) {
   {
     MaintenanceDesk desk(arguments.maintenance.maintainer(), arguments.file);
     ProgressLine line;
-    report = copyDatabase(desk.session(), arguments.target,
-                          [&line](const Progress& progress) { line.show(progress); });
+    if (const Text settled = settleMove(desk.session()); !settled.empty()) {
+      std::cout << settled << ".\n";
+      if (movedTo(desk.session().connection()) == parseLocator(arguments.target).shown()) {
+        return;
+      }
+    }
+    report = copyDatabase(
+        desk.session(), arguments.target, [&line](const Progress& progress) { line.show(progress); },
+        CopyUse::kMove);
     noteMoved(desk.session(), parseLocator(arguments.target).shown());
   }
   for (const TableDigest& table : report.tables) {
@@ -168,6 +176,9 @@ void copy(const DbArguments& arguments) {
 
 void reopen(const DbArguments& arguments) {
   MaintenanceDesk desk(arguments.maintenance.maintainer(), arguments.database.locator());
+  if (const Text settled = settleMove(desk.session()); !settled.empty()) {
+    std::cerr << "torsio: " << settled << "\n";
+  }
   takeBackMove(desk.session(), arguments.reason);
   std::cout << "The move is taken back: this record is the living one again.\n";
 }

@@ -24,7 +24,10 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/services/access/session_context.h"
+#include "app/services/access/station_name.h"
 #include "app/services/base/assets.h"
+#include "app/services/maintenance/interrupted_move.h"
 #include "app/web/http_server.h"
 #include "app/web/own_certificate.h"
 #include "app/web/service_manager.h"
@@ -233,6 +236,12 @@ void serve(const ServeArguments& arguments) {
   const sigset_t signals = endingSignals();
   if (!waitForTheRecord(arguments, locator, signals)) {
     return;
+  }
+  {
+    SessionContext own({locator, stationName(), {}});
+    if (const Text moved = settleMove(own); !moved.empty()) {
+      std::cerr << "torsio: " << moved << "\n";
+    }
   }
   web::WebDesk desk({.locator = locator,
                      .assets = assetsFolder(),

@@ -10,6 +10,7 @@
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
+#include "app/services/access/moved_record.h"
 #include "app/services/access/two_people.h"
 #include "app/services/people/waiting_requests.h"
 #include "app/web/router.h"
@@ -60,6 +61,7 @@ json userJson(Call& call, const Actor& actor) {
     }
   }
   json user{{"login", actor.login}, {"roles", actor.roles}, {"pages", std::move(pages)}};
+  user["record_notice"] = said(call, moveNotice(context.connectionWithoutRight()));
   if (context.may(Operation::kUserManage)) {
     context.beginCall();
     const std::vector<OpenRequest> open = openRequests(context);

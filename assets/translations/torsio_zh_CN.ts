@@ -20810,6 +20810,38 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>An omega loop of sigmoid whose two limbs are wrung between the feet on the root and the top in the hand. The top turns as a whole about the line from the root to it; the limbs are wrung and lie wound round each other. That they press on each other adds no torque here, as it would in a patient, and the mesentery is not drawn. The limbs are 198 mm long on a mean radius of 32 mm. Full of gas they fold near 105 degrees and their lumen shuts near 140; in solid elements a tube under such a pressure folds a tenth later. Every run begins with the lumen shut, where the torque is that of a rope; letting gas out takes the peak torque from 151 to 31 N mm. Wall, pressure, stiffness, friction and vessels are assumed; pull and jaw are sourced. Blood flow against the angle was measured on testes only and is carried over. Colour is no proof of life. For training the hand and the order of steps; it says nothing about one patient.</source>
         <translation>一段 Ω 形的乙状结肠袢，两肢在系膜根部的肠脚与手中的袢顶之间被拧转。袢顶作为整体绕根部到袢顶的直线转动；两肢被拧转并相互缠绕。在患者体内两肢会相互挤压而增加力矩，此处不计；系膜未画出。两肢长 198 mm，平均半径 32 mm。充气时它们在约 105 度起皱，肠腔在约 140 度闭合；用实体单元计算，在这样的压力下管子起皱要晚十分之一。每次练习开始时肠腔都已闭合，此时的力矩如同一根绳索；排气使最大力矩从 151 降到 31 N mm。壁厚、压力、刚度、摩擦和血管为假设值；牵拉和钳口的限值有文献来源。血流与扭转角的关系只在睾丸上测量过，此处借用。颜色不能证明组织存活。仅用于训练手法和步骤顺序，不能用于判断具体患者。</translation>
     </message>
+    <message>
+        <source>This record has moved to %1 and takes nothing new: work with the record there</source>
+        <translation>本记录已迁移到 %1，不再接受新内容：请在那里的记录中工作</translation>
+    </message>
+    <message>
+        <source>This record is being moved to %1 and takes nothing new meanwhile</source>
+        <translation>本记录正在迁移到 %1，在此期间不接受新内容</translation>
+    </message>
+    <message>
+        <source>this record is being moved</source>
+        <translation>本记录正在迁移</translation>
+    </message>
+    <message>
+        <source>Wait until the move has ended; if it was interrupted, start Torsio again</source>
+        <translation>请等待迁移结束；如果迁移曾被中断，请重新启动 Torsio</translation>
+    </message>
+    <message>
+        <source>The interrupted move to %1 was finished: the record lives there</source>
+        <translation>此前中断的迁移已完成：记录现位于 %1</translation>
+    </message>
+    <message>
+        <source>The interrupted move to %1 was undone: the record lives here</source>
+        <translation>此前中断的迁移（目标 %1）已撤销：记录仍在此处</translation>
+    </message>
+    <message>
+        <source>the seed of this allocation is sealed</source>
+        <translation>此分配的随机种子处于封存状态</translation>
+    </message>
+    <message>
+        <source>Let an allocator check it, or open the seed first</source>
+        <translation>请由分配员核对，或先公开种子</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

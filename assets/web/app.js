@@ -38,7 +38,8 @@ const leave = button('', signOut);
 const ways = h('nav', { class: 'ways' });
 const head = h('header', { class: 'top' });
 const foot = h('footer', { class: 'foot' });
-const behind = h('div', { class: 'behind' }, head, main, foot);
+const moved = h('p', { class: 'caution record-notice', role: 'status' });
+const behind = h('div', { class: 'behind' }, head, moved, main, foot);
 const gate = new Gate(behind, signOut);
 const idle = new IdleWatch({
   warned: (left_s) => frame.notify(t('Still there? The screen will be locked in %1. Press any key to stay', clockTime(1e6 * left_s)), kWarning_ms),
@@ -230,6 +231,7 @@ function showWays() {
   ways.replaceChildren(...known.map(([hash, title]) =>
     h('a', { href: hash, 'aria-current': hash === present ? 'page' : null }, title)));
   show(ways, known.length > 0);
+  say(moved, user?.record_notice ?? '');
 }
 
 function titleWithCount(one) {

@@ -302,4 +302,15 @@ Connection openRecord(const std::string& locator, OpenMode mode, const Migration
   return connection;
 }
 
+bool isBeingFilled(Connection& connection) {
+  if (connection.engine() != Engine::kPostgresql) {
+    return false;
+  }
+  const Transaction look(connection, Transaction::Purpose::kReadOnly);
+  Statement lock =
+      connection.prepare("SELECT pg_try_advisory_xact_lock(1414484557, hashtext(current_schema()::text))");
+  lock.execute();
+  return !lock.step() || !lock.boolean(0);
+}
+
 }  // namespace torsio

@@ -63,4 +63,7 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
 [[nodiscard]] Connection openRecord(const std::string& locator, OpenMode mode,
                                     const MigrationOptions& options = {});
 
+/// True while another connection migrates this record or fills it with a copy. Always false for a file.
+[[nodiscard]] bool isBeingFilled(Connection& connection);
+
 }  // namespace torsio

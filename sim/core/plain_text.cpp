@@ -43,18 +43,36 @@ Character firstOf(std::string_view text) {
   return code < kLeast[length] || surrogate || code > 0x10FFFF ? Character{} : Character{code, length};
 }
 
-bool isPlain(char32_t code, bool oneLine) {
+constexpr char32_t kNonJoiner = 0x200C;
+constexpr char32_t kJoiner = 0x200D;
+constexpr char32_t kFirstJoined = 0x0600;  // of the scripts and pictures that need joiners
+
+/// `before`: the character in front of it; 0: none.
+bool isPlain(char32_t code, char32_t before, bool oneLine) {
   if (code < 0x20) {
     return !oneLine && (code == '\n' || code == '\t');
   }
+  if (code == kNonJoiner || code == kJoiner) {
+    return before >= kFirstJoined && before != kNonJoiner && before != kJoiner;
+  }
   const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
   return !within(0x7F, 0x9F)            // delete, and controls that some terminals obey
+         && code != 0x00AD              // soft hyphen
+         && code != 0x034F              // grapheme joiner
          && code != 0x061C              // Arabic letter mark
+         && !within(0x115F, 0x1160)     // Hangul fillers
+         && !within(0x17B4, 0x17B5)     // Khmer vowels that are not written
+         && !within(0x180B, 0x180F)     // Mongolian selectors
+         && code != 0x200B              // zero-width space
          && !within(0x200E, 0x200F)     // left-to-right and right-to-left mark
          && !within(0x2028, 0x202E)     // separators of lines and paragraphs, embeddings and overrides
          && !within(0x2060, 0x206F)     // invisible operators, isolates, deprecated controls
+         && code != 0x2800              // braille without a dot
+         && code != 0x3164              // Hangul filler
          && code != 0xFEFF              // byte order mark
+         && code != 0xFFA0              // half-width Hangul filler
          && !within(0xFFF9, 0xFFFB)     // interlinear annotation
+         && !within(0x1D173, 0x1D17A)   // musical beams and phrases
          && !within(0xE0000, 0xE007F);  // tags
 }
 
@@ -62,6 +80,7 @@ std::string plain(std::string_view text, bool oneLine, std::size_t most) {
   std::string out;
   out.reserve(text.size());
   std::size_t characters = 0;
+  char32_t before = 0;
   while (!text.empty()) {
     if (characters++ == most) {
       return out + "...";
@@ -69,11 +88,12 @@ std::string plain(std::string_view text, bool oneLine, std::size_t most) {
     const Character next = firstOf(text);
     if (oneLine && (next.code == '\n' || next.code == '\t' || next.code == '\r')) {
       out += ' ';
-    } else if (next.bytes > 0 && isPlain(next.code, oneLine)) {
+    } else if (next.bytes > 0 && isPlain(next.code, before, oneLine)) {
       out += text.substr(0, next.bytes);
     } else {
       out += kReplacement;
     }
+    before = next.code;
     text.remove_prefix(std::max<std::size_t>(next.bytes, 1));
   }
   return out;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -86,6 +87,44 @@ std::vector<std::string> longLinesOfProse(std::istream& document, std::size_t co
     }
   }
   return found;
+}
+
+/// "Suite.Name" of every test of the project.
+std::set<std::string> namesOfTests() {
+  static const std::regex kTest(R"(\bTEST(?:_F|_P)?\((\w+),\s*(\w+)\))");
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(TORSIO_SOURCE_DIR) / "tests")) {
+    if (entry.path().extension() != ".cpp") {
+      continue;
+    }
+    std::ifstream in(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    for (std::sregex_iterator test(text.begin(), text.end(), kTest); test != std::sregex_iterator(); ++test) {
+      names.insert((*test)[1].str() + "." + (*test)[2].str());
+    }
+  }
+  return names;
+}
+
+TEST(SecurityPage, NamesOnlyTestsThatExist) {
+  static const std::regex kNamed(R"(`([A-Z]\w+\.[A-Z]\w+)`)");
+  const std::set<std::string> tests = namesOfTests();
+  std::ifstream in(fs::path(TORSIO_SOURCE_DIR) / "docs" / "security.md");
+  std::size_t promises = 0;
+  bool table = false;
+  for (std::string line; std::getline(in, line);) {
+    table = line.starts_with("## ") ? line == "## Each promise and the test that holds it" : table;
+    std::size_t named = 0;
+    for (std::sregex_iterator name(line.begin(), line.end(), kNamed); name != std::sregex_iterator();
+         ++name) {
+      ++named;
+      EXPECT_TRUE(tests.contains((*name)[1])) << (*name)[1] << " is no test: " << line;
+    }
+    const bool promise = table && line.starts_with("| ") && !line.starts_with("| promise");
+    EXPECT_TRUE(!promise || named > 0) << "no test holds this: " << line;
+    promises += promise ? 1 : 0;
+  }
+  EXPECT_GT(promises, 25U);
 }
 
 TEST(Documentation, TheRuleOfLongLinesFindsProseAndLeavesTablesAndCodeAlone) {

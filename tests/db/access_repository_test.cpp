@@ -255,11 +255,13 @@ TEST(Password, RejectsCommonPasswords) {
   }
 }
 
-TEST(Password, MatchesOnlyItself) {
+TEST_F(AccessRepositoryTest, APasswordMatchesOnlyItself) {
   const std::string hash = hashPassword(kPassword, PasswordCost::kTest);
-  EXPECT_TRUE(passwordMatches(hash, kPassword));
-  EXPECT_FALSE(passwordMatches(hash, "the organ turns slowlY"));
-  EXPECT_FALSE(passwordMatches("not a hash", kPassword));
+  EXPECT_TRUE(passwordMatches(connection(), hash, kPassword));
+  EXPECT_FALSE(passwordMatches(connection(), hash, "the organ turns slowlY"));
+  EXPECT_FALSE(passwordMatches(connection(), "not a hash", kPassword));
+  EXPECT_EQ(hashLike(hash, kPassword), hash);
+  EXPECT_EQ(hashLike("not a hash", kPassword), "");
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ TEST_F(RecordCopyTest, CopiesEveryRowOfEveryTableThereAndBack) {
   EXPECT_EQ(digests(original), digests(back));
   EXPECT_EQ(digests(original), digests(middle));
   for (const TableDigest& table : there.tables) {
-    EXPECT_TRUE(table.rows > 0 || table.table == "erasure_gate") << table.table;
+    const bool ofServers = table.table == "erasure_gate" || table.table == "password_pepper";
+    EXPECT_TRUE(table.rows > 0 || ofServers) << table.table;
   }
   EXPECT_EQ(there.auditEntries, AuditRepository(original).length());
   EXPECT_TRUE(verifyAuditTrail(middle).empty());

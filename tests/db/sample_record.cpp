@@ -165,6 +165,7 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"reply_to", Value()},
                                           {"remark_revision.version", std::int64_t{2}},
                                           {"until_utc_us", Value()},
+                                          {"server_session.until_utc_us", std::int64_t{1}},
                                           {"decision", "keep"},
                                           {"duty_request.act", "erase"},
                                           {"duty_decision.decision", "confirmed"},
@@ -177,8 +178,9 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"amend_reason", Value()}};
 
 /// Tables that stay empty or are filled by migrations.
-const std::set<std::string> kLeftAlone{"erasure_gate", "audit_entry",    "row_seal", "seal_salt",      "role",
-                                       "operation",    "role_operation", "occasion", "consent_purpose"};
+const std::set<std::string> kLeftAlone{"password_pepper", "erasure_gate",   "audit_entry", "row_seal",
+                                       "seal_salt",       "role",           "operation",   "role_operation",
+                                       "occasion",        "consent_purpose"};
 
 std::map<std::string, std::string> typesOf(Connection& connection, const std::string& table) {
   std::map<std::string, std::string> types;

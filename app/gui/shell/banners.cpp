@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QEvent>
 
+#include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/theme.h"
 #include "app/gui/widgets/value_text.h"
 #include "app/gui/widgets/window_events.h"
@@ -119,7 +120,11 @@ void AwayBanner::reset() {
 void AwayBanner::follow(const StationWriter& line, bool running) {
   const bool answers = line.answers();
   if (answers) {
-    hide();
+    if (const Text notice = line.notice(); notice.empty()) {
+      hide();
+    } else {
+      showLine(toQString(notice));
+    }
   } else {
     QString said = running
                        ? tr("The database does not answer. Your run continues; it is kept on this computer "

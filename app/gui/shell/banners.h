@@ -63,8 +63,8 @@ class IdleWarning : public FloatingLine {
   IdleGuard guard_;
 };
 
-/// Shows a database outage and its consequences for the present work; requests the deferred tasks when the
-/// database answers again. GUI thread.
+/// Shows a database outage and its consequences for the present work, or that the record has moved; requests
+/// the deferred tasks when the database answers again. GUI thread.
 class AwayBanner : public FloatingLine {
   Q_OBJECT
 

@@ -8,6 +8,7 @@
 #include "app/gui/shell/open_record.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/interrupted_move.h"
 #include "app/services/recording/station_start.h"
 
 namespace torsio::gui {
@@ -37,6 +38,9 @@ void Settling::begin() {
           done.closed.insert(done.closed.end(), copies.begin(), copies.end());
         }
         done.kept = settleStation(own, folder).kept;
+        if (Text moved = settleMove(own); !moved.empty()) {
+          done.closed.push_back(std::move(moved));
+        }
         return done;
       },
       [this](Done done) {

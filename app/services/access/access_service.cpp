@@ -13,6 +13,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/server_roles.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
@@ -77,12 +78,22 @@ SignInAnswer answer(SessionContext& session, const std::string& login, const Sig
   // If every signature asks for the password, the sign-in itself does not count for any.
   const bool signs = !practiceOnly && centreSetting<kSignMinutes>(session.connectionWithoutRight()) > 0;
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly, signs ? session.now_us() : 0};
+  answer.actor.serverToken = result.serverToken;
   if (result.outcome == SignIn::kOk) {
     session.setActor(answer.actor);
     session.note(practiceOnly ? AuditAction::kUserSignInPractice : AuditAction::kUserSignIn,
                  AuditObject::kAppUser, user.id);
   }
   return answer;
+}
+
+/// Ends a session that a server opened only to compare a password.
+void endServerSession(SessionContext& session, const std::string& token) {
+  if (!token.empty()) {
+    Connection& connection = session.connectionWithoutRight();
+    tellSession(connection, token);
+    AccessRepository(connection).endOwnServerSession();
+  }
 }
 
 std::string placeOf(const SessionContext& session, const std::string& place) {
@@ -196,9 +207,12 @@ SignInAnswer changeOwnPassword(SessionContext& session, const std::string& login
                     Text::tr("Choose another one"));
   }
   const SealedSecret password = access.sealPassword(login, newPassword);
-  Transaction transaction(session.connectionWithoutRight());
+  Connection& connection = session.connectionWithoutRight();
+  tellSession(connection, old.serverToken);
+  Transaction transaction(connection);
   access.setPassword(old.userId, password, false);
-  SignInAnswer signedIn = answer(session, login, {SignIn::kOk, old.userId}, false);
+  SignInAnswer signedIn = answer(
+      session, login, {.outcome = SignIn::kOk, .userId = old.userId, .serverToken = old.serverToken}, false);
   session.note(AuditAction::kUserChangePassword, AuditObject::kAppUser, old.userId);
   transaction.commit();
   return signedIn;
@@ -212,6 +226,7 @@ SignInAnswer checkOwnPassword(SessionContext& session, const std::string& passwo
   if (result.outcome != SignIn::kOk) {
     noteFailure(session, login, result.outcome, "password");
   }
+  endServerSession(session, result.serverToken);
   return {result.outcome, {}, result.waitUntilUtc_us};
 }
 
@@ -230,7 +245,8 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
             .login = user.login,
             .personId = user.personId,
             .roles = user.roles,
-            .passwordShownUtc_us = kNoPasswordToShow};
+            .passwordShownUtc_us = kNoPasswordToShow,
+            .serverToken = repository(session).openSimulatedSession(user.id)};
   }
   refuseParameter(
       physician ? Text::tr("there is no simulated physician here")
@@ -242,6 +258,7 @@ Actor simulatedPerson(SessionContext& session, SimulatedRole role) {
 void signOut(SessionContext& session) {
   if (!session.actor().userId.empty()) {
     session.note(AuditAction::kUserSignOut, AuditObject::kAppUser, session.actor().userId);
+    endServerSession(session, session.actor().serverToken);
   }
   session.setActor({});
 }

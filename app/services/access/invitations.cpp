@@ -12,6 +12,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/server_roles.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -213,8 +214,16 @@ SignInAnswer acceptInvitation(SessionContext& session, const std::string& secret
     session.note(AuditAction::kUserSignInFailed, AuditObject::kAppUser, {}, {{"with", "invitation"}});
     return SignInAnswer{SignIn::kWrong};
   };
+  const std::string serverToken = access.openInvitedSession(hash);
+  const auto leave = [&] {
+    if (!serverToken.empty()) {
+      tellSession(connection, serverToken);
+      access.endOwnServerSession();
+    }
+  };
   const std::optional<UserId> userId = access.invited(hash, session.now_us());
   if (!userId) {
+    leave();
     return refused();
   }
   std::string login;
@@ -232,6 +241,7 @@ SignInAnswer acceptInvitation(SessionContext& session, const std::string& secret
       transaction.commit();
     }
   }
+  leave();
   if (!used) {
     return refused();  // somebody else used the same link first
   }

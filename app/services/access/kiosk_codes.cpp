@@ -103,6 +103,7 @@ SignInAnswer signInWithCode(SessionContext& session, const std::string& code) {
   }
   const UserAccount user = userOf(access.users(), result.userId);
   answer.actor = {user.id, user.login, user.personId, user.roles, false, 0};
+  answer.actor.serverToken = result.serverToken;
   session.setActor(answer.actor);
   session.note(AuditAction::kUserSignInCode, AuditObject::kAppUser, user.id);
   return answer;

@@ -77,6 +77,11 @@ Connection& SessionContext::connection() const {
   return *connection_;
 }
 
+Connection& SessionContext::connectionWithoutRight() const {
+  tellSession(*connection_, key_.actor.serverToken);
+  return *connection_;
+}
+
 bool SessionContext::may(Operation operation) const {
   if (!key_.actor.systemAccount.empty()) {
     switch (operation) {
@@ -91,7 +96,7 @@ bool SessionContext::may(Operation operation) const {
         return false;
     }
   }
-  setCurrentUser(*connection_, key_.actor.practiceOnly ? std::string() : std::string(key_.actor.userId));
+  tellSession(*connection_, key_.actor.serverToken);
   if (key_.actor.userId.empty()) {
     return false;
   }
@@ -105,11 +110,17 @@ namespace {
 
 /// Throws if the operation would add something to a record that was moved elsewhere.
 void requireLiving(Connection& connection, Operation operation) {
-  const std::string place = addsToTheRecord(operation) ? movedTo(connection) : std::string();
-  if (!place.empty()) {
+  if (!addsToTheRecord(operation)) {
+    return;
+  }
+  if (const std::string place = movedTo(connection); !place.empty()) {
     throw Error(ErrorCode::kDatabase, Text::tr("this record has moved to %1 and takes nothing new", place),
                 connection.location(),
                 Text::tr("Work with the record there; an administrator can take the move back"));
+  }
+  if (const Text moving = moveNotice(connection); !moving.empty()) {
+    throw Error(ErrorCode::kDatabase, Text::tr("this record is being moved"), connection.location(),
+                Text::tr("Wait until the move has ended; if it was interrupted, start Torsio again"));
   }
 }
 
@@ -144,6 +155,7 @@ void SessionContext::requireOwn(Operation operation, const PersonId& personId) c
 }
 
 void SessionContext::note(const AuditNote& note) const {
+  tellSession(*connection_, key_.actor.serverToken);
   AuditRepository(*connection_)
       .append({.atUtc_us = now_us(),
                .actor = actorText(key_.actor),

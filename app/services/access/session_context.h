@@ -33,6 +33,8 @@ struct Actor {
   /// The operating system account that owns the record and maintains it from the command line without signing
   /// in: backup, check, restore, move, and export of results; nothing else.
   std::string systemAccount{};
+  /// What proves the sign-in to a prepared server; empty elsewhere.
+  std::string serverToken{};
 
   [[nodiscard]] bool hasRole(const std::string& role) const;
 };
@@ -77,7 +79,7 @@ class SessionContext {
   [[nodiscard]] Connection& connection() const;
   /// Returns the record for what needs no right by design: signing in, the centre's name, the station's own
   /// writes, the demonstration of a new centre.
-  [[nodiscard]] Connection& connectionWithoutRight() const noexcept { return *connection_; }
+  [[nodiscard]] Connection& connectionWithoutRight() const;
   /// Begins a service call: earlier require() calls no longer open the record. Called by whatever passes this
   /// session to a service (ShellContext::session(), test centres).
   void beginCall() noexcept { asked_ = false; }

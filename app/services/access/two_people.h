@@ -81,9 +81,11 @@ void declineRequest(SessionContext& session, const std::string& requestId, const
 std::string confirmRequest(SessionContext& session, const std::string& requestId);
 
 /// Uses up another person's request. For services, inside the transaction of the act and after checking the
-/// right. Does nothing if the rule is off or the actor is the system, which owns the record. Returns the
-/// requester; empty if one person was enough. Throws SecondPersonNeeded.
-UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::string& subject);
+/// right. Does nothing if the rule is off or the actor is the system, which owns the record; with
+/// `always`, it needs somebody nonetheless. Returns the requester; empty if one person was enough. Throws
+/// SecondPersonNeeded.
+UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::string& subject,
+                           bool always = false);
 
 /// Returns whether `after` adds a role that needs two people. False if the rule is off, for a physician of
 /// the demonstration, and for the second administrator, whom nobody could confirm. Call after checking a
@@ -99,7 +101,8 @@ UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::stri
 [[nodiscard]] bool mayDropTheRule(SessionContext& session);
 
 /// Returns whether requireSecondPerson() would let the actor proceed now. Call after checking a right.
-[[nodiscard]] bool secondPersonIsThere(SessionContext& session, DutyAct act, const std::string& subject);
+[[nodiscard]] bool secondPersonIsThere(SessionContext& session, DutyAct act, const std::string& subject,
+                                       bool always = false);
 
 /// Result of makeUser().
 struct MadeUser {

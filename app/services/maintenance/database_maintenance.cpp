@@ -23,6 +23,7 @@
 #include "db/migrations/migrations.h"
 #include "db/migrations/schema_check.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/base/row_ledger.h"
 #include "db/repository/people/server_roles.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/core/clock.h"
@@ -290,6 +291,8 @@ CopyReport copyInto(Connection& reading, const std::string& to, const ProgressCa
   CopyReport report = copyRecord(reading, writing, [&](const CopyStep& step) {
     tellProgress(progress, wordsOf(step), fractionOf(step));
   });
+  sealChanges(writing);
+  clearMoving(writing, utcNow_us());  // the copy is the living record
   together.commit();
   return report;
 }
@@ -326,7 +329,8 @@ CopyReport copyAll(const std::string& from, const std::string& to, const Progres
 
 }  // namespace
 
-CopyReport copyDatabase(SessionContext& session, const std::string& to, const ProgressCallback& progress) {
+CopyReport copyDatabase(SessionContext& session, const std::string& to, const ProgressCallback& progress,
+                        CopyUse use) {
   session.require(Operation::kDatabaseRestore);
   requireOther(session.key().locator, to);
   if (const std::string place = movedTo(session.connection()); !place.empty()) {
@@ -340,12 +344,16 @@ CopyReport copyDatabase(SessionContext& session, const std::string& to, const Pr
   Transaction together(session.connection());
   RegisteredMove move(session.connection(), session.key().locator, to, session.now_us());
   session.note(note);
+  if (use == CopyUse::kMove) {
+    noteMoving(session, to);
+  }
   together.commit();
   try {
     return copyAll(session.key().locator, to, progress);
   } catch (...) {
     Transaction givenUp(session.connection());
     move.giveUp(session.now_us());
+    clearMoving(session.connection(), session.now_us());
     note.action = AuditAction::kDatabaseMoveGivenUp;
     session.note(note);
     givenUp.commit();

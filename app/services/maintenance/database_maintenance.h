@@ -68,6 +68,13 @@ BackupContent backUpDatabase(SessionContext& session, const std::filesystem::pat
 void copyStepwise(const std::filesystem::path& from, const std::filesystem::path& to,
                   const ProgressCallback& progress = {});
 
+/// What becomes of the record that is copied.
+enum class CopyUse {
+  kUndecided,  ///< it stays the living one for now
+  kMove,       ///< it takes nothing new from before the copying on (noteMoving()); the caller ends with
+               ///< noteMoved()
+};
+
 /// Copies a record to another database: SQLite to PostgreSQL or back. Reads the source as of one moment
 /// without changing it; the target must be a new file or an empty database, and receives everything in one
 /// transaction or stays as it was. Compares counts and hashes of every table and verifies the target's audit
@@ -75,6 +82,7 @@ void copyStepwise(const std::filesystem::path& from, const std::filesystem::path
 /// kDatabaseRestore. Throws Error: kUsage if both are the same, kBadData if the target is not empty,
 /// kVerifyFailed if the copy differs.
 [[nodiscard]] CopyReport copyDatabase(SessionContext& session, const std::string& to,
-                                      const ProgressCallback& progress = {});
+                                      const ProgressCallback& progress = {},
+                                      CopyUse use = CopyUse::kUndecided);
 
 }  // namespace torsio

@@ -25,6 +25,7 @@
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/copy_register.h"
+#include "db/repository/people/access_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/core/digest.h"
@@ -236,6 +237,19 @@ void transferCopyRegister(Connection& present, Connection& older) {
   }
 }
 
+/// Another centre's record takes two people even if the centre's rule is off, unless the record has no
+/// administrator who could ask.
+bool alwaysTwo(SessionContext& session, const RestorePlan& plan) {
+  if (!plan.otherCentre) {
+    return false;
+  }
+  const std::vector<UserAccount> users = AccessRepository(session.connection()).users();
+  return needsTwoPeople(session.connection()) ||
+         std::any_of(users.begin(), users.end(), [](const UserAccount& user) {
+           return !user.demonstration && isActiveAdministrator(user);
+         });
+}
+
 /// Throws if another centre's record would replace this one without anybody meaning it, or by the owner of
 /// the file alone.
 void requireMeant(SessionContext& session, const RestorePlan& plan) {
@@ -249,7 +263,7 @@ void requireMeant(SessionContext& session, const RestorePlan& plan) {
                          plan.backupCentre, plan.presentCentre),
                 plan.backup.string(), Text::tr("Give --other-centre if this is meant"));
   }
-  if (session.actor().userId.empty() && needsTwoPeople(session.connection())) {
+  if (alwaysTwo(session, plan) && session.actor().userId.empty()) {
     throw Error(ErrorCode::kPermission,
                 Text::tr("putting another centre's record in this one's place takes two people"),
                 plan.backup.string(), Text::tr("Sign in with --as, and a second administrator with --with"));
@@ -300,7 +314,7 @@ RestorePlan planRestore(SessionContext& session, const fs::path& backup, const P
 
 bool mayRestoreNow(SessionContext& session, const RestorePlan& plan) {
   session.require(Operation::kDatabaseRestore);
-  return secondPersonIsThere(session, DutyAct::kRestore, plan.backupHash);
+  return secondPersonIsThere(session, DutyAct::kRestore, plan.backupHash, alwaysTwo(session, plan));
 }
 
 std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const RestorePlan& plan,
@@ -309,7 +323,8 @@ std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session, const R
   requireFile(session);
   requireNobodyAtWork(session);
   requireMeant(session, plan);
-  const UserId askedBy = requireSecondPerson(session, DutyAct::kRestore, plan.backupHash);
+  const UserId askedBy =
+      requireSecondPerson(session, DutyAct::kRestore, plan.backupHash, alwaysTwo(session, plan));
   const fs::path record = linkTarget(session.key().locator);
   requireRoom(record, plan.backup);
   const fs::path safety = safetyName(record, session.now_us());

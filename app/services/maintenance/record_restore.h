@@ -82,9 +82,9 @@ class PreparedRestore {
 /// audit trail contains the restore, who did it and what was lost. The record itself only gets an audit entry
 /// until takeOver(). kDatabaseRestore. Throws Error{kUsage} for the backup of another centre unless
 /// `plan.otherCentreMeant`, {kPermission} if the owner of the file alone means it although the centre wants
-/// two people, SecondPersonNeeded (subject: the backup's hash) if nobody else has requested this restore,
-/// what planRestore() throws, and kFileUnwritable if there is not enough space; then at most the finished
-/// safety backup remains.
+/// two people or has an administrator, SecondPersonNeeded (subject: the backup's hash) if nobody else has
+/// requested this restore, what planRestore() throws, and kFileUnwritable if there is not enough space; then
+/// at most the finished safety backup remains.
 [[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& session,
                                                               const RestorePlan& plan,
                                                               const ProgressCallback& progress = {});

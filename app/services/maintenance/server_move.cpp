@@ -163,6 +163,7 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
            session.connection().location(), Text::tr("Make an empty database on the server and copy again"));
   }
   std::string locator = requireLastingLocator(address);
+  noteMoving(session, locator);  // from here on only one of the two lives
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
   const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
   server.note(AuditAction::kDatabaseSwitch, AuditObject::kDatabase, parseLocator(locator).shown(),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/recording/station_start.h"
 
-#include <optional>
 #include <set>
 #include <string>
 #include <system_error>
@@ -29,17 +28,6 @@ namespace {
 // Tolerance between a run's clock and its recording.
 constexpr std::int64_t kAgreesWithin_us = 500'000;
 
-std::optional<Enrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
-  for (const Cohort& cohort : studies.cohorts()) {
-    for (const Enrolment& enrolment : studies.enrolments(cohort.id)) {
-      if (enrolment.id == id) {
-        return enrolment;
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 /// Logs training time proved by a recording but not logged, because station or database failed before;
 /// returns that time.
 std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
@@ -48,14 +36,9 @@ std::int64_t logMissing_us(SessionContext& session, const TrialListing& trial) {
     return 0;
   }
   StudyRepository studies(session.connectionWithoutRight());
-  const std::optional<Enrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
-  if (!enrolment) {
-    return 0;
-  }
   std::int64_t logged_us = 0;
-  for (const Exposure& exposure : studies.exposures(enrolment->cohortId)) {
-    const bool same = exposure.enrolmentId == trial.enrolmentId && exposure.phaseId == trial.phaseId &&
-                      exposure.kind == ExposureKind::kVirtual &&
+  for (const Exposure& exposure : studies.exposuresOf(trial.enrolmentId)) {
+    const bool same = exposure.phaseId == trial.phaseId && exposure.kind == ExposureKind::kVirtual &&
                       exposure.startedUtc_us >= trial.startedUtc_us - kAgreesWithin_us;
     if (same) {
       logged_us += exposure.duration_us;

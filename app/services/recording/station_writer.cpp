@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "app/services/access/moved_record.h"
 #include "app/services/base/build_info.h"
 #include "assessment/domain/ids.h"
 #include "assessment/domain/study/station_state.h"
@@ -53,6 +54,7 @@ struct StationWriter::State {
   std::optional<Steady::time_point> since;  // start of the current attempt
   std::size_t refused = 0;
   bool twin = false;
+  Text notice;
   bool fresh = true;  // work to do at once
   bool failed = false;
   bool stop = false;
@@ -81,6 +83,7 @@ struct StationWriter::State {
     {
       const std::lock_guard lock(mutex);
       twin = desk.heartbeat->hasTwin();
+      notice = desk.heartbeat->notice();
     }
     if (!desk.heartbeat->answered()) {
       throw DbError(DbFault::kUnreachable, "", Text::tr("the database does not answer"),
@@ -212,6 +215,11 @@ bool StationWriter::hasTwin() const {
   return state_->twin;
 }
 
+Text StationWriter::notice() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->notice;
+}
+
 std::size_t StationWriter::waiting() const {
   const std::lock_guard lock(state_->mutex);
   return state_->writes.size();
@@ -299,6 +307,7 @@ void StationHeartbeat::send() {
       twinSeen_us_ = now_us;
     }
     stations.heartbeat(state);
+    notice_ = moveNotice(connection);
     written_us_ = now_us;
     shownTrial_ = trial;
     if (there) {

@@ -13,6 +13,7 @@
 #include "app/services/access/session_context.h"
 #include "app/services/devices/device_readiness.h"
 #include "assessment/domain/ids.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 
@@ -56,6 +57,8 @@ class StationWriter {
   [[nodiscard]] bool answers() const;
   /// Returns whether the station has a twin (StationHeartbeat::hasTwin()).
   [[nodiscard]] bool hasTwin() const;
+  /// Returns what people at the station must know of the record (moveNotice()); empty: nothing.
+  [[nodiscard]] Text notice() const;
   [[nodiscard]] std::size_t waiting() const;
   [[nodiscard]] std::size_t refused() const;
   /// Waits until all writes and heartbeats are done. Returns false after `limit`.
@@ -91,6 +94,8 @@ class StationHeartbeat {
   /// Returns whether somebody else has lately written heartbeats as this station (twinWords()): another
   /// window with the same settings, or a copy of the computer.
   [[nodiscard]] bool hasTwin() const;
+  /// Returns the moveNotice() of the last heartbeat.
+  [[nodiscard]] const Text& notice() const noexcept { return notice_; }
   /// Returns false if the database was unreachable at the last heartbeat.
   [[nodiscard]] bool answered() const noexcept { return answered_; }
   /// Reports that the station closes down.
@@ -105,6 +110,7 @@ class StationHeartbeat {
   std::int64_t next_us_ = 0;
   std::optional<std::int64_t> written_us_{};  ///< of the last heartbeat
   std::optional<std::int64_t> twinSeen_us_{};
+  Text notice_;
   bool changed_ = true;
   bool answered_ = true;
 };

@@ -344,7 +344,12 @@ AllocationCheck checkAllocation(SessionContext& session, const DesignId& designI
   if (!stored) {
     refuse(Text::tr("there is no such design"), designId, Text::tr("Choose one from the list"));
   }
-  return repeatedDraw(study, *stored, study.sealedSeed(designId), study.sealedSalt(designId));
+  const std::string seed = study.sealedSeed(designId);
+  if (seed.empty()) {  // a server hides it
+    throw Error(ErrorCode::kPermission, Text::tr("the seed of this allocation is sealed"),
+                Text::tr("allocation"), Text::tr("Let an allocator check it, or open the seed first"));
+  }
+  return repeatedDraw(study, *stored, seed, study.sealedSalt(designId));
 }
 
 std::vector<SealedCard> takeOutCards(SessionContext& session, const CohortId& cohortId) {

@@ -114,6 +114,12 @@ TrailHead AuditRepository::head() const {
       .value_or(TrailHead{});
 }
 
+bool AuditRepository::contains(const TrailHead& head) const {
+  return selectFirst(connection_, "SELECT count(*) FROM audit_entry WHERE sequence = ? AND entry_hash = ?",
+                     {head.length, head.hash}, readInt64)
+             .value_or(0) > 0;
+}
+
 std::int64_t AuditRepository::length() const {
   return selectFirst(connection_, "SELECT count(*) FROM audit_entry", {}, readInt64).value_or(0);
 }

@@ -39,6 +39,8 @@ class AuditRepository {
   void forEach(const std::function<void(const AuditEntry&)>& take) const;
   /// Returns the newest entry as a head to be stored elsewhere.
   [[nodiscard]] TrailHead head() const;
+  /// True if the chain has had this head.
+  [[nodiscard]] bool contains(const TrailHead& head) const;
   /// Number of entries in the chain.
   [[nodiscard]] std::int64_t length() const;
 

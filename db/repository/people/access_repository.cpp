@@ -2,13 +2,11 @@
 #include "db/repository/people/access_repository.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <sstream>
 #include <string_view>
 #include <tuple>
 #include <utility>
-
-#include <sodium.h>
 
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/password_rule.h"
@@ -77,7 +75,7 @@ std::string AccessRepository::loginOf(const PersonId& personId) const {
 
 SealedSecret AccessRepository::sealPassword(const std::string& login, const std::string& password) const {
   checkPassword(password, login);
-  return {hashPassword(password, cost_)};
+  return {hiddenPassword(connection_, hashPassword(password, cost_))};
 }
 
 SealedSecret AccessRepository::sealPin(const std::string& pin) const {
@@ -88,7 +86,7 @@ SealedSecret AccessRepository::sealPin(const std::string& pin) const {
     refuseParameter(Text::tr("the PIN is shorter than %1 digits", kShortestPin), Text::tr("PIN"),
                     Text::tr("Use a longer one"));
   }
-  return {hashPassword(pin, cost_)};
+  return {hiddenPassword(connection_, hashPassword(pin, cost_))};
 }
 
 void AccessRepository::addUser(const UserAccount& user, const SealedSecret& password) {
@@ -132,8 +130,14 @@ std::vector<UserAccount> AccessRepository::users() const {
 
 void AccessRepository::setRoles(const UserId& userId, const std::vector<std::string>& roles) {
   Transaction transaction(connection_);
-  connection_.execute("DELETE FROM user_role WHERE user_id = ?", {userId});
-  insertRoles(connection_, userId, roles);
+  std::vector<std::string> added = roles;
+  for (const std::string& held :
+       selectAll(connection_, "SELECT role_code FROM user_role WHERE user_id = ?", {userId}, readText)) {
+    if (std::erase(added, held) == 0) {
+      connection_.execute("DELETE FROM user_role WHERE user_id = ? AND role_code = ?", {userId, held});
+    }
+  }
+  insertRoles(connection_, userId, added);
   (void)revokeInvitation(userId);
   transaction.commit();
 }
@@ -192,6 +196,49 @@ std::optional<std::int64_t> AccessRepository::waitOf(const Account& account, std
   return now_us < account.lockedUntilUtc_us ? std::optional(account.lockedUntilUtc_us) : std::nullopt;
 }
 
+bool AccessRepository::fits(const Account& account, const std::string& login, const std::string& secret,
+                            bool pin, SignInResult& result) {
+  const std::string& stored = pin ? account.pinHash : account.passwordHash;
+  if (stored.empty()) {
+    // Does the same work as for a known login, so that timing does not reveal which logins exist.
+    (void)hashPassword(secret, cost_);
+    return false;
+  }
+  if (!isHiddenPassword(stored) || !isPrepared(connection_)) {
+    return passwordMatches(connection_, stored, secret);
+  }
+  const std::optional<std::optional<std::string>> token =
+      selectFirst(connection_, "SELECT open_session(?, ?, ?)", {login, hashLike(stored, secret), pin},
+                  [](RowReader& row) { return row.maybeText(); });
+  result.serverToken = token.value_or(std::nullopt).value_or("");
+  return token && token->has_value();
+}
+
+std::string AccessRepository::openInvitedSession(const std::string& tokenHash) {
+  return isPrepared(connection_)
+             ? selectFirst(connection_, "SELECT open_session_with_invitation(?)", {tokenHash}, readText)
+                   .value_or("")
+             : std::string();
+}
+
+std::string AccessRepository::openSimulatedSession(const UserId& userId) {
+  return isPrepared(connection_)
+             ? selectFirst(connection_, "SELECT open_simulated_session(?)", {userId}, readText).value_or("")
+             : std::string();
+}
+
+void AccessRepository::endOwnServerSession() {
+  endOtherServerSessions({});
+}
+
+void AccessRepository::endOtherServerSessions(const UserId& userId) {
+  if (isPrepared(connection_)) {
+    // Selects a row without columns: the function returns nothing.
+    (void)selectFirst(connection_, "SELECT count(*) FROM (SELECT end_sessions(?)) AS done", {userId.text()},
+                      readInt64);
+  }
+}
+
 SignInResult AccessRepository::check(const std::string& login, const std::string& secret, bool pin,
                                      std::int64_t now_us, const std::string& place) {
   Account found = account(login).value_or(Account{});
@@ -199,12 +246,8 @@ SignInResult AccessRepository::check(const std::string& login, const std::string
   if (const std::optional<std::int64_t> until_us = waitOf(found, now_us)) {
     return {SignIn::kWait, "", *until_us};
   }
-  const std::string& hash = pin ? found.pinHash : found.passwordHash;
-  if (hash.empty()) {
-    // Does the same work as for a known login, so that timing does not reveal which logins exist.
-    (void)hashPassword(secret, cost_);
-  }
-  if (hash.empty() || !passwordMatches(hash, secret)) {
+  SignInResult result;
+  if (!fits(found, login, secret, pin, result)) {
     setFailures(found, found.failures + 1, now_us + waitAfter(found.failures + 1));
     return {SignIn::kWrong};
   }
@@ -214,7 +257,9 @@ SignInResult AccessRepository::check(const std::string& login, const std::string
   if (found.failures > 0) {
     setFailures(found, 0, 0);
   }
-  return {found.mustChange && !pin ? SignIn::kMustChange : SignIn::kOk, found.id};
+  result.outcome = found.mustChange && !pin ? SignIn::kMustChange : SignIn::kOk;
+  result.userId = found.id;
+  return result;
 }
 
 SignInResult AccessRepository::signIn(const std::string& login, const std::string& password,
@@ -233,6 +278,7 @@ void AccessRepository::setPassword(const UserId& userId, const SealedSecret& pas
       "UPDATE app_user SET password_hash = ?, must_change_password = ?, failed_count = 0,"
       " locked_until_utc_us = 0 WHERE id = ?",
       {password.hash, mustChange, userId});
+  endOtherServerSessions(userId);
 }
 
 void AccessRepository::setPin(const UserId& userId, const SealedSecret& pin) {
@@ -307,6 +353,7 @@ void AccessRepository::endSessions(const UserId& userId) {
   const auto ended = selectFirst(connection_, "SELECT COALESCE(sessions_ended, 0) FROM app_user WHERE id = ?",
                                  {userId}, [](RowReader& row) { return row.int64(); });
   connection_.execute("UPDATE app_user SET sessions_ended = ? WHERE id = ?", {ended.value_or(0) + 1, userId});
+  endOtherServerSessions(userId);
   transaction.commit();
 }
 
@@ -326,6 +373,36 @@ std::string AccessRepository::passwordStamp(const UserId& userId) const {
   return digest.hex();
 }
 
+namespace {
+
+struct CardHolder {
+  UserId id;
+  bool active = false;
+  std::string serverToken{};
+};
+
+/// Returns the trainee on whose card this code is; empty: nobody.
+std::optional<CardHolder> holderOf(Connection& connection, const std::string& codeHash) {
+  if (!isPrepared(connection)) {
+    return selectFirst(connection,
+                       "SELECT u.id, u.state FROM kiosk_code k JOIN app_user u ON u.id = k.user_id"
+                       " WHERE k.code_hash = ? AND k.revoked_utc_us IS NULL AND NOT EXISTS"
+                       " (SELECT 1 FROM user_role r WHERE r.user_id = u.id AND r.role_code <> 'trainee')",
+                       {codeHash}, [](RowReader& row) {
+                         return CardHolder{row.text(), row.text() == "active"};
+                       });
+  }
+  std::istringstream answer(
+      selectFirst(connection, "SELECT open_session_with_code(?)", {codeHash}, readText).value_or(""));
+  std::string id;
+  std::string state;
+  std::string token;
+  answer >> id >> state >> token;
+  return id.empty() ? std::nullopt : std::optional(CardHolder{id, state == "active", token});
+}
+
+}  // namespace
+
 SignInResult AccessRepository::signInWithCode(const std::string& codeHash, const std::string& station,
                                               std::int64_t now_us) {
   Account gate;
@@ -333,63 +410,18 @@ SignInResult AccessRepository::signInWithCode(const std::string& codeHash, const
   if (const std::optional<std::int64_t> until_us = waitOf(gate, now_us)) {
     return {SignIn::kWait, "", *until_us};
   }
-  const auto found = selectFirst(connection_,
-                                 "SELECT u.id, u.state FROM kiosk_code k JOIN app_user u ON u.id = k.user_id"
-                                 " WHERE k.code_hash = ? AND k.revoked_utc_us IS NULL AND NOT EXISTS"
-                                 " (SELECT 1 FROM user_role r WHERE r.user_id = u.id"
-                                 "  AND r.role_code <> 'trainee')",
-                                 {codeHash}, [](RowReader& row) {
-                                   return std::pair<UserId, bool>{row.text(), row.text() == "active"};
-                                 });
+  const std::optional<CardHolder> found = holderOf(connection_, codeHash);
   if (!found) {
     setFailures(gate, gate.failures + 1, now_us + waitAfter(gate.failures + 1));
     return {SignIn::kWrong};
   }
-  if (!found->second) {
+  if (!found->active) {
     return {SignIn::kDisabled};
   }
   if (gate.failures > 0) {
     setFailures(gate, 0, 0);
   }
-  return {SignIn::kOk, found->first};
-}
-
-namespace {
-
-struct Limits {
-  unsigned long long operations;
-  std::size_t memory;
-};
-
-Limits limitsOf(PasswordCost cost) {
-  switch (cost) {
-    case PasswordCost::kTest:
-      return {crypto_pwhash_OPSLIMIT_MIN, crypto_pwhash_MEMLIMIT_MIN};
-    case PasswordCost::kInteractive:
-      return {crypto_pwhash_OPSLIMIT_INTERACTIVE, crypto_pwhash_MEMLIMIT_INTERACTIVE};
-    case PasswordCost::kModerate:
-      break;
-  }
-  return {crypto_pwhash_OPSLIMIT_MODERATE, crypto_pwhash_MEMLIMIT_MODERATE};
-}
-
-}  // namespace
-
-std::string hashPassword(const std::string& password, PasswordCost cost) {
-  TORSIO_EXPECTS(sodium_init() >= 0);
-  std::array<char, crypto_pwhash_STRBYTES> hash{};
-  const Limits limits = limitsOf(cost);
-  if (crypto_pwhash_str(hash.data(), password.data(), password.size(), limits.operations, limits.memory) !=
-      0) {
-    throw Error(ErrorCode::kInternal, Text::tr("not enough memory to protect the password"), "",
-                Text::tr("Close other programs and try again"));
-  }
-  return hash.data();
-}
-
-bool passwordMatches(const std::string& hash, const std::string& password) {
-  TORSIO_EXPECTS(sodium_init() >= 0);
-  return crypto_pwhash_str_verify(hash.c_str(), password.data(), password.size()) == 0;
+  return {.outcome = SignIn::kOk, .userId = found->id, .serverToken = found->serverToken};
 }
 
 }  // namespace torsio

@@ -9,19 +9,16 @@
 #include "assessment/domain/ids.h"
 #include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
+#include "db/repository/people/stored_password.h"
 
 namespace torsio {
-
-/// Returns a salted hash with its parameters as one text. Slow: call it off the GUI thread. Throws Error
-/// (kInternal) without memory.
-[[nodiscard]] std::string hashPassword(const std::string& password, PasswordCost cost);
-
-[[nodiscard]] bool passwordMatches(const std::string& hash, const std::string& password);
 
 struct SignInResult {
   SignIn outcome = SignIn::kWrong;
   UserId userId{};                   ///< for kOk and kMustChange
   std::int64_t waitUntilUtc_us = 0;  ///< for kWait
+  /// What proves the sign-in to a prepared server (tellSession()); empty elsewhere.
+  std::string serverToken{};
 };
 
 /// Consecutive failures without a wait; each further one doubles the wait, from one second to one minute.
@@ -107,6 +104,13 @@ class AccessRepository {
   [[nodiscard]] std::vector<InvitationRow> openInvitations() const;
   /// Returns the user of an open invitation; empty if it has expired or the user is disabled.
   [[nodiscard]] std::optional<UserId> invited(const std::string& tokenHash, std::int64_t now_us) const;
+  /// On a prepared server: opens a session for the user of an open invitation on this connection, which
+  /// otherwise sees none, and returns its token; empty elsewhere, and without one.
+  [[nodiscard]] std::string openInvitedSession(const std::string& tokenHash);
+  /// The same for a simulated person, for an administrator who has signed in.
+  [[nodiscard]] std::string openSimulatedSession(const UserId& userId);
+  /// Ends the server's session of this connection.
+  void endOwnServerSession();
   /// Consumes an invitation. False if it is no longer open; of two concurrent calls one succeeds.
   [[nodiscard]] bool useInvitation(const std::string& tokenHash, std::int64_t now_us);
 
@@ -124,6 +128,10 @@ class AccessRepository {
   /// Reads the failures at a place from their bucket. What nobody outside knows (the account's hash, or the
   /// centre's id for unknown logins) chooses it: no login can be made up that shares another's.
   void readFailures(Account& account, const std::string& login, const std::string& place) const;
+  /// True if the secret fits; fills `result.serverToken` on a prepared server.
+  [[nodiscard]] bool fits(const Account& account, const std::string& login, const std::string& secret,
+                          bool pin, SignInResult& result);
+  void endOtherServerSessions(const UserId& userId);
   /// End of the current wait; empty: none.
   [[nodiscard]] std::optional<std::int64_t> waitOf(const Account& account, std::int64_t now_us);
   void setFailures(const Account& account, std::int64_t failures, std::int64_t lockedUntilUtc_us);

@@ -173,6 +173,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"module", ""},
     PersonRule{"module_prerequisite", ""},
     PersonRule{"operation", ""},
+    PersonRule{"password_pepper", ""},
     PersonRule{"rater_class", ""},
     PersonRule{"reference_run", ""},
     PersonRule{"reference_run_withdrawal", ""},
@@ -188,6 +189,7 @@ inline constexpr std::array kPersonRules{
     PersonRule{"rubric_row", ""},
     PersonRule{"schema_migration", ""},
     PersonRule{"occasion", ""},
+    PersonRule{"server_session", ""},  // goes with the account
     PersonRule{"setting", ""},
     PersonRule{"sign_in_failure", ""},
     PersonRule{"training_group", ""},

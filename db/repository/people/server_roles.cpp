@@ -6,6 +6,8 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/people/person_data.h"
+#include "db/repository/people/server_functions.h"
+#include "db/repository/people/stored_password.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 
@@ -18,6 +20,7 @@ constexpr std::string_view kAdd = "SELECT, INSERT";
 constexpr std::string_view kChange = "SELECT, INSERT, UPDATE";
 constexpr std::string_view kRemove = "SELECT, INSERT, DELETE";
 constexpr std::string_view kAll = "SELECT, INSERT, UPDATE, DELETE";
+constexpr std::string_view kNothing;
 
 /// Rights of the station role beyond inserting into append-only tables: drafts and states.
 struct StationRight {
@@ -26,6 +29,8 @@ struct StationRight {
 };
 constexpr std::array kStationRights{
     // Filled only by the owner or by functions with the owner's rights.
+    StationRight{"server_session", kNothing},
+    StationRight{"password_pepper", kNothing},
     StationRight{"erasure_gate", kRead},  // an open gate is a finding
     StationRight{"erasure", kRead},
     StationRight{"role", kRead},
@@ -74,142 +79,158 @@ constexpr std::array kStationRights{
     StationRight{"paper_entry_row", kAll},
 };
 
-constexpr std::string_view kActor = "current_setting('torsio.actor', true)";
-
-/// Operations that permit seeing all marks; one is enough.
-constexpr std::string_view kSeesAllMarks =
-    "SELECT EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id"
-    " JOIN role_operation o ON o.role_code = r.role_code"
-    " WHERE u.id = current_setting('torsio.actor', true) AND u.state = 'active' AND o.operation_code IN"
-    " ('mark.view_coded', 'mark.release', 'results.compute', 'evaluation.setup', 'audit.view',"
-    " 'database.restore'))";
-
-/// Operations that permit adding other raters' marks: typing paper sheets, importing data sets.
-constexpr std::string_view kAddsMarksOfOthers =
-    "SELECT EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id"
-    " JOIN role_operation o ON o.role_code = r.role_code"
-    " WHERE u.id = current_setting('torsio.actor', true) AND u.state = 'active'"
-    " AND o.operation_code = 'study.setup')";
-
-constexpr std::string_view kActorPerson =
-    "SELECT person_id FROM app_user WHERE id = current_setting('torsio.actor', true) AND state = 'active'";
-
-/// A rater sees the others' marks once every assigned rater has submitted, to compare disagreements.
-constexpr std::string_view kCaseIsCommitted =
-    "SELECT EXISTS (SELECT 1 FROM assignment a WHERE a.enrolment_id = case_enrolment AND a.occasion ="
-    " case_occasion AND a.rater_id = actor_person()) AND NOT EXISTS (SELECT 1 FROM assignment a WHERE"
-    " a.enrolment_id = case_enrolment AND a.occasion = case_occasion"
-    " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
-    " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id AND w.withdrawn"
-    " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal v WHERE v.assignment_id = w.assignment_id"
-    " AND v.sequence > w.sequence)))";
-
-/// A trainee sees their own marks once released.
-constexpr std::string_view kIsReleasedToActor =
-    "SELECT coalesce((SELECT r.released FROM enrolment e JOIN mark_release r ON r.cohort_id = e.cohort_id"
-    " WHERE e.id = case_enrolment AND e.trainee_id = actor_person() AND r.occasion = case_occasion"
-    " ORDER BY r.sequence DESC LIMIT 1), FALSE)";
-
-/// Replaces each `?` of an erase statement by the person's id.
-std::string withPerson(std::string condition) {
-  for (std::size_t at = condition.find('?'); at != std::string::npos; at = condition.find('?', at)) {
-    condition.replace(at, 1, "erased_id");
-  }
-  return condition;
-}
-
-/// Body of the server function that does what erasePerson() does, for administrators permitted to erase.
-std::string eraseBody() {
-  std::string body =
-      "\n#variable_conflict use_variable\nBEGIN\n"
-      "  IF NOT EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id JOIN role_operation o"
-      " ON o.role_code = r.role_code WHERE u.id = " +
-      std::string(kActor) +
-      " AND u.id = erased_by AND u.state = 'active' AND o.operation_code = 'person.erase') THEN\n"
-      "    RAISE EXCEPTION 'nobody who may erase is signed in' USING ERRCODE = '42501';\n"
-      "  END IF;\n"
-      "  INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (erased_id, why, at_us);\n";
-  for (const PersonRule& rule : kPersonRules) {
-    if (rule.condition.empty() || rule.onErase == OnErase::kKeep) {
-      continue;
-    }
-    const std::string table(rule.table);
-    body += "  " +
-            (rule.onErase == OnErase::kDelete ? "DELETE FROM " + table
-                                              : "UPDATE " + table + " SET " + std::string(rule.cleared)) +
-            " WHERE " + withPerson(std::string(rule.condition)) + ";\n";
-  }
-  return body +
-         "  DELETE FROM erasure_gate WHERE id = erased_id;\n"
-         "  INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us)"
-         " VALUES (erased_id, erased_by, why, at_us);\n"
-         "END ";
-}
-
-struct ServerFunction {
-  std::string_view name;
-  std::string_view arguments;  ///< in CREATE FUNCTION syntax
-  std::string_view result;
-  std::string_view language;
-};
-constexpr std::array kServerFunctions{
-    ServerFunction{"sees_all_marks", "", "boolean", "sql STABLE"},
-    ServerFunction{"adds_marks_of_others", "", "boolean", "sql STABLE"},
-    ServerFunction{"actor_person", "", "text", "sql STABLE"},
-    ServerFunction{"case_is_committed", "case_enrolment text, case_occasion text", "boolean", "sql STABLE"},
-    ServerFunction{"is_released_to_actor", "case_enrolment text, case_occasion text", "boolean",
-                   "sql STABLE"},
-    ServerFunction{"erase_person", "erased_id text, erased_by text, why text, at_us bigint", "void",
-                   "plpgsql"}};
-
 /// Row policy of a table. A `SELECT` in parentheses is evaluated once per statement, not once per row.
 struct RowPolicy {
   std::string_view table;
-  std::string_view seen;     ///< rows that the current user may read
-  std::string_view changed;  ///< rows that the current user may add, change or remove
+  std::string_view seen;       ///< rows that the current user may read
+  std::string_view added;      ///< rows that the current user may add
+  std::string_view changed{};  ///< rows as the current user may change them; empty: as `added`
+  std::string_view removed{};  ///< empty: as `changed`
+  std::string_view whole{};    ///< the operation with which one sees every row; empty: see requireEveryRow()
 };
+constexpr std::string_view kEverything = "TRUE";
+constexpr std::string_view kKnown = "(SELECT is_known())";
 constexpr std::string_view kSeesAll = "(SELECT sees_all_marks())";
 constexpr std::string_view kAddsOthers = "(SELECT adds_marks_of_others())";
+constexpr std::string_view kManagesUsers = "(SELECT session_may('user.manage'))";
+constexpr std::string_view kOwnAccess =
+    "(SELECT session_may('user.manage')) OR user_id = (SELECT session_user_id())";
 constexpr std::string_view kOfTheMark =
     "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id AND (m.rater_id = (SELECT actor_person())"
     " OR m.demonstration OR (SELECT adds_marks_of_others())))";
 constexpr std::string_view kOfTheSheet =
     "EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id AND a.rater_id = (SELECT actor_person()))";
+constexpr std::string_view kOwnRater = "rater_id = (SELECT actor_person())";
+constexpr std::string_view kOwnOrSimulatedRater = "rater_id = (SELECT actor_person()) OR demonstration";
+constexpr std::string_view kSeesAllOrOwnRater =
+    "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())";
+
+/// Tables whose rows only some may see, or change.
 constexpr std::array kRowPolicies{
-    RowPolicy{"training_mark",
-              "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())"
-              " OR case_is_committed(enrolment_id, occasion) OR is_released_to_actor(enrolment_id, occasion)",
-              "rater_id = (SELECT actor_person()) OR demonstration OR (SELECT adds_marks_of_others())"},
-    RowPolicy{"training_mark_row", "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)", kOfTheMark},
-    RowPolicy{"mark_viewing", "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)", kOfTheMark},
-    RowPolicy{"mark_draft",
-              "(SELECT sees_all_marks()) OR EXISTS (SELECT 1 FROM assignment a WHERE a.id = assignment_id"
-              " AND a.rater_id = (SELECT actor_person()))",
-              kOfTheSheet},
-    RowPolicy{"mark_draft_row",
-              "EXISTS (SELECT 1 FROM mark_draft d WHERE d.assignment_id ="
-              " mark_draft_row.assignment_id)",
-              kOfTheSheet},
-    RowPolicy{"draft_viewing", kOfTheSheet, kOfTheSheet},
-    RowPolicy{"watch_account", "rater_id = (SELECT actor_person())", "rater_id = (SELECT actor_person())"},
-    RowPolicy{"paper_entry", kAddsOthers, kAddsOthers},
-    RowPolicy{"paper_entry_row", kAddsOthers, kAddsOthers},
-    RowPolicy{"self_score", "(SELECT sees_all_marks()) OR trainee_id = (SELECT actor_person())",
-              "trainee_id = (SELECT actor_person()) OR demonstration"},
-    RowPolicy{"self_score_row", "EXISTS (SELECT 1 FROM self_score s WHERE s.id = self_score_id)",
-              "EXISTS (SELECT 1 FROM self_score s WHERE s.id = self_score_id AND"
-              " (s.trainee_id = (SELECT actor_person()) OR s.demonstration))"},
-    RowPolicy{"rater_warmup", "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())",
-              "rater_id = (SELECT actor_person()) OR demonstration"},
-    RowPolicy{"evaluation_mark", "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())",
-              "rater_id = (SELECT actor_person()) OR demonstration"},
-    RowPolicy{"evaluation_draft", "rater_id = (SELECT actor_person())", "rater_id = (SELECT actor_person())"},
+    RowPolicy{
+        .table = "training_mark",
+        .seen = "(SELECT sees_all_marks()) OR rater_id = (SELECT actor_person())"
+                " OR case_is_committed(enrolment_id, occasion)"
+                " OR is_released_to_actor(enrolment_id, occasion)",
+        .added = "rater_id = (SELECT actor_person()) OR demonstration OR (SELECT adds_marks_of_others())"},
+    RowPolicy{.table = "training_mark_row",
+              .seen = "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)",
+              .added = kOfTheMark},
+    RowPolicy{.table = "mark_viewing",
+              .seen = "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id)",
+              .added = kOfTheMark},
+    RowPolicy{.table = "mark_draft",
+              .seen = "(SELECT sees_all_marks()) OR EXISTS (SELECT 1 FROM assignment a"
+                      " WHERE a.id = assignment_id AND a.rater_id = (SELECT actor_person()))",
+              .added = kOfTheSheet},
+    RowPolicy{.table = "mark_draft_row",
+              .seen = "EXISTS (SELECT 1 FROM mark_draft d WHERE d.assignment_id ="
+                      " mark_draft_row.assignment_id)",
+              .added = kOfTheSheet},
+    RowPolicy{.table = "draft_viewing", .seen = kOfTheSheet, .added = kOfTheSheet},
+    RowPolicy{.table = "watch_account", .seen = kOwnRater, .added = kOwnRater},
+    RowPolicy{.table = "paper_entry", .seen = kAddsOthers, .added = kAddsOthers},
+    RowPolicy{.table = "paper_entry_row", .seen = kAddsOthers, .added = kAddsOthers},
+    RowPolicy{.table = "self_score",
+              .seen = "(SELECT sees_all_marks()) OR trainee_id = (SELECT actor_person())",
+              .added = "trainee_id = (SELECT actor_person()) OR demonstration"},
+    RowPolicy{.table = "self_score_row",
+              .seen = "EXISTS (SELECT 1 FROM self_score s WHERE s.id = self_score_id)",
+              .added = "EXISTS (SELECT 1 FROM self_score s WHERE s.id = self_score_id AND"
+                       " (s.trainee_id = (SELECT actor_person()) OR s.demonstration))"},
+    RowPolicy{.table = "rater_warmup", .seen = kSeesAllOrOwnRater, .added = kOwnOrSimulatedRater},
+    RowPolicy{.table = "evaluation_mark", .seen = kSeesAllOrOwnRater, .added = kOwnOrSimulatedRater},
+    RowPolicy{.table = "evaluation_draft", .seen = kOwnRater, .added = kOwnRater},
     // Means of marks.
-    RowPolicy{"training_result", kSeesAll, kSeesAll},
-    RowPolicy{"training_group_result", kSeesAll, kSeesAll},
-    RowPolicy{"evaluation_result", kSeesAll, kSeesAll},
-    RowPolicy{"composite_result", kSeesAll, kSeesAll},
+    RowPolicy{.table = "training_result", .seen = kSeesAll, .added = kSeesAll},
+    RowPolicy{.table = "training_group_result", .seen = kSeesAll, .added = kSeesAll},
+    RowPolicy{.table = "evaluation_result", .seen = kSeesAll, .added = kSeesAll},
+    RowPolicy{.table = "composite_result", .seen = kSeesAll, .added = kSeesAll},
+    // Names.
+    RowPolicy{.table = "person_identity",
+              .seen = "(SELECT session_may('person.view_identity')) OR person_id = (SELECT actor_person())",
+              .added = kKnown,
+              .whole = "person.view_identity"},
+    RowPolicy{.table = "roster_import_person",
+              .seen = "(SELECT session_may('person.view_identity'))",
+              .added = kKnown,
+              .whole = "person.view_identity"},
+    RowPolicy{.table = "seal_salt", .seen = kKnown, .added = kEverything},
+    RowPolicy{.table = "record_copy", .seen = kEverything, .added = kEverything},
+    // Groups, and the seed that draws them.
+    RowPolicy{.table = "training_group",
+              .seen = "(SELECT session_may('allocation.view')) OR is_own_group(id)",
+              .added = kKnown,
+              .whole = "allocation.view"},
+    RowPolicy{.table = "enrolment",
+              .seen = "(SELECT session_may('allocation.view')) OR is_own_case(id)"
+                      " OR is_told_elsewhere(trainee_id)",
+              .added = kKnown,
+              .whole = "allocation.view"},
+    RowPolicy{.table = "allocation",
+              .seen = "(SELECT session_may('allocation.view')) OR is_own_case(enrolment_id)",
+              .added = "demonstration OR (SELECT session_may('allocation.run'))",
+              .whole = "allocation.view"},
+    RowPolicy{.table = "allocation_seed",
+              .seen = "revealed_utc_us IS NOT NULL OR (SELECT session_may('allocation.run'))"
+                      " OR is_simulated_design(design_id)",
+              .added = "is_simulated_design(design_id) OR ((SELECT session_may('allocation.run'))"
+                       " AND revealed_utc_us IS NULL)",
+              .changed = "may_open_seed(design_id)",
+              .whole = "allocation.run"},
+    // Accounts, and what needs two people.
+    RowPolicy{.table = "app_user",
+              .seen = kEverything,
+              .added = "CASE WHEN (SELECT session_user_id()) IS NULL THEN is_known()"
+                       " ELSE (SELECT session_may('user.manage')) END",
+              .changed = "may_change_account(id, login, person_id, password_hash, pin_hash, demonstration)"},
+    RowPolicy{.table = "user_role",
+              .seen = kEverything,
+              .added = "may_give_role(user_id, role_code)",
+              .removed = kManagesUsers},
+    RowPolicy{.table = "kiosk_code", .seen = kManagesUsers, .added = kManagesUsers, .whole = "user.manage"},
+    RowPolicy{.table = "invitation",
+              .seen = kOwnAccess,
+              .added = "may_invite(user_id)",
+              .changed = kOwnAccess,
+              .whole = "user.manage"},
+    RowPolicy{.table = "duty_request",
+              .seen = "requested_by = (SELECT session_user_id()) OR (SELECT session_may('user.manage'))"
+                      " OR (SELECT session_may('allocation.view'))",
+              .added = "requested_by = (SELECT session_user_id())",
+              .whole = "allocation.view"},
+    RowPolicy{.table = "duty_decision",
+              .seen = kEverything,
+              .added = "may_decide(request_id, decision, decided_by)"},
+    RowPolicy{.table = "setting",
+              .seen = kEverything,
+              .added = "CASE WHEN name = 'two_people' THEN may_set_rule(value) ELSE (SELECT is_known()) END"},
+    RowPolicy{
+        .table = "frozen_dataset", .seen = kEverything, .added = "may_freeze(cohort_id, demonstration)"},
+    RowPolicy{
+        .table = "signature",
+        .seen = kEverything,
+        .added = "user_id = (SELECT session_user_id()) OR demonstration OR (SELECT adds_marks_of_others())"},
+    RowPolicy{.table = "audit_entry", .seen = kEverything, .added = "may_write_as(actor)"},
 };
+
+/// Tables to which a station adds while nobody has signed in there: what its recordings bring with them, its
+/// own state, and what goes with every change.
+constexpr std::array<std::string_view, 9> kOpenToStations{
+    "trial",         "trial_chunk",    "trial_end",       "trial_digest", "exposure",
+    "station_state", "learning_event", "sign_in_failure", "row_seal"};
+
+/// The policy of a table that the station role may change; null: it only reads the table.
+std::optional<RowPolicy> policyOf(std::string_view table) {
+  if (declaredRightsOn(table).value_or(kAdd).find("INSERT") == std::string_view::npos ||
+      std::find(kOpenToStations.begin(), kOpenToStations.end(), table) != kOpenToStations.end()) {
+    return std::nullopt;
+  }
+  const auto* found = std::find_if(kRowPolicies.begin(), kRowPolicies.end(),
+                                   [&](const RowPolicy& one) { return one.table == table; });
+  return found != kRowPolicies.end() ? *found
+                                     : RowPolicy{.table = table, .seen = kEverything, .added = kKnown};
+}
 
 bool plainRole(const std::string& role) {
   return !role.empty() && std::all_of(role.begin(), role.end(), [](char c) {
@@ -231,20 +252,25 @@ void requireRole(Connection& connection, const std::string& role) {
       Text::tr("Use a name of lower-case letters, digits and underscores that is not the owner's"));
 }
 
+std::string bodyOf(const ServerFunction& function) {
+  return function.body.empty() ? eraseBody() : std::string(function.body);
+}
+
 void makeFunctions(Connection& connection, const std::string& schema, const std::string& role) {
-  const std::map<std::string, std::string> parts = serverParts();
-  for (const ServerFunction& one : kServerFunctions) {
+  for (const ServerFunction& one : serverFunctions()) {
     const std::string name(one.name);
     connection.executeVerbatim("CREATE OR REPLACE FUNCTION " + name + "(" + std::string(one.arguments) +
                                ") RETURNS " + std::string(one.result) + " LANGUAGE " +
                                std::string(one.language) + " SECURITY DEFINER SET search_path = \"" + schema +
-                               "\", pg_temp AS $$" + parts.at("function " + name) + "$$");
+                               "\", pg_temp AS $$" + bodyOf(one) + "$$");
     connection.executeVerbatim("REVOKE ALL ON FUNCTION " + name + " FROM PUBLIC");
-    connection.executeVerbatim("GRANT EXECUTE ON FUNCTION " + name + " TO " + role);
+    if (one.ofStations) {
+      connection.executeVerbatim("GRANT EXECUTE ON FUNCTION " + name + " TO " + role);
+    }
   }
 }
 
-void makePolicies(Connection& connection, const std::string& role) {
+void makePolicies(Connection& connection, std::span<const std::string> tables, const std::string& role) {
   for (const std::string& drop :
        selectAll(connection,
                  "SELECT format('DROP POLICY %I ON %I', policyname, tablename) FROM pg_policies"
@@ -254,19 +280,46 @@ void makePolicies(Connection& connection, const std::string& role) {
                  {}, readText)) {
     connection.executeVerbatim(drop);
   }
-  for (const RowPolicy& policy : kRowPolicies) {
-    const std::string table(policy.table);
+  for (const std::string& table : tables) {
+    const std::optional<RowPolicy> policy = policyOf(table);
+    if (!policy) {
+      continue;
+    }
     const auto make = [&](const std::string& act, const std::string& clause) {
       const std::string name = "torsio_" + act;
       connection.executeVerbatim("CREATE POLICY " + name + " ON " + table + " FOR " + act + " TO " + role +
                                  " " + clause);
     };
-    const std::string changed(policy.changed);
-    make("SELECT", "USING (" + std::string(policy.seen) + ")");
-    make("INSERT", "WITH CHECK (" + changed + ")");
+    const std::string changed(policy->changed.empty() ? policy->added : policy->changed);
+    const std::string removed(policy->removed.empty() ? changed : std::string(policy->removed));
+    make("SELECT", "USING (" + std::string(policy->seen) + ")");
+    make("INSERT", "WITH CHECK (" + std::string(policy->added) + ")");
     make("UPDATE", "USING (" + changed + ") WITH CHECK (" + changed + ")");
-    make("DELETE", "USING (" + changed + ")");
+    make("DELETE", "USING (" + removed + ")");
     connection.executeVerbatim("ALTER TABLE " + table + " ENABLE ROW LEVEL SECURITY");
+  }
+}
+
+/// Makes the pepper, and takes from stored passwords what words could be tried on.
+void hidePasswords(Connection& connection) {
+  connection.executeVerbatim(
+      "INSERT INTO password_pepper SELECT 1, replace(gen_random_uuid()::text || gen_random_uuid()::text, '-',"
+      " '') WHERE NOT EXISTS (SELECT 1 FROM password_pepper)");
+  struct Stored {
+    std::string id;
+    std::string password;
+    std::string pin;
+  };
+  for (const Stored& user :
+       selectAll(connection, "SELECT id, password_hash, pin_hash FROM app_user", {}, [](RowReader& row) {
+         return Stored{row.text(), row.text(), row.text()};
+       })) {
+    const std::string password = hiddenPassword(connection, user.password);
+    const std::string pin = hiddenPassword(connection, user.pin);
+    if (password != user.password || pin != user.pin) {
+      connection.execute("UPDATE app_user SET password_hash = ?, pin_hash = ? WHERE id = ?",
+                         {password, pin.empty() ? Value() : Value(pin), user.id});
+    }
   }
 }
 
@@ -279,16 +332,16 @@ std::optional<std::string_view> declaredRightsOn(std::string_view table) {
 }
 
 std::map<std::string, std::string> serverParts() {
-  std::map<std::string, std::string> parts{{"function sees_all_marks", std::string(kSeesAllMarks)},
-                                           {"function adds_marks_of_others", std::string(kAddsMarksOfOthers)},
-                                           {"function actor_person", std::string(kActorPerson)},
-                                           {"function case_is_committed", std::string(kCaseIsCommitted)},
-                                           {"function is_released_to_actor", std::string(kIsReleasedToActor)},
-                                           {"function erase_person", eraseBody()}};
-  for (const RowPolicy& policy : kRowPolicies) {
-    const std::string table(policy.table);
-    parts["row policies of " + table] =
-        '"' + table + R"(" "on torsio_delete torsio_insert torsio_select torsio_update")";
+  std::map<std::string, std::string> parts;
+  for (const ServerFunction& function : serverFunctions()) {
+    parts["function " + std::string(function.name)] = bodyOf(function);
+  }
+  for (const PersonRule& rule : kPersonRules) {  // every table has one
+    const std::string table(rule.table);
+    if (policyOf(table)) {
+      parts["row policies of " + table] =
+          '"' + table + R"(" "on torsio_delete torsio_insert torsio_select torsio_update")";
+    }
   }
   return parts;
 }
@@ -317,11 +370,14 @@ void writeServerRoles(Connection& connection, std::span<const std::string> table
   for (const std::string& table : tables) {
     const std::optional<std::string_view> declared = declaredRightsOn(table);
     TORSIO_EXPECTS(declared || appendOnly.contains(table));
-    connection.executeVerbatim("GRANT " + std::string(declared.value_or(kAdd)) + " ON " + table + " TO " +
-                               role);
+    if (declared != kNothing) {
+      connection.executeVerbatim("GRANT " + std::string(declared.value_or(kAdd)) + " ON " + table + " TO " +
+                                 role);
+    }
   }
   makeFunctions(connection, schema, role);
-  makePolicies(connection, role);
+  makePolicies(connection, tables, role);
+  hidePasswords(connection);
   transaction.commit();
 }
 
@@ -344,7 +400,7 @@ void requireEveryRow(Connection& connection) {
                   " AND relrowsecurity AND row_security_active(oid)",
                   {}, readInt64)
               .value_or(0) == 0 ||
-      selectFirst(connection, std::string(kSeesAllMarks), {}, readBoolean).value_or(false)) {
+      selectFirst(connection, "SELECT sees_all_marks()", {}, readBoolean).value_or(false)) {
     return;
   }
   throw Error(ErrorCode::kPermission, Text::tr("this server account sees no marks while nobody is signed in"),
@@ -352,15 +408,29 @@ void requireEveryRow(Connection& connection) {
               Text::tr("Give the address with the account that owns the record, or do it at the window"));
 }
 
-void setCurrentUser(Connection& connection, const std::string& userId) {
+std::set<std::string> tablesSeenInPart(Connection& connection) {
+  std::set<std::string> tables;
+  if (connection.engine() != Engine::kPostgresql || !isPrepared(connection) || isOwnerOfTables(connection)) {
+    return tables;
+  }
+  for (const RowPolicy& policy : kRowPolicies) {
+    if (!policy.whole.empty() &&
+        !selectFirst(connection, "SELECT session_may(?)", {std::string(policy.whole)}, readBoolean)
+             .value_or(false)) {
+      tables.insert(std::string(policy.table));
+    }
+  }
+  return tables;
+}
+
+void tellSession(Connection& connection, const std::string& token) {
   if (connection.engine() != Engine::kPostgresql) {
     return;
   }
-  std::string quoted;
-  for (const char c : userId) {
-    quoted += c == '\'' ? std::string("''") : std::string(1, c);
-  }
-  connection.executeVerbatim("SELECT set_config('torsio.actor', '" + quoted + "', false)");
+  const bool plain = std::all_of(token.begin(), token.end(),
+                                 [](char c) { return (c >= 'a' && c <= 'f') || (c >= '0' && c <= '9'); });
+  TORSIO_EXPECTS(plain);
+  connection.executeVerbatim("SELECT set_config('torsio.session', '" + token + "', false)");
 }
 
 bool eraseOnServer(Connection& connection, const std::string& personId, const std::string& requestedBy,

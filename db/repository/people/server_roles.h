@@ -21,13 +21,13 @@ class Connection;
 [[nodiscard]] std::optional<std::string_view> declaredRightsOn(std::string_view table);
 
 /// Returns what a prepared server has besides the schema, named as by schemaFindings(): bodies of its
-/// functions, which run with the owner's rights but, except for erase_person, only look up the current user,
-/// and the tables with row policies.
+/// functions (server_functions.h) and the tables with row policies.
 [[nodiscard]] std::map<std::string, std::string> serverParts();
 
 /// Creates the station role if missing, revokes all rights from it and everybody else, and grants those of
 /// `tables`: the declared ones, or SELECT and INSERT for tables in `appendOnly`. Creates the functions, and
-/// the policies that restrict rows of marks and drafts to the users concerned, replacing all others.
+/// the policies that restrict rows to the users concerned, replacing all others, and hides stored passwords
+/// (stored_password.h).
 /// Repeatable and atomic. Throws DbError if the account lacks permission, Error (kBadParameter) for a role
 /// name with other characters than lower-case letters, digits and underscores or that of the owner, (kUsage)
 /// for SQLite; ContractError for a table that is neither declared nor append-only.
@@ -45,9 +45,13 @@ void waitForRightsOfDatabase(Connection& connection);
 /// all marks, which would otherwise seem deleted, or yield wrong means.
 void requireEveryRow(Connection& connection);
 
-/// Sets the current user for the row policies of a server; empty: nobody. Reverted if the transaction in
-/// which it was set is rolled back.
-void setCurrentUser(Connection& connection, const std::string& userId);
+/// Returns the sealed tables of which the current user sees only some rows: names, groups, the seed of an
+/// allocation, codes. Empty for the owner and on SQLite.
+[[nodiscard]] std::set<std::string> tablesSeenInPart(Connection& connection);
+
+/// Tells a server whose session this is: the token that open_session() gave, in lower-case hexadecimal;
+/// empty: nobody's. Reverted if the transaction in which it was told is rolled back.
+void tellSession(Connection& connection, const std::string& token);
 
 /// Erases through the function of a prepared server. Returns false without one: the account then does it
 /// itself.

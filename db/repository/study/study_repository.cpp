@@ -346,6 +346,13 @@ std::vector<Exposure> StudyRepository::exposures(const CohortId& cohortId) const
                    {cohortId}, kExposure);
 }
 
+std::vector<Exposure> StudyRepository::exposuresOf(const EnrolmentId& enrolmentId) const {
+  return selectAll(
+      connection_,
+      kExposure.select("x") + " FROM exposure x WHERE x.enrolment_id = ? ORDER BY x.started_utc_us, x.id",
+      {enrolmentId}, kExposure);
+}
+
 std::vector<TrialId> StudyRepository::trialIds(const CohortId& cohortId) const {
   return selectAll(connection_,
                    "SELECT t.id FROM trial t JOIN enrolment e ON e.id = t.enrolment_id WHERE e.cohort_id = ?"

@@ -67,6 +67,7 @@ class StudyRepository {
   void addExposures(std::span<const Exposure> exposures);
   /// Exposures of a cohort, by enrolment and time.
   [[nodiscard]] std::vector<Exposure> exposures(const CohortId& cohortId) const;
+  [[nodiscard]] std::vector<Exposure> exposuresOf(const EnrolmentId& enrolmentId) const;
 
   /// Trials of all enrolments, ended or not, by start.
   [[nodiscard]] std::vector<TrialId> trialIds(const CohortId& cohortId) const;

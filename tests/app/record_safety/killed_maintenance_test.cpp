@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/moved_record.h"
 #include "app/services/maintenance/anchor.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
@@ -37,7 +38,7 @@ class KilledMaintenance : public CutOffMaintenance {
   }
   static bool aboutServers() {
     const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    return name.find("Move") != std::string::npos || name.find("Server") != std::string::npos ||
+    return name.find("CopyTo") != std::string::npos || name.find("Server") != std::string::npos ||
            name.find("NewRecord") != std::string::npos;
   }
   static void put(const std::string& from, const std::string& to) {
@@ -121,6 +122,7 @@ class KilledMaintenance : public CutOffMaintenance {
                 [this, target] {
                   Connection record = openRecord(file("record.sqlite"), OpenMode::kReadWrite);
                   SettingRepository(record).set("record.moved_to", "", kSampleTime_us);
+                  SettingRepository(record).set("record.moving_to", "", kSampleTime_us);
                   if (onPostgresql()) {
                     emptySchema(target);
                   } else {
@@ -134,9 +136,11 @@ class KilledMaintenance : public CutOffMaintenance {
                     EXPECT_TRUE(person.starts_with("real")) << person;
                     Connection moved = openDatabase(target, OpenMode::kReadWrite);
                     EXPECT_TRUE(isSound(moved)) << "rows of a record that is not whole";
+                    EXPECT_TRUE(moveNotice(moved).empty());
+                    Connection record = openDatabase(file("record.sqlite"), OpenMode::kReadWrite);
+                    EXPECT_FALSE(moveNotice(record).empty()) << "two records live";
                   }
-                },
-            .done = [this, target] { return !personAt(target).empty(); }};
+                }};
   }
   /// Returns empty if nothing was moved there. An SQLite target has no file then.
   [[nodiscard]] std::string personAt(const std::string& target) const {

@@ -6,13 +6,18 @@
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/first_run.h"
+#include "app/services/access/session_context.h"
+#include "app/services/study/allocation_service.h"
+#include "app/services/study/cohort_service.h"
 #include "assessment/domain/people/account.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/connection/row_reader.h"
 #include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
+#include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
@@ -48,6 +53,7 @@ class KilledWindow : public CutOffMaintenance {
     Connection made = openRecord(onPostgresql() ? inDatabase(template_) : file("template.sqlite"),
                                  OpenMode::kCreate, {.softwareVersion = "test"});
     fill(made);
+    cohort_ = enrolForAllocation(made);
     if (onPostgresql()) {
       everyRow_ = hashOfEveryRow(made);
       asMade_ = textFrom(made, everyRow_);
@@ -76,6 +82,28 @@ class KilledWindow : public CutOffMaintenance {
     AccessRepository access(connection, PasswordCost::kTest);
     access.addUser({.id = "u-office", .login = "office", .roles = {"administrator"}}, kPassword);
     access.setPassword("u-office", access.sealPassword("office", kPassword), false);
+  }
+  /// Six people who wait for a group, behind a locked design. Returns their cohort.
+  static CohortId enrolForAllocation(Connection& connection) {
+    AccessRepository access(connection, PasswordCost::kTest);
+    access.addUser({.id = "u-allocator", .login = "allocator", .roles = {"allocator"}}, kPassword);
+    access.setPassword("u-allocator", access.sealPassword("allocator", kPassword), false);
+    std::vector<Trainee> trainees(6);
+    std::vector<PersonId> people;
+    for (Trainee& trainee : trainees) {
+      trainee.person.id = "waits " + std::to_string(people.size());
+      trainee.person.code = "W-" + std::to_string(people.size());
+      people.push_back(trainee.person.id);
+    }
+    PeopleRepository(connection).addTrainees(trainees);
+    SystemIdSource ids;
+    SessionContext session(connection, ids, {.station = "room", .actor = {.userId = "u-office"}},
+                           [] { return kSampleTime_us; });
+    const CohortId cohort = addCohort(session, {.name = "Study", .groups = {{"G1", "one"}, {"G2", "two"}}});
+    (void)enrolTrainees(session, cohort, {people.begin(), people.end()});
+    session.setActor({.userId = "u-allocator"});
+    (void)lockAllocation(session, {.cohortId = cohort});
+    return cohort;
   }
   [[nodiscard]] std::string target() const {
     return onPostgresql() ? inDatabase(kept_) : file("kept.sqlite");
@@ -124,7 +152,8 @@ class KilledWindow : public CutOffMaintenance {
   [[nodiscard]] CutOff act(
       const std::vector<std::string>& words, const std::function<bool()>& done,
       const std::function<void(Connection&)>& after, const std::function<void()>& before = [] {}) const {
-    std::vector<std::string> arguments{words.at(0), target(), "office", kPassword};
+    const char* login = words.at(0) == "allocate" ? "allocator" : "office";
+    std::vector<std::string> arguments{words.at(0), target(), login, kPassword};
     arguments.insert(arguments.end(), words.begin() + 1, words.end());
     return {.arguments = arguments,
             .before =
@@ -154,6 +183,8 @@ class KilledWindow : public CutOffMaintenance {
       fillDiskEverywhere(cut);
     }
   }
+
+  CohortId cohort_;  // of people who wait for a group
 
  private:
   std::string template_;  // database names on the server
@@ -199,6 +230,55 @@ TEST_F(KilledWindow, TheDemonstrationIsRemovedCompletelyOrNotAtAll) {
         real = real == 0 ? people(record, "FALSE") : real;
         EXPECT_EQ(people(record, "FALSE"), real);
       }));
+}
+
+TEST_F(KilledWindow, EverybodyIsAllocatedOrNobody) {
+  const std::string allocated =
+      "SELECT count(*) FROM allocation a JOIN enrolment e ON e.id = a.enrolment_id"
+      " WHERE e.cohort_id = '" +
+      cohort_.text() + "'";
+  cutOff(act(
+      {"allocate", cohort_}, [this, allocated] { return ask(allocated) > 0; },
+      [&](Connection& record) {
+        const std::int64_t drawn = numberFrom(record, allocated);
+        EXPECT_TRUE(drawn == 0 || drawn == 6) << drawn;
+        EXPECT_EQ(
+            numberFrom(record, "SELECT count(*) FROM enrolment WHERE group_id IS NOT NULL AND cohort_id = '" +
+                                   cohort_.text() + "'"),
+            drawn);
+        EXPECT_EQ(numberFrom(record, "SELECT count(*) FROM audit_entry WHERE action = 'allocation.draw'"),
+                  drawn);
+      }));
+}
+
+TEST_F(KilledWindow, ANewSchemaIsReachedStepByStepOrLater) {
+  const auto oldRecord = [this] {
+    if (onPostgresql()) {
+      emptyServer();
+    } else {
+      removeDatabase(file("kept.sqlite"));
+    }
+    Connection old = openDatabase(target(), OpenMode::kCreate);
+    migrate(old, {embeddedMigrations().front()}, {.softwareVersion = "test", .backup = false});
+  };
+  const auto version = [this] {
+    Connection record = openDatabase(target(), OpenMode::kReadWrite);
+    return checkSchema(record, embeddedMigrations()).version;
+  };
+  const std::int64_t newest = embeddedMigrations().back().version;
+  CutOff cut{.arguments = {"open", target(), "office", kPassword},
+             .before = oldRecord,
+             .after =
+                 [&] {
+                   const std::int64_t reached = version();
+                   EXPECT_TRUE(reached >= 1 && reached <= newest) << reached;
+                   if (reached == newest) {
+                     Connection record = openDatabase(target(), OpenMode::kReadWrite);
+                     EXPECT_TRUE(isSound(record));
+                   }
+                 },
+             .program = TORSIO_WINDOW_ACT};
+  killEverywhere(cut);
 }
 
 TEST_F(KilledWindow, AFirstRunWithSimulatedPeopleIsCompleteOrUndone) {

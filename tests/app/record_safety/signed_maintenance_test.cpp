@@ -80,6 +80,10 @@ class SignedMaintenance : public ::testing::Test {
   [[nodiscard]] std::string as(const std::string& login, const std::string& password = "password") const {
     return " --as " + login + " --password-fd 3 3<" + file(password);
   }
+  [[nodiscard]] std::int64_t numberFromRecord(const std::string& sql) const {
+    Connection connection = open();
+    return numberFrom(connection, sql);
+  }
   [[nodiscard]] std::string newestActorOf(const std::string& action) const {
     Connection connection = open();
     Statement row =
@@ -183,6 +187,30 @@ TEST_F(SignedMaintenance, ARestoreRepeatsLaterErasuresAndIsAudited) {
                        "SELECT count(*) FROM person_identity WHERE person_id = '" + person_.text() + "'"),
             0);
   EXPECT_EQ(run("audit verify").code, 0);
+}
+
+TEST_F(SignedMaintenance, AnotherCentresBackupNeedsTwoPeopleEvenWhereTheRuleIsOff) {
+  {
+    Connection connection = open();
+    SettingRepository(connection).set("two_people", "no", 1);
+    Connection other = openRecord(file("other.sqlite"), OpenMode::kCreate, {.softwareVersion = "test"});
+    const FullRecord rows(other, "other", false);
+  }
+  ASSERT_EQ(
+      runTorsio("db backup --as-system " + file("theirs.backup") + " --database " + file("other.sqlite"),
+                folder_)
+          .code,
+      0);
+  const std::string restore = "db restore --other-centre " + file("theirs.backup");
+
+  EXPECT_EQ(run(restore + " --as-system").code, kPermission);
+  EXPECT_EQ(run(restore + as("office")).code, kPermission);
+  EXPECT_EQ(numberFromRecord("SELECT count(*) FROM centre WHERE id = 'other id'"), 0);
+  const ProgramRun both = run(restore + " --as office --with second --password-fd 3 --with-password-fd 4 3<" +
+                              file("password") + " 4<" + file("password"));
+
+  EXPECT_EQ(both.code, 0) << both.err;
+  EXPECT_EQ(numberFromRecord("SELECT count(*) FROM centre WHERE id = 'other id'"), 1);
 }
 
 TEST_F(SignedMaintenance, ARestoredRecordKnowsLaterCopies) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A maintenance operation that only the window has, in a separate program that can be killed:
-//   window_act erase|remove-demonstration|package|first-run LOCATOR LOGIN PASSWORD [PERSON [FOLDER]]
+//   window_act erase|remove-demonstration|package|allocate|first-run|open LOCATOR LOGIN PASSWORD [SUBJECT
+//   [FOLDER]]
+// SUBJECT: a person or a cohort; open: brings the schema up to date.
 #include <iostream>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/maintenance/retention.h"
+#include "app/services/study/allocation_service.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -41,11 +44,17 @@ void act(const std::vector<std::string>& words) {
     setUp(words);
     return;
   }
+  if (words.at(0) == "open") {
+    (void)openUpToDate(words.at(1));
+    return;
+  }
   MaintenanceDesk desk({.login = words.at(2), .password = [&words] { return words.at(3); }}, words.at(1));
   if (words.at(0) == "erase") {
     erasePersonRecord(desk.session(), words.at(4), "asked for it");
   } else if (words.at(0) == "package") {
     (void)exportPersonPackage(desk.session(), words.at(4), words.at(5), "asked for it");
+  } else if (words.at(0) == "allocate") {
+    (void)allocateAll(desk.session(), words.at(4));
   } else {
     (void)removeDemonstrationData(desk.session(), "the centre begins");
   }

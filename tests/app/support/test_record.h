@@ -50,8 +50,13 @@ class TestRecord {
 
  private:
   void open();
+  /// With TORSIO_TEST_AS_STATION, a record without a locator is on the server of TORSIO_TEST_POSTGRES: the
+  /// owner fills it, and sessions use the account of the stations.
+  void openOnServer();
 
   bool owner_ = true;
+  std::string schema_;  ///< on the server; empty: a file
+  std::unique_ptr<Connection> station_;
   std::filesystem::path folder_;
   std::string locator_;
   std::int64_t now_us_ = kRecordTime_us;

@@ -61,6 +61,17 @@ TEST(PlainText, ReplacesWhatCommandsATerminalTurnsTheTextOrIsNoUtf8) {
   EXPECT_EQ(plainLine("two\r\nlines\x1b"), "two  lines" + kOdd);
 }
 
+TEST(PlainText, ShowsWhatIsNeverSeen) {
+  for (const char* const hidden :
+       {"\u00AD", "\u034F", "\u061C", "\u115F", "\u17B4", "\u180E", "\u200B",     "\u200C",
+        "\u200D", "\u200E", "\u202D", "\u202E", "\u2060", "\u2062", "\u2066",     "\u2069",
+        "\u206A", "\u2800", "\u3164", "\uFEFF", "\uFFA0", "\uFFF9", "\U0001D173", "\U000E0041"}) {
+    EXPECT_EQ(plainText(std::string("ad") + hidden + "min"), "ad" + kOdd + "min") << hidden;
+    EXPECT_EQ(plainLine(hidden), kOdd);
+  }
+  EXPECT_EQ(plainText("\u06CC\u200C\u200C\u062E"), "\u06CC\u200C" + kOdd + "\u062E");
+}
+
 TEST(PlainText, OfAnyBytesIsPlainAndStaysSo) {
   std::mt19937 random(43);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same bytes each time
   for (int i = 0; i < 20'000; ++i) {

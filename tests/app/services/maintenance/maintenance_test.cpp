@@ -11,6 +11,7 @@
 #include "app/services/access/station_name.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/interrupted_move.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/maintenance/record_restore.h"
@@ -21,6 +22,7 @@
 #include "assessment/domain/study/station_state.h"
 #include "db/connection/connection.h"
 #include "db/migrations/backup.h"
+#include "db/migrations/file_in_the_making.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/id_source.h"
@@ -161,6 +163,51 @@ TEST_F(MaintenanceTest, AMovedRecordTakesNothingNewUntilTheMoveIsTakenBack) {
   EXPECT_NO_THROW(marks());
   EXPECT_THROW(takeBackMove(office, "again"), Error);
   EXPECT_TRUE(verifyAuditTrail(connection_).empty());
+}
+
+TEST_F(MaintenanceTest, OnlyOneOfTwoRecordsLivesWhereverAMoveIsInterrupted) {
+  SessionContext office = sessionOf("administrator");
+  const std::string target = in("moved.sqlite").string();
+  const auto adds = [](SessionContext& session) { session.require(Operation::kPersonEdit); };
+  // Right before copying.
+  {
+    Transaction transaction(connection_);
+    office.note(AuditAction::kDatabaseMove, AuditObject::kDatabase, target);
+    noteMoving(office, target);
+    transaction.commit();
+  }
+  EXPECT_EQ(refusalFrom([&] { adds(office); }).code, ErrorCode::kDatabase);
+  EXPECT_FALSE(moveNotice(connection_).empty());
+  EXPECT_FALSE(settleMove(office).empty());  // there is nothing: undone
+  EXPECT_NO_THROW(adds(office));
+  EXPECT_TRUE(moveNotice(connection_).empty());
+
+  // Right after copying: the copy lives, the source does not.
+  (void)copyDatabase(office, target, {}, CopyUse::kMove);
+  EXPECT_EQ(refusalFrom([&] { adds(office); }).code, ErrorCode::kDatabase);
+  {
+    Connection there = openRecord(target, OpenMode::kReadWrite);
+    EXPECT_TRUE(moveNotice(there).empty());
+    SessionContext theirs(there, office.ids(), office.key(), [&office] { return office.now_us(); });
+    EXPECT_NO_THROW(adds(theirs));
+    EXPECT_TRUE(verifyAuditTrail(there).empty());
+  }
+  EXPECT_FALSE(settleMove(office).empty());
+  EXPECT_EQ(movedTo(connection_), target);
+  EXPECT_TRUE(settleMove(office).empty());
+  EXPECT_NE(moveNotice(connection_).str().find("has moved to"), std::string::npos);
+  EXPECT_TRUE(verifyAuditTrail(connection_).empty());
+}
+
+TEST_F(MaintenanceTest, ACopyThatIsStillWrittenIsWaitedFor) {
+  SessionContext office = sessionOf("administrator");
+  const std::string target = in("moved.sqlite").string();
+  const FileInTheMaking making(target);
+  noteMoving(office, target);
+
+  EXPECT_TRUE(settleMove(office).empty());
+
+  EXPECT_FALSE(moveNotice(connection_).empty());
 }
 
 TEST_F(MaintenanceTest, ABackupContainsItsAuditEntryAndPassesItsTestRestore) {

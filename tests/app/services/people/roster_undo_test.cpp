@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/services/access/access_service.h"
 #include "app/services/access/start_password.h"
 #include "app/services/maintenance/server_move.h"
 #include "app/services/people/consent_service.h"
@@ -52,8 +53,8 @@ class RosterUndo : public DatabaseTest, public ::testing::WithParamInterface<Acc
     if (GetParam() == Account::kStation) {
       workAsStation();
     }
-    Actor administrator = centre_->as("administrator").actor();
-    own_ = std::make_unique<SessionContext>(SessionKey{record_, "the desk", administrator});
+    own_ = std::make_unique<SessionContext>(SessionKey{record_, "the desk", {}});
+    ASSERT_EQ(signIn(*own_, "administrator", kStudyPassword).outcome, SignIn::kOk);
     folder_ = emptyFolder(std::string("undo-") + (GetParam() == Account::kStation ? "s-" : "o-") +
                           std::to_string(::testing::UnitTest::GetInstance()->current_test_info()->line()));
     std::ofstream(folder_ / "password") << kStudyPassword << "\n";
