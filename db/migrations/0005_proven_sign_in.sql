@@ -3,11 +3,13 @@
 -- compatible_from: 1
 --
 -- Filled on a PostgreSQL server only, by its own functions (db/repository/people/server_functions.h); no station
--- may read them. Who has signed in, by a hash of the token that the station holds. practice: with a PIN.
+-- may read them. Who has signed in, by a hash of the token that the station holds; client: the address from which it
+-- counts. practice: with a PIN.
 CREATE TABLE server_session (
   token_hash TEXT PRIMARY KEY,
   user_id TEXT NOT NULL REFERENCES app_user (id) ON DELETE CASCADE,
   practice BOOLEAN NOT NULL,
+  client TEXT NOT NULL,
   begun_utc_us BIGINT NOT NULL,
   until_utc_us BIGINT NOT NULL
 );

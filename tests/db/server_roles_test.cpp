@@ -487,6 +487,18 @@ TEST_F(ServerRolesTest, WhatASettingByHandSaysIsWorthNothing) {
     EXPECT_EQ(psql(claims + "SELECT count(*) FROM person_identity").substr(std::string(user).size() * 2 + 2),
               "0");
   }
+  // A token counts where it was given, and a trainee's opens no marks by a release of their own.
+  const std::string token = tokenOf("u-office");
+  connection_->executeVerbatim("UPDATE server_session SET client = '203.0.113.7'");
+  EXPECT_EQ(
+      psql("SELECT set_config('torsio.session', '" + token + "', false); SELECT count(*) FROM training_mark")
+          .substr(token.size() + 1),
+      "0");
+  EXPECT_NE(as("u-trainee",
+               "INSERT INTO mark_release SELECT cohort_id, occasion, sequence + 1, TRUE, 'mine',"
+               " 'u-trainee', 1 FROM mark_release LIMIT 1")
+                .find("row-level security"),
+            std::string::npos);
   EXPECT_NE(psql("SELECT * FROM server_session").find("permission denied"), std::string::npos);
   EXPECT_NE(psql("SELECT new_session('u-office', FALSE)").find("permission denied"), std::string::npos);
 }

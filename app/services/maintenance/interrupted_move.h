@@ -6,10 +6,11 @@
 
 namespace torsio {
 
-/// Finishes or undoes a move of this record during which the program was killed (begunMove()): finished if the
-/// other database contains the whole copy, undone if it answers and does not. Audited. Needs no right: it completes
-/// what somebody with the right began. Returns what was done, one sentence; empty: nothing, because there is no
-/// such move, the copy is still being written, or the other database does not answer. Throws DbError.
+/// Finishes or undoes a move of this record during which the program was killed (begunMove()): finished if
+/// the other database contains the whole copy, undone if it answers and does not. Audited. Needs no right: it
+/// completes what somebody with the right began. Returns what was done, one sentence; empty: nothing, because
+/// there is no such move, the copy is still being written, or the other database does not answer. Throws
+/// DbError.
 [[nodiscard]] Text settleMove(SessionContext& session);
 
 }  // namespace torsio

@@ -15,22 +15,24 @@ namespace {
 constexpr std::string_view kSessionAuthor =
     "SELECT s.user_id FROM server_session s JOIN app_user u ON u.id = s.user_id"
     " WHERE s.token_hash = encode(sha256(convert_to(current_setting('torsio.session', true), 'UTF8')), 'hex')"
-    " AND s.until_utc_us > extract(epoch FROM clock_timestamp()) * 1000000 AND u.state = 'active'";
+    " AND s.until_utc_us > extract(epoch FROM clock_timestamp()) * 1000000 AND u.state = 'active'"
+    " AND s.client = coalesce(host(inet_client_addr()), 'local')";
 
 /// The same, but nobody if a PIN was all that was shown.
 constexpr std::string_view kSessionUser =
     "SELECT s.user_id FROM server_session s JOIN app_user u ON u.id = s.user_id"
     " WHERE s.token_hash = encode(sha256(convert_to(current_setting('torsio.session', true), 'UTF8')), 'hex')"
     " AND s.until_utc_us > extract(epoch FROM clock_timestamp()) * 1000000 AND u.state = 'active'"
+    " AND s.client = coalesce(host(inet_client_addr()), 'local')"
     " AND NOT s.practice";
 
 constexpr std::string_view kSessionMay =
     "SELECT EXISTS (SELECT 1 FROM user_role r JOIN role_operation o ON o.role_code = r.role_code"
     " WHERE r.user_id = session_user_id() AND o.operation_code = operation)";
 
-/// Somebody has signed in, or this transaction founds the centre.
+/// Somebody has signed in, with more than a PIN, or this transaction founds the centre.
 constexpr std::string_view kIsKnown =
-    "SELECT session_author() IS NOT NULL OR NOT EXISTS (SELECT 1 FROM app_user"
+    "SELECT session_user_id() IS NOT NULL OR NOT EXISTS (SELECT 1 FROM app_user"
     " WHERE xmin IS DISTINCT FROM pg_current_xact_id_if_assigned()::xid)";
 
 constexpr std::string_view kActorPerson = "SELECT person_id FROM app_user WHERE id = session_user_id()";
@@ -196,8 +198,9 @@ DECLARE
   now_us bigint := extract(epoch FROM clock_timestamp()) * 1000000;
 BEGIN
   DELETE FROM server_session WHERE until_utc_us < now_us;
-  INSERT INTO server_session (token_hash, user_id, practice, begun_utc_us, until_utc_us)
-    VALUES (encode(sha256(convert_to(token, 'UTF8')), 'hex'), account, pin, now_us, now_us + 86400000000);
+  INSERT INTO server_session (token_hash, user_id, practice, client, begun_utc_us, until_utc_us)
+    VALUES (encode(sha256(convert_to(token, 'UTF8')), 'hex'), account, pin,
+      coalesce(host(inet_client_addr()), 'local'), now_us, now_us + 86400000000);
   PERFORM set_config('torsio.session', token, false);
   RETURN token;
 END )";
@@ -283,8 +286,8 @@ constexpr std::array kFunctions{
     ServerFunction{"adds_marks_of_others", "", "boolean", "sql STABLE", kAddsMarksOfOthers},
     ServerFunction{"case_is_committed", "case_enrolment text, case_occasion text", "boolean", "sql STABLE",
                    kCaseIsCommitted},
-    ServerFunction{"is_released_to_actor", "case_enrolment text, case_occasion text", "boolean",
-                   "sql STABLE", kIsReleasedToActor},
+    ServerFunction{"is_released_to_actor", "case_enrolment text, case_occasion text", "boolean", "sql STABLE",
+                   kIsReleasedToActor},
     ServerFunction{"is_own_case", "case_enrolment text", "boolean", "sql STABLE", kIsOwnCase},
     ServerFunction{"is_own_group", "asked_group text", "boolean", "sql STABLE", kIsOwnGroup},
     ServerFunction{"is_told_elsewhere", "trainee text", "boolean", "sql STABLE", kIsToldElsewhere},
@@ -313,8 +316,8 @@ constexpr std::array kFunctions{
     ServerFunction{"open_session_with_invitation", "hash text", "text", "plpgsql", kOpenWithInvitation},
     ServerFunction{"open_simulated_session", "account text", "text", "plpgsql", kOpenSimulated},
     ServerFunction{"end_sessions", "account text", "void", "plpgsql", kEndSessions},
-    ServerFunction{"erase_person", "erased_id text, erased_by text, why text, at_us bigint", "void",
-                   "plpgsql", {}}};
+    ServerFunction{
+        "erase_person", "erased_id text, erased_by text, why text, at_us bigint", "void", "plpgsql", {}}};
 
 /// Replaces each `?` of an erase statement by the person's id.
 std::string withPerson(std::string condition) {

@@ -13,7 +13,7 @@ struct ServerFunction {
   std::string_view arguments;  ///< in CREATE FUNCTION syntax
   std::string_view result;
   std::string_view language;
-  std::string_view body;  ///< empty: eraseBody()
+  std::string_view body;   ///< empty: eraseBody()
   bool ofStations = true;  ///< the station role may call it, also through its row policies
 };
 

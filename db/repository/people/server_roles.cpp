@@ -149,7 +149,7 @@ constexpr std::array kRowPolicies{
     // Names.
     RowPolicy{.table = "person_identity",
               .seen = "(SELECT session_may('person.view_identity')) OR person_id = (SELECT actor_person())",
-              .added = kKnown,
+              .added = "(SELECT session_may('person.edit'))",
               .whole = "person.view_identity"},
     RowPolicy{.table = "roster_import_person",
               .seen = "(SELECT session_may('person.view_identity'))",
@@ -202,6 +202,7 @@ constexpr std::array kRowPolicies{
     RowPolicy{.table = "duty_decision",
               .seen = kEverything,
               .added = "may_decide(request_id, decision, decided_by)"},
+    RowPolicy{.table = "mark_release", .seen = kEverything, .added = "(SELECT session_may('mark.release'))"},
     RowPolicy{.table = "setting",
               .seen = kEverything,
               .added = "CASE WHEN name = 'two_people' THEN may_set_rule(value) ELSE (SELECT is_known()) END"},

@@ -123,8 +123,7 @@ bool passwordMatches(Connection& connection, const std::string& stored, const st
   const std::size_t nonce = kHidden.size();
   const std::size_t code = stored.find('$', nonce) + 1;
   const std::string hash = hashLike(stored, password);
-  const std::string fits =
-      sha256(pepper + sha256(pepper + stored.substr(nonce, code - 1 - nonce) + hash));
+  const std::string fits = sha256(pepper + sha256(pepper + stored.substr(nonce, code - 1 - nonce) + hash));
   return !hash.empty() && !pepper.empty() && stored.compare(code, fits.size() + 1, fits + "$") == 0;
 }
 

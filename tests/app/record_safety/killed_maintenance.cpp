@@ -80,6 +80,8 @@ void CutOffMaintenance::makeRecord(const std::string& name, const std::string& p
   Connection connection = openRecord(file(name), OpenMode::kCreate, {.softwareVersion = "test"});
   const FullRecord rows(connection, prefix, false);
   SettingRepository(connection).set("two_people", "no", kSampleTime_us);
+  connection.execute("UPDATE app_user SET state = ?",
+                     {"disabled"});  // the owner of the file alone may do all
 }
 
 ProgramRun CutOffMaintenance::run(const std::vector<std::string>& arguments, const char* program) const {

@@ -45,6 +45,8 @@ class RecordSafety : public ::testing::Test {
     Connection connection = openRecord(file(name), OpenMode::kCreate, {.softwareVersion = "test"});
     const FullRecord rows(connection, prefix, false);
     SettingRepository(connection).set("two_people", "no", kSampleTime_us);
+    connection.execute("UPDATE app_user SET state = ?",
+                       {"disabled"});  // the owner of the file alone may do all
   }
   [[nodiscard]] std::string personIn(const std::string& name, OpenMode mode = OpenMode::kReadOnly) const {
     Connection connection = openRecord(file(name), mode);

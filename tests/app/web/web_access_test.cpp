@@ -14,6 +14,7 @@
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/invitations.h"
+#include "app/services/access/moved_record.h"
 #include "app/web/web_sessions.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "db/connection/row_reader.h"
@@ -152,6 +153,17 @@ TEST_F(WebAccess, UsersWithoutAPageAreRefused) {
   EXPECT_EQ(refused.status, 403);
   EXPECT_EQ(refused.headers.count("set-cookie"), 0U);
   EXPECT_EQ(served.physician(0).get("/api/me").json().at("user").at("pages").at(0), "queue");
+}
+
+TEST_F(WebAccess, AMovedRecordSaysWhereItWent) {
+  const auto notice = [this] {
+    return served.physician(0).get("/api/me").json().at("user").at("record_notice").get<std::string>();
+  };
+  EXPECT_EQ(notice(), "");
+
+  finishMove(served.centre.connection(), "postgresql://server/torsio", 1);
+
+  EXPECT_NE(notice().find("has moved to postgresql://server/torsio"), std::string::npos) << notice();
 }
 
 TEST_F(WebAccess, UsersListAndEndTheirOwnSessions) {

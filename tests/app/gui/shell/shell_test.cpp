@@ -23,6 +23,8 @@
 #include "app/gui/shell/main_window.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
+#include "app/services/access/access_service.h"
+#include "app/services/access/moved_record.h"
 #include "app/services/access/signing.h"
 #include "app/services/access/two_people.h"
 #include "app/services/base/build_info.h"
@@ -42,6 +44,20 @@ using testing::press;
 using testing::says;
 
 constexpr std::chrono::seconds kLong{20};  // much more than a busy machine needs
+
+TEST_F(Shell, SaysWhereAMovedRecordWent) {
+  const ShellSetup with = setup();
+  {
+    const std::unique_ptr<SessionContext> office = foundCentre(with.locator.toStdString());
+    finishMove(office->connectionWithoutRight(), "postgresql://server/torsio", 1);
+    torsio::signOut(*office);
+  }
+  open(with);
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  const QString sentence = QStringLiteral("has moved to postgresql://server/torsio");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return says(*window_, sentence); }, 20'000));
+}
 
 TEST_F(Shell, TheNavigationIsAListAndItsLinesCanBePressed) {
   openFoundedCentre(setup());
