@@ -10,6 +10,7 @@
 #include "app/services/access/two_people.h"
 #include "app/services/base/identifiers.h"
 #include "assessment/domain/ids.h"
+#include "assessment/domain/study/site.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/access_repository.h"
@@ -167,9 +168,10 @@ void setUpCentre(SessionContext& session, const FirstRun& first) {
     throw Error(ErrorCode::kPermission, Text::tr("this database belongs to a centre already"),
                 Text::tr("first run"), Text::tr("Sign in, or choose another database"));
   }
-  StudyRepository(session.connectionWithoutRight())
-      .setCentre({session.ids().newUuid(), first.centre, now_us, false});
+  const Centre centre{session.ids().newUuid(), first.centre, now_us, false};
+  StudyRepository(session.connectionWithoutRight()).setCentre(centre);
   SettingRepository settings(session.connectionWithoutRight());
+  settings.set(kCentreCode.name, firstCentreCode(centre.name, centre.id), now_us);
   settings.set(kLanguage.name, first.language, now_us);
   const UserId userId = session.ids().newUuid();
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministratorRole}},

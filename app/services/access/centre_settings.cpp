@@ -10,6 +10,7 @@
 
 #include "app/services/access/two_people.h"
 #include "assessment/domain/study/cohort.h"
+#include "assessment/domain/study/site.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/study/study_repository.h"
@@ -59,6 +60,9 @@ std::vector<double> numbersIn(const CentreSetting& setting, std::string_view tex
 
 /// Returns `written` in the stored format; empty if invalid.
 std::optional<std::string> canonical(const CentreSetting& setting, const std::string& written) {
+  if (setting.name == kCentreCode.name) {
+    return written.empty() || isCentreCode(written) ? std::optional(written) : std::nullopt;
+  }
   if (setting.kind == SettingKind::kWords) {
     return static_cast<double>(written.size()) <= setting.most ? std::optional(written) : std::nullopt;
   }
@@ -72,6 +76,9 @@ std::string inForce(Connection& connection, const CentreSetting& setting) {
 }
 
 Text range(const CentreSetting& setting) {
+  if (setting.name == kCentreCode.name) {
+    return Text::tr("Write one to eight capital Latin letters, digits or hyphens, a letter first");
+  }
   const std::string least = asStored(setting, {setting.least});
   const std::string most = asStored(setting, {setting.most});
   switch (setting.kind) {
@@ -156,6 +163,7 @@ template std::string centreSetting<kMailServer>(Connection&);
 template bool centreSetting<kLearningRecords>(Connection&);
 template std::string centreSetting<kLearningRecordStore>(Connection&);
 template std::string centreSetting<kLanguage>(Connection&);
+template std::string centreSetting<kCentreCode>(Connection&);
 
 void changeCentreSetting(SessionContext& session, const CentreSetting& setting, const std::string& written) {
   session.require(Operation::kSettingsEdit);
@@ -245,6 +253,15 @@ void setCentreName(SessionContext& session, const std::string& name) {
   session.noteChange(AuditAction::kCentreRename, AuditObject::kCentre, centre.id,
                      {{"name", before ? before->name : ""}}, {{"name", name}});
   transaction.commit();
+}
+
+std::string centreCode(Connection& connection) {
+  const std::string stored = centreSetting<kCentreCode>(connection);
+  if (!stored.empty()) {
+    return stored;
+  }
+  const std::optional<Centre> centre = StudyRepository(connection).centre();
+  return centre ? firstCentreCode(centre->name, centre->id) : std::string();
 }
 
 IdleLimits centreIdleLimits(Connection& connection) {

@@ -110,6 +110,9 @@ inline constexpr CentreSetting kLearningRecordStore = setting::words(
 inline constexpr CentreSetting kLanguage =
     setting::words("language", 10, Text::verbatim("Language at sign-in"), "the first run");
 
+inline constexpr CentreSetting kCentreCode =
+    setting::words("centre.code", 8, Text::verbatim("Short code of the centre, as NJ in NJ/T-07"), "");
+
 inline constexpr std::array kCentreSettings{&kTwoPeople,       &kMinimumWatched_percent,
                                             &kPlaybackSpeeds,  &kDiscrepancy_points,
                                             &kPanelWaits,      &kSignMinutes,
@@ -118,7 +121,7 @@ inline constexpr std::array kCentreSettings{&kTwoPeople,       &kMinimumWatched_
                                             &kSoundAtLimit,    &kKioskCodes,
                                             &kBrowserAddress,  &kMailServer,
                                             &kLearningRecords, &kLearningRecordStore,
-                                            &kLanguage};
+                                            &kLanguage,        &kCentreCode};
 
 template <SettingKind Kind>
 using SettingValue = std::tuple_element_t<static_cast<std::size_t>(Kind),
@@ -170,6 +173,10 @@ void setCentreSettingNamed(SessionContext& session, const std::string& name, con
 /// Sets the name shown at sign-in and on new transcripts and reports. Audited. kSettingsEdit. Throws
 /// Error{kBadParameter} for an empty name.
 void setCentreName(SessionContext& session, const std::string& name);
+
+/// Returns the code by which the centre is told from others: "NJ". Without one in the settings, the one that
+/// its name and id suggest; without a centre empty.
+[[nodiscard]] std::string centreCode(Connection& connection);
 
 /// Returns the idle times after which the window warns and locks, for every station of the centre. Called by
 /// the shell before anybody signs in: without permission.

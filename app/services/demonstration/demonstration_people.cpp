@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/services/access/centre_settings.h"
 #include "app/services/base/build_info.h"
 #include "app/services/demonstration/demonstration.h"
 #include "app/services/demonstration/demonstration_curriculum.h"
@@ -32,6 +33,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
 
@@ -40,7 +42,8 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kTrainees = 30;
-constexpr std::size_t kMaleTrainees = 17;  // paper section 6: 17 men, 13 women
+constexpr std::uint64_t kDemonstrationCodes = 10'000'000;  // as many digits as the code of a centre takes
+constexpr std::size_t kMaleTrainees = 17;                  // paper section 6: 17 men, 13 women
 constexpr std::size_t kTrainingRaters = 10;
 constexpr std::int64_t kScoring_us = 180'000'000;
 constexpr std::int64_t kCallLength_us = 240'000'000;
@@ -290,6 +293,8 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
   DemonstrationStudy study;
   if (!studies.centre()) {
     studies.setCentre({ids.newUuid(), "Demonstration centre (simulated)", utc_us, true});
+    SettingRepository(connection)
+        .set(kCentreCode.name, "D" + std::to_string(seed % kDemonstrationCodes), utc_us);
   }
   std::vector<SeniorityClass> classes;
   for (const ClassOfRaters& c : kClasses) {

@@ -39,6 +39,12 @@ inline constexpr std::string_view kChain = "the chain of the audit trail and its
 inline constexpr std::array kSealRules{
     SealRule{"centre", Sealing::kEachChange, "id"},
     SealRule{"setting", Sealing::kEachChange, "name"},
+    SealRule{"site", Sealing::kEachChange, "centre_id"},
+    SealRule{"site_delivery", Sealing::kOnce, "id"},
+    SealRule{.table = "site_row",
+             .sealing = Sealing::kWithParent,
+             .key = "delivery_id, table_name, row_key",
+             .parent = "site_delivery"},
     SealRule{.table = "erasure_gate",
              .sealing = Sealing::kElsewhere,
              .key = "id",

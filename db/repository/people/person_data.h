@@ -191,6 +191,9 @@ inline constexpr std::array kPersonRules{
     PersonRule{"occasion", ""},
     PersonRule{"server_session", ""},  // goes with the account
     PersonRule{"setting", ""},
+    PersonRule{"site", ""},
+    PersonRule{"site_delivery", ""},
+    PersonRule{"site_row", ""},
     PersonRule{"sign_in_failure", ""},
     PersonRule{"training_group", ""},
     PersonRule{"training_group_result", ""},

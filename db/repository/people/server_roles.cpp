@@ -37,6 +37,9 @@ constexpr std::array kStationRights{
     StationRight{"operation", kRead},
     StationRight{"role_operation", kRead},
     StationRight{"schema_migration", kRead},
+    StationRight{"site", kRead},
+    StationRight{"site_delivery", kRead},
+    StationRight{"site_row", kRead},
     // Named once.
     StationRight{"rater_class", kAdd},
     StationRight{"occasion", kAdd},

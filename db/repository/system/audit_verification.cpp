@@ -22,6 +22,7 @@
 #include "db/repository/base/seal_rules.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/people/server_roles.h"
+#include "db/repository/system/site_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 #include "sim/record/content_hash.h"
@@ -408,6 +409,16 @@ void checkTrials(Connection& connection, const std::set<std::string>& erased,
   }
 }
 
+/// Says of what a centre delivered from which one it came.
+void nameSites(Connection& connection, std::vector<AuditFinding>& findings) {
+  const SiteRepository sites(connection);
+  for (AuditFinding& finding : findings) {
+    if (const std::string site = sites.siteOfRow(finding.objectId); !site.empty()) {
+      finding.what += ", delivered by centre " + site;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<AuditFinding> verifyAuditTrail(Connection& connection, const VerifyProgress& progress) {
@@ -420,6 +431,7 @@ std::vector<AuditFinding> verifyAuditTrail(Connection& connection, const VerifyP
   checkKinds(connection, findings);
   seals.compareRows();
   checkTrials(connection, seals.erased(), findings, progress);
+  nameSites(connection, findings);
   oneMoment.commit();
   return findings;
 }

@@ -32,7 +32,8 @@ constexpr const char* kCompleted = "completed";
 constexpr const char* kInterrupted = "interrupted";
 
 const std::string kSelectHeader =
-    "SELECT t.id, p.code, t.scene_id, t.pattern_id, t.organ_hash, t.parameter_hash, t.parameters_json,"
+    "SELECT t.id, COALESCE(p.site_code, p.code), t.scene_id, t.pattern_id, t.organ_hash, t.parameter_hash, "
+    "t.parameters_json,"
     " t.device_model, t.device_max_force_n, t.device_continuous_force_n, t.device_max_stiffness_n_per_m,"
     " t.workspace_min_x_m, t.workspace_min_y_m, t.workspace_min_z_m,"
     " t.workspace_max_x_m, t.workspace_max_y_m, t.workspace_max_z_m,"
