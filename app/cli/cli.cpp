@@ -87,6 +87,7 @@ void buildProgram(CLI::App& program) {
   addEvaluate(program);
   addExport(program);
   addDataset(program);
+  addStudy(program);
   addInstrument(program);
   addInvite(program);
   addRoster(program);

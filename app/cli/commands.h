@@ -41,6 +41,7 @@ void addSettings(CLI::App& program);
 void addServe(CLI::App& program);
 void addStandardSetting(CLI::App& program);
 void addStation(CLI::App& program);
+void addStudy(CLI::App& program);
 void addTracker(CLI::App& program);
 void addTwist(CLI::App& program);
 void addXapi(CLI::App& program);

@@ -638,6 +638,15 @@ rasch <- function(category, highest) {
     if (length(persons) < 2 || length(judges) < 2) return(NULL)
   }
   if (!setequal(unique(x[!is.na(x)]), 0:highest)) return(NULL)
+  # Raters who share no trainee, not even by way of others, are on no common scale: centres that rate apart.
+  reached <- 1
+  repeat {
+    met <- rowSums(!is.na(x[, reached, drop = FALSE])) > 0
+    more <- which(colSums(!is.na(x[met, , drop = FALSE])) > 0)
+    if (length(more) == length(reached)) break
+    reached <- more
+  }
+  if (length(reached) < ncol(x)) return(NULL)
   cells <- which(!is.na(x), arr.ind = TRUE)
   i <- factor(cells[, 1], levels = seq_along(persons))
   j <- factor(cells[, 2], levels = seq_along(judges))

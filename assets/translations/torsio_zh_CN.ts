@@ -20842,6 +20842,226 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Let an allocator check it, or open the seed first</source>
         <translation>请由分配员核对，或先公开种子</translation>
     </message>
+    <message>
+        <source>this package has people who are not simulated</source>
+        <translation>此数据包中有真实人员</translation>
+    </message>
+    <message>
+        <source>Sign in with --as LOGIN, or give --as-system as the owner of the record</source>
+        <translation>请用 --as 登录名 登录，或以记录所有者身份加上 --as-system</translation>
+    </message>
+    <message>
+        <source>Write one to eight capital Latin letters, digits or hyphens, a letter first</source>
+        <translation>请填写一到八个大写拉丁字母、数字或连字符，以字母开头</translation>
+    </message>
+    <message>
+        <source>rule of competence</source>
+        <translation>胜任规则</translation>
+    </message>
+    <message>
+        <source>evaluation of models</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>cohort and its groups</source>
+        <translation>队列及其分组</translation>
+    </message>
+    <message>
+        <source>organs and their parameters</source>
+        <translation>器官及其参数</translation>
+    </message>
+    <message>
+        <source>scoring sheets</source>
+        <translation>评分表</translation>
+    </message>
+    <message>
+        <source>rules of this version</source>
+        <translation>本版本的规则</translation>
+    </message>
+    <message>
+        <source>%1 is %2 here and %3 in the package</source>
+        <translation>%1 在此处为 %2，在数据包中为 %3</translation>
+    </message>
+    <message>
+        <source>this cohort follows no curriculum</source>
+        <translation>该队列没有采用任何课程</translation>
+    </message>
+    <message>
+        <source>Assign the curriculum of the protocol first</source>
+        <translation>请先指定方案规定的课程</translation>
+    </message>
+    <message>
+        <source>a record on a server has no place for the centre&apos;s key</source>
+        <translation>服务器上的记录没有存放本中心密钥的位置</translation>
+    </message>
+    <message>
+        <source>Name the file of the key with --key FILE</source>
+        <translation>请用 --key 文件 指定密钥文件</translation>
+    </message>
+    <message>
+        <source>Writing the package</source>
+        <translation>正在写入数据包</translation>
+    </message>
+    <message>
+        <source>this record has people who are not simulated</source>
+        <translation>此记录中有真实人员</translation>
+    </message>
+    <message>
+        <source>the centre of this record has no name</source>
+        <translation>此记录的中心没有名称</translation>
+    </message>
+    <message>
+        <source>Set the centre up in the window first</source>
+        <translation>请先在窗口中设置本中心</translation>
+    </message>
+    <message>
+        <source>Checking the record</source>
+        <translation>正在检查记录</translation>
+    </message>
+    <message>
+        <source>this package is not as its centre signed it</source>
+        <translation>此数据包与其中心签名时不一致</translation>
+    </message>
+    <message>
+        <source>Ask the centre for a new one; nothing was taken from it</source>
+        <translation>请向该中心重新索取；未从中取用任何内容</translation>
+    </message>
+    <message>
+        <source>this package does not follow the rules of such files</source>
+        <translation>此数据包不符合此类文件的规则</translation>
+    </message>
+    <message>
+        <source>Ask the centre to export it again with torsio study export</source>
+        <translation>请该中心用 torsio study export 重新导出</translation>
+    </message>
+    <message>
+        <source>is not a site package</source>
+        <translation>不是中心数据包</translation>
+    </message>
+    <message>
+        <source>Give a file that torsio study export wrote</source>
+        <translation>请给出由 torsio study export 写出的文件</translation>
+    </message>
+    <message>
+        <source>rows of the table %1 do not fit their seals</source>
+        <translation>表 %1 中的行与其封印不符</translation>
+    </message>
+    <message>
+        <source>holds a table that this version does not know: %1</source>
+        <translation>含有本版本不认识的表：%1</translation>
+    </message>
+    <message>
+        <source>Update Torsio here first</source>
+        <translation>请先在此处更新本程序</translation>
+    </message>
+    <message>
+        <source>is signed with another key than the one of centre %1</source>
+        <translation>签名所用密钥不是中心 %1 的密钥</translation>
+    </message>
+    <message>
+        <source>Ask the centre who made it; nothing was taken from it</source>
+        <translation>请询问该中心此文件由谁制作；未从中取用任何内容</translation>
+    </message>
+    <message>
+        <source>Checking the package</source>
+        <translation>正在检查数据包</translation>
+    </message>
+    <message>
+        <source>%1: %2 {finding|findings}, the first one: %3</source>
+        <translation>%1：%2 处问题，第一处：%3</translation>
+    </message>
+    <message>
+        <source>Run torsio audit verify on it; nothing was changed</source>
+        <translation>请对其运行 torsio audit verify；未作任何更改</translation>
+    </message>
+    <message>
+        <source>holds the cohort &apos;%1&apos;, while &apos;%2&apos; is pooled here</source>
+        <translation>其队列为“%1”，而此处汇总的是“%2”</translation>
+    </message>
+    <message>
+        <source>Pool it into a record of its own</source>
+        <translation>请将其汇总到单独的记录中</translation>
+    </message>
+    <message>
+        <source>follows another protocol. %1</source>
+        <translation>采用的是另一方案。%1</translation>
+    </message>
+    <message>
+        <source>Pool only centres that follow one protocol; nothing was taken from it</source>
+        <translation>只汇总采用同一方案的中心；未从中取用任何内容</translation>
+    </message>
+    <message>
+        <source>rows of this package do not fit together</source>
+        <translation>此数据包中的行彼此不符</translation>
+    </message>
+    <message>
+        <source>Ask the centre to export it again with torsio study export; nothing was taken from it</source>
+        <translation>请该中心用 torsio study export 重新导出；未从中取用任何内容</translation>
+    </message>
+    <message>
+        <source>holds a column that this version does not know: %1 of the table %2</source>
+        <translation>含有本版本不认识的列：表 %2 的 %1</translation>
+    </message>
+    <message>
+        <source>belongs to another centre</source>
+        <translation>属于另一中心</translation>
+    </message>
+    <message>
+        <source>is not what the centre delivered before under this id</source>
+        <translation>与该中心先前以此编号交付的内容不同</translation>
+    </message>
+    <message>
+        <source>centre %1: the row %2 of the table %3 %4</source>
+        <translation>中心 %1：表 %3 的行 %2 %4</translation>
+    </message>
+    <message>
+        <source>Ask the centre; nothing was taken from the package</source>
+        <translation>请询问该中心；未从数据包中取用任何内容</translation>
+    </message>
+    <message>
+        <source>this record has people of its own</source>
+        <translation>此记录有自己的人员</translation>
+    </message>
+    <message>
+        <source>Pool into a new file</source>
+        <translation>请汇总到新文件</translation>
+    </message>
+    <message>
+        <source>holds simulated people, while real ones are pooled here</source>
+        <translation>含有模拟人员，而此处汇总的是真实人员</translation>
+    </message>
+    <message>
+        <source>holds real people, while simulated ones are pooled here</source>
+        <translation>含有真实人员，而此处汇总的是模拟人员</translation>
+    </message>
+    <message>
+        <source>is signed with another key than the earlier packages of centre %1</source>
+        <translation>签名所用密钥与中心 %1 先前数据包的密钥不同</translation>
+    </message>
+    <message>
+        <source>Taking in the rows of %1</source>
+        <translation>正在收入 %1 的行</translation>
+    </message>
+    <message>
+        <source>the pooled record does not verify</source>
+        <translation>汇总记录未通过核验</translation>
+    </message>
+    <message>
+        <source>Checking the pooled record</source>
+        <translation>正在检查汇总记录</translation>
+    </message>
+    <message>
+        <source>with this package the record does not verify</source>
+        <translation>加入此数据包后记录未通过核验</translation>
+    </message>
+    <message>
+        <source>rows of this package do not fit together, or not with what is pooled here</source>
+        <translation>此数据包中的行彼此不符，或与此处已汇总的内容不符</translation>
+    </message>
+    <message>
+        <source>Ask the centre to export it again; nothing was taken from it</source>
+        <translation>请该中心重新导出；未从中取用任何内容</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

@@ -16,6 +16,8 @@
 #include "app/services/access/kiosk_codes.h"
 #include "app/services/access/moved_record.h"
 #include "app/services/access/two_people.h"
+#include "app/services/centres/site_export.h"
+#include "app/services/centres/site_pool.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/person_package.h"
@@ -147,6 +149,10 @@ std::vector<ServiceCall> administratorCalls() {
       {O::kSettingsEdit, "askSecondPerson, to be one",
        [](W w, Path) { (void)askSecondPerson(w, {.act = DutyAct::kOnePerson}); }},
       {O::kDatabaseRestore, "mayRestoreNow", [](W w, Path) { (void)mayRestoreNow(w, {}); }},
+      {O::kDatabaseRestore, "poolSite", [](W w, Path folder) { (void)poolSite(w, folder / kNoSuch, {}); }},
+      {O::kReportExportCoded, "exportSite",
+       [](W w, Path folder) { (void)exportSite(w, {.out = folder / kNoSuch}); }},
+      {O::kReportExportCoded, "siteStates", [](W w, Path) { (void)siteStates(w); }},
       {O::kDatabaseRestore, "noteRestore", [](W w, Path folder) { noteRestore(w, folder / kNoSuch); }},
       {O::kDatabaseRestore, "prepareServer", [](W w, Path) { prepareServer(w, "stations"); }},
       {O::kDatabaseRestore, "copyDatabase",
