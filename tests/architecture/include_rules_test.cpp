@@ -100,7 +100,7 @@ const std::vector<Floor>& floors() {
       {"Services",
        "app/services",
        {"base", "comparison", "devices", "organs", "access", "scoring", "people", "recording", "study",
-        "training", "review", "maintenance", "installation", "demonstration", "serving"},
+        "training", "review", "maintenance", "centres", "installation", "demonstration", "serving"},
        {}},
       {"Outputs", "app/outputs", {"wording", "charts", "pdf", "report", "tables", "dataset"}, {}},
       {"Connectors", "app/connectors", {""}, {"sim/core"}},
