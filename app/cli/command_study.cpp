@@ -74,9 +74,10 @@ void print(const SiteManifest& manifest) {
             << (manifest.simulated ? " (simulated)" : "") << "\n"
             << "  cohort      " << Text(manifest.cohort) << "\n"
             << "  "
-            << Text::verbatim("%1 {trainee|trainees}, %2 {recording|recordings}, %3 {mark|marks}; %4 left out",
-                              manifest.trainees, rowsOf(manifest, "trial"), rowsOf(manifest, "training_mark"),
-                              manifest.leftOut)
+            << Text::verbatim(
+                   "%1 {trainee|trainees}, %2 {recording|recordings}, %3 {mark|marks}; %4 left out",
+                   manifest.trainees, rowsOf(manifest, "trial"), rowsOf(manifest, "training_mark"),
+                   manifest.leftOut)
             << "\n"
             << "  made        " << formatUtc(manifest.madeUtc_us) << ", entry " << manifest.trailLength
             << " of its audit trail\n"
@@ -85,10 +86,11 @@ void print(const SiteManifest& manifest) {
 }
 
 void exportPackage(const StudyArguments& given) {
-  MaintenanceDesk desk(given.simulatedOnly() ? given.maintenance.ownerOrMaintainer()
-                                             : given.maintenance.maintainer(),
-                       given.database);
-  const ReportRequest named = reportNamed(desk.session(), {.cohort = given.cohort, .campaign = given.campaign});
+  MaintenanceDesk desk(
+      given.simulatedOnly() ? given.maintenance.ownerOrMaintainer() : given.maintenance.maintainer(),
+      given.database);
+  const ReportRequest named =
+      reportNamed(desk.session(), {.cohort = given.cohort, .campaign = given.campaign});
   std::optional<ProgressLine> line(std::in_place);
   const SitePackage made = exportSite(desk.session(),
                                       {.cohortId = named.cohortId,
@@ -190,7 +192,8 @@ class NewRecord {
 
 void requireSimulated(const StudyArguments& given, const SiteManifest& manifest) {
   if (given.simulatedOnly() && !manifest.simulated) {
-    throw Error(ErrorCode::kPermission, Text::tr("this package has people who are not simulated"), given.package,
+    throw Error(ErrorCode::kPermission, Text::tr("this package has people who are not simulated"),
+                given.package,
                 Text::tr("Sign in with --as LOGIN, or give --as-system as the owner of the record"));
   }
 }
@@ -205,7 +208,8 @@ void poolPackage(const StudyArguments& given) {
   {
     MaintenanceDesk desk(
         given.simulatedOnly() ? given.maintenance.ownerOrMaintainer() : given.maintenance.maintainer(),
-        openRecord(given.database, OpenMode::kCreate, {.softwareVersion = softwareVersion(), .station = stationName()}),
+        openRecord(given.database, OpenMode::kCreate,
+                   {.softwareVersion = softwareVersion(), .station = stationName()}),
         given.database);
     outcome = poolSite(desk.session(), given.package, checked, show);
   }
@@ -277,7 +281,8 @@ void addStudy(CLI::App& program) {
   CLI::App* study = program.add_subcommand("study", "A trial of several centres");
   study->require_subcommand(1);
 
-  CLI::App* out = study->add_subcommand("export", "What this centre gives to whoever pools the trial, signed");
+  CLI::App* out =
+      study->add_subcommand("export", "What this centre gives to whoever pools the trial, signed");
   addDatabaseArgument(*out, "--database", arguments->database, "SQLite file or postgresql://... address")
       ->capture_default_str();
   out->add_option("--out", arguments->out, "Package to write (*.torsio-site)")->required();

@@ -107,19 +107,20 @@ Json rubricsOf(Connection& connection, const SiteScope& scope) {
              " ON v.id = w.revision_id JOIN rubric r ON r.id = v.rubric_id WHERE v.id IN (" +
                  used + ") ORDER BY r.name, v.number, w.row_code",
              {});
-  part["anchors"] =
-      rowsOf(connection,
-             "SELECT r.name, v.number, a.row_code, a.score_steps, a.meaning FROM rubric_anchor a JOIN"
-             " rubric_revision v ON v.id = a.revision_id JOIN rubric r ON r.id = v.rubric_id WHERE v.id IN (" +
-                 used + ") ORDER BY r.name, v.number, a.row_code, a.score_steps",
-             {});
+  part["anchors"] = rowsOf(
+      connection,
+      "SELECT r.name, v.number, a.row_code, a.score_steps, a.meaning FROM rubric_anchor a JOIN"
+      " rubric_revision v ON v.id = a.revision_id JOIN rubric r ON r.id = v.rubric_id WHERE v.id IN (" +
+          used + ") ORDER BY r.name, v.number, a.row_code, a.score_steps",
+      {});
   return part;
 }
 
 Json evaluationOf(Connection& connection, const SiteScope& scope) {
   Json part;
   part["campaign"] = rowsOf(
-      connection, "SELECT name, scale_lo_steps, scale_hi_steps, steps_per_point FROM evaluation_campaign WHERE id = ?",
+      connection,
+      "SELECT name, scale_lo_steps, scale_hi_steps, steps_per_point FROM evaluation_campaign WHERE id = ?",
       {scope.campaignId});
   part["classes"] = rowsOf(connection,
                            "SELECT class_code, weight_milli FROM evaluation_class WHERE campaign_id = ?"

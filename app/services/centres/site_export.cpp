@@ -165,7 +165,8 @@ void writeRows(Connection& connection, const SiteScope& scope, SitePackageWriter
 
 }  // namespace
 
-SitePackage exportSite(SessionContext& session, const SiteRequest& request, const ProgressCallback& progress) {
+SitePackage exportSite(SessionContext& session, const SiteRequest& request,
+                       const ProgressCallback& progress) {
   session.require(Operation::kReportExportCoded);
   Connection& connection = session.connection();
   const bool simulated = holdsOnlySimulated(connection);
@@ -211,14 +212,15 @@ SitePackage exportSite(SessionContext& session, const SiteRequest& request, cons
   manifest.leftOut = consent.leftOut;
   manifest.protocol = protocolOf(connection, scope);
   if (!scope.campaignId.empty()) {
-    manifest.campaign =
-        selectFirst(connection, "SELECT name FROM evaluation_campaign WHERE id = ?", {scope.campaignId}, readText)
-            .value_or("");
+    manifest.campaign = selectFirst(connection, "SELECT name FROM evaluation_campaign WHERE id = ?",
+                                    {scope.campaignId}, readText)
+                            .value_or("");
   }
   writeFileAtomically(request.out, [&](std::ostream& out) {
     SitePackageWriter writer(out);
     writeRows(connection, scope, writer, manifest, progress);
-    manifest = writer.finish(std::move(manifest), [&](const std::string& text) { return signedWith(key, text); });
+    manifest =
+        writer.finish(std::move(manifest), [&](const std::string& text) { return signedWith(key, text); });
   });
   transaction.commit();
   made.bytes = std::filesystem::file_size(request.out);

@@ -27,11 +27,11 @@ struct SitePackage {
   std::uintmax_t bytes = 0;
 };
 
-/// Writes a site package: what a cohort's protocol says, and every append-only row of its trainees who agree to
-/// research, with its seal; without names, logins, remarks and other free text. Verifies the record first.
+/// Writes a site package: what a cohort's protocol says, and every append-only row of its trainees who agree
+/// to research, with its seal; without names, logins, remarks and other free text. Verifies the record first.
 /// Audited. kReportExportCoded. Throws Error: kVerifyFailed if the record does not verify; kPermission for
-/// `simulatedOnly` and for a key that others can read; kUsage on a server without `key`; kBadData if the centre
-/// has no name or the cohort no plan; kFileUnwritable; DbError; what `progress` throws.
+/// `simulatedOnly` and for a key that others can read; kUsage on a server without `key`; kBadData if the
+/// centre has no name or the cohort no plan; kFileUnwritable; DbError; what `progress` throws.
 [[nodiscard]] SitePackage exportSite(SessionContext& session, const SiteRequest& request,
                                      const ProgressCallback& progress = {});
 

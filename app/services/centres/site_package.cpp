@@ -92,25 +92,25 @@ std::string manifestText(const SiteManifest& manifest) {
     protocol[part] = OrderedJson::parse(json);
   }
   const OrderedJson text{{"format", "torsio site package 1"},
-                  {"centre",
-                   {{"id", manifest.centreId.text()},
-                    {"code", manifest.centreCode},
-                    {"name", manifest.centreName},
-                    {"public_key", manifest.publicKey}}},
-                  {"software", manifest.software},
-                  {"made_utc_us", manifest.madeUtc_us},
-                  {"trail", {{"length", manifest.trailLength}, {"hash", manifest.trailHash}}},
-                  {"cohort", manifest.cohort},
-                  {"evaluation", manifest.campaign},
-                  {"simulated", manifest.simulated},
-                  {"trainees", manifest.trainees},
-                  {"left_out", manifest.leftOut},
-                  {"sealed_rows", manifest.sealedRows},
-                  {"other_rows", manifest.otherRows},
-                  {"protocol_hash", manifest.protocol.hash()},
-                  {"protocol", protocol},
-                  {"rows", rows},
-                  {"content_hash", manifest.contentHash}};
+                         {"centre",
+                          {{"id", manifest.centreId.text()},
+                           {"code", manifest.centreCode},
+                           {"name", manifest.centreName},
+                           {"public_key", manifest.publicKey}}},
+                         {"software", manifest.software},
+                         {"made_utc_us", manifest.madeUtc_us},
+                         {"trail", {{"length", manifest.trailLength}, {"hash", manifest.trailHash}}},
+                         {"cohort", manifest.cohort},
+                         {"evaluation", manifest.campaign},
+                         {"simulated", manifest.simulated},
+                         {"trainees", manifest.trainees},
+                         {"left_out", manifest.leftOut},
+                         {"sealed_rows", manifest.sealedRows},
+                         {"other_rows", manifest.otherRows},
+                         {"protocol_hash", manifest.protocol.hash()},
+                         {"protocol", protocol},
+                         {"rows", rows},
+                         {"content_hash", manifest.contentHash}};
   return text.dump(1);
 }
 
@@ -328,12 +328,14 @@ class SealCheck {
 
 void requireKnown(const std::filesystem::path& file, const std::string& table) {
   if (siteTableOf(table) == nullptr) {
-    throw Error(ErrorCode::kNewerSchema, Text::tr("holds a table that this version does not know: %1", plainLine(table, 40)),
+    throw Error(ErrorCode::kNewerSchema,
+                Text::tr("holds a table that this version does not know: %1", plainLine(table, 40)),
                 file.string(), Text::tr("Update Torsio here first"));
   }
 }
 
-void requireKey(const std::filesystem::path& file, const SiteManifest& manifest, const std::string& publicKey) {
+void requireKey(const std::filesystem::path& file, const SiteManifest& manifest,
+                const std::string& publicKey) {
   if (!publicKey.empty() && manifest.publicKey != publicKey) {
     throw Error(ErrorCode::kVerifyFailed,
                 Text::tr("is signed with another key than the one of centre %1", manifest.centreCode),

@@ -76,7 +76,8 @@ struct CheckedPackage {
 /// that it must be signed with; empty: any. Throws Error: kFileMissing; kFileUnreadable if it is no package;
 /// kVerifyFailed if a byte was changed, it is cut off, or signed with another key; kBadData if it breaks the
 /// rules of such files; kNewerSchema if a newer version made it; what `progress` throws.
-[[nodiscard]] CheckedPackage checkSitePackage(const std::filesystem::path& file, const std::string& publicKey = {},
+[[nodiscard]] CheckedPackage checkSitePackage(const std::filesystem::path& file,
+                                              const std::string& publicKey = {},
                                               const ProgressCallback& progress = {});
 
 /// Calls `take` with every row of a package that was checked before, parents first. Throws Error

@@ -33,7 +33,8 @@ namespace {
 constexpr const char* kPoolCode = "POOL";
 constexpr std::int64_t kTakenPerProgress = 2000;
 
-std::int64_t countOf(Connection& connection, const std::string& sql, std::initializer_list<Value> values = {}) {
+std::int64_t countOf(Connection& connection, const std::string& sql,
+                     std::initializer_list<Value> values = {}) {
   return selectFirst(connection, sql, values, readInt64).value_or(0);
 }
 
@@ -49,19 +50,22 @@ void requireSound(Connection& connection, const Text& what) {
 }
 
 /// Names where a difference of the protocols lies.
-void requireSameProtocol(Connection& connection, const SiteManifest& manifest, const std::filesystem::path& file) {
+void requireSameProtocol(Connection& connection, const SiteManifest& manifest,
+                         const std::filesystem::path& file) {
   const std::optional<std::string> cohort =
       selectFirst(connection, "SELECT id FROM cohort WHERE name = ?", {manifest.cohort}, readText);
   if (!cohort) {
     const std::string pooled =
         selectFirst(connection, "SELECT name FROM cohort ORDER BY created_utc_us, id LIMIT 1", {}, readText)
             .value_or("");
-    refuse(Text::tr("holds the cohort '%1', while '%2' is pooled here", plainLine(manifest.cohort, 80), pooled),
-           file.string(), Text::tr("Pool it into a record of its own"));
+    refuse(
+        Text::tr("holds the cohort '%1', while '%2' is pooled here", plainLine(manifest.cohort, 80), pooled),
+        file.string(), Text::tr("Pool it into a record of its own"));
   }
   const SiteScope scope{
       *cohort,
-      selectFirst(connection, "SELECT id FROM evaluation_campaign WHERE name = ?", {manifest.campaign}, readText)
+      selectFirst(connection, "SELECT id FROM evaluation_campaign WHERE name = ?", {manifest.campaign},
+                  readText)
           .value_or(""),
       selectFirst(connection, "SELECT curriculum_version_id FROM cohort WHERE id = ?", {*cohort}, readText)
           .value_or("")};
@@ -183,11 +187,13 @@ class Intake {
                                         " WHERE " + condition));
     } else if (name == "trial_chunk") {
       place_ = {positionOf(columns, "trial_id"), positionOf(columns, "chunk_index")};
-      find_.emplace(connection_.prepare("SELECT digest FROM trial_chunk WHERE trial_id = ? AND chunk_index = ?"));
+      find_.emplace(
+          connection_.prepare("SELECT digest FROM trial_chunk WHERE trial_id = ? AND chunk_index = ?"));
     }
   }
 
-  [[nodiscard]] std::size_t positionOf(const std::vector<std::string>& columns, std::string_view column) const {
+  [[nodiscard]] std::size_t positionOf(const std::vector<std::string>& columns,
+                                       std::string_view column) const {
     const auto found = std::find(columns.begin(), columns.end(), column);
     if (found == columns.end()) {
       breaksRules();
@@ -242,7 +248,8 @@ class Intake {
   std::int64_t nextInGroup(const std::string& group) {
     const auto [last, first] = lastInGroup_.try_emplace(group, 0);
     if (first) {
-      last->second = countOf(connection_, "SELECT max(number_in_group) FROM enrolment WHERE group_id = ?", {group});
+      last->second =
+          countOf(connection_, "SELECT max(number_in_group) FROM enrolment WHERE group_id = ?", {group});
     }
     return ++last->second;
   }
@@ -297,9 +304,10 @@ class Intake {
   }
 
   [[noreturn]] void differs(const std::string& table, const std::string& key, const Phrase& how) const {
-    throw Error(ErrorCode::kVerifyFailed,
-                Text::tr("centre %1: the row %2 of the table %3 %4", site_.code, plainLine(key, 80), table, how),
-                package_.manifest.centreName, Text::tr("Ask the centre; nothing was taken from the package"));
+    throw Error(
+        ErrorCode::kVerifyFailed,
+        Text::tr("centre %1: the row %2 of the table %3 %4", site_.code, plainLine(key, 80), table, how),
+        package_.manifest.centreName, Text::tr("Ask the centre; nothing was taken from the package"));
   }
 
   /// A chunk has its own digest; verification decodes all of them against the hash of their recording.
@@ -415,19 +423,19 @@ PoolOutcome takeIn(SessionContext& session, const std::filesystem::path& file, c
   const std::vector<Site> sites = repository.sites();
   const auto known = std::find_if(sites.begin(), sites.end(),
                                   [&](const Site& one) { return one.centreId == manifest.centreId; });
-  SiteDelivery delivery{.id = session.ids().newUuid(),
-                        .centreId = manifest.centreId,
-                        .sequence = 1,
-                        .packageHash = package.hash,
-                        .madeUtc_us = manifest.madeUtc_us,
-                        .trailLength = manifest.trailLength,
-                        .trailHash = manifest.trailHash,
-                        .protocolHash = manifest.protocol.hash(),
-                        .leftOut = manifest.leftOut,
-                        .receivedBy = session.actor().systemAccount.empty() ? session.actor().userId.text()
-                                                                            : "torsio",
-                        .receivedUtc_us = session.now_us(),
-                        .demonstration = manifest.simulated};
+  SiteDelivery delivery{
+      .id = session.ids().newUuid(),
+      .centreId = manifest.centreId,
+      .sequence = 1,
+      .packageHash = package.hash,
+      .madeUtc_us = manifest.madeUtc_us,
+      .trailLength = manifest.trailLength,
+      .trailHash = manifest.trailHash,
+      .protocolHash = manifest.protocol.hash(),
+      .leftOut = manifest.leftOut,
+      .receivedBy = session.actor().systemAccount.empty() ? session.actor().userId.text() : "torsio",
+      .receivedUtc_us = session.now_us(),
+      .demonstration = manifest.simulated};
   Site site{manifest.centreId, {}, manifest.centreName, manifest.publicKey, session.now_us(),
             manifest.simulated};
   if (known == sites.end()) {
@@ -510,12 +518,13 @@ PoolOutcome takeIn(SessionContext& session, const std::filesystem::path& file, c
 
 bool takesPackages(Connection& connection) {
   return countOf(connection, "SELECT count(*) FROM person WHERE site_id IS NULL") == 0 &&
-         countOf(connection, "SELECT count(*) FROM trial t LEFT JOIN person p ON p.id = t.trainee_id"
-                             " WHERE p.site_id IS NULL") == 0;
+         countOf(connection,
+                 "SELECT count(*) FROM trial t LEFT JOIN person p ON p.id = t.trainee_id"
+                 " WHERE p.site_id IS NULL") == 0;
 }
 
-PoolOutcome poolSite(SessionContext& session, const std::filesystem::path& file, const CheckedPackage& package,
-                     const ProgressCallback& progress) {
+PoolOutcome poolSite(SessionContext& session, const std::filesystem::path& file,
+                     const CheckedPackage& package, const ProgressCallback& progress) {
   session.require(Operation::kDatabaseRestore);
   Connection& connection = session.connection();
   requireRoom(connection, package.manifest, file);
@@ -549,13 +558,18 @@ std::vector<SiteState> siteStates(SessionContext& session) {
         state.deliveries.push_back(delivery);
       }
     }
-    state.trainees = countOf(connection, "SELECT count(*) FROM trainee t JOIN person p ON p.id = t.person_id"
-                                         " WHERE p.site_id = ?", {site.centreId});
-    state.recordings = countOf(connection, "SELECT count(*) FROM trial t JOIN person p ON p.id = t.trainee_id"
-                                           " WHERE p.site_id = ?", {site.centreId});
+    state.trainees = countOf(connection,
+                             "SELECT count(*) FROM trainee t JOIN person p ON p.id = t.person_id"
+                             " WHERE p.site_id = ?",
+                             {site.centreId});
+    state.recordings = countOf(connection,
+                               "SELECT count(*) FROM trial t JOIN person p ON p.id = t.trainee_id"
+                               " WHERE p.site_id = ?",
+                               {site.centreId});
     state.marks = countOf(connection,
                           "SELECT count(*) FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
-                          " JOIN person p ON p.id = e.trainee_id WHERE p.site_id = ?", {site.centreId});
+                          " JOIN person p ON p.id = e.trainee_id WHERE p.site_id = ?",
+                          {site.centreId});
     state.site = std::move(site);
     states.push_back(std::move(state));
   }

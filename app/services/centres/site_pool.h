@@ -24,7 +24,7 @@ enum class Pooled {
 struct PoolOutcome {
   Pooled kind = Pooled::kAdded;
   SiteManifest manifest{};
-  std::string siteCode{};          ///< by which the people of the centre are qualified
+  std::string siteCode{};  ///< by which the people of the centre are qualified
   std::int64_t rowsAdded = 0;
   std::int64_t rowsChanged = 0;    ///< states that went on since the last delivery
   std::int64_t earlierUtc_us = 0;  ///< kRepeated, kOlder: when the other package came
@@ -33,10 +33,10 @@ struct PoolOutcome {
 /// Returns whether a record may take packages: it is empty or holds nothing but pooled rows. Needs no right.
 [[nodiscard]] bool takesPackages(Connection& connection);
 
-/// Takes the rows of a checked package into a pooled record, all or nothing: by their UUIDs, recordings byte for
-/// byte, codes qualified by the centre's, plan rows joined with those that are there. Verifies the record
-/// before and after. Audited. kDatabaseRestore. Throws Error: kVerifyFailed if the record does not verify, the
-/// key is not the centre's, or a row differs from the one delivered before under its id; kBadData if the
+/// Takes the rows of a checked package into a pooled record, all or nothing: by their UUIDs, recordings byte
+/// for byte, codes qualified by the centre's, plan rows joined with those that are there. Verifies the record
+/// before and after. Audited. kDatabaseRestore. Throws Error: kVerifyFailed if the record does not verify,
+/// the key is not the centre's, or a row differs from the one delivered before under its id; kBadData if the
 /// protocols differ (the first difference named), the record has people of its own or belongs to this centre,
 /// simulated and real would mix, or rows do not fit together; what `progress` throws.
 [[nodiscard]] PoolOutcome poolSite(SessionContext& session, const std::filesystem::path& file,

@@ -8,9 +8,9 @@ namespace torsio {
 
 namespace {
 
-constexpr auto kSites =
-    rowColumns<Site>("site", "centre_id, code, name, public_key, first_utc_us, demonstration", &Site::centreId,
-                     &Site::code, &Site::name, &Site::publicKey, &Site::firstUtc_us, &Site::demonstration);
+constexpr auto kSites = rowColumns<Site>(
+    "site", "centre_id, code, name, public_key, first_utc_us, demonstration", &Site::centreId, &Site::code,
+    &Site::name, &Site::publicKey, &Site::firstUtc_us, &Site::demonstration);
 constexpr auto kDeliveries = rowColumns<SiteDelivery>(
     "site_delivery",
     "id, centre_id, sequence, package_hash, made_utc_us, trail_length, trail_hash, protocol_hash, rows_added,"
@@ -37,8 +37,8 @@ void SiteRepository::add(const SiteDelivery& delivery) {
 std::vector<SiteDelivery> SiteRepository::deliveries() const {
   return selectAll(
       connection_,
-      kDeliveries.select("d") + " FROM site_delivery d ORDER BY d.received_utc_us, d.centre_id, d.sequence", {},
-      kDeliveries);
+      kDeliveries.select("d") + " FROM site_delivery d ORDER BY d.received_utc_us, d.centre_id, d.sequence",
+      {}, kDeliveries);
 }
 
 std::unordered_map<std::string, SiteRepository::Row> SiteRepository::rows() const {

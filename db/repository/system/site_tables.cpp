@@ -106,7 +106,8 @@ const std::vector<SiteTable>& siteTables() {
       {"run_excuse", "", kOfTrials, "excused_by, reason"},
       {"self_score", "", kOfTrials},
       {"self_score_row", "",
-       "self_score_id IN (SELECT id FROM self_score WHERE trial_id IN (SELECT id FROM trial WHERE enrolment_id"
+       "self_score_id IN (SELECT id FROM self_score WHERE trial_id IN (SELECT id FROM trial WHERE "
+       "enrolment_id"
        " IN ({enrolments})))"},
       {"assignment", "", kOfEnrolments, "assigned_by"},
       {"assignment_withdrawal", "", kOfAssignments, "reason, decided_by"},

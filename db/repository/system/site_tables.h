@@ -18,8 +18,9 @@ struct SiteTable {
   /// Plan tables: the columns by which a row is the same one in every record of the protocol. Empty: rows are
   /// known by their key, a UUID of their centre.
   std::string_view sameBy{};
-  std::string_view condition{};  ///< which rows; {cohort} {campaign} {version} {people} {trainees} {enrolments}
-  std::string_view withheld{};   ///< "recorded_by, reason": nobody outside needs them
+  std::string_view
+      condition{};  ///< which rows; {cohort} {campaign} {version} {people} {trainees} {enrolments}
+  std::string_view withheld{};  ///< "recorded_by, reason": nobody outside needs them
 };
 
 /// Every table that is given, parents first. Rows of other tables stay in their centre.
@@ -47,8 +48,8 @@ struct SiteConsent {
 /// Hashes rows of a table as their own record seals them; a row of another row's seal adds to that.
 class SiteSealer {
  public:
-  /// Returns the key of a row of any given table, as a seal has it. Throws Error (kVerifyFailed) if a column of
-  /// the key is missing.
+  /// Returns the key of a row of any given table, as a seal has it. Throws Error (kVerifyFailed) if a column
+  /// of the key is missing.
   [[nodiscard]] std::string keyOf(const std::string& table, const std::vector<std::string>& columns,
                                   const std::vector<Value>& row);
   /// Adds a row. Rows of tables without seals are ignored.

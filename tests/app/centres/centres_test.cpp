@@ -37,17 +37,22 @@ class CentresTest : public ::testing::Test {
     for (int seed = 1; seed <= kHospitals; ++seed) {
       const std::string number = std::to_string(seed);
       const ProgramRun made = runTorsio(
-          "demo --out " + (sites_ / number).string() + " --seed " + number + " --shorten 600 --twists 0", sites_);
+          "demo --out " + (sites_ / number).string() + " --seed " + number + " --shorten 600 --twists 0",
+          sites_);
       ASSERT_EQ(made.code, 0) << made.err;
-      const ProgramRun given = exportFrom(sites_ / number / "torsio.sqlite", sites_ / ("D" + number + ".torsio-site"));
+      const ProgramRun given =
+          exportFrom(sites_ / number / "torsio.sqlite", sites_ / ("D" + number + ".torsio-site"));
       ASSERT_EQ(given.code, 0) << given.err;
     }
   }
 
   static ProgramRun exportFrom(const fs::path& record, const fs::path& out, const std::string& more = "") {
-    return runTorsio("study export --database " + record.string() + " --out " + out.string() + " " + more, sites_);
+    return runTorsio("study export --database " + record.string() + " --out " + out.string() + " " + more,
+                     sites_);
   }
-  [[nodiscard]] static fs::path package(int seed) { return sites_ / ("D" + std::to_string(seed) + ".torsio-site"); }
+  [[nodiscard]] static fs::path package(int seed) {
+    return sites_ / ("D" + std::to_string(seed) + ".torsio-site");
+  }
   [[nodiscard]] ProgramRun pool(const fs::path& file) const {
     return runTorsio("study pool " + file.string() + " --database " + pooled_.string() + " --json", folder_);
   }
@@ -61,7 +66,9 @@ class CentresTest : public ::testing::Test {
       ASSERT_EQ(outcomeOf(package(seed)), "added");
     }
   }
-  [[nodiscard]] ProgramRun verify() const { return runTorsio("audit verify --database " + pooled_.string(), folder_); }
+  [[nodiscard]] ProgramRun verify() const {
+    return runTorsio("audit verify --database " + pooled_.string(), folder_);
+  }
   /// Returns a hospital of its own, to be changed.
   [[nodiscard]] fs::path copyOf(int seed) const {
     const fs::path copy = folder_ / "hospital";
@@ -106,7 +113,8 @@ TEST_F(CentresTest, RecordingsAreThoseOfTheirHospital) {
 
   Connection hospital = openDatabase((sites_ / "2" / "torsio.sqlite").string(), OpenMode::kReadOnly);
   const std::string chunks =
-      "SELECT t.id || ' ' || e.content_hash || ' ' || sum(length(c.bytes)) || ' ' || max(c.digest) FROM trial t"
+      "SELECT t.id || ' ' || e.content_hash || ' ' || sum(length(c.bytes)) || ' ' || max(c.digest) FROM "
+      "trial t"
       " JOIN trial_end e ON e.trial_id = t.id JOIN trial_chunk c ON c.trial_id = t.id"
       " WHERE t.enrolment_id IN (SELECT id FROM enrolment WHERE trainee_id IN (SELECT id FROM person WHERE"
       " code = '%')) GROUP BY t.id, e.content_hash ORDER BY t.id";
@@ -131,9 +139,10 @@ TEST_F(CentresTest, ReportAndTablesQualifyTheCodesAndSayThatTheyAreSimulated) {
   poolAll();
   const fs::path csv = folder_ / "cohort.csv";
 
-  const ProgramRun report = runTorsio("report cohort --database " + pooled_.string() + " --out " +
-                                          (folder_ / "cohort.pdf").string() + " --csv " + csv.string() + " --json",
-                                      folder_);
+  const ProgramRun report =
+      runTorsio("report cohort --database " + pooled_.string() + " --out " +
+                    (folder_ / "cohort.pdf").string() + " --csv " + csv.string() + " --json",
+                folder_);
 
   ASSERT_EQ(report.code, 0) << report.err;
   EXPECT_TRUE(Json::parse(report.out).at("simulated").get<bool>());
@@ -141,9 +150,9 @@ TEST_F(CentresTest, ReportAndTablesQualifyTheCodesAndSayThatTheyAreSimulated) {
   EXPECT_NE(numbers.find(",D1/T-07,"), std::string::npos);
   EXPECT_NE(numbers.find(",D3/T-07,"), std::string::npos);
   EXPECT_EQ(numbers.find(",T-07,"), std::string::npos);
-  const ProgramRun book = runTorsio("export workbook --database " + pooled_.string() + " --out " +
-                                        (folder_ / "cohort.xlsx").string(),
-                                    folder_);
+  const ProgramRun book = runTorsio(
+      "export workbook --database " + pooled_.string() + " --out " + (folder_ / "cohort.xlsx").string(),
+      folder_);
   EXPECT_EQ(book.code, 0) << book.err;
 }
 
@@ -242,9 +251,10 @@ TEST_F(CentresTest, VerifyingNamesTheCentreOfAChange) {
   {
     Connection attacker = openDatabase(pooled_.string(), OpenMode::kReadWrite);
     attacker.executeVerbatim("DROP TRIGGER training_mark_no_update");
-    attacker.execute("UPDATE training_mark SET score_steps = 55 WHERE id = (SELECT m.id FROM training_mark m JOIN"
-                     " enrolment e ON e.id = m.enrolment_id JOIN person p ON p.id = e.trainee_id WHERE"
-                     " p.code = 'D2/T-04' AND m.score_steps <> 55 ORDER BY m.id LIMIT 1)");
+    attacker.execute(
+        "UPDATE training_mark SET score_steps = 55 WHERE id = (SELECT m.id FROM training_mark m JOIN"
+        " enrolment e ON e.id = m.enrolment_id JOIN person p ON p.id = e.trainee_id WHERE"
+        " p.code = 'D2/T-04' AND m.score_steps <> 55 ORDER BY m.id LIMIT 1)");
   }
 
   const ProgramRun run = verify();
@@ -298,8 +308,9 @@ TEST_F(CentresTest, CheckingAPackageNeedsNoRecord) {
   EXPECT_EQ(told.at("trainees"), 30);
   EXPECT_EQ(told.at("rows").at("training_mark"), 900);
   EXPECT_FALSE(told.at("rows").contains("person_identity"));
-  EXPECT_EQ(runTorsio("study check " + package(1).string() + " --public-key " + std::string(64, '0'), folder_).code,
-            13);
+  EXPECT_EQ(
+      runTorsio("study check " + package(1).string() + " --public-key " + std::string(64, '0'), folder_).code,
+      13);
 }
 
 }  // namespace
