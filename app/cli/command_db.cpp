@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -151,7 +152,9 @@ void copy(const DbArguments& arguments) {
     ProgressLine line;
     if (const Text settled = settleMove(desk.session()); !settled.empty()) {
       std::cout << settled << ".\n";
-      if (movedTo(desk.session().connection()) == parseLocator(arguments.target).shown()) {
+      const std::string place = movedTo(desk.session().connectionWithoutRight());
+      const std::string target = parseLocator(arguments.target).shown();
+      if (place == target || place == std::filesystem::absolute(target).string()) {
         return;
       }
     }

@@ -6,8 +6,10 @@
 
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
+#include "db/connection/row_reader.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/core/error.h"
 #include "tests/app/cli/program.h"
 #include "tests/db/sample_record.h"
@@ -198,6 +200,25 @@ TEST_F(DbCommandTest, AMovedRecordSaysWhereItWentUntilTheMoveIsTakenBack) {
                        " AND reason = 'a rehearsal'"),
             1);
   EXPECT_EQ(run("db copy --as-system " + file("record.sqlite") + " " + file("second.sqlite")).code, 0);
+}
+
+TEST_F(DbCommandTest, AMoveThatWasKilledAfterCopyingIsFinishedByTheNextTry) {
+  const std::string copy = "db copy --as-system " + file("record.sqlite") + " " + file("there.sqlite");
+  ASSERT_EQ(run(copy).code, 0);
+  {
+    Connection record = openFile();
+    const std::string hash =
+        selectFirst(record, "SELECT entry_hash FROM audit_entry WHERE sequence = 1", {}, readText)
+            .value_or("");
+    SettingRepository(record).set("record.moved_to", "", 1);
+    SettingRepository(record).set("record.moving_to", "1 " + hash + " " + file("there.sqlite"), 1);
+  }
+
+  const ProgramRun next = run(copy);
+
+  EXPECT_EQ(next.code, 0) << next.err;
+  EXPECT_NE(next.out.find("was finished"), std::string::npos) << next.out;
+  EXPECT_EQ(run("db check --database " + file("record.sqlite")).code, 0);
 }
 
 TEST_F(DbCommandTest, AClockThatWasSetIsNotedAndTheTrailIsWhole) {
