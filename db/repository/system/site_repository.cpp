@@ -63,15 +63,4 @@ std::string SiteRepository::siteOfRow(const std::string& key) const {
       .value_or("");
 }
 
-std::unordered_map<std::string, std::string> SiteRepository::sitesByPersonCode() const {
-  std::unordered_map<std::string, std::string> sites;
-  Statement row =
-      connection_.prepare("SELECT p.code, s.code FROM person p JOIN site s ON s.centre_id = p.site_id");
-  row.execute();
-  while (row.step()) {
-    sites[row.text(0)] = row.text(1);
-  }
-  return sites;
-}
-
 }  // namespace torsio

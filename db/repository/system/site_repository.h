@@ -35,8 +35,6 @@ class SiteRepository {
   /// Returns the code of the site that delivered a row; empty: nobody. `key`: as a seal has it, or the id of
   /// a site or delivery.
   [[nodiscard]] std::string siteOfRow(const std::string& key) const;
-  /// Returns the code of the site of each person who came with a package, by the qualified code.
-  [[nodiscard]] std::unordered_map<std::string, std::string> sitesByPersonCode() const;
 
  private:
   Connection& connection_;
