@@ -53,7 +53,8 @@ struct HttpLimits {
   std::size_t headers_bytes = 32 * 1024;
   std::size_t body_bytes = 256 * 1024;
   unsigned connections = 1000;
-  unsigned connectionsAnAddress = 64;
+  unsigned connectionsAnAddress =
+      400;                  ///< a house behind one address: 200 pages that wait, and as many requests
   unsigned silent_s = 60;   ///< idle timeout
   unsigned request_s = 90;  ///< deadline for receiving a whole request, from the end of the previous one
   unsigned drain_s = 10;    ///< at the end: for answering what was received

@@ -220,16 +220,15 @@ SessionOutcomes sessionsOf(std::span<const CompetenceRun> runs) {
   return sessions;
 }
 
-void setDependence(CompetenceDesign& design, const std::optional<EstimatedDependence>& estimated) {
+void setDependence(CompetenceDesign& design, const EstimatedDependence& estimated) {
   const CompetenceDesign assumed;
-  const AttemptDependence dependence =
-      estimated
-          ? estimated->dependence
-          : AttemptDependence{assumed.sessionCorrelation, assumed.lagCorrelation, assumed.runsPerSession};
+  const AttemptDependence dependence = estimated.dependence.value_or(
+      AttemptDependence{assumed.sessionCorrelation, assumed.lagCorrelation,
+                        std::max(assumed.runsPerSession, estimated.runsOfSession)});
   design.sessionCorrelation = dependence.session;
   design.lagCorrelation = dependence.lag;
   design.runsPerSession = std::min(dependence.perSession, kMaxRunsPerSession);
-  design.dependenceRuns = estimated ? estimated->attempts : 0;
+  design.dependenceRuns = estimated.dependence ? estimated.attempts : 0;
 }
 
 std::size_t fewestForAble(const CompetenceDesign& design) {

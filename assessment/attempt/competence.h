@@ -98,8 +98,9 @@ struct CompetenceRun {
 /// Splits a person's runs, oldest first, into sessions: a new one begins after a pause of six hours.
 [[nodiscard]] SessionOutcomes sessionsOf(std::span<const CompetenceRun> runs);
 
-/// Sets how the runs depend on each other, as estimated, or as assumed without an estimate.
-void setDependence(CompetenceDesign& design, const std::optional<EstimatedDependence>& estimated);
+/// Sets how the runs depend on each other, as estimated, or as assumed without an estimate: then sessions are
+/// as long as those of the record, if these are longer than the assumed ones.
+void setDependence(CompetenceDesign& design, const EstimatedDependence& estimated);
 
 enum class SkillLevel {
   kNotShown,  ///< fewer attempts than anybody needs to be shown competent

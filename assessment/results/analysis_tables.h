@@ -81,6 +81,10 @@ struct ModelDifference {
 [[nodiscard]] std::vector<std::string> absentRaters(const StudyAnalysis& study, std::size_t occasion);
 /// Returns the codes of raters who, at the last occasion, scored trainees of some of the groups only.
 [[nodiscard]] std::vector<std::string> ratersOfSomeGroups(const CohortInputs& inputs);
+/// Says whose severity cannot be told from an effect of the training; `codes`: of ratersOfSomeGroups().
+[[nodiscard]] ReportParagraph ratersOfSomeGroupsSentence(const CohortInputs& inputs,
+                                                         const std::vector<std::string>& codes,
+                                                         const Ledger& ledger);
 /// Returns the codes of trainees without any mark at one of the two ends.
 [[nodiscard]] std::vector<std::string> leftOutTrainees(const StudyAnalysis& study);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assessment/results/analysis_tables.h"
+#include "assessment/results/received_training.h"
 #include "assessment/results/record_sentences.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
@@ -33,14 +34,16 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
   if (study.mixed && study.endMissing == 0) {
     out.emplace_back(Text(
         Text::tr("Not every trainee was marked by the same raters at the end, so the answer is that of the "
-                 "linear mixed model, which allows for it; the analysis of covariance is shown beside it.")));
+                 "linear mixed model, in which raters may differ; the analysis of covariance is shown beside "
+                 "it.")));
   } else if (study.mixed) {
     const ResultsAt at = resultsAtEnd(in, ledger);
     const ReportCell missing = at("marks_missing");
     const ReportCell all = at("marks_missing", kValues);
     out.push_back(
         {Text::tr("Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which "
-                  "uses every mark that was given; the analysis of covariance is shown beside it.",
+                  "uses every mark at the end of everybody who also has one before; the analysis of "
+                  "covariance is shown beside it.",
                   missing.words(), all.words()),
          {missing, all}});
   }
@@ -50,12 +53,12 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
     const ReportCell most = at("largest_spread", fixed(kPointDecimals));
     const ReportCell p = at("equal_spread_p", kEqualsP);
     const Text spread = Text::tr(
-        "The scores of the groups spread differently about the comparison (standard deviations from %1 to %2 "
-        "points, test of equal spread: %3)",
+        "Scores vary more in some groups than in others (standard deviations about the adjusted means from "
+        "%1 to %2 points, test of equal spread: %3)",
         least.words(), most.words(), p.words());
     out.push_back(
         {study.primaryMethod() == PrimaryMethod::kRobust
-             ? Text::tr("%1, so the answer uses standard errors that allow for it (HC3).", spread)
+             ? Text::tr("%1. The standard errors of the answer allow for that (HC3).", spread)
          : study.mixed
              ? Text::tr("%1, which the linear mixed model does not allow for.", spread)
              : Text::tr("%1, which the answer does not allow for: somebody is alone in a group.", spread),
@@ -70,6 +73,13 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
              "a slope for each group.",
              p.words()),
          {p}});
+  }
+}
+
+/// Names raters whose severity cannot be told from what the training did.
+void addRatersOfSomeGroups(const CohortInputs& in, const Ledger& ledger, std::vector<ReportParagraph>& out) {
+  if (const std::vector<std::string> codes = ratersOfSomeGroups(in); !codes.empty()) {
+    out.push_back(ratersOfSomeGroupsSentence(in, codes, ledger));
   }
 }
 
@@ -101,6 +111,7 @@ std::optional<ReportParagraph> unlikeBefore(const CohortInputs& in, const Ledger
 
 /// Names trainees who have the same marks throughout.
 std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study) {
+  constexpr std::size_t kFewMarks = 6;  // that many are alike by chance
   std::map<std::vector<std::optional<double>>, std::vector<Text>> alike;
   for (std::size_t i = 0; i < study.trainees.size(); ++i) {
     std::vector<std::optional<double>> all;
@@ -113,7 +124,10 @@ std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study
         }
       }
     }
-    if (different.size() > 2) {  // constant marks are alike without being the same person
+    const auto given = static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [](const std::optional<double>& mark) { return mark.has_value(); }));
+    if (different.size() > 2 &&
+        given > kFewMarks) {  // constant marks are alike without being the same person
       alike[std::move(all)].emplace_back(study.trainees[i]);
     }
   }
@@ -135,7 +149,7 @@ std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study
 }
 
 /// Adds how many withdrew if they are many.
-void addWithdrawn(const Ledger& ledger, std::vector<ReportParagraph>& out) {
+void addWithdrawn(const CohortInputs& in, const Ledger& ledger, std::vector<ReportParagraph>& out) {
   const ResultsAt people(ledger, {.section = ResultSection::kParticipants});
   const double everybody = people.number("trainees").value_or(0.0);
   const double withdrew = people.number("withdrew").value_or(0.0);
@@ -149,10 +163,49 @@ void addWithdrawn(const Ledger& ledger, std::vector<ReportParagraph>& out) {
                                  "ask whether it may be used.")),
                    {gone, all}});
   } else if (withdrew >= kManyWithdrew * everybody) {
-    out.push_back({Text::tr("%1 of %2 trainees withdrew: the answer may hold only for people like those who "
-                            "stayed.",
-                            gone.words(), all.words()),
-                   {gone, all}});
+    out.push_back(
+        {Text::tr("%1 of %2 trainees withdrew. Where their marks are missing, the answer holds only for "
+                  "people like those who stayed.",
+                  gone.words(), all.words()),
+         {gone, all}});
+  }
+  for (std::size_t g = 0; g < in.groups.size() && withdrew < everybody; ++g) {
+    const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const double size = group.number("allocated").value_or(0.0);
+    if (size > 0.0 && group.number("withdrew").value_or(0.0) == size) {
+      const ReportCell own = group("withdrew");
+      out.push_back(
+          {Text::tr("Everybody in %1 withdrew: what stands there rests on marks that were given before "
+                    "that.",
+                    in.groups[g].name),
+           {own}});
+    }
+  }
+}
+
+/// Adds where recorded runs contradict the minutes that somebody noted, or the plan.
+void addContradictions(const CohortInputs& in, const Ledger& ledger, std::vector<ReportParagraph>& out) {
+  if (!knowsPlanAndTimes(in)) {
+    return;
+  }
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const ReportCell runs = at("runs");
+    const bool ran = at.number("runs").value_or(0.0) > 0.0;
+    if (ran && at.number("planned_virtual_min") == 0.0) {
+      out.push_back(
+          {Text::tr("%1 was not to train on the simulator, but %2 {run of it is|runs of it are} recorded.",
+                    in.groups[g].name, runs.words()),
+           {runs}});
+    } else if (const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = g});
+               !ran && !in.trials.empty() && times.number("mean_noted_virtual_min").value_or(0.0) > 0.0) {
+      const ReportCell noted = times("mean_noted_virtual_min", fixed(0));
+      out.push_back(
+          {Text::tr("%1 has %2 minutes on the simulator noted for each trainee on average, but no run of it "
+                    "is recorded.",
+                    in.groups[g].name, noted.words()),
+           {noted, runs}});
+    }
   }
 }
 
@@ -180,7 +233,8 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
         "groups drawn is not in this record.",
         importSentence(*in.imported), in.imported->marks, in.imported->recordings));
   }
-  addWithdrawn(ledger, out);
+  addWithdrawn(in, ledger, out);
+  addContradictions(in, ledger, out);
   const bool compared = study.primaryMethod() != PrimaryMethod::kNone;
   if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
     out.emplace_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
@@ -220,6 +274,7 @@ std::vector<ReportParagraph> reservations(const CohortInputs& in, const StudyAna
                                           const Ledger& ledger) {
   std::vector<ReportParagraph> out;
   addData(in, study, ledger, out);
+  addRatersOfSomeGroups(in, ledger, out);
   addMethod(in, study, ledger, out);
   return out;
 }

@@ -95,7 +95,7 @@ Text questionOf(const CohortInputs& in) {
                                                : Text::verbatim("%1 (%2)", group.name, group.protocol));
   }
   return Text::tr(
-      "Question: do trainees score differently at the end (%1) who trained in different ways: %2?",
+      "Question: do the scores at the end (%1) differ between trainees who trained in different ways: %2?",
       in.occasions.back(), listed(protocols));
 }
 
@@ -191,6 +191,21 @@ Text allocationOf(const CohortAllocation& drawn) {
   return Text::tr("Groups: drawn at random (%1).", drawn.method);
 }
 
+/// Says who is compared in which group.
+Text comparedIn(const CohortInputs& in, const StudyAnalysis& study) {
+  const std::int64_t without = std::ssize(leftOutTrainees(study));
+  const bool drawn = !in.allocation.method.empty();
+  if (without > 0) {
+    return Text::tr(
+        "%1 {trainee has|trainees have} no score at one of the two ends and {is|are} not compared; everybody "
+        "else is compared in the group in which the record has them.",
+        without);
+  }
+  return drawn ? Text(Text::tr(
+                     "Everybody is compared in the group to which they were allocated (intention to treat)."))
+               : Text(Text::tr("Everybody is compared in the group in which the record has them."));
+}
+
 /// States the training that the groups were to receive and did receive.
 ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   if (in.doses.empty()) {
@@ -230,10 +245,8 @@ ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, c
     return out;
   }
   const Text who = Text::tr(
-      "Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). "
-      "Everybody "
-      "is compared in the group to which they were allocated (intention to treat).",
-      otherwise, asPlanned + otherwise, listed(kinds));
+      "Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). %4",
+      otherwise, asPlanned + otherwise, listed(kinds), comparedIn(in, study));
   if (!study.perProtocol) {
     static_cast<Text&>(out) =
         Text::tr("%1 Those who were trained as planned cannot be compared by themselves: %2.", who,
@@ -290,7 +303,7 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
 ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t group,
                   const std::vector<Text>& able) {
   const ResultsAt at(ledger, {.section = ResultSection::kCompetence, .group = group});
-  ReportCell cell = at("able_at_every_exercise", {}, Text::tr("did not train there"));
+  ReportCell cell = at("able_at_every_exercise", {}, Text::tr("no recorded run"));
   if (cell.key == nullptr) {
     return cell;
   }
@@ -301,19 +314,40 @@ ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t grou
   return cell;
 }
 
+/// Formats the minutes of a group, "38 (40); 0 (0)".
+ReportCell minutesOf(const Ledger& ledger, std::size_t g) {
+  const ResultsAt plan(ledger, {.section = ResultSection::kParticipants, .group = g});
+  const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = g});
+  const Text none = Text::tr("not recorded");
+  const auto one = [&](const char* received, const char* planned) {
+    return Text::verbatim("%1 (%2)", times(received, fixed(0), none).words(),
+                          plan(planned, fixed(0), none).words());
+  };
+  ReportCell cell = times("mean_noted_virtual_min", fixed(0), none);
+  if (cell.key != nullptr) {
+    static_cast<Text&>(cell) = Text::verbatim("%1; %2", one("mean_noted_virtual_min", "planned_virtual_min"),
+                                              one("mean_noted_real_min", "planned_real_min"));
+  }
+  return cell;
+}
+
 /// Describes what competent means on the first page, and how often it is wrong after the runs made.
 ReportParagraph standardNote(const Ledger& ledger) {
   const ResultsAt at(ledger, {.section = ResultSection::kCompetence});
   const Text rule = Text::tr(
-      "Competent now: at every exercise that the curriculum requires, tried or not, by the designs of the "
-      "section Competence.");
+      "Competent: at every exercise that the curriculum requires; one that was not tried counts against it. "
+      "The rules are in the section Competence.");
   const ReportCell fewest = at("fewest_runs_needed");
   const ReportCell most = at("most_runs_made");
   if (at.number("most_runs_made").value_or(0.0) < at.number("fewest_runs_needed").value_or(0.0)) {
-    return {Text::tr("%1 Nobody can have been shown competent yet: at least %2 {run|runs} at an exercise are "
-                     "needed, and nobody made more than %3.",
-                     rule, fewest.words(), most.words()),
-            {fewest, most}};
+    return {
+        at.number("most_runs_made").value_or(0.0) == 0.0
+            ? Text::tr("%1 Nobody can have been shown competent: no run was recorded.", rule)
+            : Text::tr(
+                  "%1 Nobody can have been shown competent yet: at least %2 {run|runs} at an exercise are "
+                  "needed, and nobody made more than %3.",
+                  rule, fewest.words(), most.words()),
+        {fewest, most}};
   }
   const ReportCell pass = at("false_pass_at_most", percent(1));
   const ReportCell fail = at("false_fail_at_most", percent(1));
@@ -333,7 +367,11 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-standard", Text::tr("Scores at the end, and who reached the standard"),
                           Text::tr("mean of the trainee scores; LC-CUSUM"));
-  table.columns = {Text::tr("Group"), Text::tr("Trainees"), Text::tr("Mean score (lowest to highest)"),
+  table.columns = {Text::tr("Group"),
+                   Text::tr("Trainees"),
+                   Text::tr("Mean minutes received (planned): simulator; real arm"),
+                   Text::tr("Recorded runs"),
+                   Text::tr("Mean score (lowest to highest)"),
                    Text::tr("Competent on the simulator")};
   // Verdicts of the section Competence; none are computed here.
   std::map<std::string, bool> ableAtAll;
@@ -351,13 +389,18 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
     }
     const ResultsAt end(ledger, {.group = g, .occasion = lastOf(in)});
     ReportCell score = end("mean", fixed(kPointDecimals), Text::tr("none"));
+    const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
     if (score.key != nullptr) {
       static_cast<Text&>(score) =
           Text::tr("%1 (%2 to %3)", score.words(), end("min", fixed(kPointDecimals)).words(),
                    end("max", fixed(kPointDecimals)).words());
+      const std::int64_t scored = end.find("mean")->n;
+      if (static_cast<double>(scored) < group.number("allocated").value_or(0.0)) {
+        static_cast<Text&>(score) = Text::tr("%1, %2 {trainee|trainees} scored", Text(score), scored);
+      }
     }
-    const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
-    table.rows.push_back({in.groups[g].name, group("allocated"), score, ableOf(in, ledger, g, able)});
+    table.rows.push_back({in.groups[g].name, group("allocated"), minutesOf(ledger, g), group("runs"), score,
+                          ableOf(in, ledger, g, able)});
   }
   table.provenance.n = std::ssize(in.trainees);
   if (!ableAtAll.empty()) {

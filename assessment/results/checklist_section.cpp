@@ -60,6 +60,9 @@ Text interimOf(const CohortInputs& in) {
   return in.freeze->interim() ? Text::tr("this report is an interim look; see the first page")
                               : Text::tr("the data were frozen when every sheet was in");
 }
+Text randomisationOf(const CohortInputs& in) {
+  return in.allocation.method;
+}
 Text concealmentOf(const CohortInputs& in) {
   return in.allocation.commitment.empty() ? Text() : Text::tr("by a sealed seed with a published hash");
 }
@@ -112,7 +115,7 @@ constexpr std::array kConsort{
     stated("16a", Text::tr("Sample size and its assumptions"), StudyItem::kSampleSize),
     told("16b", Text::tr("Interim analyses and stopping"), interimOf),
     shown("17a", Text::tr("Who made the sequence, and how"), "participants"),
-    shown("17b", Text::tr("Kind of randomisation and restrictions"), "table-allocation"),
+    told("17b", Text::tr("Kind of randomisation and restrictions"), randomisationOf, "participants"),
     told("18", Text::tr("Concealment of the allocation"), concealmentOf),
     told("19", Text::tr("Whether those who enrolled or assigned knew the sequence"), implementationOf),
     told("20a", Text::tr("Who was blinded"), blindedOf),

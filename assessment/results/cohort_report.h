@@ -261,7 +261,8 @@ struct CohortInputs {
   /// Planned: smaller differences, in points, are irrelevant; above 0. Empty: none planned.
   std::optional<double> equivalenceMargin;
   /// Returns whether the record states how the groups were to be compared: the margin is set with the cohort.
-  [[nodiscard]] bool hasAnalysisPlan() const noexcept { return equivalenceMargin.has_value(); }
+  /// A study that was imported brings its margin, but nothing shows when it was set.
+  [[nodiscard]] bool hasAnalysisPlan() const noexcept { return equivalenceMargin && !imported; }
 
   StudyStatements statements;  ///< what the study says about itself
 

@@ -275,7 +275,8 @@ void addPerProtocol(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
     }
   }
   ResultWriter rows = comparison(in, {"per protocol"}, partsOf(std::move(parts)), ledger);
-  for (const AdjustedDifference& pair : study.perProtocol->pairs) {
+  const Ancova& treated = *study.perProtocol;
+  for (const AdjustedDifference& pair : treated.spread.pairs.empty() ? treated.pairs : treated.spread.pairs) {
     placeAtPair(rows, pair.first, pair.second);
     const std::int64_t n = std::ssize(study.perProtocolCodes);
     rows.add("per_protocol_difference", pair.difference, n);

@@ -49,18 +49,14 @@ std::vector<ReportParagraph> raterGroupSentences(const CohortInputs& in, const S
   if (codes.empty()) {
     return {};
   }
-  const ReportCell count = ResultsAt(
-      ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)})("raters_of_some_groups");
-  const Text who = whoText(in, codes, count.words());
-  return {{study.mixed
-               ? Text::tr("Raters who scored trainees of some groups only %1: %2. In the analysis of "
-                          "covariance the severity of such a rater counts as a difference between the "
-                          "groups; the linear mixed model allows for it.",
-                          in.occasions.back(), who)
-               : Text::tr("Raters who scored trainees of some groups only %1: %2. The severity of "
-                          "such a rater counts as a difference between the groups.",
-                          in.occasions.back(), who),
-           {count}}};
+  ReportParagraph told = ratersOfSomeGroupsSentence(in, codes, ledger);
+  if (study.mixed) {
+    static_cast<Text&>(told) = Text::verbatim(
+        "%1 %2", told.words(),
+        Text::tr("The linear mixed model corrects for the severity of a rater only as far as the same rater "
+                 "scored several groups."));
+  }
+  return {told};
 }
 
 /// Describes what the record states about the planned comparison of groups.
@@ -73,6 +69,17 @@ Text planText(const CohortInputs& in) {
 }
 
 }  // namespace
+
+ReportParagraph ratersOfSomeGroupsSentence(const CohortInputs& in, const std::vector<std::string>& codes,
+                                           const Ledger& ledger) {
+  const ReportCell count = ResultsAt(
+      ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)})("raters_of_some_groups");
+  return {
+      Text::tr("Raters who scored trainees of some groups only %1: %2. How severe such a rater is cannot be "
+               "told from what the training did: a difference between groups may be one between raters.",
+               in.occasions.back(), whoText(in, codes, count.words())),
+      {count}};
+}
 
 std::vector<Text> groupsNotCompared(const CohortInputs& in, const StudyAnalysis& study) {
   std::vector<Text> out;
@@ -104,10 +111,11 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
         in.hasAnalysisPlan()
             ? Text::tr(
                   "Planned and used: the analysis of covariance of the score at the end on the score "
-                  "before.")
+                  "before. Its standard errors hold for unequal spreads, too (HC3).")
             : Text::tr(
-                  "Used: the analysis of covariance of the score at the end on the score before. No "
-                  "plan of the analysis is in the record.");
+                  "Used: the analysis of covariance of the score at the end on the score before. Its "
+                  "standard errors hold for unequal spreads, too (HC3). No plan of the analysis is in "
+                  "the record.");
     const Text marks =
         out.empty()
             ? Text::tr("No mark of the first and the last occasion is missing.")
@@ -129,7 +137,8 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
   out.push_back(
       {study.mixed
            ? Text::tr("%1 %2, so the linear mixed model is the primary comparison here: it uses every mark "
-                      "given at the end. The analysis of covariance is shown beside it, for the %3 "
+                      "at the end of everybody who also has one before. The analysis of covariance is shown "
+                      "beside it, for the %3 "
                       "{trainee|trainees} with a score at both occasions.",
                       planText(in), missing, compared.words())
            : Text::tr("%1 %2. The linear mixed model that would take every mark is not defined (%3), so the "

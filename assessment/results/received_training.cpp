@@ -24,7 +24,8 @@ Received comparedWithPlan(const CohortGroup& group, double virtual_min, double r
     return Received::kNothing;
   }
   if (virtual_min < kLeastShare * plannedVirtual || real_min < kLeastShare * plannedReal) {
-    return Received::kTooLittle;
+    const bool elsewhere = virtual_min + real_min >= kLeastShare * (plannedVirtual + plannedReal);
+    return elsewhere ? Received::kOtherGroup : Received::kTooLittle;
   }
   if ((plannedVirtual > 0.0 && virtual_min > kMostShare * plannedVirtual) ||
       (plannedReal > 0.0 && real_min > kMostShare * plannedReal)) {

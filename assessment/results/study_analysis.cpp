@@ -283,8 +283,7 @@ PrimaryMethod StudyAnalysis::primaryMethod() const noexcept {
   if (!ancova) {
     return PrimaryMethod::kNone;
   }
-  return spreadsDiffer() && !ancova->spread.pairs.empty() ? PrimaryMethod::kRobust
-                                                          : PrimaryMethod::kCovariance;
+  return ancova->spread.pairs.empty() ? PrimaryMethod::kCovariance : PrimaryMethod::kRobust;
 }
 
 PrimaryStatistics primaryStatistics(PrimaryMethod method) noexcept {

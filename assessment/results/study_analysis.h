@@ -106,7 +106,7 @@ struct RaterSeverity {
 enum class PrimaryMethod : std::uint8_t {
   kNone,
   kCovariance,  ///< analysis of covariance
-  kRobust,      ///< the same with the errors of HC3, as spreads differ
+  kRobust,      ///< the same with the errors of HC3, which hold for unequal spreads; kCovariance without them
   kMixed,       ///< linear mixed model, as marks are missing or raters differ
 };
 

@@ -39,7 +39,8 @@ struct UnequalSpread {
   /// empty if a trainee fits exactly, being alone in a group.
   std::vector<AdjustedDifference> pairs;
 };
-/// If the test of equal spread gives p below this, the errors of HC3 are used.
+/// If the test of equal spread gives p below this, the report says so. The errors of HC3 are used in any
+/// case: a test first would keep the pooled ones in small groups, where they cover too little.
 inline constexpr double kSpreadsDiffer = 0.05;
 
 /// Analysis of covariance: score after on score before and group, with a common slope. The primary analysis

@@ -113,27 +113,71 @@ AttemptDependence solved(const Totals& totals, std::int64_t perSession) {
   return out;
 }
 
+/// Raises both correlations to their upper bounds of 95 %: errors of the jackknife, whole people left out in
+/// up to kBlocks blocks.
+void addMargin(std::span<const SessionOutcomes> people, AttemptDependence& dependence) {
+  constexpr std::size_t kBlocks = 50;
+  constexpr double kOneSided = 1.645;
+  const std::size_t blocks = std::min(people.size(), kBlocks);
+  std::vector<AttemptDependence> without;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    Totals totals;
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      if (i % blocks != block) {
+        addPerson(people[i], totals);
+      }
+    }
+    without.push_back(solved(totals, dependence.perSession));
+  }
+  const auto raised = [&](double AttemptDependence::*correlation) {
+    double mean = 0.0;
+    for (const AttemptDependence& one : without) {
+      mean += one.*correlation / static_cast<double>(blocks);
+    }
+    double squares = 0.0;
+    for (const AttemptDependence& one : without) {
+      squares += (one.*correlation - mean) * (one.*correlation - mean);
+    }
+    const double error = std::sqrt(squares * static_cast<double>(blocks - 1) / static_cast<double>(blocks));
+    return bounded(dependence.*correlation + kOneSided * error);
+  };
+  const double session = raised(&AttemptDependence::session);
+  dependence.lag = raised(&AttemptDependence::lag);
+  dependence.session = session;
+}
+
+std::int64_t runsOfSession(std::span<const SessionOutcomes> people) {
+  std::int64_t runs = 0;
+  std::int64_t squares = 0;
+  for (const SessionOutcomes& person : people) {
+    for (const std::vector<bool>& session : person) {
+      runs += std::ssize(session);
+      squares += std::ssize(session) * std::ssize(session);
+    }
+  }
+  return runs == 0 ? 0 : (squares + runs - 1) / runs;
+}
+
 }  // namespace
 
-std::optional<EstimatedDependence> estimateDependence(std::span<const SessionOutcomes> people) {
-  EstimatedDependence out;
+EstimatedDependence estimateDependence(std::span<const SessionOutcomes> people) {
+  EstimatedDependence out{
+      .dependence = {}, .attempts = 0, .people = 0, .runsOfSession = runsOfSession(people)};
   Totals totals;
-  std::int64_t sessions = 0;
   for (const SessionOutcomes& person : people) {
     std::int64_t own = 0;
     for (const std::vector<bool>& session : person) {
       own += std::ssize(session);
-      sessions += session.empty() ? 0 : 1;
     }
     out.attempts += own;
     out.people += own > 0 ? 1 : 0;
     addPerson(person, totals);
   }
-  if (out.attempts < kMinDependenceAttempts || out.people < kMinDependencePeople ||
-      totals.successive.spread + totals.between.spread <= 0.0) {
-    return std::nullopt;
+  if (out.attempts >= kMinDependenceAttempts && out.people >= kMinDependencePeople &&
+      totals.successive.spread + totals.between.spread > 0.0) {
+    out.dependence = solved(totals, out.runsOfSession);
+    addMargin(people, *out.dependence);
   }
-  out.dependence = solved(totals, (out.attempts + sessions - 1) / sessions);
   return out;
 }
 

@@ -923,7 +923,7 @@ if (last > 1 && nrow(marks) > 0) {
 
   # ---- The primary analysis ----
   spread_p <- if (is.null(result)) NA else brown_forsythe(residuals(result$fit), result$group)
-  robust <- isTRUE(spread_p < 0.05) && !is.null(result$robust)
+  robust <- !is.null(result$robust)
   primary <- if (!is.null(mixed)) mixed else if (robust) result$robust else result$pairs
   if (!is.null(primary)) {
     put_comparison("primary_analysis", if (!is.null(mixed)) "linear mixed model" else if (robust)
@@ -1115,7 +1115,8 @@ if (any(has_notes) && !anyNA(planned_virtual) && !anyNA(planned_real)) {
   received <- ifelse(
     (planned_virtual == 0 & virtual > 1) | (planned_real == 0 & real > 1), "other_group", ifelse(
     planned_virtual + planned_real > 0 & of_plan == 0, "nothing", ifelse(
-    virtual < 0.8 * planned_virtual | real < 0.8 * planned_real, "too_little", ifelse(
+    virtual < 0.8 * planned_virtual | real < 0.8 * planned_real,
+    ifelse(virtual + real >= 0.8 * (planned_virtual + planned_real), "other_group", "too_little"), ifelse(
     (planned_virtual > 0 & virtual > 1.2 * planned_virtual) |
       (planned_real > 0 & real > 1.2 * planned_real), "too_much", "as_planned"))))
   put("participants", "received", received, item = people$item, group = people$group)
@@ -1129,7 +1130,7 @@ if (any(has_notes) && !anyNA(planned_virtual) && !anyNA(planned_real)) {
     kept <- compared & received == "as_planned"
     result <- ancova(people$group[kept], before[kept], after[kept])
     if (!is.null(result)) {
-      of_pairs <- result$pairs
+      of_pairs <- if (is.null(result$robust)) result$pairs else result$robust
       put_comparison("per_protocol_difference", of_pairs$difference, group = of_pairs$pair)
       put_comparison_interval("per_protocol_difference_holm", of_pairs$holm_lower, of_pairs$holm_upper,
                               group = of_pairs$pair)

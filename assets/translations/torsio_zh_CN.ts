@@ -1629,14 +1629,6 @@
         <translation>提交时间（UTC）</translation>
     </message>
     <message>
-        <source>Not every trainee was marked by the same raters at the end, so the answer is that of the linear mixed model, which allows for it; the analysis of covariance is shown beside it.</source>
-        <translation>结束时并非每名学员都由相同的评分者评分，因此答案取自考虑了这一点的线性混合模型；协方差分析并列给出。</translation>
-    </message>
-    <message>
-        <source>Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which uses every mark that was given; the analysis of covariance is shown beside it.</source>
-        <translation>%2 个评分中缺失 %1 个，因此答案取自线性混合模型，它使用给出的每一个评分；协方差分析并列给出。</translation>
-    </message>
-    <message>
         <source>Groups are compared by a linear mixed model, as %1: the marks at the end, adjusted for the mean mark before, trainees and raters as random effects, restricted maximum likelihood, degrees of freedom after Satterthwaite. The analysis of covariance is shown beside it.</source>
         <translation>因%1，各组用线性混合模型比较：结束时的评分，按训练前的平均评分校正，学员和评分者为随机效应，采用限制性最大似然，自由度按 Satterthwaite 计算。协方差分析并列给出。</translation>
     </message>
@@ -1653,24 +1645,12 @@
         <translation>%1该分析无法定义（%2）：各组未作比较。</translation>
     </message>
     <message>
-        <source>Planned and used: the analysis of covariance of the score at the end on the score before.</source>
-        <translation>计划并采用：以训练前得分为协变量的结束得分协方差分析。</translation>
-    </message>
-    <message>
-        <source>Used: the analysis of covariance of the score at the end on the score before. No plan of the analysis is in the record.</source>
-        <translation>采用：以训练前得分为协变量的结束得分协方差分析。记录中没有分析计划。</translation>
-    </message>
-    <message>
         <source>No mark of the first and the last occasion is missing.</source>
         <translation>首末两个评分时点没有评分缺失。</translation>
     </message>
     <message>
         <source>Every trainee has the marks that most have at the first and the last occasion.</source>
         <translation>每名学员在首末两个评分时点都有多数学员所有的评分。</translation>
-    </message>
-    <message>
-        <source>%1 %2, so the linear mixed model is the primary comparison here: it uses every mark given at the end. The analysis of covariance is shown beside it, for the %3 {trainee|trainees} with a score at both occasions.</source>
-        <translation>%1%2，因此此处以线性混合模型为主要比较，它使用结束时给出的每一个评分。协方差分析并列给出，含两个评分时点都有得分的 %3 名学员。</translation>
     </message>
     <message>
         <source>%1 %2. The linear mixed model that would take every mark is not defined (%3), so the analysis of covariance is used, of the %4 {trainee|trainees} with a score at both occasions.</source>
@@ -10677,10 +10657,6 @@
         <translation>请先在实物手臂上接受评分，或说明为何仍要开始训练</translation>
     </message>
     <message>
-        <source>Question: do trainees score differently at the end (%1) who trained in different ways: %2?</source>
-        <translation>问题：训练方式不同的学员在结束时（%1）得分是否不同：%2？</translation>
-    </message>
-    <message>
         <source>Answer: none. The groups are not compared: %1.</source>
         <translation>答案：无。各组未作比较：%1。</translation>
     </message>
@@ -10699,10 +10675,6 @@
     <message>
         <source>mean of the trainee scores; LC-CUSUM</source>
         <translation>学员得分的均值；LC-CUSUM</translation>
-    </message>
-    <message>
-        <source>did not train there</source>
-        <translation>未在模拟器上训练</translation>
     </message>
     <message>
         <source>Signatures</source>
@@ -14347,14 +14319,6 @@ audit trail %3</source>
         <translation>结束时并非每名学员都由相同的评分者评分</translation>
     </message>
     <message>
-        <source>Raters who scored trainees of some groups only %1: %2. In the analysis of covariance the severity of such a rater counts as a difference between the groups; the linear mixed model allows for it.</source>
-        <translation>在“%1”只给部分组的学员评分的评分者：%2。在协方差分析中，这类评分者偏严或偏松的程度会被算作组间差异；线性混合模型考虑了这一点。</translation>
-    </message>
-    <message>
-        <source>Raters who scored trainees of some groups only %1: %2. The severity of such a rater counts as a difference between the groups.</source>
-        <translation>在“%1”只给部分组的学员评分的评分者：%2。这类评分者偏严或偏松的程度会被算作组间差异。</translation>
-    </message>
-    <message>
         <source>Not every trainee was marked by the same raters at the end</source>
         <translation>结束时并非每名学员都由相同的评分者评分</translation>
     </message>
@@ -15873,10 +15837,6 @@ audit trail %3</source>
     <message>
         <source>Export the scan with one slice a file</source>
         <translation>请以每个文件一层的方式导出扫描</translation>
-    </message>
-    <message>
-        <source>D12 slice %1 has %2 {bit|bits} a value and %3 {value|values} a pixel; 16 and 1 are read</source>
-        <translation>D12 层面 %1 每个值 %2 位、每个像素 %3 个值；只读取 16 位、1 个值</translation>
     </message>
     <message>
         <source>D06 slice %1 has no valid size or depth: %2 x %3 pixels, %4 bits</source>
@@ -18579,14 +18539,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>记录中没有分析计划：无法证明分析方法是在看到数据之前选定的。</translation>
     </message>
     <message>
-        <source>The scores of the groups spread differently about the comparison (standard deviations from %1 to %2 points, test of equal spread: %3)</source>
-        <translation>各组分数围绕比较结果的离散程度不同（标准差从 %1 到 %2 分，离散程度相等的检验：%3）</translation>
-    </message>
-    <message>
-        <source>%1, so the answer uses standard errors that allow for it (HC3).</source>
-        <translation>%1，因此答案采用考虑了这一点的标准误（HC3）。</translation>
-    </message>
-    <message>
         <source>%1, which the linear mixed model does not allow for.</source>
         <translation>%1，线性混合模型未考虑这一点。</translation>
     </message>
@@ -18605,10 +18557,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Everybody withdrew. The answer rests on marks that were given before that: ask whether it may be used.</source>
         <translation>所有人都已退出。答案所依据的分数是在此之前给出的：请询问是否可以使用。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 trainees withdrew: the answer may hold only for people like those who stayed.</source>
-        <translation>%2 名学员中有 %1 名退出：答案可能只适用于与留下者相似的人。</translation>
     </message>
     <message>
         <source>%1: %2 points %3, %4</source>
@@ -18649,10 +18597,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Training: the record has times, but no plan for every group to compare them with.</source>
         <translation>训练：记录中有训练时间，但并非每组都有可供对照的计划。</translation>
-    </message>
-    <message>
-        <source>Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). Everybody is compared in the group to which they were allocated (intention to treat).</source>
-        <translation>训练：%2 名学员中有 %1 名没有接受为其所在组计划的训练（%3）。每个人都按其被分配到的组进行比较（意向性分析）。</translation>
     </message>
     <message>
         <source>%1 Those who were trained as planned cannot be compared by themselves: %2.</source>
@@ -18873,10 +18817,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Interrupted: counts as failed unless it is excused</source>
         <translation>已中断：除非获准免计，否则计为失败</translation>
-    </message>
-    <message>
-        <source>Competent now: at every exercise that the curriculum requires, tried or not, by the designs of the section Competence.</source>
-        <translation>目前胜任：按“胜任”一节的标准，在课程要求的所有练习项目中均胜任，无论是否尝试过。</translation>
     </message>
     <message>
         <source>%1 Nobody can have been shown competent yet: at least %2 {run|runs} at an exercise are needed, and nobody made more than %3.</source>
@@ -21061,6 +21001,106 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Ask the centre to export it again; nothing was taken from it</source>
         <translation>请该中心重新导出；未从中取用任何内容</translation>
+    </message>
+    <message>
+        <source>Not every trainee was marked by the same raters at the end, so the answer is that of the linear mixed model, in which raters may differ; the analysis of covariance is shown beside it.</source>
+        <translation>结束时并非每名学员都由相同的评分者评分，因此结论取自允许评分者之间存在差异的线性混合模型；协方差分析一并列出。</translation>
+    </message>
+    <message>
+        <source>Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which uses every mark at the end of everybody who also has one before; the analysis of covariance is shown beside it.</source>
+        <translation>%2 个评分中缺失 %1 个，因此结论取自线性混合模型，它使用所有在训练前也有评分者的全部末次评分；协方差分析一并列出。</translation>
+    </message>
+    <message>
+        <source>Scores vary more in some groups than in others (standard deviations about the adjusted means from %1 to %2 points, test of equal spread: %3)</source>
+        <translation>各组成绩的离散程度不同（围绕调整均值的标准差为 %1 至 %2 分，等离散性检验：%3）</translation>
+    </message>
+    <message>
+        <source>%1. The standard errors of the answer allow for that (HC3).</source>
+        <translation>%1。结论的标准误已考虑这一点（HC3）。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trainees withdrew. Where their marks are missing, the answer holds only for people like those who stayed.</source>
+        <translation>%2 名学员中有 %1 名退出。凡缺失其评分之处，结论仅适用于与留下者相似的人群。</translation>
+    </message>
+    <message>
+        <source>Everybody in %1 withdrew: what stands there rests on marks that were given before that.</source>
+        <translation>%1 的所有人均已退出：该组的结果基于退出前给出的评分。</translation>
+    </message>
+    <message>
+        <source>%1 was not to train on the simulator, but %2 {run of it is|runs of it are} recorded.</source>
+        <translation>%1 按计划不应在模拟器上训练，但记录中有其 %2 次操作。</translation>
+    </message>
+    <message>
+        <source>%1 has %2 minutes on the simulator noted for each trainee on average, but no run of it is recorded.</source>
+        <translation>%1 每名学员平均登记了 %2 分钟模拟器训练，但没有任何操作记录。</translation>
+    </message>
+    <message>
+        <source>Question: do the scores at the end (%1) differ between trainees who trained in different ways: %2?</source>
+        <translation>问题：以不同方式训练的学员，其末次成绩（%1）是否不同：%2？</translation>
+    </message>
+    <message>
+        <source>%1 {trainee has|trainees have} no score at one of the two ends and {is|are} not compared; everybody else is compared in the group in which the record has them.</source>
+        <translation>%1 名学员首次或末次没有成绩，不参与比较；其余人均按记录中所在的组进行比较。</translation>
+    </message>
+    <message>
+        <source>Everybody is compared in the group to which they were allocated (intention to treat).</source>
+        <translation>所有人均按其被分配的组进行比较（意向性分析）。</translation>
+    </message>
+    <message>
+        <source>Everybody is compared in the group in which the record has them.</source>
+        <translation>所有人均按记录中所在的组进行比较。</translation>
+    </message>
+    <message>
+        <source>Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). %4</source>
+        <translation>训练：%2 名学员中有 %1 名未按本组计划接受训练（%3）。%4</translation>
+    </message>
+    <message>
+        <source>no recorded run</source>
+        <translation>无操作记录</translation>
+    </message>
+    <message>
+        <source>Competent: at every exercise that the curriculum requires; one that was not tried counts against it. The rules are in the section Competence.</source>
+        <translation>胜任：须在课程要求的每项练习上均胜任；未尝试的练习视为不胜任。判定规则见“胜任能力”一节。</translation>
+    </message>
+    <message>
+        <source>%1 Nobody can have been shown competent: no run was recorded.</source>
+        <translation>%1 没有任何操作记录，因此无人可被判定为胜任。</translation>
+    </message>
+    <message>
+        <source>Mean minutes received (planned): simulator; real arm</source>
+        <translation>平均接受的训练分钟数（计划）：模拟器；实物手臂</translation>
+    </message>
+    <message>
+        <source>%1, %2 {trainee|trainees} scored</source>
+        <translation>%1，%2 名学员有成绩</translation>
+    </message>
+    <message>
+        <source>The linear mixed model corrects for the severity of a rater only as far as the same rater scored several groups.</source>
+        <translation>只有当同一评分者评过多个组时，线性混合模型才能校正其严格程度。</translation>
+    </message>
+    <message>
+        <source>Raters who scored trainees of some groups only %1: %2. How severe such a rater is cannot be told from what the training did: a difference between groups may be one between raters.</source>
+        <translation>%1 只评了部分组学员的评分者：%2。这类评分者的严格程度无法与训练效果区分：组间差异可能是评分者之间的差异。</translation>
+    </message>
+    <message>
+        <source>Planned and used: the analysis of covariance of the score at the end on the score before. Its standard errors hold for unequal spreads, too (HC3).</source>
+        <translation>计划并采用：以训练前成绩为协变量的末次成绩协方差分析。其标准误在离散程度不等时同样有效（HC3）。</translation>
+    </message>
+    <message>
+        <source>Used: the analysis of covariance of the score at the end on the score before. Its standard errors hold for unequal spreads, too (HC3). No plan of the analysis is in the record.</source>
+        <translation>采用：以训练前成绩为协变量的末次成绩协方差分析。其标准误在离散程度不等时同样有效（HC3）。记录中没有分析计划。</translation>
+    </message>
+    <message>
+        <source>%1 %2, so the linear mixed model is the primary comparison here: it uses every mark at the end of everybody who also has one before. The analysis of covariance is shown beside it, for the %3 {trainee|trainees} with a score at both occasions.</source>
+        <translation>%1 %2，因此此处以线性混合模型为主要比较：它使用所有在训练前也有评分者的全部末次评分。协方差分析一并列出，针对两个时点均有成绩的 %3 名学员。</translation>
+    </message>
+    <message>
+        <source>D12 slice %1 has %2 {bit|bits} a value, %3 {value|values} a pixel and the colours %4; 16, 1 and MONOCHROME2 are read</source>
+        <translation>D12 切片 %1 每个数值 %2 位、每个像素 %3 个数值、颜色类型为 %4；可读取的是 16 位、1 个数值和 MONOCHROME2</translation>
+    </message>
+    <message>
+        <source>D13 slice %1 says that its values are of the type %2, not Hounsfield units</source>
+        <translation>D13 切片 %1 声明其数值类型为 %2，而非亨氏单位</translation>
     </message>
 </context>
 <context>

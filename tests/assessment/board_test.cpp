@@ -282,9 +282,8 @@ std::vector<Strange> marks() {
                           : mark.group == 0  ? (person % 2 == 0 ? 95 : 15) + noise
                                              : 60 + person + noise;
            }),
-           {"spread differently about the comparison",
-            "so the answer uses standard errors that allow for it "
-            "(HC3)"}},
+           {"Scores vary more in some groups than in others",
+            "The standard errors of the answer allow for that (HC3)."}},
           {"slopes differ",
            withMarks([](TrainingMark& mark) {
              const std::int64_t person = mark.trainee.back() - '0';

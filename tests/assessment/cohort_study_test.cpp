@@ -326,7 +326,7 @@ TEST(CohortReport, TestsEquivalenceWithThePlannedMarginOrSaysThatThereIsNone) {
   EXPECT_THAT(paragraphsOf(cohortReport(in)), ::testing::HasSubstr("No margin was planned"));
 
   const Outcome<Ancova> model = analyseStudy(in).ancova;
-  const AdjustedDifference& pair = model->pairs.front();
+  const AdjustedDifference& pair = model->spread.pairs.front();
   const double reach = tQuantile(0.95, model->residualDf) * pair.error;
   for (const bool wide : {false, true}) {
     in.equivalenceMargin = std::abs(pair.difference) + reach * (wide ? 1.01 : 0.99);

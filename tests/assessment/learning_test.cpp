@@ -284,39 +284,67 @@ TEST(LcCusumProbability, OfSessionsWithRatesOfTheirOwn) {
   EXPECT_NEAR(more / some, most / more, 1e-9);
 }
 
+/// Attempts of people with different failure rates, who depend on each other as asked for.
+std::vector<SessionOutcomes> simulatedPeople(const AttemptDependence& made, int count, int sessionsOfEach,
+                                             Random& random) {
+  std::vector<SessionOutcomes> people;
+  for (int person = 0; person < count; ++person) {
+    const double rate = 0.3 + 0.2 * (person % 5) / 4.0;
+    SessionOutcomes sessions;
+    bool failed = random.uniform() < rate;
+    for (int session = 0; session < sessionsOfEach; ++session) {
+      // Two rates with the mean and the variance asked for.
+      const double apart = std::sqrt(made.session * rate * (1.0 - rate));
+      const double own = random.uniform() < 0.5 ? rate + apart : rate - apart;
+      sessions.emplace_back();
+      for (std::int64_t i = 0; i < made.perSession; ++i) {
+        failed = random.uniform() < made.lag ? failed : random.uniform() < own;
+        sessions.back().push_back(failed);
+      }
+    }
+    people.push_back(sessions);
+  }
+  return people;
+}
+
 TEST(EstimateDependence, FindsWhatSimulatedPeopleWereMadeWith) {
   for (const AttemptDependence& made :
        {AttemptDependence{0.0, 0.0, 5}, AttemptDependence{0.3, 0.0, 5}, AttemptDependence{0.0, 0.4, 5},
         AttemptDependence{0.2, 0.2, 4}, AttemptDependence{0.0, 0.3, 1}}) {
     Random random(20261129);
-    std::vector<SessionOutcomes> people;
-    for (int person = 0; person < 1000; ++person) {
-      const double rate = 0.3 + 0.2 * (person % 5) / 4.0;  // people differ
-      SessionOutcomes sessions;
-      bool failed = random.uniform() < rate;
-      for (int session = 0; session < 10; ++session) {
-        // Two rates with the mean and the variance asked for.
-        const double apart = std::sqrt(made.session * rate * (1.0 - rate));
-        const double own = random.uniform() < 0.5 ? rate + apart : rate - apart;
-        sessions.emplace_back();
-        for (std::int64_t i = 0; i < made.perSession; ++i) {
-          failed = random.uniform() < made.lag ? failed : random.uniform() < own;
-          sessions.back().push_back(failed);
-        }
-      }
-      people.push_back(sessions);
-    }
-    const std::optional<EstimatedDependence> got = estimateDependence(people);
-    ASSERT_TRUE(got);
-    EXPECT_NEAR(got->dependence.session, made.session, 0.05) << made.session << " " << made.lag;
-    EXPECT_NEAR(got->dependence.lag, made.lag, 0.05) << made.session << " " << made.lag;
-    EXPECT_EQ(got->dependence.perSession, made.perSession);
-    EXPECT_EQ(got->people, 1000);
-    EXPECT_EQ(got->attempts, 10'000 * made.perSession);
+    std::vector<SessionOutcomes> people = simulatedPeople(made, 1000, 10, random);
+    const EstimatedDependence got = estimateDependence(people);
+    ASSERT_TRUE(got.dependence);
+    EXPECT_NEAR(got.dependence->session, made.session, 0.06) << made.session << " " << made.lag;
+    EXPECT_NEAR(got.dependence->lag, made.lag, 0.06) << made.session << " " << made.lag;
+    EXPECT_EQ(got.dependence->perSession, made.perSession);
+    EXPECT_EQ(got.people, 1000);
+    EXPECT_EQ(got.attempts, 10'000 * made.perSession);
     people.resize(9);
-    EXPECT_FALSE(estimateDependence(people));  // too few people
+    EXPECT_FALSE(estimateDependence(people).dependence);  // too few people
+    EXPECT_EQ(estimateDependence(people).runsOfSession, made.perSession);
   }
-  EXPECT_FALSE(estimateDependence(std::vector<SessionOutcomes>(100, SessionOutcomes{{false, false, false}})));
+  EXPECT_FALSE(estimateDependence(std::vector<SessionOutcomes>(100, SessionOutcomes{{false, false, false}}))
+                   .dependence);
+}
+
+TEST(EstimateDependence, IsSeldomTooLowAfterAFewHundredAttempts) {
+  const AttemptDependence made{0.25, 0.0, 5};
+  Random random(40);
+  int high = 0;
+  constexpr int kCentres = 200;
+  for (int centre = 0; centre < kCentres; ++centre) {
+    high +=
+        estimateDependence(simulatedPeople(made, 20, 5, random)).dependence->session >= made.session ? 1 : 0;
+  }
+  EXPECT_GE(high, kCentres * 88 / 100);
+}
+
+TEST(EstimateDependence, CountsTheSessionOfATypicalAttempt) {
+  // Of 24 attempts 20 were made in one session: (20 * 20 + 4 * 1) / 24.
+  const SessionOutcomes person{std::vector<bool>(20, true), {true}, {false}, {true}, {false}};
+  EXPECT_EQ(estimateDependence(std::vector<SessionOutcomes>{person}).runsOfSession, 17);
+  EXPECT_EQ(estimateDependence({}).runsOfSession, 0);
 }
 
 TEST(ChooseLcCusumLimit, KeepsTheFalsePassRate) {

@@ -441,12 +441,12 @@ class Tables {
   }
 
   /// Returns the columns of a row of cohort.csv, from its subject to its flags.
-  static std::vector<ExportColumn> lineColumns() {
+  [[nodiscard]] std::vector<ExportColumn> lineColumns() const {
     return {{"item", Text::tr("Trainee, rater or all")},
             {"group_name", Text::tr("Group")},  // or a pair of groups
             {"model", Text::tr("Tissue model")},
             {"index_name", Text::tr("Index")},
-            {"occasion", Text::tr("Occasion")},
+            occasionColumn(),
             {"statistic", Text::tr("Statistic")},
             number("value", Text::tr("Value")),
             {"value_text", Text::tr("Value as text")},

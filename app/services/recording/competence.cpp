@@ -107,8 +107,8 @@ CompetenceVerdict competenceOf(Connection& connection, const std::string& traine
   return verdict;
 }
 
-std::optional<EstimatedDependence> centreDependence(Connection& connection, const TrainingModule& module,
-                                                    ExerciseRules& rules, std::int64_t now_us) {
+EstimatedDependence centreDependence(Connection& connection, const TrainingModule& module,
+                                     ExerciseRules& rules, std::int64_t now_us) {
   TrialFilter filter;
   filter.moduleId = module.id;
   filter.limit = kMaxRuns;

@@ -43,9 +43,8 @@ class Connection;
     std::int64_t lastUtc_us = std::numeric_limits<std::int64_t>::max());
 
 /// Estimates how the runs of one trainee at a module depend on each other; empty with too few runs.
-[[nodiscard]] std::optional<EstimatedDependence> centreDependence(Connection& connection,
-                                                                  const TrainingModule& module,
-                                                                  ExerciseRules& rules, std::int64_t now_us);
+[[nodiscard]] EstimatedDependence centreDependence(Connection& connection, const TrainingModule& module,
+                                                   ExerciseRules& rules, std::int64_t now_us);
 
 /// Returns the verdicts on everybody at every required or attempted module of a curriculum version, for the
 /// report. Empty without a version.

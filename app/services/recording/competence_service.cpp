@@ -137,7 +137,7 @@ CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDes
   return planned;
 }
 
-std::optional<EstimatedDependence> dependenceOfRuns(SessionContext& session, const ModuleId& moduleId) {
+EstimatedDependence dependenceOfRuns(SessionContext& session, const ModuleId& moduleId) {
   session.require(Operation::kCurriculumEdit);
   ExerciseRules rules;
   return centreDependence(session.connection(), publishedModule(session.connection(), moduleId), rules,

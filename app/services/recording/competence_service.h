@@ -38,8 +38,7 @@ CompetenceDesign registerCompetence(SessionContext& session, const CompetenceDes
 
 /// Returns how the runs of one trainee at an exercise depend on each other, as a design registered now would
 /// use it; empty with too few runs. kCurriculumEdit. Throws Error{kBadData} for an unknown exercise.
-[[nodiscard]] std::optional<EstimatedDependence> dependenceOfRuns(SessionContext& session,
-                                                                  const ModuleId& moduleId);
+[[nodiscard]] EstimatedDependence dependenceOfRuns(SessionContext& session, const ModuleId& moduleId);
 
 /// An interrupted run, which counts as failed for competence unless it is excused.
 struct InterruptedRun {

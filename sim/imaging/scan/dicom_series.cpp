@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 #include "sim/core/short_number.h"
 #include "sim/core/text.h"
 #include "sim/imaging/scan/dicom_slice.h"
@@ -186,9 +187,17 @@ void requirePixels(const DicomSlice& slice, const std::string& where) {
   }
   if (slice.samples != 1 || slice.photometric != "MONOCHROME2" || slice.bitsAllocated != 16) {
     refuseSeries(
-        Text::tr("D12 slice %1 has %2 {bit|bits} a value and %3 {value|values} a pixel; 16 and 1 are read",
-                 slice.name, std::to_string(slice.bitsAllocated), std::to_string(slice.samples)),
+        Text::tr(
+            "D12 slice %1 has %2 {bit|bits} a value, %3 {value|values} a pixel and the colours %4; 16, 1 and "
+            "MONOCHROME2 are read",
+            slice.name, std::to_string(slice.bitsAllocated), std::to_string(slice.samples),
+            plainLine(slice.photometric)),
         where, again);
+  }
+  if (!slice.rescaleType.empty() && slice.rescaleType != "HU") {
+    refuseSeries(Text::tr("D13 slice %1 says that its values are of the type %2, not Hounsfield units",
+                          slice.name, plainLine(slice.rescaleType)),
+                 where, again);
   }
   if (slice.rows < 2 || slice.columns < 2 || slice.rows > kMaxSide_px || slice.columns > kMaxSide_px ||
       slice.bitsStored < 8 || slice.bitsStored > 16 || slice.highBit + 1 < slice.bitsStored ||

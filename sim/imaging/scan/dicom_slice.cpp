@@ -132,6 +132,7 @@ void takePixelFormat(DcmItem& item, DicomSlice& slice) {
   slice.isSigned = wholeOf(item, DCM_PixelRepresentation, 0) == 1;
   slice.slope = numberOf(item, DCM_RescaleSlope);
   slice.intercept = numberOf(item, DCM_RescaleIntercept);
+  slice.rescaleType = textOf(item, DCM_RescaleType);
   Sint32 frames = 1;
   slice.frames = item.findAndGetSint32(DCM_NumberOfFrames, frames).good() ? static_cast<long>(frames) : 1L;
   if (const auto from = storedOf(item, DCM_PixelPaddingValue, slice.isSigned)) {

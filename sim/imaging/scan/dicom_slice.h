@@ -24,8 +24,9 @@ struct DicomSlice {
   std::string series;
   std::string modality;
   std::string photometric;
-  std::string syntax;    ///< UID of its transfer syntax
-  bool picture = false;  ///< a localizer or a screen shot
+  std::string rescaleType;  ///< "HU"; empty: not stated, which for a CT means the same
+  std::string syntax;       ///< UID of its transfer syntax
+  bool picture = false;     ///< a localizer or a screen shot
   bool isSigned = false;
   long rows = 0;
   long columns = 0;

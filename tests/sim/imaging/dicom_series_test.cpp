@@ -233,6 +233,7 @@ TEST(DicomSeries, RefusesWithTheRuleThatIsBroken) {
       {"D12", inOne(text(DCM_NumberOfFrames, "3"))},
       {"D12", inOne(whole(DCM_BitsAllocated, 8))},
       {"D12", inOne(text(DCM_PhotometricInterpretation, "MONOCHROME1"))},
+      {"D13", inOne(text(DCM_RescaleType, "ED"))},
   };
   for (const auto& [code, change] : cases) {
     const std::string refused = refusalOfSeries("broken", {.change = change});

@@ -170,7 +170,7 @@ void CompetenceDialog::showExercise() {
   experts_ = newest.experts;
   dependence_ = shell_.may(Operation::kCurriculumEdit)
                     ? dependenceOfRuns(shell_.session(), exercise->moduleId)
-                    : std::nullopt;
+                    : EstimatedDependence{};
   source_->setCurrentIndex(source_->findData(static_cast<int>(newest.source)));
   tolerance_->setValue(degrees(newest.tolerance_rad));
   adequate_->setValue(100.0 * newest.adequate);

@@ -50,8 +50,8 @@ class CompetenceDialog : public QDialog {
   ShellContext& shell_;
   CurriculumVersionId versionId_;
   std::vector<ExerciseDesigns> exercises_;
-  std::int64_t experts_ = 0;                         // number of experts behind the tolerance entered
-  std::optional<EstimatedDependence> dependence_{};  // of the exercise's runs
+  std::int64_t experts_ = 0;          // number of experts behind the tolerance entered
+  EstimatedDependence dependence_{};  // of the exercise's runs
   bool filling_ = false;
   QComboBox* exercise_;
   QLabel* inForce_;
