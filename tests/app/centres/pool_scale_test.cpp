@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much processor time and memory five large sites take: 60 trainees, 600 recordings and 9,000 marks each.
-#include <sys/resource.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -36,8 +35,11 @@ void fill(const std::filesystem::path& file) {
   Connection record = openRecord(file.string(), OpenMode::kReadWrite);
   SystemIdSource ids;
   StudyRepository study(record);
-  const CohortId cohort = selectFirst(record, "SELECT cohort_id FROM training_group GROUP BY cohort_id"
-                                              " ORDER BY count(*) DESC LIMIT 1", {}, readText).value_or("");
+  const CohortId cohort = selectFirst(record,
+                                      "SELECT cohort_id FROM training_group GROUP BY cohort_id"
+                                      " ORDER BY count(*) DESC LIMIT 1",
+                                      {}, readText)
+                              .value_or("");
   const std::vector<StudyGroup> groups = study.groups(cohort);
   const auto person = [&](const std::string& code) {
     Person one;
@@ -87,8 +89,11 @@ void fill(const std::filesystem::path& file) {
   }
   RatingRepository(record).submit(marks);
   const TrialId shortest =
-      selectFirst(record, "SELECT e.trial_id FROM trial_end e JOIN trial t ON t.id = e.trial_id WHERE t.enrolment_id"
-                          " IS NOT NULL ORDER BY e.sample_count LIMIT 1", {}, readText).value_or("");
+      selectFirst(record,
+                  "SELECT e.trial_id FROM trial_end e JOIN trial t ON t.id = e.trial_id WHERE t.enrolment_id"
+                  " IS NOT NULL ORDER BY e.sample_count LIMIT 1",
+                  {}, readText)
+          .value_or("");
   Trial trial = TrialLoader(record).load(shortest);
   Transaction transaction(record);
   for (int i = 0; i < kRecordings; ++i) {
@@ -115,18 +120,24 @@ TEST(PoolScale, FiveSitesTakeAMinuteAndAGigabyteAtMost) {
   const std::filesystem::path folder = emptyFolder("pool-scale");
   for (int site = 1; site <= kSites; ++site) {
     const std::string name = std::to_string(site);
-    ASSERT_EQ(runTorsio("demo --out " + (folder / name).string() + " --seed " + name + " --shorten 600 --twists 0",
-                        folder).code, 0);
+    ASSERT_EQ(
+        runTorsio("demo --out " + (folder / name).string() + " --seed " + name + " --shorten 600 --twists 0",
+                  folder)
+            .code,
+        0);
     fill(folder / name / "torsio.sqlite");
-    const ProgramRun given = runTorsio("study export --database " + (folder / name / "torsio.sqlite").string() +
-                                       " --out " + (folder / name).string() + ".torsio-site", folder);
+    const ProgramRun given =
+        runTorsio("study export --database " + (folder / name / "torsio.sqlite").string() + " --out " +
+                      (folder / name).string() + ".torsio-site",
+                  folder);
     ASSERT_EQ(given.code, 0) << given.err;
   }
   rusage before{};
   getrusage(RUSAGE_CHILDREN, &before);
   for (int site = 1; site <= kSites; ++site) {
     const ProgramRun pooled = runTorsio("study pool " + (folder / std::to_string(site)).string() +
-                                        ".torsio-site --database " + (folder / "pooled.sqlite").string(), folder);
+                                            ".torsio-site --database " + (folder / "pooled.sqlite").string(),
+                                        folder);
     ASSERT_EQ(pooled.code, 0) << pooled.err;
   }
   rusage after{};
