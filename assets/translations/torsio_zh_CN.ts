@@ -12567,10 +12567,6 @@ audit trail %3</source>
         <translation>设备状态，0 为正常</translation>
     </message>
     <message>
-        <source>Use frictionless, ro-crate or bids</source>
-        <translation>请选择 frictionless、ro-crate 或 bids</translation>
-    </message>
-    <message>
         <source>The database does not answer</source>
         <translation>数据库没有响应</translation>
     </message>
@@ -21102,6 +21098,18 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>D13 slice %1 says that its values are of the type %2, not Hounsfield units</source>
         <translation>D13 切片 %1 声明其数值类型为 %2，而非亨氏单位</translation>
     </message>
+    <message>
+        <source>Use frictionless, ro-crate, parquet or bids</source>
+        <translation>请使用 frictionless、ro-crate、parquet 或 bids</translation>
+    </message>
+    <message>
+        <source>a column has more than 2 GB: %1</source>
+        <translation>某列超过 2 GB：%1</translation>
+    </message>
+    <message>
+        <source>Export fewer lines a second</source>
+        <translation>请减少每秒导出的行数</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -25480,6 +25488,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>Status file from ILIAS</source>
         <translation>来自 ILIAS 的状态文件</translation>
+    </message>
+    <message>
+        <source>Data set to be published (Parquet)</source>
+        <translation>待发布的数据集（Parquet）</translation>
     </message>
 </context>
 <context>

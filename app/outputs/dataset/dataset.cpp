@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include "app/outputs/dataset/dataset_bids.h"
 #include "app/outputs/dataset/dataset_study.h"
+#include "app/outputs/dataset/parquet_file.h"
 #include "app/outputs/dataset/trajectory.h"
 #include "app/outputs/tables/table_files.h"
 #include "assessment/catalogue/quantity.h"
@@ -30,10 +32,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<std::string_view, DatasetLayout>, 3> kLayouts = {
+constexpr std::array<std::pair<std::string_view, DatasetLayout>, 4> kLayouts = {
     {{"frictionless", DatasetLayout::kFrictionless},
      {"ro-crate", DatasetLayout::kRoCrate},
+     {"parquet", DatasetLayout::kParquet},
      {"bids", DatasetLayout::kBids}}};
+
+constexpr const char* kCsv = "text/csv";
+constexpr const char* kParquet = "application/vnd.apache.parquet";
 
 /// A file of the data set and its contents.
 struct Part {
@@ -75,21 +81,24 @@ Json resourceOf(const std::string& name, const Part& part, const std::string& de
   for (const ExportColumn& column : columns) {
     fields.push_back(fieldOf(column));
   }
-  return {{"profile", "tabular-data-resource"},
-          {"name", name},
-          {"path", part.path},
-          {"title", part.title},
-          {"description", description},
-          {"format", "csv"},
-          {"mediatype", part.media},
-          {"encoding", "utf-8"},
-          {"dialect",
-           {{"delimiter", ","},
-            {"lineTerminator", "\r\n"},
-            {"quoteChar", "\""},
-            {"doubleQuote", true},
-            {"header", true}}},
-          {"schema", {{"fields", std::move(fields)}, {"missingValues", {""}}}}};
+  const bool csv = part.media == kCsv;
+  Json resource{{"profile", csv ? "tabular-data-resource" : "data-resource"},
+                {"name", name},
+                {"path", part.path},
+                {"title", part.title},
+                {"description", description},
+                {"format", csv ? "csv" : "parquet"},
+                {"mediatype", part.media}};
+  if (csv) {
+    resource["encoding"] = "utf-8";
+    resource["dialect"] = {{"delimiter", ","},
+                           {"lineTerminator", "\r\n"},
+                           {"quoteChar", "\""},
+                           {"doubleQuote", true},
+                           {"header", true}};
+  }
+  resource["schema"] = {{"fields", std::move(fields)}, {"missingValues", {""}}};
+  return resource;
 }
 
 ExportTable recordingsTable() {
@@ -116,8 +125,8 @@ ExportTable recordingsTable() {
 
 class DatasetWriter {
  public:
-  DatasetWriter(const DatasetContents& contents, const fs::path& folder)
-      : contents_(contents), folder_(folder) {}
+  DatasetWriter(const DatasetContents& contents, const fs::path& folder, bool parquet)
+      : contents_(contents), folder_(folder), parquet_(parquet) {}
 
   /// Writes everything except the descriptors.
   void write() {
@@ -159,9 +168,40 @@ class DatasetWriter {
   }
 
   void addTable(const ExportTable& table) {
-    const Part part{"data/" + table.name + ".csv", table.title.str(), "text/csv"};
-    addText(part, tableText(table));
+    const Part part = tablePart("data/" + table.name, table.title.str());
+    if (parquet_) {
+      parts_.push_back(part);
+      writeParquet(folder_ / part.path, parquetColumns(table), {{"title", part.title}});
+    } else {
+      addText(part, tableText(table));
+    }
     resources_.push_back(resourceOf(table.name, part, table.source.str(), table.columns));
+  }
+
+  [[nodiscard]] Part tablePart(const std::string& path, const std::string& title) const {
+    return {path + (parquet_ ? ".parquet" : ".csv"), title, parquet_ ? kParquet : kCsv};
+  }
+
+  /// Returns the number of lines.
+  [[nodiscard]] std::int64_t writeTrajectoryTo(const fs::path& file, const Trial& trial,
+                                               std::int64_t every) const {
+    if (parquet_) {
+      const std::vector<std::vector<std::optional<double>>> rows = trajectoryRows(trial, every);
+      std::vector<ParquetColumn> columns;
+      for (std::size_t c = 0; c < trajectoryColumns().size(); ++c) {
+        std::vector<std::optional<double>> values;
+        for (const std::vector<std::optional<double>>& row : rows) {
+          values.push_back(row[c]);
+        }
+        columns.push_back({trajectoryColumns()[c].name, std::move(values)});
+      }
+      writeParquet(file, columns);
+      return std::ssize(rows);
+    }
+    std::int64_t lines = 0;
+    writeFileAtomically(
+        file, [&](std::ostream& out) { lines = writeTrajectory(trial, every, TrajectoryForm::kCsv, out); });
+    return lines;
   }
 
   void addRecordings() {
@@ -184,13 +224,10 @@ class DatasetWriter {
       if (!contents_.studyJson.empty()) {
         addWhole(recording.name, trial);
       }
-      const Part part{"trajectories/" + recording.name + ".csv", "Trajectory " + recording.name, "text/csv"};
+      const Part part = tablePart("trajectories/" + recording.name, "Trajectory " + recording.name);
       const std::int64_t every = linesEvery(head, contents_.every);
-      std::int64_t lines = 0;
       parts_.push_back(part);
-      writeFileAtomically(folder_ / part.path, [&](std::ostream& out) {
-        lines = writeTrajectory(trial, every, TrajectoryForm::kCsv, out);
-      });
+      const std::int64_t lines = writeTrajectoryTo(folder_ / part.path, trial, every);
       std::string name = "trajectory-" + recording.name;
       std::transform(name.begin(), name.end(), name.begin(),
                      [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
@@ -336,14 +373,16 @@ class DatasetWriter {
 
   const DatasetContents& contents_;
   const fs::path& folder_;
+  bool parquet_;  // in place of CSV
   std::vector<Part> parts_;
   Json resources_ = Json::array();
 };
 
-std::vector<fs::path> writePackage(const DatasetContents& contents, bool asCrate, const fs::path& folder) {
-  DatasetWriter writer(contents, folder);
+std::vector<fs::path> writePackage(const DatasetContents& contents, DatasetLayout layout,
+                                   const fs::path& folder) {
+  DatasetWriter writer(contents, folder, layout == DatasetLayout::kParquet);
   writer.write();
-  if (asCrate) {
+  if (layout == DatasetLayout::kRoCrate) {
     writer.writeCrate();
   }
   return writer.files();
@@ -359,12 +398,13 @@ bool isSpdx(const std::string& word) {
 std::vector<fs::path> writeLayout(const DatasetContents& contents, DatasetLayout layout,
                                   const fs::path& folder) {
   if (layout != DatasetLayout::kBids) {
-    return writePackage(contents, layout == DatasetLayout::kRoCrate, folder);
+    return writePackage(contents, layout, folder);
   }
   std::vector<fs::path> files = writeBids(contents, folder);
   DatasetContents tables = contents;
   tables.recordings.clear();  // they are in the folders of BIDS
-  for (const fs::path& file : writePackage(tables, false, folder / "derivatives" / "torsio")) {
+  for (const fs::path& file :
+       writePackage(tables, DatasetLayout::kFrictionless, folder / "derivatives" / "torsio")) {
     files.push_back(file);
   }
   return files;
@@ -379,7 +419,7 @@ DatasetLayout datasetLayout(const std::string& word) {
     }
   }
   throw Error(ErrorCode::kUsage, Text::tr("there is no such form of a data set"), word,
-              Text::tr("Use frictionless, ro-crate or bids"));
+              Text::tr("Use frictionless, ro-crate, parquet or bids"));
 }
 
 void requireWhole(const DatasetAbout& about) {

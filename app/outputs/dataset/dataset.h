@@ -18,10 +18,11 @@ namespace torsio {
 enum class DatasetLayout {
   kFrictionless,  ///< Frictionless data package, version 1: datapackage.json next to the tables
   kRoCrate,       ///< the same plus ro-crate-metadata.json of RO-Crate 1.1
+  kParquet,       ///< the data package with Parquet files in place of CSV
   kBids,          ///< BIDS 1.9 with Motion-BIDS recordings; the data package is in derivatives/torsio
 };
 
-/// Parses "frictionless", "ro-crate" or "bids". Throws Error{kUsage} for another word.
+/// Parses "frictionless", "ro-crate", "parquet" or "bids". Throws Error{kUsage} for another word.
 [[nodiscard]] DatasetLayout datasetLayout(const std::string& word);
 
 /// Description of a data set by its publisher.
@@ -66,11 +67,12 @@ inline void tellRecording(const DatasetContents& contents, std::size_t number) {
                static_cast<double>(number) / static_cast<double>(contents.recordings.size()));
 }
 
-/// Writes into `folder`, which must be missing or empty: data/*.csv (the tables, and `recordings`: organ,
-/// pattern, hashes, device and rate of each), trajectories/*.csv, parameters/*.json (tissue models),
-/// metrics.json (definition cards), curriculum.json, README.md and the descriptor of `layout`; with a study
-/// also study.json and recordings/*.torsio for importDataset(). Returns the files in order. Throws
-/// Error{kFileUnwritable}, {kBadParameter} (requireWhole()); removes what it wrote if it fails.
+/// Writes into `folder`, which must be missing or empty: data/*.csv or .parquet (the tables, and
+/// `recordings`: organ, pattern, hashes, device and rate of each), trajectories in the same format,
+/// parameters/*.json (tissue models), metrics.json (definition cards), curriculum.json, README.md and the
+/// descriptor of `layout`; with a study also study.json and recordings/*.torsio for importDataset(). Returns
+/// the files in order. Throws Error{kFileUnwritable}, {kBadParameter} (requireWhole()); removes what it wrote
+/// if it fails.
 std::vector<std::filesystem::path> writeDataset(const DatasetContents& contents, DatasetLayout layout,
                                                 const std::filesystem::path& folder);
 

@@ -112,13 +112,29 @@ const std::vector<ExportColumn>& trajectoryColumns() {
   return columns;
 }
 
-std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryForm form, std::ostream& out) {
+std::vector<std::vector<std::optional<double>>> trajectoryRows(const Trial& trial, std::int64_t every) {
   TORSIO_EXPECTS(every >= 1);
+  const bool foreign = isForeign(trial.header.sceneId);
+  std::vector<std::vector<std::optional<double>>> rows;
+  for (const TrialChunk& chunk : trial.chunks) {
+    for (const Sample& sample : decodeChunk(chunk)) {
+      if (sample.tick % every != 0) {
+        continue;
+      }
+      const Line at{sample, toolState(sample.device)};
+      rows.emplace_back();
+      for (const StoredChannel& one : storedChannels()) {
+        rows.back().push_back(foreign && !one.isMotion() ? std::nullopt : std::optional(one.value(at)));
+      }
+    }
+  }
+  return rows;
+}
+
+std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryForm form, std::ostream& out) {
   const bool csv = form == TrajectoryForm::kCsv;
   const char* const between = csv ? "," : "\t";
   const char* const end = csv ? "\r\n" : "\n";
-  const char* const nothing = csv ? "" : "n/a";
-  const bool foreign = isForeign(trial.header.sceneId);
   const char* separator = "";
   if (csv) {
     for (const ExportColumn& column : trajectoryColumns()) {
@@ -127,28 +143,16 @@ std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryF
     }
     out << end;
   }
-  std::int64_t lines = 0;
-  for (const TrialChunk& chunk : trial.chunks) {
-    for (const Sample& sample : decodeChunk(chunk)) {
-      if (sample.tick % every != 0) {
-        continue;
-      }
-      const Line at{sample, toolState(sample.device)};
-      separator = "";
-      for (const StoredChannel& one : storedChannels()) {
-        out << separator;
-        if (foreign && !one.isMotion()) {
-          out << nothing;
-        } else {
-          out << formatExact(one.value(at));
-        }
-        separator = between;
-      }
-      out << end;
-      ++lines;
+  const std::vector<std::vector<std::optional<double>>> rows = trajectoryRows(trial, every);
+  for (const std::vector<std::optional<double>>& row : rows) {
+    separator = "";
+    for (const std::optional<double>& value : row) {
+      out << separator << (value ? formatExact(*value) : csv ? "" : "n/a");
+      separator = between;
     }
+    out << end;
   }
-  return lines;
+  return std::ssize(rows);
 }
 
 }  // namespace torsio

@@ -76,6 +76,7 @@ void ExportDialog::build() {
   form_->addItem(tr("Tables (.csv)"), static_cast<int>(Form::kCsv));
   form_->addItem(tr("Data set to be published (Frictionless)"), static_cast<int>(Form::kFrictionless));
   form_->addItem(tr("Data set to be published (RO-Crate)"), static_cast<int>(Form::kRoCrate));
+  form_->addItem(tr("Data set to be published (Parquet)"), static_cast<int>(Form::kParquet));
   form_->addItem(tr("Data set to be published (BIDS)"), static_cast<int>(Form::kBids));
   form_->addItem(tr("Marks and a script that computes the report again (R)"),
                  static_cast<int>(Form::kReplication));
@@ -200,7 +201,8 @@ ExportDialog::Form ExportDialog::chosen() const {
 }
 
 bool ExportDialog::isDataset() const {
-  return chosen() == Form::kFrictionless || chosen() == Form::kRoCrate || chosen() == Form::kBids;
+  return chosen() == Form::kFrictionless || chosen() == Form::kRoCrate || chosen() == Form::kParquet ||
+         chosen() == Form::kBids;
 }
 
 DatasetRequest ExportDialog::dataset() const {
@@ -211,6 +213,7 @@ DatasetRequest ExportDialog::dataset() const {
   request.about.creator = creator_->text().trimmed().toStdString();
   request.layout = chosen() == Form::kBids      ? DatasetLayout::kBids
                    : chosen() == Form::kRoCrate ? DatasetLayout::kRoCrate
+                   : chosen() == Form::kParquet ? DatasetLayout::kParquet
                                                 : DatasetLayout::kFrictionless;
   request.rate_Hz = rate_->currentData().toInt();
   return request;
@@ -396,6 +399,7 @@ void ExportDialog::writeTo(const std::filesystem::path& place, const std::filesy
             return exportGradebook(session, request, *digests, grades, place);
           case Form::kFrictionless:
           case Form::kRoCrate:
+          case Form::kParquet:
           case Form::kBids:
             break;
         }

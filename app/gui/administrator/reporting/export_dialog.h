@@ -36,6 +36,7 @@ class ExportDialog : public QDialog {
     kCsv,
     kFrictionless,
     kRoCrate,
+    kParquet,
     kBids,
     kReplication,
     kMoodle,

@@ -311,6 +311,69 @@ TEST(Dataset, IsReadByTheReferenceLibraryOfFrictionless) {
             "read " + std::to_string(tablesOf(set).size() + 3) + "\n");
 }
 
+/// A cell as the script below prints it.
+json printedCell(const ExportCell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) {
+    return *text;
+  }
+  if (const auto* number = std::get_if<double>(&cell)) {
+    return *number;
+  }
+  const auto* time_us = std::get_if<std::int64_t>(&cell);
+  return time_us == nullptr ? json() : json(*time_us / 1000);  // a Date of JavaScript has milliseconds
+}
+
+TEST(Dataset, AsParquetIsReadByAnotherReader) {
+  const OwnFolder own;
+  const char* const modules = std::getenv("NODE_PATH");  // a module of ES that require.resolve() does not find
+  if (modules == nullptr || !fs::exists(fs::path(modules) / "hyparquet" / "package.json")) {
+    GTEST_SKIP() << "npm's hyparquet is not installed (NODE_PATH)";
+  }
+  const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
+  writeDataset(wholeContents(set), DatasetLayout::kParquet, own.path() / "set");
+  writeDataset(wholeContents(set), DatasetLayout::kFrictionless, own.path() / "csv");
+  writeFileAtomically(own.path() / "read.js", R"(const fs = require('fs');
+const url = require('url').pathToFileURL(process.env.NODE_PATH + '/hyparquet/src/node.js');
+(async () => {
+  const {asyncBufferFromFile, parquetReadObjects} = await import(url);
+  const package = JSON.parse(fs.readFileSync('set/datapackage.json'));
+  const all = {};
+  for (const one of package.resources) {
+    const rows = await parquetReadObjects({file: await asyncBufferFromFile('set/' + one.path)});
+    all[one.name] = rows.map((row) => one.schema.fields.map((field) => {
+      const value = row[field.name];
+      return value instanceof Date ? value.getTime() : value ?? null;
+    }));
+  }
+  console.log(JSON.stringify(all));
+})();
+)");
+
+  const json read =
+      json::parse(testing::outputOf("cd '" + own.path().string() + "' && node read.js", own.path()));
+
+  ASSERT_EQ(read.size(), tablesOf(set).size() + 3);
+  for (const ExportTable* table : tablesOf(set)) {
+    json expected = json::array();
+    for (const std::vector<ExportCell>& row : table->rows) {
+      expected.push_back(json::array());
+      for (const ExportCell& cell : row) {
+        expected.back().push_back(printedCell(cell));
+      }
+    }
+    EXPECT_EQ(read[table->name], expected) << table->name;
+  }
+  const std::vector<CsvRecord> lines =
+      csvRecords(readFile(own.path() / "csv" / "trajectories" / "T-0001.csv"), "csv");
+  const json& moved = read["trajectory-t-0001"];
+  ASSERT_EQ(moved.size(), lines.size() - 1);
+  for (std::size_t r = 0; r < moved.size(); ++r) {
+    for (std::size_t c = 0; c < moved[r].size(); ++c) {
+      EXPECT_EQ(moved[r][c].get<double>(), std::stod(lines[r + 1].values[c])) << r << " " << c;
+    }
+  }
+}
+
 using testing::awkwardCohort;
 
 const std::string kKey(64, 'k');

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is exported, before those who judge such data elsewhere: `judges_test.py EXCHANGE_TEST XAPI_TEST FOLDER`. Data sets
-by npm's bids-validator (Motion-BIDS) and datapackage (Frictionless), each learning record that the tests send by
+by npm's bids-validator (Motion-BIDS), datapackage (Frictionless) and hyparquet (Parquet), each learning record that the tests send by
 xapi-validation. The packages come from npm, or its cache, into FOLDER. Exit status 1 when a judge finds something, 77
 where there is no way to them."""
 import os
@@ -14,7 +14,8 @@ HERE = pathlib.Path(__file__).resolve()
 sys.path.insert(0, str(HERE.parents[3] / "support"))
 from npm_packages import node_modules  # noqa: E402
 
-DATASETS = "Dataset.IsReadByTheReferenceLibraryOfFrictionless:Dataset.IsAcceptedByTheValidatorOfBids"
+DATASETS = ("Dataset.IsReadByTheReferenceLibraryOfFrictionless:Dataset.IsAcceptedByTheValidatorOfBids:"
+            "Dataset.AsParquetIsReadByAnotherReader")
 STATEMENTS = """
 const validate = require("xapi-validation/dist/index").default;
 const lines = require("fs").readFileSync(process.argv[1], "utf8").split("\\n").filter(Boolean);
