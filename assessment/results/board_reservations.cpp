@@ -233,6 +233,13 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
         "groups drawn is not in this record.",
         importSentence(*in.imported), in.imported->marks, in.imported->recordings));
   }
+  if (in.sites.size() > 1) {
+    out.emplace_back(
+        Text::tr("The data of %1 centres were pooled (%2). No analysis takes account of the centre: how far "
+                 "the answer "
+                 "differs between them is not shown.",
+                 in.sites.size(), listed(std::vector<Text>(in.sites.begin(), in.sites.end()))));
+  }
   addWithdrawn(in, ledger, out);
   addContradictions(in, ledger, out);
   const bool compared = study.primaryMethod() != PrimaryMethod::kNone;

@@ -170,7 +170,13 @@ ReportParagraph answerOf(const CohortInputs& in, const StudyAnalysis& study,
 }
 
 /// States who belongs to which group by what, as far as the record knows.
-Text allocationOf(const CohortAllocation& drawn) {
+Text allocationOf(const CohortInputs& in) {
+  const CohortAllocation& drawn = in.allocation;
+  if (drawn.method.empty() && in.sites.size() > 1) {
+    return Text::tr(
+        "Groups: how trainees came into them is recorded at their centres, not here. Ask the centres before "
+        "a difference is called an effect of the training.");
+  }
   if (drawn.method.empty()) {
     return Text::tr(
         "Groups: how trainees came into them is not in the record. Nothing shows that they were drawn at "
@@ -430,8 +436,8 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study, c
   ReportSection section{"summary", Text::tr("At a glance")};
   section.onFirstPage = true;
   const std::vector<AnsweredPair> pairs = answeredPairs(in, study, ledger);
-  section.paragraphs = {questionOf(in), peopleOf(ledger), allocationOf(in.allocation),
-                        trainingOf(in, study, ledger), answerOf(in, study, pairs)};
+  section.paragraphs = {questionOf(in), peopleOf(ledger), allocationOf(in), trainingOf(in, study, ledger),
+                        answerOf(in, study, pairs)};
   for (ReportParagraph& reservation : reservations(in, study, ledger)) {
     section.paragraphs.push_back(std::move(reservation));
   }

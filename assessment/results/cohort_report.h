@@ -251,8 +251,9 @@ struct CohortInputs {
   std::string auditHead;          ///< hash of its latest entry; empty: no entries
   bool demonstration = false;
   std::optional<CohortOrigin> imported;  ///< empty: made in this record
-  std::vector<Text> simulated;           ///< which data are simulated, and by which rule
-  Facts facts;                           ///< additional lines of the cover
+  std::vector<std::string> sites;  ///< codes of the centres whose data were pooled; empty: one centre's own
+  std::vector<Text> simulated;     ///< which data are simulated, and by which rule
+  Facts facts;                     ///< additional lines of the cover
   std::int64_t trainingTimeDivisor = 1;  ///< 60: one simulated minute represents one hour of training
   std::int64_t rests = 0;                ///< number of trainees who took a rest
   ReportIdentity identity = ReportIdentity::kCoded;

@@ -21004,7 +21004,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Of %2 marks %1 {is|are} missing, so the answer is that of the linear mixed model, which uses every mark at the end of everybody who also has one before; the analysis of covariance is shown beside it.</source>
-        <translation>%2 个评分中缺失 %1 个，因此结论取自线性混合模型，它使用所有在训练前也有评分者的全部末次评分；协方差分析一并列出。</translation>
+        <translation>%2 个评分中缺失 %1 个，因此结论取自线性混合模型，凡训练前也有评分的学员，其全部末次评分均予采用；协方差分析一并列出。</translation>
     </message>
     <message>
         <source>Scores vary more in some groups than in others (standard deviations about the adjusted means from %1 to %2 points, test of equal spread: %3)</source>
@@ -21088,7 +21088,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>%1 %2, so the linear mixed model is the primary comparison here: it uses every mark at the end of everybody who also has one before. The analysis of covariance is shown beside it, for the %3 {trainee|trainees} with a score at both occasions.</source>
-        <translation>%1 %2，因此此处以线性混合模型为主要比较：它使用所有在训练前也有评分者的全部末次评分。协方差分析一并列出，针对两个时点均有成绩的 %3 名学员。</translation>
+        <translation>%1 %2，因此此处以线性混合模型为主要比较：凡训练前也有评分的学员，其全部末次评分均予采用。协方差分析一并列出，针对两个时点均有成绩的 %3 名学员。</translation>
     </message>
     <message>
         <source>D12 slice %1 has %2 {bit|bits} a value, %3 {value|values} a pixel and the colours %4; 16, 1 and MONOCHROME2 are read</source>
@@ -21109,6 +21109,14 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Export fewer lines a second</source>
         <translation>请减少每秒导出的行数</translation>
+    </message>
+    <message>
+        <source>The data of %1 centres were pooled (%2). No analysis takes account of the centre: how far the answer differs between them is not shown.</source>
+        <translation>合并了 %1 个中心的数据（%2）。没有任何分析考虑中心因素：结论在各中心之间有多大差异未予显示。</translation>
+    </message>
+    <message>
+        <source>Groups: how trainees came into them is recorded at their centres, not here. Ask the centres before a difference is called an effect of the training.</source>
+        <translation>分组：学员如何分入各组记录在各自的中心，而不在本记录中。在把差异称为训练效果之前，请先询问各中心。</translation>
     </message>
 </context>
 <context>

@@ -177,7 +177,8 @@ std::vector<Strange> people() {
            in.trainees[i].withdrew = true;
          }
        }),
-       {"10 of 30 trainees withdrew: the answer may hold only for people like those who stayed"},
+       {"10 of 30 trainees withdrew. Where their marks are missing, the answer holds only for people like "
+        "those who stayed"},
        {"Everybody withdrew"}},
       {"one withdrew",
        with([](CohortInputs& in) { in.trainees[0].withdrew = true; }),
@@ -344,6 +345,15 @@ TEST(ReceivedTraining, NothingNotedIsNoTraining) {
   ASSERT_EQ(found.size(), 30U);
   EXPECT_EQ(found[0].received, Received::kNothing);
   EXPECT_EQ(found[1].received, Received::kAsPlanned);
+}
+
+TEST(FirstPage, SaysThatSeveralCentresWerePooledAndWhatIsNotShown) {
+  CohortInputs in = testing::demonstrationCohort();
+  EXPECT_THAT(page(in), Not(HasSubstr("centres were pooled")));
+  in.sites = {"D1", "D2"};
+  EXPECT_THAT(page(in),
+              HasSubstr("The data of 2 centres were pooled (D1, D2). No analysis takes account of the "
+                        "centre"));
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ TEST(CohortReport, ShowsTheScoringSheetWithItsAnchorsAndTheMarksByCriterion) {
   const ReportTable* sheet = tableNamed(report, "table-sheet-1");
   ASSERT_NE(sheet, nullptr);
   EXPECT_THAT(sheet->title.str(), ::testing::HasSubstr("Arm sheet, revision 2"));
-  EXPECT_EQ(sheet->rows.at(0).at(5).str(), "1: far too slow; 10: quick and steady");
+  EXPECT_EQ(sheet->rows.at(0).at(3).str(), "1: far too slow; 10: quick and steady");
   EXPECT_EQ(sheet->rows.at(1).at(2).str(), "0.5");
   const ReportTable* groups = tableNamed(report, "table-criteria-1");
   ASSERT_NE(groups, nullptr);

@@ -85,7 +85,8 @@ class ThriftStruct {
   }
   void head(int field, Thrift kind) {
     TORSIO_EXPECTS(field > last_ && field - last_ < 16);
-    text_.push_back(static_cast<char>(static_cast<unsigned>(field - last_) << 4U | static_cast<unsigned>(kind)));
+    text_.push_back(
+        static_cast<char>(static_cast<unsigned>(field - last_) << 4U | static_cast<unsigned>(kind)));
     last_ = field;
   }
   void list(int field, Thrift of, std::size_t size) {
@@ -197,8 +198,8 @@ void writeParquet(const std::filesystem::path& file, const std::vector<ParquetCo
     TORSIO_EXPECTS(lengthOf(column) == rows);
     const std::string page = std::visit([](const auto& values) { return pageOf(values); }, column.values);
     if (page.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
-      throw Error(ErrorCode::kBadData, Text::tr("a column has more than 2 GB: %1", column.name), file.string(),
-                  Text::tr("Export fewer lines a second"));
+      throw Error(ErrorCode::kBadData, Text::tr("a column has more than 2 GB: %1", column.name),
+                  file.string(), Text::tr("Export fewer lines a second"));
     }
     ThriftStruct values;
     values.whole(1, static_cast<std::int64_t>(rows)).whole(2, kPlain).whole(3, kRle).whole(4, kRle);

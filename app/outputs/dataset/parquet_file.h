@@ -14,8 +14,9 @@
 namespace torsio {
 
 /// The values of a column, one per row; empty: none. Whole numbers are microseconds since 1970 UTC.
-using ParquetValues = std::variant<std::vector<std::optional<double>>, std::vector<std::optional<std::int64_t>>,
-                                   std::vector<std::optional<std::string>>>;
+using ParquetValues =
+    std::variant<std::vector<std::optional<double>>, std::vector<std::optional<std::int64_t>>,
+                 std::vector<std::optional<std::string>>>;
 
 struct ParquetColumn {
   std::string name;

@@ -22,6 +22,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
+#include "db/repository/system/site_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/error.h"
 #include "sim/core/text.h"
@@ -261,6 +262,9 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
             "The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
             "every computation are the real ones."),
         demonstrationTrainingRule(), demonstrationEvaluationRule()};
+  }
+  for (const Site& site : SiteRepository(connection).sites()) {
+    inputs.sites.push_back(site.code);
   }
   addAllocation(session, cohort.id, inputs);
   addFreeze(session, request, inputs);

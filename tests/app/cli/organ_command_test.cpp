@@ -230,7 +230,7 @@ TEST(OrganCommand, RecordingsSayHowFarTheirWallWasChecked) {
     const auto detorsion = nlohmann::json::parse(measured.out).at("detorsion");
     EXPECT_EQ(detorsion.at("valid"), valid) << organ;
     EXPECT_EQ(detorsion.contains("beyond"), !valid) << organ;
-    EXPECT_NEAR(detorsion.at("valid_to_rad").get<double>(), valid ? 3.72 : 1.57, 0.02) << organ;
+    EXPECT_NEAR(detorsion.at("valid_to_rad").get<double>(), valid ? 3.875 : 1.815, 0.02) << organ;
     ASSERT_EQ(replayed.code, 0) << replayed.err;
     EXPECT_TRUE(nlohmann::json::parse(replayed.out).at("identical").get<bool>());
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <sstream>
@@ -325,7 +326,8 @@ json printedCell(const ExportCell& cell) {
 
 TEST(Dataset, AsParquetIsReadByAnotherReader) {
   const OwnFolder own;
-  const char* const modules = std::getenv("NODE_PATH");  // a module of ES that require.resolve() does not find
+  const char* const modules =
+      std::getenv("NODE_PATH");  // a module of ES that require.resolve() does not find
   if (modules == nullptr || !fs::exists(fs::path(modules) / "hyparquet" / "package.json")) {
     GTEST_SKIP() << "npm's hyparquet is not installed (NODE_PATH)";
   }
