@@ -74,9 +74,7 @@ const char* nameOf(GradebookForm form) {
 std::string moodleGrades(const Grades& grades) {
   std::string text = csvLine(columnsOf({"ID number", "Email address"}, grades));
   for (const GradedPerson& person : grades.people) {
-    std::vector<std::string> scores = person.scores;
-    std::replace(scores.begin(), scores.end(), std::string(), std::string("-"));
-    text += lineOf({numberOf(person), person.email}, scores);
+    text += lineOf({numberOf(person), person.email}, person.scores);
   }
   return text;
 }

@@ -38,8 +38,8 @@ TEST(Gradebook, OfMoodleHasALinePerPersonAndAColumnPerOccasion) {
   EXPECT_EQ(moodleGrades(grades()),
             "ID number,Email address,Autumn intake: before,Autumn intake: after 40 min\r\n"
             "1001,ada.green@example.org,4.5,7.25\r\n"
-            "1002,li@example.org,-,8\r\n"
-            "T-03,,3,-\r\n");
+            "1002,li@example.org,,8\r\n"
+            "T-03,,3,\r\n");
 }
 
 // Canvas reads the first columns by these names in this order, then a line with the points that are possible.
@@ -65,7 +65,7 @@ TEST(Gradebook, OfIliasFillsInTheStatusFileOfTheExercise) {
 
   EXPECT_EQ(iliasGrades(grades(), 1, status, "status.csv"),
             std::string(kStatusHead) + "1,311,ada.green,Green,Ada,notgraded,7.25,,,,\r\n" +
-                "1,312,1002,Li,Wei,passed,8,late; ill,,,\r\n" + "0,313,nobody,No,Body,notgraded,,,,,\r\n");
+                "1,312,1002,Li,Wei,passed,8,\"late; ill\",,,\r\n" + "0,313,nobody,No,Body,notgraded,,,,,\r\n");
   // A score that may not be shown leaves the line as it is.
   EXPECT_THAT(iliasGrades(grades(), 0, status, "status.csv"), HasSubstr("0,312,1002,Li,Wei,passed,5,"));
 }
