@@ -69,9 +69,25 @@ std::int64_t rowsOf(const SiteManifest& manifest, const std::string& table) {
   return found == manifest.rows.end() ? 0 : found->second;
 }
 
+/// The names of simulated centres say so already, unless somebody gave them another.
+const char* mark(const std::string& name, bool simulated) {
+  constexpr const char* kMark = " (simulated)";
+  return simulated && !name.ends_with(kMark) ? kMark : "";
+}
+
+void printWithdrawn(const std::vector<std::string>& codes) {
+  if (!codes.empty()) {
+    std::cout << "    no longer agree to research:";
+    for (const std::string& code : codes) {
+      std::cout << " " << Text(code);
+    }
+    std::cout << "\n";
+  }
+}
+
 void print(const SiteManifest& manifest) {
   std::cout << "Centre " << Text(manifest.centreCode) << ", " << Text(manifest.centreName)
-            << (manifest.simulated ? " (simulated)" : "") << "\n"
+            << mark(manifest.centreName, manifest.simulated) << "\n"
             << "  cohort      " << Text(manifest.cohort) << "\n"
             << "  "
             << Text::verbatim(
@@ -154,7 +170,7 @@ void print(const PoolOutcome& outcome) {
       }
       break;
     case Pooled::kNothingNew:
-      std::cout << "Centre " << site << ": nothing new; nothing was changed.\n";
+      std::cout << "Centre " << site << ": nothing new; only the delivery was recorded.\n";
       break;
     case Pooled::kRepeated:
       std::cout << "Centre " << site << ": this package was delivered before, on "
@@ -165,6 +181,7 @@ void print(const PoolOutcome& outcome) {
                 << formatUtc(outcome.earlierUtc_us) << " that was delivered; nothing was changed.\n";
       break;
   }
+  printWithdrawn(outcome.withdrawn);
 }
 
 /// Removes a record that this command made unless the package was taken in.
@@ -219,7 +236,8 @@ void poolPackage(const StudyArguments& given) {
     nlohmann::ordered_json what{{"outcome", kindOf(outcome.kind)},
                                 {"site", outcome.siteCode},
                                 {"added", outcome.rowsAdded},
-                                {"changed", outcome.rowsChanged}};
+                                {"changed", outcome.rowsChanged},
+                                {"withdrawn", outcome.withdrawn}};
     what["package"] = jsonOf(outcome.manifest);
     printJson(what);
     return;
@@ -241,6 +259,7 @@ void listCentres(const StudyArguments& given) {
                                  {"trainees", state.trainees},
                                  {"recordings", state.recordings},
                                  {"marks", state.marks},
+                                 {"withdrawn", state.withdrawn},
                                  {"deliveries", nlohmann::ordered_json::array()}};
       for (const SiteDelivery& delivery : state.deliveries) {
         one["deliveries"].push_back({{"made", formatUtc(delivery.madeUtc_us)},
@@ -259,7 +278,7 @@ void listCentres(const StudyArguments& given) {
   }
   for (const SiteState& state : states) {
     std::cout << Text(state.site.code) << "  " << Text(state.site.name)
-              << (state.site.demonstration ? " (simulated)" : "") << ": "
+              << mark(state.site.name, state.site.demonstration) << ": "
               << Text::verbatim("%1 {trainee|trainees}, %2 {recording|recordings}, %3 {mark|marks}",
                                 state.trainees, state.recordings, state.marks)
               << "\n";
@@ -267,6 +286,7 @@ void listCentres(const StudyArguments& given) {
       std::cout << "    made " << formatUtc(delivery.madeUtc_us) << ", received "
                 << formatUtc(delivery.receivedUtc_us) << ", " << delivery.rowsAdded << " rows\n";
     }
+    printWithdrawn(state.withdrawn);
   }
 }
 

@@ -21118,6 +21118,30 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Groups: how trainees came into them is recorded at their centres, not here. Ask the centres before a difference is called an effect of the training.</source>
         <translation>分组：学员如何分入各组记录在各自的中心，而不在本记录中。在把差异称为训练效果之前，请先询问各中心。</translation>
     </message>
+    <message>
+        <source>its audit trail does not verify</source>
+        <translation>其审计记录未通过核验</translation>
+    </message>
+    <message>
+        <source>holds simulated and real people</source>
+        <translation>同时含有模拟人员和真实人员</translation>
+    </message>
+    <message>
+        <source>Ask the centre to give a cohort of one kind only; nothing was taken from it</source>
+        <translation>请该中心只提供同一类人员的队列；未从中取入任何内容</translation>
+    </message>
+    <message>
+        <source>refers to a row of another centre</source>
+        <translation>引用了另一中心的记录</translation>
+    </message>
+    <message>
+        <source>a public key is 64 hexadecimal digits</source>
+        <translation>公钥为 64 位十六进制数字</translation>
+    </message>
+    <message>
+        <source>Give the one that the centre told you</source>
+        <translation>请填写该中心告知的公钥</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

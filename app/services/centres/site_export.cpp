@@ -6,11 +6,13 @@
 #include <ostream>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/centre_settings.h"
 #include "app/services/base/build_info.h"
+#include "app/services/centres/sound_record.h"
 #include "app/services/maintenance/signing_key.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
@@ -20,7 +22,6 @@
 #include "db/repository/base/changed_statement.h"
 #include "db/repository/base/row_seal.h"
 #include "db/repository/study/study_repository.h"
-#include "db/repository/system/audit_verification.h"
 #include "db/repository/system/demonstration_data.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
@@ -41,15 +42,6 @@ SiteScope scopeOf(Connection& connection, const SiteRequest& request) {
            Text::tr("Assign the curriculum of the protocol first"));
   }
   return {cohort.id, request.campaignId, cohort.curriculumVersionId};
-}
-
-void requireSound(Connection& connection) {
-  const auto findings = verifyAuditTrail(connection);
-  if (!findings.empty()) {
-    throw Error(ErrorCode::kVerifyFailed,
-                Text::tr("its audit trail does not verify (%1 {finding|findings})", findings.size()),
-                connection.location(), Text::tr("Run torsio audit verify on it and restore a backup"));
-  }
 }
 
 std::filesystem::path keyFile(const SessionContext& session, const SiteRequest& request) {
@@ -103,7 +95,7 @@ class GivenRows {
       values.resize(columns.size());
       for (std::size_t i = 0; i < values.size(); ++i) {
         if (hidden[i] == 1) {
-          values[i] = mayBeNull(columns[i]) ? Value() : Value(kWithheld);
+          values[i] = isNull(values[i]) || mayBeNull(columns[i]) ? Value() : Value(kWithheld);
         }
       }
       take(columns, values);
@@ -111,9 +103,11 @@ class GivenRows {
   }
 
  private:
+  static bool isNull(const Value& value) { return std::holds_alternative<std::monostate>(value.storage()); }
   [[nodiscard]] bool mayBeNull(const std::string& column) const {
-    return column == "experience" || column == "description" || column == "import_id" ||
-           column == "comment" || column == "trial_id" || (column == "reason" && table_ == "run_excuse");
+    return column == "experience" || column == "import_id" || column == "comment" ||
+           (column == "description" && table_ == "deviation") || column == "trial_id" ||
+           (column == "reason" && table_ == "run_excuse");
   }
 
   Connection& connection_;
@@ -133,6 +127,8 @@ void writeRows(Connection& connection, const SiteScope& scope, SitePackageWriter
     if (isSealedApart(table)) {
       GivenRows(connection, scope, table).forEach([&](const auto& columns, const auto& row) {
         sealer.add(std::string(table.table), columns, row);
+        manifest.simulated =
+            manifest.simulated || (table.sameBy.empty() && isSimulated(columns, row) == true);
       });
     }
   }
@@ -192,7 +188,7 @@ SitePackage exportSite(SessionContext& session, const SiteRequest& request,
 
   Transaction transaction(connection);
   tellProgress(progress, Text::tr("Checking the record"), 0.0);
-  requireSound(connection);
+  requireSound(connection, Text::tr("its audit trail does not verify"));
   SiteManifest& manifest = made.manifest;
   const SiteConsent consent = siteConsent(connection, scope);
   session.note(AuditAction::kTrialExportCoded, AuditObject::kCohort, scope.cohortId,

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/centres/site_package.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -26,7 +28,9 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr std::string_view kMagic = "torsio-site 1\n";
 constexpr std::size_t kMostColumns = 200;
 constexpr std::size_t kLongestName = 100;
-constexpr std::size_t kLongestText = std::size_t{64} << 20U;  // bytes of one value
+constexpr std::size_t kLongestText = std::size_t{64} << 20U;     // bytes of one value
+constexpr std::size_t kLongestManifest = std::size_t{8} << 20U;  // bytes
+constexpr int kDeepest = 64;                                     // objects and lists within each other
 constexpr std::int64_t kRowsPerProgress = 2000;
 
 enum class Frame : std::uint8_t { kTable = 'T', kRow = 'R', kManifest = 'M', kSignature = 'S' };
@@ -114,9 +118,38 @@ std::string manifestText(const SiteManifest& manifest) {
   return text.dump(1);
 }
 
+/// Returns whether objects and lists lie within each other no deeper than a manifest may have them.
+bool isFlat(const std::string& text) {
+  int depth = 0;
+  bool inText = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inText) {
+      i += c == '\\' ? 1 : 0;
+      inText = c != '"';
+    } else if (c == '"') {
+      inText = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > kDeepest) {
+        return false;
+      }
+    } else if (c == '}' || c == ']') {
+      --depth;
+    }
+  }
+  return true;
+}
+
+/// Returns whether a text is "7f3a0000-0000-4000-8000-000000000000".
+bool isUuid(const std::string& text) {
+  constexpr std::string_view kPattern = "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx";
+  return std::equal(text.begin(), text.end(), kPattern.begin(), kPattern.end(), [](char c, char expected) {
+    return expected == '-' ? c == '-' : (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+  });
+}
+
 /// Throws nlohmann's exceptions for anything that is not such a manifest.
-SiteManifest manifestOf(const std::string& text) {
-  const nlohmann::json json = nlohmann::json::parse(text);
+SiteManifest manifestOf(const nlohmann::json& json) {
   SiteManifest manifest;
   const nlohmann::json& centre = json.at("centre");
   manifest.centreId = centre.at("id").get<std::string>();
@@ -180,7 +213,7 @@ class Walk {
       const auto frame = static_cast<Frame>(number(1));
       if (frame == Frame::kManifest) {
         contentHash = digest_.hex();
-        manifest = text(kLongestText);
+        manifest = text(kLongestManifest);
         if (static_cast<Frame>(number(1)) != Frame::kSignature) {
           changed(file_);
         }
@@ -192,6 +225,9 @@ class Walk {
       }
       if (frame == Frame::kTable) {
         name = text(kLongestName);
+        if (!tables_.insert(name).second) {  // its rows would be read with other columns
+          changed(file_);
+        }
         columns.resize(static_cast<std::size_t>(number(2)));
         if (columns.size() > kMostColumns) {
           changed(file_);
@@ -286,6 +322,7 @@ class Walk {
   std::uint64_t left_ = 0;
   std::string held_;  // bytes of the current frame
   Digest digest_;
+  std::set<std::string> tables_;
 };
 
 /// Collects what the rows of a package say about themselves, and compares it when all are read.
@@ -304,11 +341,14 @@ class SealCheck {
         told_[row.table][sealer_.keyOf(row.table, row.columns, row.values)] = row.seal;
       }
     } catch (const Error&) {  // a column of the key is missing
-      brokenRules(file_);
+      broken_ = true;
     }
   }
 
   void compare() {
+    if (broken_) {
+      brokenRules(file_);
+    }
     for (const SiteTable& one : siteTables()) {
       const std::string table(one.table);
       if (sealer_.seals(table) != told_[table]) {
@@ -323,6 +363,7 @@ class SealCheck {
  private:
   std::filesystem::path file_;
   SiteSealer sealer_;
+  bool broken_ = false;
   std::map<std::string, std::map<std::string, std::string>> told_;
 };
 
@@ -332,6 +373,18 @@ void requireKnown(const std::filesystem::path& file, const std::string& table) {
                 Text::tr("holds a table that this version does not know: %1", plainLine(table, 40)),
                 file.string(), Text::tr("Update Torsio here first"));
   }
+}
+
+/// Returns a key as packages have it.
+std::string keyIn(std::string given) {
+  for (char& c : given) {
+    c = c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  if (!given.empty() && !isPublicKey(given)) {
+    throw Error(ErrorCode::kUsage, Text::tr("a public key is 64 hexadecimal digits"), plainLine(given, 80),
+                Text::tr("Give the one that the centre told you"));
+  }
+  return given;
 }
 
 void requireKey(const std::filesystem::path& file, const SiteManifest& manifest,
@@ -344,6 +397,19 @@ void requireKey(const std::filesystem::path& file, const SiteManifest& manifest,
 }
 
 }  // namespace
+
+std::optional<bool> isSimulated(const std::vector<std::string>& columns, const std::vector<Value>& values) {
+  const auto place = std::find(columns.begin(), columns.end(), "demonstration");
+  if (place == columns.end()) {
+    return std::nullopt;
+  }
+  const Value& value = values[static_cast<std::size_t>(place - columns.begin())];
+  if (const auto* flag = std::get_if<bool>(&value.storage())) {
+    return *flag;
+  }
+  const auto* number = std::get_if<std::int64_t>(&value.storage());
+  return number != nullptr && *number != 0;
+}
 
 SitePackageWriter::SitePackageWriter(std::ostream& out) : out_(out) {
   put(std::string(kMagic));
@@ -390,6 +456,7 @@ SiteManifest SitePackageWriter::finish(SiteManifest manifest,
 
 CheckedPackage checkSitePackage(const std::filesystem::path& file, const std::string& publicKey,
                                 const ProgressCallback& progress) {
+  const std::string wanted = keyIn(publicKey);
   Walk walk(file);
   SealCheck seals(file);
   std::optional<std::string> unknown;
@@ -406,23 +473,29 @@ CheckedPackage checkSitePackage(const std::filesystem::path& file, const std::st
           tellProgress(progress, Text::tr("Checking the package"), 0.0);
         }
       });
+  if (!isFlat(walk.manifest)) {
+    brokenRules(file);
+  }
   CheckedPackage checked;
   try {
-    checked.manifest = manifestOf(walk.manifest);
+    const nlohmann::json told = nlohmann::json::parse(walk.manifest);
+    if (!genuine(walk.manifest, walk.signature, told.at("centre").at("public_key").get<std::string>())) {
+      changed(file);
+    }
+    checked.manifest = manifestOf(told);
   } catch (const nlohmann::json::exception&) {
     changed(file);
   }
   const SiteManifest& manifest = checked.manifest;
-  if (!genuine(walk.manifest, walk.signature, manifest.publicKey) ||
-      manifest.contentHash != walk.contentHash) {
+  if (manifest.contentHash != walk.contentHash) {
     changed(file);
   }
-  requireKey(file, manifest, publicKey);
+  requireKey(file, manifest, wanted);
   if (unknown) {
     requireKnown(file, *unknown);
   }
-  if (manifest.rows != seals.rows || !isCentreCode(manifest.centreCode) || manifest.centreId.empty() ||
-      manifest.cohort.empty()) {
+  if (manifest.rows != seals.rows || !isCentreCode(manifest.centreCode) ||
+      !isUuid(manifest.centreId.text()) || manifest.cohort.empty()) {
     brokenRules(file);
   }
   seals.compare();

@@ -6,6 +6,7 @@
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,7 @@ struct SiteManifest {
   std::string trailHash{};
   std::string cohort{};
   std::string campaign{};  ///< empty: no evaluation of models
-  bool simulated = false;  ///< all of it
+  bool simulated = false;  ///< some row of it; pooling refuses a package that has both kinds
   std::int64_t trainees = 0;
   std::int64_t leftOut = 0;     ///< trainees who do not agree to research
   std::int64_t sealedRows = 0;  ///< rows whose seal is the one of the centre's own trail
@@ -67,15 +68,20 @@ struct SitePackageRow {
   std::vector<Value>& values;
 };
 
+/// Returns what a row says about itself; empty: nothing.
+[[nodiscard]] std::optional<bool> isSimulated(const std::vector<std::string>& columns,
+                                              const std::vector<Value>& values);
+
 struct CheckedPackage {
   SiteManifest manifest{};
   std::string hash{};  ///< of the manifest, which holds that of the content: identifies the package
 };
 
 /// Reads a package to its end and checks signature, content and the seal of every row. `publicKey`: the key
-/// that it must be signed with; empty: any. Throws Error: kFileMissing; kFileUnreadable if it is no package;
-/// kVerifyFailed if a byte was changed, it is cut off, or signed with another key; kBadData if it breaks the
-/// rules of such files; kNewerSchema if a newer version made it; what `progress` throws.
+/// that it must be signed with, in small or capital letters; empty: any. Throws Error: kUsage if that is no
+/// key; kFileMissing; kFileUnreadable if it is no package, or its first line was changed; kVerifyFailed if a
+/// byte was changed, it is cut off, or signed with another key; kBadData if it breaks the rules of such
+/// files; kNewerSchema if a newer version made it; what `progress` throws.
 [[nodiscard]] CheckedPackage checkSitePackage(const std::filesystem::path& file,
                                               const std::string& publicKey = {},
                                               const ProgressCallback& progress = {});

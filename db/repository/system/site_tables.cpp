@@ -2,6 +2,8 @@
 #include "db/repository/system/site_tables.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/seal_rules.h"
@@ -32,6 +34,11 @@ constexpr std::string_view kAgrees =
     "(p.demonstration = TRUE OR COALESCE((SELECT c.granted FROM consent c WHERE c.person_id = p.id AND"
     " c.purpose = 'research' ORDER BY c.sequence DESC LIMIT 1), FALSE) = TRUE)";
 
+/// Asked about people who do not agree now: their rows may have left the centre before.
+constexpr std::string_view kAgreedOnce =
+    "EXISTS (SELECT 1 FROM consent c WHERE c.person_id = p.id AND c.purpose = 'research' AND"
+    " c.granted = TRUE)";
+
 std::string replaced(std::string text, const std::string& word, const std::string& by) {
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + by.size())) {
     text.replace(at, word.size(), by);
@@ -44,11 +51,32 @@ std::string quoted(const std::string& id) {
   return "'" + replaced(id, "'", "''") + "'";
 }
 
+/// Puts the ids in their places, all in one pass: what stands in an id is never taken for a place.
+std::string withIds(const std::string& text, const SiteScope& scope) {
+  const std::array<std::pair<std::string_view, std::string>, 3> ids{{{"{cohort}", quoted(scope.cohortId)},
+                                                                     {"{campaign}", quoted(scope.campaignId)},
+                                                                     {"{version}", quoted(scope.versionId)}}};
+  std::string filled;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto* id = std::find_if(ids.begin(), ids.end(), [&](const auto& one) {
+      return text.compare(at, one.first.size(), one.first) == 0;
+    });
+    if (id == ids.end()) {
+      filled += text[at++];
+    } else {
+      filled += id->second;
+      at += id->first.size();
+    }
+  }
+  return filled;
+}
+
 std::string filledIn(std::string text, const SiteScope& scope) {
-  const std::string trainees =
+  const std::string members =
       "SELECT e.trainee_id FROM enrolment e JOIN person p ON p.id = e.trainee_id WHERE e.cohort_id = {cohort}"
-      " AND p.state <> 'erased' AND " +
-      std::string(kAgrees);
+      " AND p.state <> 'erased' AND ";
+  const std::string trainees = members + std::string(kAgrees);
+  const std::string withdrawn = members + "NOT " + std::string(kAgrees) + " AND " + std::string(kAgreedOnce);
   const std::string enrolments =
       "SELECT id FROM enrolment WHERE cohort_id = {cohort} AND trainee_id IN ({trainees})";
   const std::string raters =
@@ -59,10 +87,9 @@ std::string filledIn(std::string text, const SiteScope& scope) {
   text = replaced(std::move(text), "{raters}", raters);
   text = replaced(std::move(text), "{enrolments}", enrolments);
   text = replaced(std::move(text), "{trainees}", trainees);
+  text = replaced(std::move(text), "{withdrawn}", withdrawn);
   text = replaced(std::move(text), "{revisions}", std::string(kRevisions));
-  text = replaced(std::move(text), "{cohort}", quoted(scope.cohortId));
-  text = replaced(std::move(text), "{campaign}", quoted(scope.campaignId));
-  return replaced(std::move(text), "{version}", quoted(scope.versionId));
+  return withIds(text, scope);
 }
 
 }  // namespace
@@ -71,21 +98,22 @@ const std::vector<SiteTable>& siteTables() {
   static const std::vector<SiteTable> kTables{
       {"occasion", "code"},
       {"rater_class", "code"},
-      {"curriculum", "name", "id IN (SELECT curriculum_id FROM curriculum_version WHERE id = {version})"},
-      {"curriculum_version", "curriculum_id, number", "id = {version}"},
+      {"curriculum", "name", "id IN (SELECT curriculum_id FROM curriculum_version WHERE id = {version})",
+       "description"},
+      {"curriculum_version", "curriculum_id, number", "id = {version}", "note"},
       {"curriculum_state", "version_id, sequence", kVersionRows, "changed_by"},
       {"module", "version_id, code", kVersionRows},
       {"module_prerequisite", "module_id, requires_module_id", kModuleRows},
       {"mastery_rule", "module_id, metric", kModuleRows},
-      {"competence_design", "module_id, version", kModuleRows},
+      {"competence_design", "module_id, version", kModuleRows, "reason"},
       {"curriculum_arm", "version_id, code", kVersionRows},
       {"curriculum_phase", "arm_id, position",
        "arm_id IN (SELECT id FROM curriculum_arm WHERE version_id = {version})"},
       {"curriculum_occasion", "version_id, occasion", kVersionRows},
-      {"cohort", "name", "id = {cohort}"},
+      {"cohort", "name", "id = {cohort}", "description"},
       {"training_group", "cohort_id, code", "cohort_id = {cohort}"},
       {"rubric", "name", "id IN (SELECT rubric_id FROM rubric_revision WHERE id IN {revisions})"},
-      {"rubric_revision", "rubric_id, number", "id IN {revisions}", "created_by"},
+      {"rubric_revision", "rubric_id, number", "id IN {revisions}", "created_by, note"},
       {"rubric_row", "revision_id, row_code", "revision_id IN {revisions}"},
       {"rubric_anchor", "revision_id, row_code, score_steps", "revision_id IN {revisions}"},
       {"evaluation_campaign", "name", "id = {campaign}"},
@@ -95,7 +123,8 @@ const std::vector<SiteTable>& siteTables() {
       {"person", "", "id IN ({people})", "experience"},
       {"trainee", "", "person_id IN ({trainees})"},
       {"rater", "", "person_id IN ({raters})"},
-      {"consent", "", "person_id IN ({trainees}) AND purpose = 'research'", "recorded_by"},
+      {"consent", "", "(person_id IN ({trainees}) OR person_id IN ({withdrawn})) AND purpose = 'research'",
+       "recorded_by"},
       {"enrolment", "", "id IN ({enrolments})"},
       {"exposure", "", kOfEnrolments, "recorded_by"},
       {"deviation", "", kOfEnrolments, "description, reported_by"},
@@ -112,12 +141,12 @@ const std::vector<SiteTable>& siteTables() {
       {"assignment", "", kOfEnrolments, "assigned_by"},
       {"assignment_withdrawal", "", kOfAssignments, "reason, decided_by"},
       {"live_call", "", "enrolment_id IN ({enrolments}) AND ended_utc_us IS NOT NULL", "room, called_by"},
-      {"training_mark", "", kOfEnrolments, "comment, import_id"},
-      {"training_mark_row", "", kOfMarks},
+      {"training_mark", "", kOfEnrolments, "comment, import_id, amend_reason, not_assessable_reason"},
+      {"training_mark_row", "", kOfMarks, "not_assessable_reason"},
       {"mark_viewing", "", kOfMarks},
       {"alignment_decision", "", kOfAssignments, "reason, decided_by"},
       {"evaluation_rater", "", kOfCampaign},
-      {"evaluation_mark", "", kOfCampaign},
+      {"evaluation_mark", "", kOfCampaign, "amend_reason"},
   };
   return kTables;
 }
@@ -146,6 +175,14 @@ SiteConsent siteConsent(Connection& connection, const SiteScope& scope) {
   consent.given = count("{trainees}");
   consent.leftOut = count("SELECT id FROM enrolment WHERE cohort_id = {cohort}") - consent.given;
   return consent;
+}
+
+std::vector<std::string> withdrawnPeople(Connection& connection, const CentreId& site) {
+  return selectAll(connection,
+                   "SELECT p.code FROM person p JOIN trainee t ON t.person_id = p.id WHERE p.site_id = ? AND"
+                   " p.state <> 'erased' AND NOT " +
+                       std::string(kAgrees) + " ORDER BY p.code",
+                   {site}, readText);
 }
 
 const SealShape& SiteSealer::shapeOf(const std::string& table, const std::vector<std::string>& columns) {

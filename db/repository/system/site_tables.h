@@ -18,9 +18,9 @@ struct SiteTable {
   /// Plan tables: the columns by which a row is the same one in every record of the protocol. Empty: rows are
   /// known by their key, a UUID of their centre.
   std::string_view sameBy{};
-  std::string_view
-      condition{};  ///< which rows; {cohort} {campaign} {version} {people} {trainees} {enrolments}
-  std::string_view withheld{};  ///< "recorded_by, reason": nobody outside needs them
+  std::string_view condition{};  ///< which rows; {cohort} {campaign} {version} {people} {trainees}
+                                 ///< {withdrawn} {enrolments}
+  std::string_view withheld{};   ///< "recorded_by, reason": nobody outside needs them
 };
 
 /// Every table that is given, parents first. Rows of other tables stay in their centre.
@@ -44,6 +44,9 @@ struct SiteConsent {
   std::int64_t leftOut = 0;
 };
 [[nodiscard]] SiteConsent siteConsent(Connection& connection, const SiteScope& scope);
+
+/// Returns the codes of a centre's trainees in a pooled record whose newest decision is against research.
+[[nodiscard]] std::vector<std::string> withdrawnPeople(Connection& connection, const CentreId& site);
 
 /// Hashes rows of a table as their own record seals them; a row of another row's seal adds to that.
 class SiteSealer {

@@ -5,14 +5,19 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/services/access/centre_settings.h"
 #include "app/services/centres/site_export.h"
 #include "app/services/centres/site_package.h"
 #include "app/services/people/consent_service.h"
 #include "assessment/domain/study/site.h"
+#include "db/connection/connection.h"
+#include "db/connection/row_reader.h"
+#include "db/migrations/migrations.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "tests/app/cli/program.h"
 #include "tests/app/support/study_centre.h"
 
 namespace torsio {
@@ -55,6 +60,38 @@ TEST_F(SiteConsentTest, NobodysNameLeaves) {
     EXPECT_EQ(bytes.find(name), std::string::npos) << name;
   }
   EXPECT_NE(bytes.find("Nanjing University Hospital"), std::string::npos);
+}
+
+TEST_F(SiteConsentTest, AWithdrawnConsentReachesThePooledRecord) {
+  const std::filesystem::path pooled = centre_.folder() / "pooled.sqlite";
+  const auto pool = [&] {
+    const ProgramRun run = runTorsio(
+        "study pool " + package().string() + " --database " + pooled.string() + " --as-system --json",
+        centre_.folder());
+    EXPECT_EQ(run.code, 0) << run.err;
+    return nlohmann::json::parse(run.out);
+  };
+  (void)give();
+  EXPECT_EQ(pool().at("outcome"), "added");
+  recordConsent(centre_.session(), study_.trainees[0].text(), "research", false, "1");
+  // One who agreed and withdrew between two packages was never delivered.
+  recordConsent(centre_.session(), study_.trainees[4].text(), "research", true, "1");
+  recordConsent(centre_.session(), study_.trainees[4].text(), "research", false, "1");
+
+  EXPECT_EQ(give().manifest.leftOut, 3);
+  const nlohmann::json taken = pool();
+
+  EXPECT_EQ(taken.at("outcome"), "added");
+  EXPECT_EQ(taken.at("withdrawn").size(), 1U) << taken;
+  Connection record = openDatabase(pooled.string(), OpenMode::kReadOnly);
+  EXPECT_EQ(selectFirst(record, "SELECT count(*) FROM consent WHERE purpose = 'research' AND granted = FALSE",
+                        {}, readInt64),
+            1);
+  EXPECT_EQ(selectFirst(record, "SELECT count(*) FROM trainee", {}, readInt64), 4);
+  const ProgramRun listed =
+      runTorsio("study centres --database " + pooled.string() + " --json", centre_.folder());
+  ASSERT_EQ(listed.code, 0) << listed.err;
+  EXPECT_EQ(nlohmann::json::parse(listed.out).at(0).at("withdrawn"), taken.at("withdrawn"));
 }
 
 TEST_F(SiteConsentTest, RealPeopleNeedSomebodyWhoAnswersForThem) {
