@@ -65,7 +65,8 @@ TEST(Gradebook, OfIliasFillsInTheStatusFileOfTheExercise) {
 
   EXPECT_EQ(iliasGrades(grades(), 1, status, "status.csv"),
             std::string(kStatusHead) + "1,311,ada.green,Green,Ada,notgraded,7.25,,,,\r\n" +
-                "1,312,1002,Li,Wei,passed,8,\"late; ill\",,,\r\n" + "0,313,nobody,No,Body,notgraded,,,,,\r\n");
+                "1,312,1002,Li,Wei,passed,8,\"late; ill\",,,\r\n" +
+                "0,313,nobody,No,Body,notgraded,,,,,\r\n");
   // A score that may not be shown leaves the line as it is.
   EXPECT_THAT(iliasGrades(grades(), 0, status, "status.csv"), HasSubstr("0,312,1002,Li,Wei,passed,5,"));
 }
