@@ -36,6 +36,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kStationPassword = "the word of the stations";
 constexpr const char* kPassword = "seven kites above the bay";
+constexpr const char* kNow = "SELECT (extract(epoch FROM clock_timestamp()) * 1000000)::bigint";
 
 std::vector<std::string> allTables(Connection& connection) {
   std::vector<std::string> tables{"schema_migration"};
@@ -192,7 +193,7 @@ class ServerRolesTest : public DatabaseTest {
     station.execute(
         "INSERT INTO duty_request (id, act, subject, detail_json, reason, requested_by,"
         " requested_utc_us) VALUES (?, ?, ?, ?, ?, ?, ?)",
-        {id, act, subject, detail, "why", user, 1});
+        {id, act, subject, detail, "why", user, numberFrom(station, kNow)});
     return id;
   }
   [[nodiscard]] static std::string decisionOn(const std::string& request, const std::string& user) {
@@ -589,6 +590,161 @@ TEST_F(ServerRolesTest, NobodyGivesThemselvesRightsOrPasswords) {
                 .find("ERROR"),
             std::string::npos);
   EXPECT_EQ(numberFrom(*connection_, "SELECT count(*) FROM user_role WHERE user_id = 'u-other'"), 2);
+}
+
+TEST_F(ServerRolesTest, WhatIsKeptOfALinkOrCardOpensNothing) {
+  AccessRepository owner(*connection_, PasswordCost::kTest);
+  const std::int64_t now_us = numberFrom(*connection_, kNow);
+  owner.addInvitation("open", {"u-rater", now_us, now_us + 60'000'000}, "proof of the rater");
+  owner.addInvitation("expired", {"u-other", 1, 2}, "proof of the other");
+  owner.setKioskCode("card", "u-trainee", "proof of the card", 1);
+  connection_->executeVerbatim(
+      "INSERT INTO setting (name, value, changed_utc_us) VALUES ('kiosk_codes', 'yes', 1)"
+      " ON CONFLICT (name) DO UPDATE SET value = 'yes'");
+
+  // Whoever manages users reads what is kept.
+  const std::string kept = as("u-office", "SELECT token_hash FROM invitation WHERE id = 'open'");
+  ASSERT_EQ(kept.size(), 64U);
+  EXPECT_EQ(psql("SELECT open_invited_session('" + kept + "')"), "");
+  EXPECT_EQ(
+      psql("SELECT open_session_with_code('" + as("u-office", "SELECT code_hash FROM kiosk_code") + "')"),
+      "");
+  EXPECT_EQ(psql("SELECT open_invited_session('proof of the other')"), "");  // expired
+  EXPECT_NE(psql("SELECT open_session_with_invitation('" + kept + "')").find("does not exist"),
+            std::string::npos);
+  EXPECT_EQ(psql("SELECT open_session_with_code('proof of the card')").substr(0, 16), "u-trainee active");
+
+  Connection station = openRecord(stationLocator(), OpenMode::kReadWrite);
+  AccessRepository access(station, PasswordCost::kTest);
+  tellSession(station, access.openInvitedSession("proof of the rater"));
+  EXPECT_EQ(numberFrom(station, "SELECT count(*) FROM training_mark"), 0);  // for the password only
+  EXPECT_EQ(numberFrom(station, "SELECT count(*) FROM person_identity"), 0);
+  EXPECT_THROW(station.execute("UPDATE app_user SET state = 'disabled' WHERE id = 'u-rater'"), DbError);
+  EXPECT_EQ(access.invited("proof of the rater", now_us), UserId("u-rater"));
+  EXPECT_TRUE(access.useInvitation("proof of the rater", now_us));
+  access.setPassword("u-rater", access.sealPassword("u-rater", kPassword), false);
+  EXPECT_FALSE(access.useInvitation("proof of the rater", now_us));
+  EXPECT_EQ(access.openInvitedSession("proof of the rater"), "");
+  EXPECT_EQ(access.signIn("u-rater", kPassword, now_us).outcome, SignIn::kOk);
+  EXPECT_NE(
+      as("u-office", "UPDATE invitation SET state = 'open' WHERE id = 'open'").find("row-level security"),
+      std::string::npos);
+}
+
+TEST_F(ServerRolesTest, WhoeverAsksNeedsTheRightAndIsAnotherRealPerson) {
+  const std::string person = real_->traineeId;
+  const std::int64_t now_us = numberFrom(*connection_, kNow);
+  const auto asked = [&](const std::string& id, const std::string& user, std::int64_t at_us) {
+    return "INSERT INTO duty_request (id, act, subject, detail_json, reason, requested_by, requested_utc_us)"
+           " VALUES ('" +
+           id + "', 'erase', '" + person + "', '{}', 'why', '" + user + "', " + std::to_string(at_us) + ")";
+  };
+  const auto refused = [this](const std::string& user, const std::string& act) {
+    EXPECT_NE(as(user, act).find("row-level security"), std::string::npos) << user << ": " << act;
+  };
+  for (const char* user : {"u-rater", "u-trainee", "u-other", "u-allocator"}) {
+    refused(user, asked("d", user, now_us));
+  }
+  refused("u-second", asked("d", "u-second", now_us - 2 * 86'400'000'000));
+  refused("u-second", asked("d", "u-second", now_us + 20 * 86'400'000'000));
+
+  // Requests that were there before the asker lost the right, are too old, or come from a simulated person.
+  addUser("u-simulated", "administrator", "NULL");
+  connection_->executeVerbatim("UPDATE app_user SET demonstration = TRUE WHERE id = 'u-simulated'");
+  refused("u-simulated", asked("d", "u-simulated", now_us));
+  for (const char* user : {"u-rater", "u-simulated"}) {
+    connection_->executeVerbatim(asked("by " + std::string(user), user, now_us));
+    refused("u-office", decisionOn("by " + std::string(user), "u-office"));
+  }
+  connection_->executeVerbatim(asked("old", "u-second", now_us - 15 * 86'400'000'000));
+  refused("u-office", decisionOn("old", "u-office"));
+  connection_->executeVerbatim(asked("real", "u-second", now_us));
+  refused("u-simulated", decisionOn("real", "u-simulated"));
+  EXPECT_EQ(as("u-office", decisionOn("real", "u-office")).find("ERROR"), std::string::npos);
+
+  // The way round: as a simulated person, then as oneself.
+  const std::string entered =
+      as("u-office", "SELECT open_simulated_session((SELECT id FROM app_user WHERE demonstration LIMIT 1));" +
+                         asked("mine", "u-simulated", now_us));
+  EXPECT_NE(entered.find("row-level security"), std::string::npos) << entered;
+}
+
+TEST_F(ServerRolesTest, APersonGetsNoSecondAccount) {
+  const auto added = [](const std::string& id, const std::string& person) {
+    return "INSERT INTO app_user (id, login, person_id, password_hash, must_change_password, state,"
+           " failed_count, locked_until_utc_us, created_utc_us, demonstration) VALUES ('" +
+           id + "', '" + id + "', " + person + ", '', FALSE, 'active', 0, 0, 0, FALSE)";
+  };
+  const std::string rater = "(SELECT person_id FROM app_user WHERE id = 'u-rater')";
+  connection_->executeVerbatim("UPDATE app_user SET person_id = NULL WHERE id = 'u-trainee'");
+  const std::string other =
+      selectFirst(*connection_, "SELECT trainee_id FROM enrolment LIMIT 1", {}, readText).value_or("");
+  const auto refused = [](const std::string& answer) {
+    return answer.find("row-level security") != std::string::npos;
+  };
+  EXPECT_TRUE(refused(as("u-office", added("again", rater))));
+  connection_->executeVerbatim("UPDATE app_user SET state = 'disabled' WHERE id = 'u-rater'");
+  EXPECT_TRUE(refused(as("u-office", added("again", rater))));
+  // A transaction that would not see an account that another one adds meanwhile.
+  const std::vector<std::string> answers =
+      answersTo({{"SELECT set_config('torsio.session', '" + tokenOf("u-office") + "', false)", true},
+                 {"BEGIN ISOLATION LEVEL REPEATABLE READ", true},
+                 {added("first", "'" + other + "'"), false},
+                 {"ROLLBACK", true}});
+  EXPECT_TRUE(refused(answers.at(2))) << answers.at(2);
+
+  EXPECT_EQ(as("u-office", added("nobody", "NULL")).find("ERROR"), std::string::npos);
+  EXPECT_EQ(as("u-office", added("first", "'" + other + "'")).find("ERROR"), std::string::npos);
+  EXPECT_TRUE(refused(as("u-office", added("second", "'" + other + "'"))));
+}
+
+TEST_F(ServerRolesTest, OnlyWhoMayEditSettingsWritesThem) {
+  const auto set = [](const std::string& name) {
+    return "INSERT INTO setting (name, value, changed_utc_us) VALUES ('" + name +
+           "', 'yes', 1) ON CONFLICT (name) DO UPDATE SET value = excluded.value";
+  };
+  for (const char* user : {"u-trainee", "u-rater", "u-allocator", ""}) {
+    for (const char* name : {"kiosk_codes", "record.moving_to", "record.moved_to", "language", "anything"}) {
+      EXPECT_NE(as(user, set(name)).find("row-level security"), std::string::npos) << user << " " << name;
+    }
+    EXPECT_EQ(as(user, "UPDATE setting SET value = 'no' RETURNING name"), "") << user;
+  }
+  for (const char* name : {"kiosk_codes", "record.moving_to", "language"}) {
+    EXPECT_EQ(as("u-office", set(name)).find("ERROR"), std::string::npos) << name;
+  }
+}
+
+TEST_F(ServerRolesTest, NobodyMakesTheOtherAdministratorPowerlessAlone) {
+  const std::string disable = "UPDATE app_user SET state = 'disabled' WHERE id = 'u-second'";
+  const std::string demote = "DELETE FROM user_role WHERE user_id = 'u-second' RETURNING role_code";
+  EXPECT_NE(as("u-office", disable).find("row-level security"), std::string::npos);
+  EXPECT_EQ(as("u-office", demote), "");
+  EXPECT_NE(as("u-office", "INSERT INTO setting (name, value, changed_utc_us) VALUES ('two_people', 'no', 1)")
+                .find("row-level security"),
+            std::string::npos);
+  EXPECT_EQ(as("u-office", "UPDATE app_user SET state = 'disabled' WHERE id = 'u-other' RETURNING id"),
+            "u-other");  // of others one decides
+
+  // The other one may agree; to a role for themselves not.
+  const std::string more =
+      requestOf("u-office", "grant_roles", "u-second", R"({"roles": ["administrator", "rater"]})");
+  EXPECT_NE(as("u-second", decisionOn(more, "u-second")).find("row-level security"), std::string::npos);
+  addUser("u-third", "administrator", "NULL");
+  const std::string none = requestOf("u-third", "grant_roles", "u-second", R"({"roles": []})");
+  EXPECT_EQ(as("u-second", "BEGIN; " + decisionOn(none, "u-second") + "; " + demote + "; ROLLBACK"),
+            "administrator");
+  EXPECT_EQ(as("u-office", decisionOn(none, "u-office") + "; " + demote), "administrator");
+  EXPECT_EQ(as("u-office", disable).find("ERROR"), std::string::npos);
+}
+
+TEST_F(ServerRolesTest, AnUnknownNameIsAnsweredAsLateAsAKnownOne) {
+  Connection station = openRecord(stationLocator(), OpenMode::kReadWrite);
+  AccessRepository access(station, PasswordCost::kTest);
+  for (const char* login : {"u-office", "nobody"}) {
+    const std::int64_t from_us = numberFrom(*connection_, kNow);
+    EXPECT_EQ(access.signIn(login, kPassword, 0).outcome, SignIn::kWrong);
+    EXPECT_GE(numberFrom(*connection_, kNow) - from_us, 250'000) << login;
+  }
 }
 
 TEST_F(ServerRolesTest, TheSeedIsClosedToAllButAllocators) {

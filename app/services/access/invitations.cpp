@@ -19,7 +19,7 @@ namespace torsio {
 
 namespace {
 
-std::string hashOfInvitation(const std::string& secret, const std::string& code) {
+std::string proofOfInvitation(const std::string& secret, const std::string& code) {
   return hashOfSecret("torsio invitation", secret + code);
 }
 
@@ -80,7 +80,7 @@ std::string makeInvitation(SessionContext& session, const UserId& userId, const 
   const std::int64_t now_us = session.now_us();
   AccessRepository(session.connection())
       .addInvitation(session.ids().newUuid(), {userId, now_us, now_us + kInvitationLife_us},
-                     hashOfInvitation(secret, code));
+                     proofOfInvitation(secret, code));
   session.note(AuditAction::kInvitationMake, AuditObject::kAppUser, userId);
   return secret;
 }
@@ -209,19 +209,21 @@ SignInAnswer acceptInvitation(SessionContext& session, const std::string& secret
                               const std::string& newPassword) {
   Connection& connection = session.connectionWithoutRight();
   AccessRepository access(connection, session.passwordCost());
-  const std::string hash = hashOfInvitation(secret, code);
+  const std::string proof = proofOfInvitation(secret, code);
   const auto refused = [&] {
     session.note(AuditAction::kUserSignInFailed, AuditObject::kAppUser, {}, {{"with", "invitation"}});
     return SignInAnswer{SignIn::kWrong};
   };
-  const std::string serverToken = access.openInvitedSession(hash);
+  const std::string serverToken = access.openInvitedSession(proof);
+  if (!serverToken.empty()) {
+    tellSession(connection, serverToken);
+  }
   const auto leave = [&] {
     if (!serverToken.empty()) {
-      tellSession(connection, serverToken);
       access.endOwnServerSession();
     }
   };
-  const std::optional<UserId> userId = access.invited(hash, session.now_us());
+  const std::optional<UserId> userId = access.invited(proof, session.now_us());
   if (!userId) {
     leave();
     return refused();
@@ -234,7 +236,7 @@ SignInAnswer acceptInvitation(SessionContext& session, const std::string& secret
   bool used = false;
   {
     Transaction transaction(connection);
-    used = access.useInvitation(hash, session.now_us());
+    used = access.useInvitation(proof, session.now_us());
     if (used) {
       access.setPassword(*userId, password, false);
       session.note(AuditAction::kInvitationUse, AuditObject::kAppUser, *userId);

@@ -202,6 +202,10 @@ bool AccessRepository::fits(const Account& account, const std::string& login, co
   if (stored.empty()) {
     // Does the same work as for a known login, so that timing does not reveal which logins exist.
     (void)hashPassword(secret, cost_);
+    if (isPrepared(connection_)) {
+      (void)selectFirst(connection_, "SELECT open_session(?, '', ?)", {login, pin},
+                        [](RowReader& row) { return row.maybeText(); });
+    }
     return false;
   }
   if (!isHiddenPassword(stored) || !isPrepared(connection_)) {
@@ -214,10 +218,9 @@ bool AccessRepository::fits(const Account& account, const std::string& login, co
   return token && token->has_value();
 }
 
-std::string AccessRepository::openInvitedSession(const std::string& tokenHash) {
+std::string AccessRepository::openInvitedSession(const std::string& proof) {
   return isPrepared(connection_)
-             ? selectFirst(connection_, "SELECT open_session_with_invitation(?)", {tokenHash}, readText)
-                   .value_or("")
+             ? selectFirst(connection_, "SELECT open_invited_session(?)", {proof}, readText).value_or("")
              : std::string();
 }
 
@@ -228,14 +231,16 @@ std::string AccessRepository::openSimulatedSession(const UserId& userId) {
 }
 
 void AccessRepository::endOwnServerSession() {
-  endOtherServerSessions({});
+  if (isPrepared(connection_)) {
+    // Selects a row without columns: the function returns nothing.
+    (void)selectFirst(connection_, "SELECT count(*) FROM (SELECT end_own_session()) AS done", {}, readInt64);
+  }
 }
 
 void AccessRepository::endOtherServerSessions(const UserId& userId) {
   if (isPrepared(connection_)) {
-    // Selects a row without columns: the function returns nothing.
-    (void)selectFirst(connection_, "SELECT count(*) FROM (SELECT end_sessions(?)) AS done", {userId.text()},
-                      readInt64);
+    (void)selectFirst(connection_, "SELECT count(*) FROM (SELECT end_other_sessions(?)) AS done",
+                      {userId.text()}, readInt64);
   }
 }
 
@@ -285,12 +290,12 @@ void AccessRepository::setPin(const UserId& userId, const SealedSecret& pin) {
   connection_.execute("UPDATE app_user SET pin_hash = ? WHERE id = ?", {textOrNull(pin.hash), userId});
 }
 
-void AccessRepository::setKioskCode(const std::string& id, const UserId& userId, const std::string& codeHash,
+void AccessRepository::setKioskCode(const std::string& id, const UserId& userId, const std::string& proof,
                                     std::int64_t utc_us) {
   Transaction transaction(connection_);
   (void)revokeKioskCode(userId, utc_us);
   connection_.execute(insertInto("kiosk_code", "id, user_id, code_hash, made_utc_us"),
-                      {id, userId, codeHash, utc_us});
+                      {id, userId, keptOfProof(proof), utc_us});
   transaction.commit();
 }
 
@@ -310,12 +315,12 @@ std::vector<KioskCodeRow> AccessRepository::kioskCodes() const {
 }
 
 void AccessRepository::addInvitation(const std::string& id, const InvitationRow& invitation,
-                                     const std::string& tokenHash) {
+                                     const std::string& proof) {
   Transaction transaction(connection_);
   (void)revokeInvitation(invitation.userId);
   connection_.execute(
       insertInto("invitation", "id, user_id, token_hash, made_utc_us, expires_utc_us, state"),
-      {id, invitation.userId, tokenHash, invitation.madeUtc_us, invitation.expiresUtc_us, "open"});
+      {id, invitation.userId, keptOfProof(proof), invitation.madeUtc_us, invitation.expiresUtc_us, "open"});
   transaction.commit();
 }
 
@@ -333,19 +338,19 @@ std::vector<InvitationRow> AccessRepository::openInvitations() const {
                    });
 }
 
-std::optional<UserId> AccessRepository::invited(const std::string& tokenHash, std::int64_t now_us) const {
+std::optional<UserId> AccessRepository::invited(const std::string& proof, std::int64_t now_us) const {
   return selectFirst(connection_,
                      "SELECT u.id FROM invitation i JOIN app_user u ON u.id = i.user_id WHERE"
                      " i.token_hash = ? AND i.state = 'open' AND i.expires_utc_us > ?"
                      " AND u.state = 'active'",
-                     {tokenHash, now_us}, [](RowReader& row) { return UserId(row.text()); });
+                     {keptOfProof(proof), now_us}, [](RowReader& row) { return UserId(row.text()); });
 }
 
-bool AccessRepository::useInvitation(const std::string& tokenHash, std::int64_t now_us) {
+bool AccessRepository::useInvitation(const std::string& proof, std::int64_t now_us) {
   return connection_.execute(
              "UPDATE invitation SET state = 'used' WHERE token_hash = ? AND state = 'open'"
              " AND expires_utc_us > ?",
-             {tokenHash, now_us}) == 1;
+             {keptOfProof(proof), now_us}) == 1;
 }
 
 void AccessRepository::endSessions(const UserId& userId) {
@@ -381,19 +386,20 @@ struct CardHolder {
   std::string serverToken{};
 };
 
-/// Returns the trainee on whose card this code is; empty: nobody.
-std::optional<CardHolder> holderOf(Connection& connection, const std::string& codeHash) {
+/// Returns the trainee whose card this proves; empty: nobody. A file may hold cards of which it keeps the
+/// proof.
+std::optional<CardHolder> holderOf(Connection& connection, const std::string& proof) {
   if (!isPrepared(connection)) {
     return selectFirst(connection,
                        "SELECT u.id, u.state FROM kiosk_code k JOIN app_user u ON u.id = k.user_id"
-                       " WHERE k.code_hash = ? AND k.revoked_utc_us IS NULL AND NOT EXISTS"
+                       " WHERE k.code_hash IN (?, ?) AND k.revoked_utc_us IS NULL AND NOT EXISTS"
                        " (SELECT 1 FROM user_role r WHERE r.user_id = u.id AND r.role_code <> 'trainee')",
-                       {codeHash}, [](RowReader& row) {
+                       {keptOfProof(proof), proof}, [](RowReader& row) {
                          return CardHolder{row.text(), row.text() == "active"};
                        });
   }
   std::istringstream answer(
-      selectFirst(connection, "SELECT open_session_with_code(?)", {codeHash}, readText).value_or(""));
+      selectFirst(connection, "SELECT open_session_with_code(?)", {proof}, readText).value_or(""));
   std::string id;
   std::string state;
   std::string token;
@@ -403,14 +409,14 @@ std::optional<CardHolder> holderOf(Connection& connection, const std::string& co
 
 }  // namespace
 
-SignInResult AccessRepository::signInWithCode(const std::string& codeHash, const std::string& station,
+SignInResult AccessRepository::signInWithCode(const std::string& proof, const std::string& station,
                                               std::int64_t now_us) {
   Account gate;
   readFailures(gate, "card", station);
   if (const std::optional<std::int64_t> until_us = waitOf(gate, now_us)) {
     return {SignIn::kWait, "", *until_us};
   }
-  const std::optional<CardHolder> found = holderOf(connection_, codeHash);
+  const std::optional<CardHolder> found = holderOf(connection_, proof);
   if (!found) {
     setFailures(gate, gate.failures + 1, now_us + waitAfter(gate.failures + 1));
     return {SignIn::kWrong};

@@ -86,33 +86,34 @@ class AccessRepository {
   [[nodiscard]] SignInResult signInForPractice(const std::string& login, const std::string& pin,
                                                std::int64_t now_us, const std::string& place = {});
 
-  /// Stores the hash of a user's new kiosk code; earlier codes become invalid.
-  void setKioskCode(const std::string& id, const UserId& userId, const std::string& codeHash,
+  /// Stores a user's new kiosk code, with keptOfProof() of what the card proves; earlier codes become
+  /// invalid.
+  void setKioskCode(const std::string& id, const UserId& userId, const std::string& proof,
                     std::int64_t utc_us);
   /// Returns whether there was a valid code.
   bool revokeKioskCode(const UserId& userId, std::int64_t utc_us);
   [[nodiscard]] std::vector<KioskCodeRow> kioskCodes() const;
-  /// Signs in with the hash of a kiosk code; only users whose sole role is trainee are admitted. Failures are
+  /// Signs in with the proof of a card; only users whose sole role is trainee are admitted. Failures are
   /// counted per station.
-  [[nodiscard]] SignInResult signInWithCode(const std::string& codeHash, const std::string& station,
+  [[nodiscard]] SignInResult signInWithCode(const std::string& proof, const std::string& station,
                                             std::int64_t now_us);
 
-  /// Stores the hash of a user's new invitation; earlier ones become invalid.
-  void addInvitation(const std::string& id, const InvitationRow& invitation, const std::string& tokenHash);
+  /// Stores a user's new invitation, with keptOfProof(); earlier ones become invalid.
+  void addInvitation(const std::string& id, const InvitationRow& invitation, const std::string& proof);
   /// Returns whether there was an open invitation.
   bool revokeInvitation(const UserId& userId);
   [[nodiscard]] std::vector<InvitationRow> openInvitations() const;
   /// Returns the user of an open invitation; empty if it has expired or the user is disabled.
-  [[nodiscard]] std::optional<UserId> invited(const std::string& tokenHash, std::int64_t now_us) const;
-  /// On a prepared server: opens a session for the user of an open invitation on this connection, which
-  /// otherwise sees none, and returns its token; empty elsewhere, and without one.
-  [[nodiscard]] std::string openInvitedSession(const std::string& tokenHash);
-  /// The same for a simulated person, for an administrator who has signed in.
+  [[nodiscard]] std::optional<UserId> invited(const std::string& proof, std::int64_t now_us) const;
+  /// On a prepared server: opens a session that may set the password of an open invitation's user, and
+  /// nothing else, and returns its token; empty elsewhere, and without one.
+  [[nodiscard]] std::string openInvitedSession(const std::string& proof);
+  /// The same of a simulated person, with that person's rights, for an administrator who has signed in.
   [[nodiscard]] std::string openSimulatedSession(const UserId& userId);
   /// Ends the server's session of this connection.
   void endOwnServerSession();
   /// Consumes an invitation. False if it is no longer open; of two concurrent calls one succeeds.
-  [[nodiscard]] bool useInvitation(const std::string& tokenHash, std::int64_t now_us);
+  [[nodiscard]] bool useInvitation(const std::string& proof, std::int64_t now_us);
 
   /// Ends the user's browser sessions.
   void endSessions(const UserId& userId);
@@ -131,6 +132,7 @@ class AccessRepository {
   /// True if the secret fits; fills `result.serverToken` on a prepared server.
   [[nodiscard]] bool fits(const Account& account, const std::string& login, const std::string& secret,
                           bool pin, SignInResult& result);
+  /// Ends the user's server sessions but that of this connection.
   void endOtherServerSessions(const UserId& userId);
   /// End of the current wait; empty: none.
   [[nodiscard]] std::optional<std::int64_t> waitOf(const Account& account, std::int64_t now_us);

@@ -11,24 +11,29 @@ namespace {
 
 // Who has signed in.
 
-/// The user of the session whose token the station holds, also with a PIN.
-constexpr std::string_view kSessionAuthor =
+/// The user of the session whose token the station holds; with `with_pin` also if a PIN was all that was
+/// shown.
+constexpr std::string_view kSessionHolder =
     "SELECT s.user_id FROM server_session s JOIN app_user u ON u.id = s.user_id"
     " WHERE s.token_hash = encode(sha256(convert_to(current_setting('torsio.session', true), 'UTF8')), 'hex')"
     " AND s.until_utc_us > extract(epoch FROM clock_timestamp()) * 1000000 AND u.state = 'active'"
-    " AND s.client = coalesce(host(inet_client_addr()), 'local')";
+    " AND s.client = coalesce(host(inet_client_addr()), 'local') AND (with_pin OR NOT s.practice)";
 
-/// The same, but nobody if a PIN was all that was shown.
-constexpr std::string_view kSessionUser =
+constexpr std::string_view kSessionAuthor = "SELECT session_holder(TRUE)";
+constexpr std::string_view kSessionUser = "SELECT session_holder(FALSE)";
+
+/// The account whose password the station's session may set, and nothing else.
+constexpr std::string_view kInvitedAccount =
     "SELECT s.user_id FROM server_session s JOIN app_user u ON u.id = s.user_id"
     " WHERE s.token_hash = encode(sha256(convert_to(current_setting('torsio.session', true), 'UTF8')), 'hex')"
     " AND s.until_utc_us > extract(epoch FROM clock_timestamp()) * 1000000 AND u.state = 'active'"
-    " AND s.client = coalesce(host(inet_client_addr()), 'local')"
-    " AND NOT s.practice";
+    " AND s.client = 'invited ' || coalesce(host(inet_client_addr()), 'local')";
 
-constexpr std::string_view kSessionMay =
+constexpr std::string_view kUserMay =
     "SELECT EXISTS (SELECT 1 FROM user_role r JOIN role_operation o ON o.role_code = r.role_code"
-    " WHERE r.user_id = session_user_id() AND o.operation_code = operation)";
+    " WHERE r.user_id = account AND o.operation_code = operation)";
+
+constexpr std::string_view kSessionMay = "SELECT user_may(session_user_id(), operation)";
 
 /// Somebody has signed in, with more than a PIN, or this transaction founds the centre.
 constexpr std::string_view kIsKnown =
@@ -97,18 +102,49 @@ constexpr std::string_view kTwoDecided =
     " ON d.request_id = r.id WHERE r.act = wanted AND r.subject = about AND d.decision = 'confirmed'"
     " AND d.decided_by = session_user_id() AND d.xmin = pg_current_xact_id_if_assigned()::xid)";
 
+/// The right with which an act is confirmed; see rightToConfirm().
+constexpr std::string_view kRightTo =
+    "SELECT CASE act WHEN 'erase' THEN 'person.erase' WHEN 'restore' THEN 'database.restore'"
+    " WHEN 'reveal_allocation' THEN 'allocation.reveal' WHEN 'freeze_interim' THEN 'results.compute'"
+    " WHEN 'one_person' THEN 'settings.edit' ELSE 'user.manage' END";
+
+constexpr std::string_view kMayAsk =
+    "SELECT user_may(account, right_to(act)) OR (act = 'reveal_allocation'"
+    " AND user_may(account, 'study.setup'))";
+
+/// Nothing of a real person depends on what is asked for.
+constexpr std::string_view kIsSimulatedSubject =
+    "SELECT CASE WHEN act IN ('reset_password', 'grant_roles', 'invite') THEN"
+    " EXISTS (SELECT 1 FROM app_user u WHERE u.id = about AND u.demonstration)"
+    " WHEN act = 'erase' THEN EXISTS (SELECT 1 FROM person p WHERE p.id = about AND p.demonstration)"
+    " WHEN act = 'reveal_allocation' THEN is_simulated_design(about)"
+    " WHEN act = 'freeze_interim' THEN EXISTS (SELECT 1 FROM cohort c WHERE c.id = about"
+    " AND c.demonstration) ELSE FALSE END";
+
+/// A request is made now, so that none outlives its two weeks; clocks of stations may differ by a day.
+constexpr std::string_view kMayRequest =
+    "SELECT asker = session_user_id() AND may_ask(asker, act) AND (is_simulated_subject(act, about)"
+    " OR NOT EXISTS (SELECT 1 FROM app_user u WHERE u.id = asker AND u.demonstration))"
+    " AND abs(at_us - extract(epoch FROM clock_timestamp()) * 1000000) < 86400000000";
+
+/// Confirmed by another real person than the one who asked, within two weeks (kRequestLife_us). About one's
+/// own account one confirms only that roles are taken away.
 constexpr std::string_view kMayDecide =
     "SELECT decider = session_user_id() AND (SELECT CASE WHEN made = 'withdrawn' THEN"
     " r.requested_by = decider WHEN made = 'refused' THEN session_may('user.manage') OR"
     " session_may('allocation.reveal') ELSE r.requested_by <> decider AND asker.state = 'active'"
     " AND self.person_id IS NOT DISTINCT FROM NULLIF(self.person_id, asker.person_id)"
-    " AND (asker.demonstration OR NOT self.demonstration)"
-    " AND (r.act NOT IN ('reset_password', 'grant_roles', 'invite') OR r.subject <> decider)"
-    " AND session_may(CASE r.act WHEN 'erase' THEN 'person.erase' WHEN 'restore' THEN 'database.restore'"
-    " WHEN 'reveal_allocation' THEN 'allocation.reveal' WHEN 'freeze_interim' THEN 'results.compute'"
-    " WHEN 'one_person' THEN 'settings.edit' ELSE 'user.manage' END) END"
+    " AND (is_simulated_subject(r.act, r.subject) OR NOT (asker.demonstration OR self.demonstration))"
+    " AND r.requested_utc_us > extract(epoch FROM clock_timestamp()) * 1000000 - 1209600000000"
+    " AND may_ask(asker.id, r.act) AND session_may(right_to(r.act))"
+    " AND (r.act NOT IN ('reset_password', 'grant_roles', 'invite') OR r.subject <> decider"
+    " OR (r.act = 'grant_roles' AND only_takes_roles(r.subject, r.detail_json))) END"
     " FROM duty_request r LEFT JOIN app_user asker ON asker.id = r.requested_by"
     " JOIN app_user self ON self.id = decider WHERE r.id = request)";
+
+constexpr std::string_view kOnlyTakesRoles =
+    "SELECT NOT EXISTS (SELECT 1 FROM jsonb_array_elements_text(detail::jsonb -> 'roles') AS wanted (code)"
+    " WHERE NOT EXISTS (SELECT 1 FROM user_role r WHERE r.user_id = account AND r.role_code = wanted.code))";
 
 constexpr std::string_view kAdministrators =
     "SELECT count(*) FROM app_user u JOIN user_role r ON r.user_id = u.id"
@@ -124,6 +160,18 @@ constexpr std::string_view kAccountIsGuarded =
     " FROM app_user u JOIN rater p ON p.person_id = u.person_id WHERE u.id = account"
     " AND NOT u.demonstration))";
 
+/// An administrator who could confirm: otherwise one could make the other powerless and go on alone.
+constexpr std::string_view kAdministratorIsGuarded =
+    "SELECT NOT one_is_enough() AND EXISTS (SELECT 1 FROM app_user u JOIN user_role r ON r.user_id = u.id"
+    " WHERE u.id = account AND r.role_code = 'administrator' AND u.state = 'active' AND NOT u.demonstration)";
+
+constexpr std::string_view kMayTakeRole =
+    "SELECT session_may('user.manage') AND (taken <> 'administrator' OR NOT administrator_is_guarded(account)"
+    " OR EXISTS (SELECT 1 FROM duty_request r JOIN duty_decision d ON d.request_id = r.id"
+    " WHERE r.act = 'grant_roles' AND r.subject = account AND d.decision = 'confirmed'"
+    " AND d.decided_by = session_user_id() AND d.xmin = pg_current_xact_id_if_assigned()::xid"
+    " AND NOT jsonb_exists(r.detail_json::jsonb -> 'roles', taken)))";
+
 constexpr std::string_view kMayGiveRole =
     "SELECT CASE WHEN session_user_id() IS NULL THEN is_known() ELSE session_may('user.manage') AND ("
     "NOT role_is_guarded((SELECT demonstration FROM app_user WHERE id = account), given)"
@@ -131,6 +179,19 @@ constexpr std::string_view kMayGiveRole =
     " WHERE r.act = 'grant_roles' AND r.subject = account AND d.decision = 'confirmed'"
     " AND d.decided_by = session_user_id() AND d.xmin = pg_current_xact_id_if_assigned()::xid"
     " AND jsonb_exists(r.detail_json::jsonb -> 'roles', given))) END";
+
+/// A person has one account. Another one that is being added is waited for, and seen: at other levels of
+/// isolation it would not be.
+constexpr std::string_view kMayAddAccount = R"(
+BEGIN
+  IF NOT (CASE WHEN session_user_id() IS NULL THEN is_known() ELSE session_may('user.manage') END) THEN
+    RETURN FALSE;
+  END IF;
+  IF person IS NULL THEN RETURN TRUE; END IF;
+  IF current_setting('transaction_isolation') <> 'read committed' THEN RETURN FALSE; END IF;
+  PERFORM pg_advisory_xact_lock(1414484563, hashtext(person));
+  RETURN NOT EXISTS (SELECT 1 FROM app_user u WHERE u.person_id = person);
+END )";
 
 /// The row is still as it was before this statement.
 constexpr std::string_view kMayChangeAccount = R"(
@@ -140,9 +201,15 @@ DECLARE
   me text := session_user_id();
 BEGIN
   SELECT * INTO before FROM app_user u WHERE u.id = account;
-  IF me IS NULL THEN RETURN is_known() AND session_author() IS NULL; END IF;
+  IF me IS NULL AND invited_account() IS NULL THEN
+    RETURN is_known() AND session_author() IS NULL;
+  END IF;
   IF before.id IS NULL OR before.login <> name OR before.person_id IS DISTINCT FROM person
       OR before.demonstration <> simulated THEN RETURN FALSE; END IF;
+  IF standing <> before.state AND administrator_is_guarded(account) THEN RETURN FALSE; END IF;
+  IF me IS NULL THEN
+    RETURN account = invited_account() AND standing = before.state AND before.pin_hash IS NOT DISTINCT FROM pin;
+  END IF;
   IF before.password_hash = password AND before.pin_hash IS NOT DISTINCT FROM pin THEN
     RETURN me = account OR session_may('user.manage');
   END IF;
@@ -155,13 +222,22 @@ constexpr std::string_view kMayInvite =
     "SELECT session_may('user.manage') AND (NOT account_is_guarded(account)"
     " OR two_decided('invite', account))";
 
+/// What was used or revoked never opens again.
+constexpr std::string_view kMayChangeInvitation =
+    "SELECT (session_may('user.manage') OR account IN (session_user_id(), invited_account())) AND (wanted <> "
+    "'open'"
+    " OR EXISTS (SELECT 1 FROM invitation i WHERE i.id = invited AND i.state = 'open'))";
+
 constexpr std::string_view kMayOpenSeed =
     "SELECT is_simulated_design(design) OR (session_may('allocation.reveal')"
     " AND two_decided('reveal_allocation', design))";
 
-constexpr std::string_view kMaySetRule =
-    "SELECT CASE WHEN session_user_id() IS NULL THEN is_known() ELSE session_may('settings.edit')"
-    " AND (written = 'yes' OR administrators() < 2 OR two_decided('one_person', 'two_people')) END";
+/// Moving a record away writes where to.
+constexpr std::string_view kMaySet =
+    "SELECT CASE WHEN session_user_id() IS NULL THEN is_known()"
+    " WHEN named IN ('record.moving_to', 'record.moved_to') THEN session_may('database.restore')"
+    " ELSE session_may('settings.edit') AND (named <> 'two_people' OR written = 'yes'"
+    " OR administrators() < 2 OR two_decided('one_person', 'two_people')) END";
 
 /// An interim state, of which sheets are missing, needs two people.
 constexpr std::string_view kMayFreeze =
@@ -222,13 +298,16 @@ BEGIN
   RETURN new_session(found.id, pin);
 END )";
 
-/// With the hash of the code on a trainee's card, while the centre allows it. Returns id, state and token.
+/// What is kept of the proof of a card or link (access_repository.h).
+constexpr std::string_view kKeptOfProof = "SELECT encode(sha256(convert_to(proof, 'UTF8')), 'hex')";
+
+/// With the proof of a trainee's card, while the centre allows it. Returns id, state and token.
 constexpr std::string_view kOpenWithCode = R"(
 DECLARE
   found app_user;
 BEGIN
   SELECT u.* INTO found FROM kiosk_code k JOIN app_user u ON u.id = k.user_id
-    WHERE k.code_hash = hash AND k.revoked_utc_us IS NULL
+    WHERE k.code_hash = kept_of_proof(proof) AND k.revoked_utc_us IS NULL
       AND EXISTS (SELECT 1 FROM setting s WHERE s.name = 'kiosk_codes' AND s.value = 'yes')
       AND NOT EXISTS (SELECT 1 FROM user_role r WHERE r.user_id = u.id AND r.role_code <> 'trainee');
   IF found.id IS NULL THEN
@@ -239,18 +318,23 @@ BEGIN
     CASE WHEN found.state = 'active' THEN new_session(found.id, FALSE) ELSE '' END;
 END )";
 
-/// With the hash of an invitation, to set its account's password.
-constexpr std::string_view kOpenWithInvitation = R"(
+/// With the proof of a link: ten minutes in which nothing but its account's password can be set.
+constexpr std::string_view kOpenInvited = R"(
 DECLARE
   account text;
+  token text;
 BEGIN
   SELECT u.id INTO account FROM invitation i JOIN app_user u ON u.id = i.user_id
-    WHERE i.token_hash = hash AND i.state = 'open' AND u.state = 'active';
+    WHERE i.token_hash = kept_of_proof(proof) AND i.state = 'open' AND u.state = 'active'
+      AND i.expires_utc_us > extract(epoch FROM clock_timestamp()) * 1000000;
   IF account IS NULL THEN
     PERFORM pg_sleep(0.25);
     RETURN NULL;
   END IF;
-  RETURN new_session(account, FALSE);
+  token := new_session(account, TRUE);
+  UPDATE server_session SET client = 'invited ' || client, until_utc_us = begun_utc_us + 600000000
+    WHERE token_hash = kept_of_proof(token);
+  RETURN token;
 END )";
 
 /// An administrator looks round as a simulated trainee or physician.
@@ -264,21 +348,22 @@ BEGIN
   RETURN new_session(account, FALSE);
 END )";
 
-/// Ends the session of the token, and with an account also all its other ones.
-constexpr std::string_view kEndSessions = R"(
-DECLARE
-  own text := encode(sha256(convert_to(current_setting('torsio.session', true), 'UTF8')), 'hex');
-BEGIN
-  IF account = '' THEN
-    DELETE FROM server_session s WHERE s.token_hash = own;
-  ELSIF account = session_user_id() OR session_may('user.manage') THEN
-    DELETE FROM server_session s WHERE s.user_id = account AND s.token_hash IS DISTINCT FROM own;
-  END IF;
-END )";
+constexpr std::string_view kEndOwnSession =
+    "DELETE FROM server_session WHERE token_hash ="
+    " encode(sha256(convert_to(current_setting('torsio.session', true), 'UTF8')), 'hex')";
+
+constexpr std::string_view kEndOtherSessions =
+    "DELETE FROM server_session WHERE user_id = account"
+    " AND (account IN (session_user_id(), invited_account()) OR session_may('user.manage')) AND token_hash "
+    "IS DISTINCT FROM"
+    " encode(sha256(convert_to(current_setting('torsio.session', true), 'UTF8')), 'hex')";
 
 constexpr std::array kFunctions{
+    ServerFunction{"session_holder", "with_pin boolean", "text", "sql STABLE", kSessionHolder, false},
     ServerFunction{"session_author", "", "text", "sql STABLE", kSessionAuthor},
     ServerFunction{"session_user_id", "", "text", "sql STABLE", kSessionUser},
+    ServerFunction{"invited_account", "", "text", "sql STABLE", kInvitedAccount},
+    ServerFunction{"user_may", "account text, operation text", "boolean", "sql STABLE", kUserMay, false},
     ServerFunction{"session_may", "operation text", "boolean", "sql STABLE", kSessionMay},
     ServerFunction{"is_known", "", "boolean", "sql STABLE", kIsKnown},
     ServerFunction{"actor_person", "", "text", "sql STABLE", kActorPerson},
@@ -294,28 +379,45 @@ constexpr std::array kFunctions{
     ServerFunction{"is_simulated_design", "design text", "boolean", "sql STABLE", kIsSimulatedDesign},
     ServerFunction{"one_is_enough", "", "boolean", "sql STABLE", kOneIsEnough},
     ServerFunction{"two_decided", "wanted text, about text", "boolean", "sql STABLE", kTwoDecided},
+    ServerFunction{"right_to", "act text", "text", "sql IMMUTABLE", kRightTo, false},
+    ServerFunction{"may_ask", "account text, act text", "boolean", "sql STABLE", kMayAsk, false},
+    ServerFunction{"is_simulated_subject", "act text, about text", "boolean", "sql STABLE",
+                   kIsSimulatedSubject, false},
+    ServerFunction{"may_request", "act text, about text, asker text, at_us bigint", "boolean", "sql STABLE",
+                   kMayRequest},
+    ServerFunction{"only_takes_roles", "account text, detail text", "boolean", "sql STABLE", kOnlyTakesRoles,
+                   false},
     ServerFunction{"may_decide", "request text, made text, decider text", "boolean", "sql STABLE",
                    kMayDecide},
     ServerFunction{"administrators", "", "bigint", "sql STABLE", kAdministrators},
     ServerFunction{"role_is_guarded", "simulated boolean, given text", "boolean", "sql STABLE", kIsGuarded},
     ServerFunction{"account_is_guarded", "account text", "boolean", "sql STABLE", kAccountIsGuarded},
+    ServerFunction{"administrator_is_guarded", "account text", "boolean", "sql STABLE",
+                   kAdministratorIsGuarded, false},
+    ServerFunction{"may_take_role", "account text, taken text", "boolean", "sql STABLE", kMayTakeRole},
+    ServerFunction{"may_add_account", "person text", "boolean", "plpgsql", kMayAddAccount},
     ServerFunction{"may_give_role", "account text, given text", "boolean", "sql STABLE", kMayGiveRole},
     ServerFunction{"may_change_account",
-                   "account text, name text, person text, password text, pin text, simulated boolean",
+                   "account text, name text, person text, password text, pin text, simulated boolean,"
+                   " standing text",
                    "boolean", "plpgsql STABLE", kMayChangeAccount},
     ServerFunction{"may_invite", "account text", "boolean", "sql STABLE", kMayInvite},
+    ServerFunction{"may_change_invitation", "invited text, account text, wanted text", "boolean",
+                   "sql STABLE", kMayChangeInvitation},
     ServerFunction{"may_open_seed", "design text", "boolean", "sql STABLE", kMayOpenSeed},
-    ServerFunction{"may_set_rule", "written text", "boolean", "sql STABLE", kMaySetRule},
+    ServerFunction{"may_set", "named text, written text", "boolean", "sql STABLE", kMaySet},
     ServerFunction{"may_freeze", "of_cohort text, simulated boolean", "boolean", "sql STABLE", kMayFreeze},
     ServerFunction{"may_write_as", "who text", "boolean", "sql STABLE", kMayWriteAs},
     ServerFunction{"peppered", "nonce text, hash text", "text", "sql STABLE", kPeppered, false},
     ServerFunction{"sealed_secret", "hash text", "text", "plpgsql", kSealedSecret},
     ServerFunction{"new_session", "account text, pin boolean", "text", "plpgsql", kNewSession, false},
     ServerFunction{"open_session", "name text, hash text, pin boolean", "text", "plpgsql", kOpenSession},
-    ServerFunction{"open_session_with_code", "hash text", "text", "plpgsql", kOpenWithCode},
-    ServerFunction{"open_session_with_invitation", "hash text", "text", "plpgsql", kOpenWithInvitation},
+    ServerFunction{"kept_of_proof", "proof text", "text", "sql IMMUTABLE", kKeptOfProof, false},
+    ServerFunction{"open_session_with_code", "proof text", "text", "plpgsql", kOpenWithCode},
+    ServerFunction{"open_invited_session", "proof text", "text", "plpgsql", kOpenInvited},
     ServerFunction{"open_simulated_session", "account text", "text", "plpgsql", kOpenSimulated},
-    ServerFunction{"end_sessions", "account text", "void", "plpgsql", kEndSessions},
+    ServerFunction{"end_own_session", "", "void", "sql", kEndOwnSession},
+    ServerFunction{"end_other_sessions", "account text", "void", "sql", kEndOtherSessions},
     ServerFunction{
         "erase_person", "erased_id text, erased_by text, why text, at_us bigint", "void", "plpgsql", {}}};
 

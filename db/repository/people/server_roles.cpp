@@ -97,7 +97,8 @@ constexpr std::string_view kSeesAll = "(SELECT sees_all_marks())";
 constexpr std::string_view kAddsOthers = "(SELECT adds_marks_of_others())";
 constexpr std::string_view kManagesUsers = "(SELECT session_may('user.manage'))";
 constexpr std::string_view kOwnAccess =
-    "(SELECT session_may('user.manage')) OR user_id = (SELECT session_user_id())";
+    "(SELECT session_may('user.manage')) OR user_id IN ((SELECT session_user_id()), (SELECT "
+    "invited_account()))";
 constexpr std::string_view kOfTheMark =
     "EXISTS (SELECT 1 FROM training_mark m WHERE m.id = mark_id AND (m.rater_id = (SELECT actor_person())"
     " OR m.demonstration OR (SELECT adds_marks_of_others())))";
@@ -158,7 +159,9 @@ constexpr std::array kRowPolicies{
               .seen = "(SELECT session_may('person.view_identity'))",
               .added = kKnown,
               .whole = "person.view_identity"},
-    RowPolicy{.table = "seal_salt", .seen = kKnown, .added = kEverything},
+    RowPolicy{.table = "seal_salt",
+              .seen = "(SELECT is_known() OR invited_account() IS NOT NULL)",
+              .added = kEverything},
     RowPolicy{.table = "record_copy", .seen = kEverything, .added = kEverything},
     // Groups, and the seed that draws them.
     RowPolicy{.table = "training_group",
@@ -184,31 +187,29 @@ constexpr std::array kRowPolicies{
     // Accounts, and what needs two people.
     RowPolicy{.table = "app_user",
               .seen = kEverything,
-              .added = "CASE WHEN (SELECT session_user_id()) IS NULL THEN is_known()"
-                       " ELSE (SELECT session_may('user.manage')) END",
-              .changed = "may_change_account(id, login, person_id, password_hash, pin_hash, demonstration)"},
+              .added = "may_add_account(person_id)",
+              .changed = "may_change_account(id, login, person_id, password_hash, pin_hash, demonstration,"
+                         " state)"},
     RowPolicy{.table = "user_role",
               .seen = kEverything,
               .added = "may_give_role(user_id, role_code)",
-              .removed = kManagesUsers},
+              .removed = "may_take_role(user_id, role_code)"},
     RowPolicy{.table = "kiosk_code", .seen = kManagesUsers, .added = kManagesUsers, .whole = "user.manage"},
     RowPolicy{.table = "invitation",
               .seen = kOwnAccess,
               .added = "may_invite(user_id)",
-              .changed = kOwnAccess,
+              .changed = "may_change_invitation(id, user_id, state)",
               .whole = "user.manage"},
     RowPolicy{.table = "duty_request",
               .seen = "requested_by = (SELECT session_user_id()) OR (SELECT session_may('user.manage'))"
                       " OR (SELECT session_may('allocation.view'))",
-              .added = "requested_by = (SELECT session_user_id())",
+              .added = "may_request(act, subject, requested_by, requested_utc_us)",
               .whole = "allocation.view"},
     RowPolicy{.table = "duty_decision",
               .seen = kEverything,
               .added = "may_decide(request_id, decision, decided_by)"},
     RowPolicy{.table = "mark_release", .seen = kEverything, .added = "(SELECT session_may('mark.release'))"},
-    RowPolicy{.table = "setting",
-              .seen = kEverything,
-              .added = "CASE WHEN name = 'two_people' THEN may_set_rule(value) ELSE (SELECT is_known()) END"},
+    RowPolicy{.table = "setting", .seen = kEverything, .added = "may_set(name, value)"},
     RowPolicy{
         .table = "frozen_dataset", .seen = kEverything, .added = "may_freeze(cohort_id, demonstration)"},
     RowPolicy{
@@ -223,6 +224,10 @@ constexpr std::array kRowPolicies{
 constexpr std::array<std::string_view, 9> kOpenToStations{
     "trial",         "trial_chunk",    "trial_end",       "trial_digest", "exposure",
     "station_state", "learning_event", "sign_in_failure", "row_seal"};
+
+/// Functions of earlier versions.
+constexpr std::array<std::string_view, 3> kFormerFunctions{"open_session_with_invitation", "end_sessions",
+                                                           "may_set_rule"};
 
 /// The policy of a table that the station role may change; null: it only reads the table.
 std::optional<RowPolicy> policyOf(std::string_view table) {
@@ -260,6 +265,23 @@ std::string bodyOf(const ServerFunction& function) {
   return function.body.empty() ? eraseBody() : std::string(function.body);
 }
 
+/// Removes what an earlier version made, too: it would stay open to stations. After dropPolicies().
+void dropFunctions(Connection& connection) {
+  std::set<std::string> names(kFormerFunctions.begin(), kFormerFunctions.end());
+  for (const ServerFunction& one : serverFunctions()) {
+    names.emplace(one.name);
+  }
+  for (const std::string& name : names) {
+    for (const std::string& drop :
+         selectAll(connection,
+                   "SELECT format('DROP FUNCTION %s', oid::regprocedure) FROM pg_proc"
+                   " WHERE pronamespace = current_schema()::text::regnamespace AND proname = ?",
+                   {name}, readText)) {
+      connection.executeVerbatim(drop);
+    }
+  }
+}
+
 void makeFunctions(Connection& connection, const std::string& schema, const std::string& role) {
   for (const ServerFunction& one : serverFunctions()) {
     const std::string name(one.name);
@@ -274,7 +296,7 @@ void makeFunctions(Connection& connection, const std::string& schema, const std:
   }
 }
 
-void makePolicies(Connection& connection, std::span<const std::string> tables, const std::string& role) {
+void dropPolicies(Connection& connection) {
   for (const std::string& drop :
        selectAll(connection,
                  "SELECT format('DROP POLICY %I ON %I', policyname, tablename) FROM pg_policies"
@@ -284,6 +306,9 @@ void makePolicies(Connection& connection, std::span<const std::string> tables, c
                  {}, readText)) {
     connection.executeVerbatim(drop);
   }
+}
+
+void makePolicies(Connection& connection, std::span<const std::string> tables, const std::string& role) {
   for (const std::string& table : tables) {
     const std::optional<RowPolicy> policy = policyOf(table);
     if (!policy) {
@@ -379,6 +404,8 @@ void writeServerRoles(Connection& connection, std::span<const std::string> table
                                  role);
     }
   }
+  dropPolicies(connection);
+  dropFunctions(connection);
   makeFunctions(connection, schema, role);
   makePolicies(connection, tables, role);
   hidePasswords(connection);

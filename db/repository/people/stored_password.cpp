@@ -108,6 +108,10 @@ std::string hashLike(const std::string& stored, const std::string& password) {
   return recipe + "$" + text.data();
 }
 
+std::string keptOfProof(const std::string& proof) {
+  return sha256(proof);  // kept_of_proof() of a server
+}
+
 bool isHiddenPassword(const std::string& stored) {
   return stored.starts_with(kHidden);
 }

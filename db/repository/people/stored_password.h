@@ -28,6 +28,9 @@ class Connection;
 [[nodiscard]] bool passwordMatches(Connection& connection, const std::string& stored,
                                    const std::string& password);
 
+/// Returns what a record keeps of the proof of a card or a link: what it holds does not prove anything.
+[[nodiscard]] std::string keptOfProof(const std::string& proof);
+
 /// True if this is the form of a server.
 [[nodiscard]] bool isHiddenPassword(const std::string& stored);
 
