@@ -21142,6 +21142,14 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Give the one that the centre told you</source>
         <translation>请填写该中心告知的公钥</translation>
     </message>
+    <message>
+        <source>nobody disables an administrator alone</source>
+        <translation>管理员不能由一个人停用</translation>
+    </message>
+    <message>
+        <source>Change the roles first: two people take that of an administrator away</source>
+        <translation>请先更改角色：撤销管理员角色需要两个人</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

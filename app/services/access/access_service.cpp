@@ -303,7 +303,8 @@ void setUserRoles(SessionContext& session, const UserId& userId, const std::vect
   if (isActiveAdministrator(before) && !keepsRole) {
     requireRemainingAdministrator(session, userId);
   }
-  if (givesGuardedRole(session, before.demonstration, before.roles, roles)) {
+  if (givesGuardedRole(session, before.demonstration, before.roles, roles) ||
+      takesAdministrator(session, before, roles)) {
     throw SecondPersonNeeded(DutyAct::kGrantRoles, userId);
   }
   repository(session).setRoles(userId, roles);
@@ -315,8 +316,13 @@ void setUserRoles(SessionContext& session, const UserId& userId, const std::vect
 void setUserActive(SessionContext& session, const UserId& userId, bool active, const std::string& reason) {
   session.require(Operation::kUserManage);
   Transaction transaction(session.connection());
-  if (!active && isActiveAdministrator(userOf(repository(session).users(), userId))) {
+  const UserAccount before = userOf(repository(session).users(), userId);
+  if (!active && isActiveAdministrator(before)) {
     requireRemainingAdministrator(session, userId);
+  }
+  if (!active && takesAdministrator(session, before, {})) {
+    throw Error(ErrorCode::kPermission, Text::tr("nobody disables an administrator alone"), before.login,
+                Text::tr("Change the roles first: two people take that of an administrator away"));
   }
   repository(session).setActive(userId, active);
   session.note(active ? AuditAction::kUserEnable : AuditAction::kUserDisable, AuditObject::kAppUser, userId,

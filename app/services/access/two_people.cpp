@@ -80,6 +80,18 @@ nlohmann::json detailOf(const DutyRequest& request) {
   return nlohmann::json::parse(request.detailJson, nullptr, false);
 }
 
+std::vector<std::string> rolesOf(const DutyRequest& request) {
+  return detailOf(request).value("roles", std::vector<std::string>());
+}
+
+/// Returns whether the account gets no role that it does not have: its password stays, and its user may
+/// confirm.
+bool onlyTakesRoles(DutyAct act, const UserAccount& user, const std::vector<std::string>& roles) {
+  return act == DutyAct::kGrantRoles && std::all_of(roles.begin(), roles.end(), [&](const std::string& role) {
+           return std::find(user.roles.begin(), user.roles.end(), role) != user.roles.end();
+         });
+}
+
 std::vector<DutyRequest> openIn(SessionContext& session) {
   return DutyRepository(session.connection()).open(session.now_us() - kRequestLife_us);
 }
@@ -101,7 +113,8 @@ Text hindrance(SessionContext& session, const DutyRequest& request) {
   if (self && self->demonstration && !asker->demonstration) {
     return Text::tr("an account of the demonstration confirms nothing");
   }
-  if (changesAccount(request.act) && request.subject == actor.userId.text()) {
+  if (changesAccount(request.act) && request.subject == actor.userId.text() &&
+      !(self && onlyTakesRoles(request.act, *self, rolesOf(request)))) {
     return Text::tr("this is your own account");
   }
   return {};
@@ -194,6 +207,16 @@ std::string drawSecondHalf(SessionContext& session, const DutyRequest& request, 
   return second;
 }
 
+void takeRoles(SessionContext& session, const DutyRequest& request, const UserAccount& user,
+               const std::vector<std::string>& roles) {
+  Transaction transaction(session.connection());
+  confirm(session, request);
+  accountsOf(session).setRoles(user.id, roles);
+  session.noteChange(AuditAction::kUserSetRoles, AuditObject::kAppUser, user.id, {{"roles", user.roles}},
+                     {{"roles", roles}}, request.reason);
+  transaction.commit();
+}
+
 /// Creates the link for the requester's code.
 std::string confirmInvitation(SessionContext& session, const DutyRequest& request, const UserAccount& user) {
   if (!user.active) {
@@ -278,12 +301,19 @@ bool givesGuardedRole(SessionContext& session, bool demonstration, const std::ve
   return guarded;
 }
 
+bool takesAdministrator(SessionContext& session, const UserAccount& before,
+                        const std::vector<std::string>& after) {
+  return !before.demonstration && isActiveAdministrator(before) &&
+         std::find(after.begin(), after.end(), kAdministratorRole) == after.end() && !oneIsEnough(session);
+}
+
 std::string askSecondPerson(SessionContext& session, const DutyWish& wish) {
   requireRightTo(session, wish.act);
   requireAskable(session, wish);
   nlohmann::json detail{{"shown", wish.shown}};
   std::string half;
-  if (changesAccount(wish.act)) {
+  const std::optional<UserAccount> user = findUser(session, wish.subject);
+  if (changesAccount(wish.act) && !(user && onlyTakesRoles(wish.act, *user, wish.roles))) {
     half = randomHalfPassword();
     detail["first_half"] = half;
   }
@@ -315,7 +345,7 @@ std::vector<OpenRequest> openRequests(SessionContext& session) {
     open.push_back({.request = request,
                     .requestedBy = asker ? asker->login : std::string(request.requestedBy.text()),
                     .shown = shownOf(session, request),
-                    .roles = detailOf(request).value("roles", std::vector<std::string>()),
+                    .roles = rolesOf(request),
                     .own = request.requestedBy == session.actor().userId,
                     .mayConfirm = session.may(rightToConfirm(request.act)) &&
                                   hindrance(session, request).str().empty()});
@@ -366,7 +396,11 @@ std::string confirmRequest(SessionContext& session, const std::string& requestId
   if (request.act == DutyAct::kResetPassword) {
     return drawSecondHalf(session, request, *user, nullptr);
   }
-  const auto roles = detailOf(request).value("roles", std::vector<std::string>());
+  const std::vector<std::string> roles = rolesOf(request);
+  if (onlyTakesRoles(request.act, *user, roles)) {
+    takeRoles(session, request, *user, roles);
+    return {};
+  }
   return drawSecondHalf(session, request, *user, &roles);
 }
 

@@ -45,11 +45,11 @@ struct DutyWish {
 };
 
 /// Stores a request, audited. Returns the first half of the start password for kResetPassword and
-/// kGrantRoles, or the code of the link for kInvite, shown once to the requester; the second half or the link
-/// is created on confirmation, so that no single person knows both. Requires the right to the act itself (for
-/// kRevealAllocation: kAllocationReveal or kStudySetup). Throws Error{kBadParameter} without a reason,
-/// {kPermission} for the actor's own account, {kBadData} if this is requested already or a user does not
-/// exist.
+/// kGrantRoles (empty if roles are only taken away), or the code of the link for kInvite, shown once to the
+/// requester; the second half or the link is created on confirmation, so that no single person knows both.
+/// Requires the right to the act itself (for kRevealAllocation: kAllocationReveal or kStudySetup). Throws
+/// Error{kBadParameter} without a reason, {kPermission} for the actor's own account, {kBadData} if this is
+/// requested already or a user does not exist.
 std::string askSecondPerson(SessionContext& session, const DutyWish& wish);
 
 /// Returns whether the act is requested by anybody, not yet decided. Requires the right to the act.
@@ -75,9 +75,9 @@ void declineRequest(SessionContext& session, const std::string& requestId, const
 
 /// Confirms and carries out a request for a new start password, roles, an invitation, or turning the rule
 /// off. Returns the second half of the start password or the link's secret (invitationLink()); empty for the
-/// rule. Audited. kUserManage, for the rule kSettingsEdit. Throws Error{kPermission} for the actor's own
-/// request or account, {kBadData} if the request is gone; ContractError for other acts, which their services
-/// confirm.
+/// rule, and if roles are only taken away. Audited. kUserManage, for the rule kSettingsEdit. Throws
+/// Error{kPermission} for the actor's own request or account, {kBadData} if the request is gone;
+/// ContractError for other acts, which their services confirm.
 std::string confirmRequest(SessionContext& session, const std::string& requestId);
 
 /// Uses up another person's request. For services, inside the transaction of the act and after checking the
@@ -93,6 +93,10 @@ UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::stri
 [[nodiscard]] bool givesGuardedRole(SessionContext& session, bool demonstration,
                                     const std::vector<std::string>& before,
                                     const std::vector<std::string>& after);
+/// Returns whether `after` takes the role from an administrator who could confirm, which needs two people:
+/// that administrator may be the second. False if the rule is off. Call after checking a right.
+[[nodiscard]] bool takesAdministrator(SessionContext& session, const UserAccount& before,
+                                      const std::vector<std::string>& after);
 /// Returns whether a new start password of this user needs two people: for every role except trainee, and for
 /// raters whatever their current roles. kUserManage.
 [[nodiscard]] bool passwordNeedsTwo(SessionContext& session, const UserAccount& user);

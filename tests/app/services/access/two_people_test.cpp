@@ -299,8 +299,25 @@ TEST_F(TwoPeople, TurningTheRuleOffNeedsTwoIfThereAreTwo) {
   resetPassword(asFirst(), user("rater").id, "a start password to know", "lost");
 }
 
-TEST_F(TwoPeople, ASingleAdministratorCanAddASecondOneOrTurnTheRuleOff) {
+TEST_F(TwoPeople, NobodyMakesTheOtherAdministratorPowerlessAlone) {
+  EXPECT_EQ(refusalCode([&] { setUserActive(asFirst(), second_, false, "left"); }), ErrorCode::kPermission);
+  EXPECT_THROW(setUserRoles(asFirst(), second_, {}, "left"), SecondPersonNeeded);
+  EXPECT_EQ(user("second").roles, std::vector<std::string>{"administrator"});
+
+  const DutyWish wish{.act = DutyAct::kGrantRoles, .subject = second_, .roles = {}, .reason = "leaves"};
+  EXPECT_EQ(askSecondPerson(asFirst(), wish), "");  // nobody needs a new password
+  const std::string request = openRequests(asSecond()).at(0).request.id;
+  EXPECT_THROW((void)confirmRequest(asFirst(), request), Error);
+  EXPECT_EQ(confirmRequest(asSecond(), request), "");  // whom it is about agrees
+
+  EXPECT_TRUE(user("second").roles.empty());
+  EXPECT_EQ(signIn(centre_.as(""), "second", kStudyPassword).outcome, SignIn::kOk);
   setUserActive(asFirst(), second_, false, "left");
+  setCentreSetting<kTwoPeople>(asFirst(), false);  // the last administrator
+}
+
+TEST_F(TwoPeople, ASingleAdministratorCanAddASecondOneOrTurnTheRuleOff) {
+  AccessRepository(centre_.connection()).setActive(second_, false);
   EXPECT_THROW(addUser(asFirst(), {.login = "r", .roles = {"rater"}, .startPassword = kStudyPassword}),
                SecondPersonNeeded);
 
@@ -309,7 +326,7 @@ TEST_F(TwoPeople, ASingleAdministratorCanAddASecondOneOrTurnTheRuleOff) {
       addUser(asFirst(), {.login = "third", .roles = {"administrator"}, .startPassword = kStudyPassword}),
       SecondPersonNeeded);
 
-  setUserActive(asFirst(), user("deputy").id, false, "left");
+  AccessRepository(centre_.connection()).setActive(user("deputy").id, false);
   setCentreSetting<kTwoPeople>(asFirst(), false);
   EXPECT_FALSE(needsTwoPeople(centre_.connection()));
 }
