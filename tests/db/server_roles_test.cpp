@@ -621,8 +621,22 @@ TEST_F(ServerRolesTest, WhatIsKeptOfALinkOrCardOpensNothing) {
   EXPECT_EQ(numberFrom(station, "SELECT count(*) FROM person_identity"), 0);
   EXPECT_THROW(station.execute("UPDATE app_user SET state = 'disabled' WHERE id = 'u-rater'"), DbError);
   EXPECT_EQ(access.invited("proof of the rater", now_us), UserId("u-rater"));
-  EXPECT_TRUE(access.useInvitation("proof of the rater", now_us));
-  access.setPassword("u-rater", access.sealPassword("u-rater", kPassword), false);
+  {
+    const SealedSecret password = access.sealPassword("u-rater", kPassword);
+    Transaction transaction(station);
+    EXPECT_TRUE(access.useInvitation("proof of the rater", now_us));
+    access.setPassword("u-rater", password, false);
+    AuditRepository(station).append({.atUtc_us = now_us,
+                                     .actor = {},
+                                     .station = {},
+                                     .action = AuditAction::kInvitationUse,
+                                     .objectKind = AuditObject::kAppUser,
+                                     .objectId = "u-rater"});
+    transaction.commit();
+  }
+  const std::string findings = findingsIn(*connection_);
+  EXPECT_EQ(findings.find("app_user u-rater"), std::string::npos) << findings;
+  EXPECT_EQ(findings.find("invitation open"), std::string::npos) << findings;
   EXPECT_FALSE(access.useInvitation("proof of the rater", now_us));
   EXPECT_EQ(access.openInvitedSession("proof of the rater"), "");
   EXPECT_EQ(access.signIn("u-rater", kPassword, now_us).outcome, SignIn::kOk);
