@@ -23,10 +23,7 @@ std::string textOf(const Value& value) {
 
 SiteIntake::SiteIntake(Connection& connection, const SiteManifest& manifest, Site site,
                        SiteDeliveryId delivery)
-    : connection_(connection),
-      manifest_(manifest),
-      site_(std::move(site)),
-      delivery_(std::move(delivery)) {
+    : connection_(connection), manifest_(manifest), site_(std::move(site)), delivery_(std::move(delivery)) {
   for (SchemaTable& table : tablesInReferenceOrder(connection)) {
     if (siteTableOf(table.name) != nullptr) {
       tables_.emplace(table.name, std::move(table));
@@ -48,8 +45,8 @@ void SiteIntake::take(const SitePackageRow& row) {
   if (table_ != table) {
     beginTable(*table, row.columns);
   }
-  if (table->sameBy.empty() && isSimulated(row.columns, row.values).value_or(manifest_.simulated) !=
-                                   manifest_.simulated) {
+  if (table->sameBy.empty() &&
+      isSimulated(row.columns, row.values).value_or(manifest_.simulated) != manifest_.simulated) {
     refuse(Text::tr("holds simulated and real people"), site_.code,
            Text::tr("Ask the centre to give a cohort of one kind only; nothing was taken from it"));
   }
@@ -169,8 +166,8 @@ void SiteIntake::beginReferences(const SchemaTable& schema, const std::vector<st
   }
 }
 
-/// Throws unless every row that this one refers to is the centre's own. Returns false for a decision of somebody
-/// who was never delivered: it says nothing here.
+/// Throws unless every row that this one refers to is the centre's own. Returns false for a decision of
+/// somebody who was never delivered: it says nothing here.
 bool SiteIntake::leadsHere(const SitePackageRow& row, const std::string& key) const {
   for (const Reference& reference : references_) {
     std::string parent;
@@ -201,8 +198,7 @@ bool SiteIntake::leadsHere(const SitePackageRow& row, const std::string& key) co
   return true;
 }
 
-std::size_t SiteIntake::positionOf(const std::vector<std::string>& columns,
-                                     std::string_view column) const {
+std::size_t SiteIntake::positionOf(const std::vector<std::string>& columns, std::string_view column) const {
   const auto found = std::find(columns.begin(), columns.end(), column);
   if (found == columns.end()) {
     breaksRules();
@@ -252,10 +248,9 @@ void SiteIntake::insert(const SitePackageRow& row) {
 std::int64_t SiteIntake::nextInGroup(const std::string& group) {
   const auto [last, first] = lastInGroup_.try_emplace(group, 0);
   if (first) {
-    last->second =
-        selectFirst(connection_, "SELECT max(number_in_group) FROM enrolment WHERE group_id = ?", {group},
-                    readInt64)
-            .value_or(0);
+    last->second = selectFirst(connection_, "SELECT max(number_in_group) FROM enrolment WHERE group_id = ?",
+                               {group}, readInt64)
+                       .value_or(0);
   }
   return ++last->second;
 }
@@ -340,8 +335,8 @@ void SiteIntake::change(const SitePackageRow& row, const SealRule& rule, const s
     const std::string& column = row.columns[i];
     if (std::find(keys.begin(), keys.end(), column) != keys.end()) {
       keyValues.push_back(row.values[i]);
-    } else if (column == "state" || column == "group_id" || column == "cancelled" ||
-               column == "class_code" || column == "handedness" || column == "sex" || column == "level") {
+    } else if (column == "state" || column == "group_id" || column == "cancelled" || column == "class_code" ||
+               column == "handedness" || column == "sex" || column == "level") {
       set += (set.empty() ? "" : ", ") + column + " = ?";
       values.push_back(row.values[i]);
     }

@@ -21,15 +21,15 @@
 
 namespace torsio {
 
-/// Takes the rows of one package into a pooled record; knows which ids of plan rows stand here for those of the
-/// package. Inside a transaction, which the caller gives up if anything is thrown.
+/// Takes the rows of one package into a pooled record; knows which ids of plan rows stand here for those of
+/// the package. Inside a transaction, which the caller gives up if anything is thrown.
 class SiteIntake {
  public:
   SiteIntake(Connection& connection, const SiteManifest& manifest, Site site, SiteDeliveryId delivery);
 
   /// Throws Error: kVerifyFailed if a row is, or refers to, one of another centre, or differs from the one
-  /// delivered before under its id; kBadData if rows do not fit together, or real and simulated ones are mixed;
-  /// kNewerSchema for an unknown column; DbError.
+  /// delivered before under its id; kBadData if rows do not fit together, or real and simulated ones are
+  /// mixed; kNewerSchema for an unknown column; DbError.
   void take(const SitePackageRow& row);
   /// Stores which rows came with this delivery.
   void finish();
@@ -57,7 +57,8 @@ class SiteIntake {
   void beginTable(const SiteTable& table, const std::vector<std::string>& columns);
   void beginReferences(const SchemaTable& schema, const std::vector<std::string>& columns);
   [[nodiscard]] bool leadsHere(const SitePackageRow& row, const std::string& key) const;
-  [[nodiscard]] std::size_t positionOf(const std::vector<std::string>& columns, std::string_view column) const;
+  [[nodiscard]] std::size_t positionOf(const std::vector<std::string>& columns,
+                                       std::string_view column) const;
   [[nodiscard]] std::optional<std::string> found(const SitePackageRow& row);
   void insert(const SitePackageRow& row);
   [[nodiscard]] std::int64_t nextInGroup(const std::string& group);

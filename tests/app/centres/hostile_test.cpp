@@ -31,7 +31,8 @@ struct Rows {
 class HostileTest : public CentresTest {
  protected:
   /// Writes a package of a centre that nobody knows, sound but for what it says.
-  [[nodiscard]] fs::path crafted(const std::vector<Rows>& given, const std::string& centre = kStranger) const {
+  [[nodiscard]] fs::path crafted(const std::vector<Rows>& given,
+                                 const std::string& centre = kStranger) const {
     SiteManifest manifest = checkSitePackage(package(1)).manifest;
     manifest.centreId = centre;
     manifest.centreCode = "EV";
@@ -113,10 +114,10 @@ TEST_F(HostileTest, RowsOfAPlanThatTheirProtocolDoesNotTellOfAreRefused) {
   ASSERT_EQ(outcomeOf(package(1)), "added");
   const std::string cohort = textIn("SELECT cohort_id FROM enrolment LIMIT 1");
 
-  const fs::path file = crafted({{"training_group",
-                                  {"id", "cohort_id", "number", "code", "label", "arm_id"},
-                                  {{"55555555-5555-4555-8555-555555555555", cohort, 99, "G99", "Ninety-nine",
-                                    Value()}}}});
+  const fs::path file =
+      crafted({{"training_group",
+                {"id", "cohort_id", "number", "code", "label", "arm_id"},
+                {{"55555555-5555-4555-8555-555555555555", cohort, 99, "G99", "Ninety-nine", Value()}}}});
 
   expectRefused(pool(file), 8, "follows another protocol");
   EXPECT_EQ(numberOf("SELECT count(*) FROM training_group WHERE number = 99"), 0);
@@ -153,11 +154,11 @@ TEST_F(HostileTest, ACentreHasAWholeId) {
 }
 
 TEST_F(HostileTest, PeopleWhoAreRealAmongSimulatedOnesAreRefused) {
-  const Rows people{"person",
-                    {"id", "code", "sex", "level", "experience", "age_years", "state", "created_utc_us",
-                     "demonstration"},
-                    {{"33333333-3333-4333-8333-333333333333", "T-01", Value(), Value(), Value(), Value(),
-                      "active", 1, false}}};
+  const Rows people{
+      "person",
+      {"id", "code", "sex", "level", "experience", "age_years", "state", "created_utc_us", "demonstration"},
+      {{"33333333-3333-4333-8333-333333333333", "T-01", Value(), Value(), Value(), Value(), "active", 1,
+        false}}};
 
   expectRefused(pool(crafted({people})), 8, "simulated");
 }
@@ -191,11 +192,15 @@ TEST_F(HostileTest, AFreeTextStaysAtItsCentre) {
     own.execute("UPDATE cohort SET description = 'Secret of the cohort'");
     own.execute("UPDATE curriculum SET description = 'Secret of the plan'");
     own.execute(
-        "INSERT INTO training_mark (id, enrolment_id, rater_id, occasion, version, score_steps, scale_lo_steps,"
+        "INSERT INTO training_mark (id, enrolment_id, rater_id, occasion, version, score_steps, "
+        "scale_lo_steps,"
         " scale_hi_steps, steps_per_point, not_assessable_reason, amend_reason, submitted_utc_us,"
-        " demonstration, assignment_id) SELECT '44444444-4444-4444-8444-444444444444', enrolment_id, rater_id,"
-        " occasion, version + 1, NULL, scale_lo_steps, scale_hi_steps, steps_per_point, 'Secret of the camera',"
-        " 'Secret of the rater', submitted_utc_us + 1, demonstration, assignment_id FROM training_mark ORDER BY"
+        " demonstration, assignment_id) SELECT '44444444-4444-4444-8444-444444444444', enrolment_id, "
+        "rater_id,"
+        " occasion, version + 1, NULL, scale_lo_steps, scale_hi_steps, steps_per_point, 'Secret of the "
+        "camera',"
+        " 'Secret of the rater', submitted_utc_us + 1, demonstration, assignment_id FROM training_mark ORDER "
+        "BY"
         " id LIMIT 1");
   }
   const fs::path file = folder_ / "texts.torsio-site";
