@@ -402,7 +402,7 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
                    end("max", fixed(kPointDecimals)).words());
       const std::int64_t scored = end.find("mean")->n;
       if (static_cast<double>(scored) < group.number("allocated").value_or(0.0)) {
-        static_cast<Text&>(score) = Text::tr("%1, %2 {trainee|trainees} scored", Text(score), scored);
+        static_cast<Text&>(score) = Text::tr("%1, %2 {trainee|trainees} scored", score.words(), scored);
       }
     }
     table.rows.push_back({in.groups[g].name, group("allocated"), minutesOf(ledger, g), group("runs"), score,
