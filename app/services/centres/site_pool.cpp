@@ -111,6 +111,60 @@ bool isOfRows(DbFault fault) {
          fault == DbFault::kNotNull;
 }
 
+SiteDelivery deliveryOf(SessionContext& session, const CheckedPackage& package) {
+  const SiteManifest& manifest = package.manifest;
+  return {.id = session.ids().newUuid(),
+          .centreId = manifest.centreId,
+          .sequence = 1,
+          .packageHash = package.hash,
+          .madeUtc_us = manifest.madeUtc_us,
+          .trailLength = manifest.trailLength,
+          .trailHash = manifest.trailHash,
+          .protocolHash = manifest.protocol.hash(),
+          .leftOut = manifest.leftOut,
+          .receivedBy = session.actor().systemAccount.empty() ? session.actor().userId.text() : "torsio",
+          .receivedUtc_us = session.now_us(),
+          .demonstration = manifest.simulated};
+}
+
+/// Compares with what the centre delivered before: numbers the delivery, and says in `outcome` if it repeats
+/// an earlier package or is older than one.
+void compareWithEarlier(const std::vector<SiteDelivery>& deliveries, SiteDelivery& delivery,
+                        PoolOutcome& outcome) {
+  for (const SiteDelivery& earlier : deliveries) {
+    if (earlier.centreId != delivery.centreId) {
+      continue;
+    }
+    delivery.sequence = std::max(delivery.sequence, earlier.sequence + 1);
+    if (earlier.packageHash == delivery.packageHash) {
+      outcome.kind = Pooled::kRepeated;
+      outcome.earlierUtc_us = earlier.receivedUtc_us;
+      return;
+    }
+    if (earlier.trailLength > delivery.trailLength ||
+        (earlier.trailLength == delivery.trailLength && earlier.trailHash != delivery.trailHash)) {
+      outcome.kind = Pooled::kOlder;
+      outcome.earlierUtc_us = earlier.madeUtc_us;
+    }
+  }
+}
+
+void takeRows(const std::filesystem::path& file, const CheckedPackage& package, const std::string& siteCode,
+              SiteIntake& intake, const ProgressCallback& progress) {
+  std::int64_t all = 0;
+  for (const auto& [table, rows] : package.manifest.rows) {
+    all += rows;
+  }
+  std::int64_t done = 0;
+  readSitePackage(file, package, [&](const SitePackageRow& row) {
+    intake.take(row);
+    if (++done % kTakenPerProgress == 0) {
+      tellProgress(progress, Text::tr("Taking in the rows of %1", siteCode),
+                   0.1 + 0.7 * static_cast<double>(done) / static_cast<double>(all));
+    }
+  });
+}
+
 PoolOutcome takeIn(SessionContext& session, const std::filesystem::path& file, const CheckedPackage& package,
                    const ProgressCallback& progress) {
   Connection& connection = session.connection();
@@ -120,52 +174,24 @@ PoolOutcome takeIn(SessionContext& session, const std::filesystem::path& file, c
   const std::vector<Site> sites = repository.sites();
   const auto known = std::find_if(sites.begin(), sites.end(),
                                   [&](const Site& one) { return one.centreId == manifest.centreId; });
-  SiteDelivery delivery{
-      .id = session.ids().newUuid(),
-      .centreId = manifest.centreId,
-      .sequence = 1,
-      .packageHash = package.hash,
-      .madeUtc_us = manifest.madeUtc_us,
-      .trailLength = manifest.trailLength,
-      .trailHash = manifest.trailHash,
-      .protocolHash = manifest.protocol.hash(),
-      .leftOut = manifest.leftOut,
-      .receivedBy = session.actor().systemAccount.empty() ? session.actor().userId.text() : "torsio",
-      .receivedUtc_us = session.now_us(),
-      .demonstration = manifest.simulated};
+  SiteDelivery delivery = deliveryOf(session, package);
   Site site{manifest.centreId, {}, manifest.centreName, manifest.publicKey, session.now_us(),
             manifest.simulated};
   if (known == sites.end()) {
     site.code = freeCode(sites, manifest);
   } else {
     site = *known;
-    outcome.siteCode = site.code;
     if (site.publicKey != manifest.publicKey) {
       throw Error(ErrorCode::kVerifyFailed,
                   Text::tr("is signed with another key than the earlier packages of centre %1", site.code),
                   file.string(), Text::tr("Ask the centre who made it; nothing was taken from it"));
     }
-    for (const SiteDelivery& earlier : repository.deliveries()) {
-      if (earlier.centreId != manifest.centreId) {
-        continue;
-      }
-      delivery.sequence = std::max(delivery.sequence, earlier.sequence + 1);
-      if (earlier.packageHash == package.hash) {
-        outcome.kind = Pooled::kRepeated;
-        outcome.earlierUtc_us = earlier.receivedUtc_us;
-        return outcome;
-      }
-      if (earlier.trailLength > manifest.trailLength ||
-          (earlier.trailLength == manifest.trailLength && earlier.trailHash != manifest.trailHash)) {
-        outcome.kind = Pooled::kOlder;
-        outcome.earlierUtc_us = earlier.madeUtc_us;
-      }
-    }
-    if (outcome.kind == Pooled::kOlder) {
-      return outcome;
-    }
   }
   outcome.siteCode = site.code;
+  compareWithEarlier(repository.deliveries(), delivery, outcome);
+  if (outcome.kind == Pooled::kRepeated || outcome.kind == Pooled::kOlder) {
+    return outcome;
+  }
   if (!sites.empty()) {
     requireSameProtocol(connection, manifest, file, false);
   }
@@ -174,18 +200,7 @@ PoolOutcome takeIn(SessionContext& session, const std::filesystem::path& file, c
     repository.add(site);
   }
   SiteIntake intake(connection, manifest, site, delivery.id);
-  std::int64_t all = 0;
-  for (const auto& [table, rows] : manifest.rows) {
-    all += rows;
-  }
-  std::int64_t done = 0;
-  readSitePackage(file, package, [&](const SitePackageRow& row) {
-    intake.take(row);
-    if (++done % kTakenPerProgress == 0) {
-      tellProgress(progress, Text::tr("Taking in the rows of %1", site.code),
-                   0.1 + 0.7 * static_cast<double>(done) / static_cast<double>(all));
-    }
-  });
+  takeRows(file, package, site.code, intake, progress);
   requireSameProtocol(connection, manifest, file, true);  // its rows say what its manifest says
   outcome.rowsAdded = intake.added();
   outcome.rowsChanged = intake.changed();
