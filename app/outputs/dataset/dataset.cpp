@@ -186,17 +186,14 @@ class DatasetWriter {
   [[nodiscard]] std::int64_t writeTrajectoryTo(const fs::path& file, const Trial& trial,
                                                std::int64_t every) const {
     if (parquet_) {
-      const std::vector<std::vector<std::optional<double>>> rows = trajectoryRows(trial, every);
+      std::vector<std::vector<std::optional<double>>> values = trajectoryValues(trial, every);
+      const std::int64_t lines = std::ssize(values.front());
       std::vector<ParquetColumn> columns;
-      for (std::size_t c = 0; c < trajectoryColumns().size(); ++c) {
-        std::vector<std::optional<double>> values;
-        for (const std::vector<std::optional<double>>& row : rows) {
-          values.push_back(row[c]);
-        }
-        columns.push_back({trajectoryColumns()[c].name, std::move(values)});
+      for (std::size_t c = 0; c < values.size(); ++c) {
+        columns.push_back({trajectoryColumns()[c].name, std::move(values[c])});
       }
       writeParquet(file, columns);
-      return std::ssize(rows);
+      return lines;
     }
     std::int64_t lines = 0;
     writeFileAtomically(

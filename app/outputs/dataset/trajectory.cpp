@@ -112,23 +112,39 @@ const std::vector<ExportColumn>& trajectoryColumns() {
   return columns;
 }
 
-std::vector<std::vector<std::optional<double>>> trajectoryRows(const Trial& trial, std::int64_t every) {
+namespace {
+
+/// Calls `take` with each row in turn, so that a long recording is never held as a whole.
+template <typename Take>
+void eachRow(const Trial& trial, std::int64_t every, const Take& take) {
   TORSIO_EXPECTS(every >= 1);
   const bool foreign = isForeign(trial.header.sceneId);
-  std::vector<std::vector<std::optional<double>>> rows;
+  std::vector<std::optional<double>> row(storedChannels().size());
   for (const TrialChunk& chunk : trial.chunks) {
     for (const Sample& sample : decodeChunk(chunk)) {
       if (sample.tick % every != 0) {
         continue;
       }
       const Line at{sample, toolState(sample.device)};
-      rows.emplace_back();
-      for (const StoredChannel& one : storedChannels()) {
-        rows.back().push_back(foreign && !one.isMotion() ? std::nullopt : std::optional(one.value(at)));
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        const StoredChannel& one = storedChannels()[c];
+        row[c] = foreign && !one.isMotion() ? std::nullopt : std::optional(one.value(at));
       }
+      take(row);
     }
   }
-  return rows;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::optional<double>>> trajectoryValues(const Trial& trial, std::int64_t every) {
+  std::vector<std::vector<std::optional<double>>> columns(storedChannels().size());
+  eachRow(trial, every, [&](const std::vector<std::optional<double>>& row) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      columns[c].push_back(row[c]);
+    }
+  });
+  return columns;
 }
 
 std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryForm form, std::ostream& out) {
@@ -143,16 +159,17 @@ std::int64_t writeTrajectory(const Trial& trial, std::int64_t every, TrajectoryF
     }
     out << end;
   }
-  const std::vector<std::vector<std::optional<double>>> rows = trajectoryRows(trial, every);
-  for (const std::vector<std::optional<double>>& row : rows) {
+  std::int64_t lines = 0;
+  eachRow(trial, every, [&](const std::vector<std::optional<double>>& row) {
     separator = "";
     for (const std::optional<double>& value : row) {
       out << separator << (value ? formatExact(*value) : csv ? "" : "n/a");
       separator = between;
     }
     out << end;
-  }
-  return std::ssize(rows);
+    ++lines;
+  });
+  return lines;
 }
 
 }  // namespace torsio

@@ -27,10 +27,10 @@ enum class TrajectoryForm {
   kBids,  ///< tab-separated without a header, as in Motion-BIDS
 };
 
-/// Returns every `every`-th sample of a recording as a row of numbers, in the order of trajectoryColumns();
-/// those of other equipment as in writeTrajectory(). Throws like that.
-[[nodiscard]] std::vector<std::vector<std::optional<double>>> trajectoryRows(const Trial& trial,
-                                                                             std::int64_t every);
+/// Returns every `every`-th sample of a recording, by column in the order of trajectoryColumns(); those of
+/// other equipment as in writeTrajectory(). Throws like that.
+[[nodiscard]] std::vector<std::vector<std::optional<double>>> trajectoryValues(const Trial& trial,
+                                                                               std::int64_t every);
 
 /// Writes every `every`-th sample of a recording as a row, with numbers in full precision. Recordings of
 /// other equipment (isForeign()) have values only for time, path and jaw. Returns the number of rows. Throws
