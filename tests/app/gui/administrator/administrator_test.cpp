@@ -184,6 +184,12 @@ void expectResultsFollowTheLanguage(ResultsPage& results) {
   EXPECT_EQ(child<QListWidget>(results, "contents").currentItem()->text(), english);
 }
 
+void chooseForm(QDialog& dialog, ExportDialog::Form form) {
+  auto& formats = child<QComboBox>(dialog, "format");
+  formats.setCurrentIndex(formats.findData(static_cast<int>(form)));
+  ASSERT_GE(formats.currentIndex(), 0);
+}
+
 /// The report in the language chosen on the page, whatever the window's. Shows a preview of the export, and
 /// writes a workbook, pseudonymised tables and a gradebook.
 void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& folder) {
@@ -196,25 +202,25 @@ void expectExports(ReportsPage& reports, ShellContext& shell, const fs::path& fo
     type(dialog, QStringLiteral("for the board"));
     exported.writeTo(folder / "cohort.xlsx");
     shell.waitForJobs();
-    child<QComboBox>(dialog, "format").setCurrentIndex(1);
+    chooseForm(dialog, ExportDialog::Form::kSpss);
     child<QCheckBox>(dialog, "pseudonymised").setChecked(true);
     shell.waitForJobs();
     EXPECT_EQ(child<QTableWidget>(dialog, "rows").item(0, 0)->text().left(2), QStringLiteral("P-"));
     EXPECT_TRUE(child<QLabel>(dialog, "what").text().contains(QStringLiteral("shared by at least")));
     exported.writeTo(folder / "tables");
     shell.waitForJobs();
-    child<QComboBox>(dialog, "format").setCurrentIndex(4);
+    chooseForm(dialog, ExportDialog::Form::kFrictionless);
     EXPECT_TRUE(
         child<QLabel>(dialog, "what").text().contains(QStringLiteral("Paths reveal how a person moves")));
     child<QLineEdit>(dialog, "title").setText(QStringLiteral("Twists"));
     exported.writeTo(folder / "set");
     shell.waitForJobs();
     EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("set")));
-    child<QComboBox>(dialog, "format").setCurrentIndex(7);
+    chooseForm(dialog, ExportDialog::Form::kReplication);
     exported.writeTo(folder / "package");
     shell.waitForJobs();
     EXPECT_TRUE(fs::exists(folder / "package" / "marks.csv"));
-    child<QComboBox>(dialog, "format").setCurrentIndex(8);
+    chooseForm(dialog, ExportDialog::Form::kMoodle);
     exported.writeTo(folder / "grades.csv");
     shell.waitForJobs();
     EXPECT_TRUE(child<QLabel>(dialog, "done").text().contains(QStringLiteral("grades.csv")));
