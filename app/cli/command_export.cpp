@@ -177,7 +177,7 @@ void addDataset(CLI::App& program) {
   CLI::App* out = parent->add_subcommand("export", "Tables, trajectories and definitions, with a descriptor");
   addCommon(*out, *arguments, "New folder to write into");
   addPseudonyms(*out, *arguments);
-  addDefaulted(*out, "--as", arguments->format, "frictionless, ro-crate, parquet or bids");
+  addDefaulted(*out, "--as", arguments->format, "frictionless, ro-crate, parquet, bids or lerobot");
   DatasetAbout& about = arguments->dataset.about;
   out->add_option("--title", about.title, "Title of the data set")->required();
   out->add_option("--licence", about.licence, "SPDX identifier of the licence: CC-BY-4.0")->required();

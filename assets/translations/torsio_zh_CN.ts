@@ -13771,14 +13771,6 @@ audit trail %3</source>
         <translation>文本有 %1 个字符，最多允许 %2 个</translation>
     </message>
     <message>
-        <source>a data set for another record needs codes and cannot be BIDS</source>
-        <translation>供另一记录使用的数据集须用编码，且不能是 BIDS</translation>
-    </message>
-    <message>
-        <source>Use frictionless or ro-crate, and not pseudonymised</source>
-        <translation>请选 frictionless 或 ro-crate，且不要假名化</translation>
-    </message>
-    <message>
         <source>single marks may not be seen yet</source>
         <translation>尚不可查看单项评分</translation>
     </message>
@@ -14005,10 +13997,6 @@ audit trail %3</source>
     <message>
         <source>there is no such layout of recordings</source>
         <translation>没有此种录制格式</translation>
-    </message>
-    <message>
-        <source>Use jigsaws, rosma, perktutor or csv</source>
-        <translation>请选 jigsaws、rosma、perktutor 或 csv</translation>
     </message>
     <message>
         <source>the map is not JSON</source>
@@ -21099,10 +21087,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>D13 切片 %1 声明其数值类型为 %2，而非亨氏单位</translation>
     </message>
     <message>
-        <source>Use frictionless, ro-crate, parquet or bids</source>
-        <translation>请使用 frictionless、ro-crate、parquet 或 bids</translation>
-    </message>
-    <message>
         <source>a column has more than 2 GB: %1</source>
         <translation>某列超过 2 GB：%1</translation>
     </message>
@@ -21149,6 +21133,146 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Change the roles first: two people take that of an administrator away</source>
         <translation>请先更改角色：撤销管理员角色需要两个人</translation>
+    </message>
+    <message>
+        <source>Use jigsaws, rosma, perktutor, csv or parquet</source>
+        <translation>请使用 jigsaws、rosma、perktutor、csv 或 parquet</translation>
+    </message>
+    <message>
+        <source>the table of marks has more than 64 MiB</source>
+        <translation>评分表超过 64 MiB</translation>
+    </message>
+    <message>
+        <source>Choose the file with the columns recording, rater and score</source>
+        <translation>请选择含有 recording、rater 和 score 三列的文件</translation>
+    </message>
+    <message>
+        <source>this is a Parquet file</source>
+        <translation>这是 Parquet 文件</translation>
+    </message>
+    <message>
+        <source>Import it as parquet</source>
+        <translation>请以 parquet 形式导入</translation>
+    </message>
+    <message>
+        <source>the file says that its times are in %1, and the map says %2</source>
+        <translation>文件说明其时间单位为 %1，而映射说明为 %2</translation>
+    </message>
+    <message>
+        <source>Write the unit of the file into the map</source>
+        <translation>请把文件的单位写入映射</translation>
+    </message>
+    <message>
+        <source>the Parquet file is damaged or incomplete</source>
+        <translation>Parquet 文件已损坏或不完整</translation>
+    </message>
+    <message>
+        <source>Copy or write it again</source>
+        <translation>请重新复制或重新写出</translation>
+    </message>
+    <message>
+        <source>the Parquet file is encrypted</source>
+        <translation>Parquet 文件已加密</translation>
+    </message>
+    <message>
+        <source>Write it without encryption</source>
+        <translation>请以不加密的方式写出</translation>
+    </message>
+    <message>
+        <source>this is not a complete Parquet file</source>
+        <translation>这不是完整的 Parquet 文件</translation>
+    </message>
+    <message>
+        <source>Choose a Parquet file, or name the form that this file has</source>
+        <translation>请选择 Parquet 文件，或指明此文件的实际形式</translation>
+    </message>
+    <message>
+        <source>the file has %1 rows, more than 50 million</source>
+        <translation>文件有 %1 行，超过五千万行</translation>
+    </message>
+    <message>
+        <source>Split it into a file for each recording</source>
+        <translation>请拆分为每份记录一个文件</translation>
+    </message>
+    <message>
+        <source>Use one of its columns: %1</source>
+        <translation>请使用其中一列：%1</translation>
+    </message>
+    <message>
+        <source>the column has lists or groups of values</source>
+        <translation>该列含有列表或成组的值</translation>
+    </message>
+    <message>
+        <source>Write each of its numbers as a column of its own</source>
+        <translation>请把其中每个数各写为一列</translation>
+    </message>
+    <message>
+        <source>Rename the others</source>
+        <translation>请给其他列改名</translation>
+    </message>
+    <message>
+        <source>the column is stored in a way that is not read (%1)</source>
+        <translation>该列的存储方式无法读取（%1）</translation>
+    </message>
+    <message>
+        <source>Write it as whole numbers, as decimal numbers of 32 or 64 bits, or as text</source>
+        <translation>请写为整数、32 位或 64 位小数，或文字</translation>
+    </message>
+    <message>
+        <source>the values are encrypted or in another file</source>
+        <translation>值已加密或位于另一个文件中</translation>
+    </message>
+    <message>
+        <source>Write one file without encryption</source>
+        <translation>请写为一个不加密的文件</translation>
+    </message>
+    <message>
+        <source>the values are packed with %1, which is not read</source>
+        <translation>值以 %1 压缩，无法读取</translation>
+    </message>
+    <message>
+        <source>Write the file unpacked, or packed with Snappy, gzip or zstd</source>
+        <translation>请写为不压缩的文件，或使用 Snappy、gzip 或 zstd 压缩</translation>
+    </message>
+    <message>
+        <source>a page has more than %1 MiB</source>
+        <translation>有一页超过 %1 MiB</translation>
+    </message>
+    <message>
+        <source>Write the file with pages of the usual size, 1 MiB</source>
+        <translation>请以通常的页大小（1 MiB）写出文件</translation>
+    </message>
+    <message>
+        <source>the checksum of a page is wrong</source>
+        <translation>有一页的校验和不正确</translation>
+    </message>
+    <message>
+        <source>the values are encoded as %1, which is not read</source>
+        <translation>值以 %1 编码，无法读取</translation>
+    </message>
+    <message>
+        <source>Write them with plain or dictionary encoding</source>
+        <translation>请使用普通编码或字典编码写出</translation>
+    </message>
+    <message>
+        <source>a data set for another record needs codes, and BIDS and LeRobot have no place for it</source>
+        <translation>供另一个记录库使用的数据集需要代码，而 BIDS 和 LeRobot 无处存放</translation>
+    </message>
+    <message>
+        <source>Use frictionless, ro-crate or parquet, and not pseudonymised</source>
+        <translation>请使用 frictionless、ro-crate 或 parquet，且不要假名化</translation>
+    </message>
+    <message>
+        <source>Use frictionless, ro-crate, parquet, bids or lerobot</source>
+        <translation>请使用 frictionless、ro-crate、parquet、bids 或 lerobot</translation>
+    </message>
+    <message>
+        <source>there is no recording of the simulator</source>
+        <translation>没有模拟器的记录</translation>
+    </message>
+    <message>
+        <source>Choose another form: LeRobot has no place for other equipment&apos;s recordings</source>
+        <translation>请选择其他形式：LeRobot 无法容纳其他设备的记录</translation>
     </message>
 </context>
 <context>
@@ -25532,6 +25656,14 @@ Leave it empty to remove it.</source>
     <message>
         <source>Data set to be published (Parquet)</source>
         <translation>待发布的数据集（Parquet）</translation>
+    </message>
+    <message>
+        <source>Data set to be published (LeRobot)</source>
+        <translation>供发布的数据集（LeRobot）</translation>
+    </message>
+    <message>
+        <source>Each recording of the simulator is an episode; recordings of other equipment have another rate and are left out.</source>
+        <translation>模拟器的每份记录是一个片段；其他设备的记录频率不同，不包括在内。</translation>
     </message>
 </context>
 <context>

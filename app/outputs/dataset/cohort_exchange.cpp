@@ -264,9 +264,11 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
     refuseParameter(Text::tr("trajectories cannot be written at this rate"), std::to_string(request.rate_Hz),
                     Text::tr("Use a rate that divides 1000 Hz, for example 100"));
   }
-  if (request.whole && (data.pseudonyms || request.layout == DatasetLayout::kBids)) {
-    refuseParameter(Text::tr("a data set for another record needs codes and cannot be BIDS"),
-                    std::string("whole"), Text::tr("Use frictionless or ro-crate, and not pseudonymised"));
+  const bool package = request.layout != DatasetLayout::kBids && request.layout != DatasetLayout::kLerobot;
+  if (request.whole && (data.pseudonyms || !package)) {
+    refuseParameter(
+        Text::tr("a data set for another record needs codes, and BIDS and LeRobot have no place for it"),
+        std::string("whole"), Text::tr("Use frictionless, ro-crate or parquet, and not pseudonymised"));
   }
   if (request.whole && !data.inputs.singleMarks) {
     refuseParameter(Text::tr("single marks may not be seen yet"), std::string("whole"),

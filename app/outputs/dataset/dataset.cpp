@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/outputs/dataset/dataset_bids.h"
+#include "app/outputs/dataset/dataset_lerobot.h"
 #include "app/outputs/dataset/dataset_study.h"
 #include "app/outputs/dataset/parquet_file.h"
 #include "app/outputs/dataset/trajectory.h"
@@ -32,11 +33,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<std::string_view, DatasetLayout>, 4> kLayouts = {
+constexpr std::array<std::pair<std::string_view, DatasetLayout>, 5> kLayouts = {
     {{"frictionless", DatasetLayout::kFrictionless},
      {"ro-crate", DatasetLayout::kRoCrate},
      {"parquet", DatasetLayout::kParquet},
-     {"bids", DatasetLayout::kBids}}};
+     {"bids", DatasetLayout::kBids},
+     {"lerobot", DatasetLayout::kLerobot}}};
 
 constexpr const char* kCsv = "text/csv";
 constexpr const char* kParquet = "application/vnd.apache.parquet";
@@ -394,14 +396,15 @@ bool isSpdx(const std::string& word) {
 /// Writes all files of the data set into `folder`.
 std::vector<fs::path> writeLayout(const DatasetContents& contents, DatasetLayout layout,
                                   const fs::path& folder) {
-  if (layout != DatasetLayout::kBids) {
+  const bool bids = layout == DatasetLayout::kBids;
+  if (!bids && layout != DatasetLayout::kLerobot) {
     return writePackage(contents, layout, folder);
   }
-  std::vector<fs::path> files = writeBids(contents, folder);
+  std::vector<fs::path> files = bids ? writeBids(contents, folder) : writeLerobot(contents, folder);
   DatasetContents tables = contents;
-  tables.recordings.clear();  // they are in the folders of BIDS
-  for (const fs::path& file :
-       writePackage(tables, DatasetLayout::kFrictionless, folder / "derivatives" / "torsio")) {
+  tables.recordings.clear();  // they are in the folders of the layout
+  const fs::path place = bids ? folder / "derivatives" / "torsio" : folder / "torsio";
+  for (const fs::path& file : writePackage(tables, DatasetLayout::kFrictionless, place)) {
     files.push_back(file);
   }
   return files;
@@ -416,7 +419,7 @@ DatasetLayout datasetLayout(const std::string& word) {
     }
   }
   throw Error(ErrorCode::kUsage, Text::tr("there is no such form of a data set"), word,
-              Text::tr("Use frictionless, ro-crate, parquet or bids"));
+              Text::tr("Use frictionless, ro-crate, parquet, bids or lerobot"));
 }
 
 void requireWhole(const DatasetAbout& about) {

@@ -20,9 +20,10 @@ enum class DatasetLayout {
   kRoCrate,       ///< the same plus ro-crate-metadata.json of RO-Crate 1.1
   kParquet,       ///< the data package with Parquet files in place of CSV
   kBids,          ///< BIDS 1.9 with Motion-BIDS recordings; the data package is in derivatives/torsio
+  kLerobot,       ///< LeRobot 3.0: frames of all recordings in Parquet; the data package is in torsio/
 };
 
-/// Parses "frictionless", "ro-crate", "parquet" or "bids". Throws Error{kUsage} for another word.
+/// Parses "frictionless", "ro-crate", "parquet", "bids" or "lerobot". Throws Error{kUsage} for another word.
 [[nodiscard]] DatasetLayout datasetLayout(const std::string& word);
 
 /// Description of a data set by its publisher.

@@ -7,6 +7,8 @@
 #include <bit>
 #include <limits>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
@@ -55,10 +57,11 @@ class ThriftStruct {
     text_.append(value.ended());
     return *this;
   }
-  ThriftStruct& parts(int field, const std::vector<ThriftStruct>& values) {
+  /// `values`: structs that are ended().
+  ThriftStruct& parts(int field, const std::vector<std::string>& values) {
     list(field, Thrift::kStruct, values.size());
-    for (const ThriftStruct& value : values) {
-      text_.append(value.ended());
+    for (const std::string& value : values) {
+      text_.append(value);
     }
     return *this;
   }
@@ -106,18 +109,33 @@ class ThriftStruct {
 
 // Kinds of parquet.thrift.
 constexpr std::int64_t kInt64 = 2;
+constexpr std::int64_t kFloat = 4;
 constexpr std::int64_t kDouble = 5;
 constexpr std::int64_t kByteArray = 6;
 constexpr std::int64_t kOptional = 1;
+constexpr std::int64_t kRepeated = 2;
 constexpr std::int64_t kUtf8 = 0;
+constexpr std::int64_t kList = 3;
 constexpr std::int64_t kTimestampMicros = 10;
 constexpr std::int64_t kPlain = 0;
 constexpr std::int64_t kRle = 3;
+constexpr int kOfListElements = 3;  // level of a value inside a list, which is optional as its elements are
 
-void putPlain(std::string& out, double value) {
-  putLittleEndian(out, value);
+std::int64_t kindOf(float) {
+  return kFloat;
 }
-void putPlain(std::string& out, std::int64_t value) {
+std::int64_t kindOf(double) {
+  return kDouble;
+}
+std::int64_t kindOf(std::int64_t) {
+  return kInt64;
+}
+std::int64_t kindOf(const std::string&) {
+  return kByteArray;
+}
+
+template <typename Number>
+void putPlain(std::string& out, Number value) {
   putLittleEndian(out, value);
 }
 void putPlain(std::string& out, const std::string& value) {
@@ -125,44 +143,127 @@ void putPlain(std::string& out, const std::string& value) {
   out.append(value);
 }
 
-/// The body of a data page: which rows have a value, in runs, then these values.
+/// Appends `count` times the same level.
+void putRun(std::string& out, std::size_t count, int level) {
+  putVarint(out, count << 1U);
+  out.push_back(static_cast<char>(level));
+}
+
+std::string withLength(const std::string& levels) {
+  std::string out;
+  putLittleEndian(out, static_cast<std::uint32_t>(levels.size()));
+  return out + levels;
+}
+
+/// What the writer has to know of a kind of column.
+template <typename Values>
+struct Column;
+
+/// Each row has a value or none.
 template <typename Value>
-std::string pageOf(const std::vector<std::optional<Value>>& values) {
-  std::string runs;
-  std::string plain;
-  for (std::size_t i = 0; i < values.size();) {
-    std::size_t next = i;
-    while (next < values.size() && values[next].has_value() == values[i].has_value()) {
-      if (values[next]) {
-        putPlain(plain, *values[next]);
+struct Column<std::vector<std::optional<Value>>> {
+  using Of = Value;
+  static constexpr bool kLists = false;
+  static constexpr bool kTime = std::is_same_v<Value, std::int64_t>;
+  static std::size_t rows(const std::vector<std::optional<Value>>& values) { return values.size(); }
+  static std::size_t leaves(const std::vector<std::optional<Value>>& values) { return values.size(); }
+  /// The body of a data page: which rows have a value, in runs, then these values.
+  static std::string page(const std::vector<std::optional<Value>>& values) {
+    std::string runs;
+    std::string plain;
+    for (std::size_t i = 0; i < values.size();) {
+      std::size_t next = i;
+      while (next < values.size() && values[next].has_value() == values[i].has_value()) {
+        if (values[next]) {
+          putPlain(plain, *values[next]);
+        }
+        ++next;
       }
-      ++next;
+      putRun(runs, next - i, values[i] ? 1 : 0);
+      i = next;
     }
-    putVarint(runs, (next - i) << 1U);
-    runs.push_back(values[i] ? '\1' : '\0');
-    i = next;
+    return withLength(runs) + plain;
   }
-  std::string page;
-  putLittleEndian(page, static_cast<std::uint32_t>(runs.size()));
-  return page + runs + plain;
-}
+};
 
-std::int64_t kindOf(const ParquetValues& values) {
-  constexpr std::array kKinds{kDouble, kInt64, kByteArray};
-  return kKinds.at(values.index());
-}
-
-ThriftStruct schemaOf(const ParquetColumn& column) {
-  ThriftStruct element;
-  element.whole(1, kindOf(column.values)).whole(3, kOptional).text(4, column.name);
-  if (kindOf(column.values) != kDouble) {
-    element.whole(6, kindOf(column.values) == kInt64 ? kTimestampMicros : kUtf8);
+/// Each row has a value.
+template <typename Value>
+struct Column<std::vector<Value>> {
+  using Of = Value;
+  static constexpr bool kLists = false;
+  static constexpr bool kTime = false;
+  static std::size_t rows(const std::vector<Value>& values) { return values.size(); }
+  static std::size_t leaves(const std::vector<Value>& values) { return values.size(); }
+  static std::string page(const std::vector<Value>& values) {
+    std::string runs;
+    putRun(runs, values.size(), 1);
+    std::string out = withLength(runs);
+    for (const Value& value : values) {
+      putPlain(out, value);
+    }
+    return out;
   }
-  return element;
+};
+
+/// Each row has a list of the same length: a bit per value says whether it goes on with the list.
+template <typename Value>
+struct Column<ParquetLists<Value>> {
+  using Of = Value;
+  static constexpr bool kLists = true;
+  static constexpr bool kTime = false;
+  static std::size_t rows(const ParquetLists<Value>& lists) { return lists.values.size() / lists.length; }
+  static std::size_t leaves(const ParquetLists<Value>& lists) { return lists.values.size(); }
+  static std::string page(const ParquetLists<Value>& lists) {
+    constexpr std::size_t kBits = 8;
+    const std::size_t count = lists.values.size();
+    std::string goesOn((count + kBits - 1) / kBits, '\0');
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i % lists.length != 0) {
+        goesOn[i / kBits] =
+            static_cast<char>(static_cast<unsigned char>(goesOn[i / kBits]) | 1U << i % kBits);
+      }
+    }
+    std::string bits;
+    putVarint(bits, goesOn.size() << 1U | 1U);
+    std::string runs;
+    putRun(runs, count, kOfListElements);
+    std::string out = withLength(bits + goesOn) + withLength(runs);
+    for (const Value& value : lists.values) {
+      putPlain(out, value);
+    }
+    return out;
+  }
+};
+
+/// Calls `with` with the values of a column and their traits.
+template <typename With>
+auto ofColumn(const ParquetColumn& column, const With& with) {
+  return std::visit(
+      [&](const auto& values) { return with(values, Column<std::decay_t<decltype(values)>>()); },
+      column.values);
 }
 
 std::size_t lengthOf(const ParquetColumn& column) {
-  return std::visit([](const auto& values) { return values.size(); }, column.values);
+  return ofColumn(column, [](const auto& values, const auto& traits) { return traits.rows(values); });
+}
+
+/// Appends the elements of the schema that a column takes, from its root to its values.
+void addSchema(const ParquetColumn& column, std::vector<std::string>& schema) {
+  ofColumn(column, [&](const auto&, const auto& traits) {
+    using Traits = std::decay_t<decltype(traits)>;
+    if (Traits::kLists) {
+      schema.push_back(
+          ThriftStruct().whole(3, kOptional).text(4, column.name).whole(5, 1).whole(6, kList).ended());
+      schema.push_back(ThriftStruct().whole(3, kRepeated).text(4, "list").whole(5, 1).ended());
+    }
+    const std::int64_t kind = kindOf(typename Traits::Of());
+    ThriftStruct value;
+    value.whole(1, kind).whole(3, kOptional).text(4, Traits::kLists ? "element" : column.name);
+    if (kind == kByteArray || Traits::kTime) {
+      value.whole(6, kind == kByteArray ? kUtf8 : kTimestampMicros);
+    }
+    schema.push_back(value.ended());
+  });
 }
 
 }  // namespace
@@ -186,61 +287,83 @@ std::vector<ParquetColumn> parquetColumns(const ExportTable& table) {
   return columns;
 }
 
-void writeParquet(const std::filesystem::path& file, const std::vector<ParquetColumn>& columns,
-                  const std::vector<std::pair<std::string, std::string>>& facts) {
+ParquetFile::ParquetFile() : text_(kMagic) {}
+
+void ParquetFile::add(const std::vector<ParquetColumn>& columns) {
   TORSIO_EXPECTS(!columns.empty());
   const std::size_t rows = lengthOf(columns.front());
-  std::vector<ThriftStruct> schema(1);
-  schema.front().text(4, "schema").whole(5, std::ssize(columns));
-  std::vector<ThriftStruct> chunks;
-  std::string text(kMagic);
+  const bool first = schema_.empty();
+  if (first) {
+    schema_.push_back(ThriftStruct().text(4, "schema").whole(5, std::ssize(columns)).ended());
+  }
+  std::vector<std::string> chunks;
+  const auto groupBegin = std::ssize(text_);
   for (const ParquetColumn& column : columns) {
     TORSIO_EXPECTS(lengthOf(column) == rows);
-    const std::string page = std::visit([](const auto& values) { return pageOf(values); }, column.values);
-    if (page.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
-      throw Error(ErrorCode::kBadData, Text::tr("a column has more than 2 GB: %1", column.name),
-                  file.string(), Text::tr("Export fewer lines a second"));
+    if (first) {
+      addSchema(column, schema_);
     }
-    ThriftStruct values;
-    values.whole(1, static_cast<std::int64_t>(rows)).whole(2, kPlain).whole(3, kRle).whole(4, kRle);
-    ThriftStruct head;
-    head.whole(1, 0).whole(2, std::ssize(page)).whole(3, std::ssize(page)).part(5, values);
-    const auto begin = std::ssize(text);
-    text += head.ended() + page;
-    const std::int64_t bytes = std::ssize(text) - begin;
-    ThriftStruct about;
-    about.whole(1, kindOf(column.values))
-        .wholes(2, {kPlain, kRle})
-        .texts(3, {column.name})
-        .whole(4, 0)
-        .whole(5, static_cast<std::int64_t>(rows), Thrift::kI64)
-        .whole(6, bytes, Thrift::kI64)
-        .whole(7, bytes, Thrift::kI64)
-        .whole(9, begin, Thrift::kI64);
-    chunks.emplace_back();
-    chunks.back().whole(2, begin, Thrift::kI64).part(3, about);
-    schema.push_back(schemaOf(column));
+    ofColumn(column, [&](const auto& values, const auto& traits) {
+      using Traits = std::decay_t<decltype(traits)>;
+      const std::string page = traits.page(values);
+      if (page.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+        refuse(Text::tr("a column has more than 2 GB: %1", column.name), column.name,
+               Text::tr("Export fewer lines a second"));
+      }
+      const auto leaves = static_cast<std::int64_t>(traits.leaves(values));
+      ThriftStruct about;
+      about.whole(1, leaves).whole(2, kPlain).whole(3, kRle).whole(4, kRle);
+      ThriftStruct head;
+      head.whole(1, 0).whole(2, std::ssize(page)).whole(3, std::ssize(page)).part(5, about);
+      const auto begin = std::ssize(text_);
+      text_ += head.ended() + page;
+      const std::int64_t bytes = std::ssize(text_) - begin;
+      ThriftStruct chunk;
+      chunk.whole(1, kindOf(typename Traits::Of()))
+          .wholes(2, {kPlain, kRle})
+          .texts(3, Traits::kLists ? std::vector<std::string>{column.name, "list", "element"}
+                                   : std::vector<std::string>{column.name})
+          .whole(4, 0)
+          .whole(5, leaves, Thrift::kI64)
+          .whole(6, bytes, Thrift::kI64)
+          .whole(7, bytes, Thrift::kI64)
+          .whole(9, begin, Thrift::kI64);
+      chunks.push_back(ThriftStruct().whole(2, begin, Thrift::kI64).part(3, chunk).ended());
+    });
   }
-  ThriftStruct group;
-  group.parts(1, chunks)
-      .whole(2, std::ssize(text) - std::ssize(kMagic), Thrift::kI64)
-      .whole(3, static_cast<std::int64_t>(rows), Thrift::kI64);
+  groups_.push_back(ThriftStruct()
+                        .parts(1, chunks)
+                        .whole(2, std::ssize(text_) - groupBegin, Thrift::kI64)
+                        .whole(3, static_cast<std::int64_t>(rows), Thrift::kI64)
+                        .ended());
+  rows_ += static_cast<std::int64_t>(rows);
+}
+
+void ParquetFile::write(const std::filesystem::path& file,
+                        const std::vector<std::pair<std::string, std::string>>& facts) && {
+  TORSIO_EXPECTS(!groups_.empty());
   ThriftStruct all;
-  all.whole(1, 1).parts(2, schema).whole(3, static_cast<std::int64_t>(rows), Thrift::kI64).parts(4, {group});
+  all.whole(1, 1).parts(2, schema_).whole(3, rows_, Thrift::kI64).parts(4, groups_);
   if (!facts.empty()) {
-    std::vector<ThriftStruct> pairs;
+    std::vector<std::string> pairs;
     for (const auto& [key, value] : facts) {
-      pairs.emplace_back();
-      pairs.back().text(1, key).text(2, value);
+      pairs.push_back(ThriftStruct().text(1, key).text(2, value).ended());
     }
     all.parts(5, pairs);
   }
   all.text(6, "torsio");
   const std::string footer = all.ended();
-  text += footer;
-  putLittleEndian(text, static_cast<std::uint32_t>(footer.size()));
-  text += kMagic;
-  writeFileAtomically(file, text);
+  text_ += footer;
+  putLittleEndian(text_, static_cast<std::uint32_t>(footer.size()));
+  text_ += kMagic;
+  writeFileAtomically(file, text_);
+}
+
+void writeParquet(const std::filesystem::path& file, const std::vector<ParquetColumn>& columns,
+                  const std::vector<std::pair<std::string, std::string>>& facts) {
+  ParquetFile whole;
+  whole.add(columns);
+  std::move(whole).write(file, facts);
 }
 
 }  // namespace torsio

@@ -78,6 +78,7 @@ void ExportDialog::build() {
   form_->addItem(tr("Data set to be published (RO-Crate)"), static_cast<int>(Form::kRoCrate));
   form_->addItem(tr("Data set to be published (Parquet)"), static_cast<int>(Form::kParquet));
   form_->addItem(tr("Data set to be published (BIDS)"), static_cast<int>(Form::kBids));
+  form_->addItem(tr("Data set to be published (LeRobot)"), static_cast<int>(Form::kLerobot));
   form_->addItem(tr("Marks and a script that computes the report again (R)"),
                  static_cast<int>(Form::kReplication));
   if (shell_.may(Operation::kReportExportNamed)) {
@@ -202,7 +203,7 @@ ExportDialog::Form ExportDialog::chosen() const {
 
 bool ExportDialog::isDataset() const {
   return chosen() == Form::kFrictionless || chosen() == Form::kRoCrate || chosen() == Form::kParquet ||
-         chosen() == Form::kBids;
+         chosen() == Form::kBids || chosen() == Form::kLerobot;
 }
 
 DatasetRequest ExportDialog::dataset() const {
@@ -212,6 +213,7 @@ DatasetRequest ExportDialog::dataset() const {
   request.about.citation = citation_->text().trimmed().toStdString();
   request.about.creator = creator_->text().trimmed().toStdString();
   request.layout = chosen() == Form::kBids      ? DatasetLayout::kBids
+                   : chosen() == Form::kLerobot ? DatasetLayout::kLerobot
                    : chosen() == Form::kRoCrate ? DatasetLayout::kRoCrate
                    : chosen() == Form::kParquet ? DatasetLayout::kParquet
                                                 : DatasetLayout::kFrictionless;
@@ -262,6 +264,12 @@ QStringList ExportDialog::contents() const {
         "curriculum and definitions of metrics, in a new folder. No recordings that Torsio could "
         "replay.",
         nullptr, static_cast<int>(data_->inputs.trials.size()));
+    if (chosen() == Form::kLerobot) {
+      words << tr(
+          "Each recording of the simulator is an episode; recordings of other equipment have another rate "
+          "and "
+          "are left out.");
+    }
     words << tr("Paths reveal how a person moves: publish them only with consent for that.");
   }
   return words;
@@ -401,6 +409,7 @@ void ExportDialog::writeTo(const std::filesystem::path& place, const std::filesy
           case Form::kRoCrate:
           case Form::kParquet:
           case Form::kBids:
+          case Form::kLerobot:
             break;
         }
         return exportDataset(session, *given, wanted, place, progress);

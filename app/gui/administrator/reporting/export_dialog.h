@@ -38,6 +38,7 @@ class ExportDialog : public QDialog {
     kRoCrate,
     kParquet,
     kBids,
+    kLerobot,
     kReplication,
     kMoodle,
     kCanvas,

@@ -25,6 +25,7 @@
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/foreign_recording.h"
 #include "sim/core/time_units.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/outputs/dataset/foreign_readers.h"
@@ -374,6 +375,105 @@ const url = require('url').pathToFileURL(process.env.NODE_PATH + '/hyparquet/src
       EXPECT_EQ(moved[r][c].get<double>(), std::stod(lines[r + 1].values[c])) << r << " " << c;
     }
   }
+}
+
+TEST(Dataset, AsLerobotIsReadByAnotherReaderAsItsDescriptionSays) {
+  const OwnFolder own;
+  const char* const modules = std::getenv("NODE_PATH");
+  if (modules == nullptr || !fs::exists(fs::path(modules) / "hyparquet" / "package.json")) {
+    GTEST_SKIP() << "npm's hyparquet is not installed (NODE_PATH)";
+  }
+  const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
+  DatasetContents contents = wholeContents(set);
+  contents.recordings.push_back({"T-0003", "P-bb", [] {
+                                   Trial other = movedTrial();
+                                   other.header.sceneId = SceneId(std::string(kForeignScene));
+                                   return other;
+                                 }});
+  writeDataset(contents, DatasetLayout::kLerobot, own.path() / "set");
+  writeFileAtomically(own.path() / "read.js", R"(const fs = require('fs');
+const url = require('url').pathToFileURL(process.env.NODE_PATH + '/hyparquet/src/node.js');
+(async () => {
+  const {asyncBufferFromFile, parquetReadObjects, parquetMetadataAsync} = await import(url);
+  const all = {};
+  const plain = (key, value) => (typeof value === 'bigint' ? Number(value) : value);
+  for (const name of ['data/chunk-000/file-000', 'meta/episodes/chunk-000/file-000', 'meta/tasks']) {
+    const file = await asyncBufferFromFile('set/' + name + '.parquet');
+    all[name] = {rows: await parquetReadObjects({file}), about: await parquetMetadataAsync(file)};
+  }
+  console.log(JSON.stringify(all, plain));
+})();
+)");
+
+  const json read =
+      json::parse(testing::outputOf("cd '" + own.path().string() + "' && node read.js", own.path()));
+
+  const json info = json::parse(readFile(own.path() / "set" / "meta" / "info.json"));
+  EXPECT_EQ(info["codebase_version"], "v3.0");
+  EXPECT_EQ(info["fps"], 100);
+  EXPECT_EQ(info["total_episodes"], 2);
+  EXPECT_EQ(info["total_frames"], 400);
+  EXPECT_EQ(info["data_path"], "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet");
+  const json& frames = read["data/chunk-000/file-000"]["rows"];
+  ASSERT_EQ(frames.size(), 400U);
+  EXPECT_EQ(read["data/chunk-000/file-000"]["about"]["row_groups"].size(), 2U) << "one per episode";
+  const json names = info["features"]["observation.state"]["names"];
+  const auto trajectory = trajectoryValues(movedTrial(), 10);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const json& frame = frames[f];
+    ASSERT_EQ(frame.size(), info["features"].size());
+    for (const auto& [name, feature] : info["features"].items()) {
+      ASSERT_TRUE(frame.contains(name)) << name;
+      ASSERT_EQ(frame[name].is_array() ? frame[name].size() : 1U, feature["shape"][0].get<std::size_t>())
+          << name;
+      ASSERT_EQ(feature["dtype"] == "int64", frame[name].is_number_integer() && name.ends_with("index"))
+          << name;
+    }
+    const std::size_t row = f % 200;
+    EXPECT_EQ(frame["index"], f);
+    EXPECT_EQ(frame["frame_index"], row);
+    EXPECT_EQ(frame["episode_index"], f / 200);
+    EXPECT_EQ(frame["task_index"], 0);
+    EXPECT_FLOAT_EQ(frame["timestamp"].get<float>(), static_cast<float>(row) / 100.0F);
+    for (std::size_t c = 1; c < trajectory.size(); ++c) {
+      ASSERT_EQ(names[c - 1], trajectoryColumns()[c].name);
+      EXPECT_EQ(frame["observation.state"][c - 1].get<float>(), static_cast<float>(*trajectory[c][row]));
+    }
+    const json& next = frames[row == 199 ? f : f + 1];
+    for (std::size_t c = 0; c < 9; ++c) {
+      EXPECT_EQ(info["features"]["action"]["names"][c], names[c]);
+      EXPECT_EQ(frame["action"][c], next["observation.state"][c]);
+    }
+  }
+  const json& episodes = read["meta/episodes/chunk-000/file-000"]["rows"];
+  ASSERT_EQ(episodes.size(), 2U);
+  EXPECT_EQ(episodes[1]["trial"], "T-0002");
+  EXPECT_EQ(episodes[1]["length"], 200);
+  EXPECT_EQ(episodes[1]["dataset_from_index"], 200);
+  EXPECT_EQ(episodes[1]["dataset_to_index"], 400);
+  EXPECT_EQ(episodes[1]["tasks"], json::array({"stomach: organo-axial, target 60 degrees"}));
+  EXPECT_EQ(episodes[1]["stats/timestamp/max"], json::array({static_cast<double>(1.99F)}));
+  const json stats = json::parse(readFile(own.path() / "set" / "meta" / "stats.json"));
+  EXPECT_EQ(stats["index"]["mean"], json::array({199.5}));
+  EXPECT_NEAR(stats["index"]["std"][0].get<double>(), std::sqrt((400.0 * 400.0 - 1.0) / 12.0), 1e-9);
+  EXPECT_EQ(stats["observation.state"]["q50"].size(), names.size());
+  EXPECT_EQ(stats["action"]["count"], json::array({400}));
+  const json& tasks = read["meta/tasks"];
+  EXPECT_EQ(tasks["rows"],
+            json::array({{{"task_index", 0}, {"task", "stomach: organo-axial, target 60 degrees"}}}));
+  EXPECT_EQ(tasks["about"]["key_value_metadata"][0]["key"], "pandas");
+  EXPECT_THAT(readFile(own.path() / "set" / "README.md"),
+              HasSubstr("other equipment, which are not in it: 1."));
+  EXPECT_TRUE(fs::exists(own.path() / "set" / "torsio" / "datapackage.json"));
+}
+
+TEST(Dataset, AsLerobotNeedsARecordingOfTheSimulator) {
+  const OwnFolder own;
+  const ExportSet set = exportSet(analysedCohort(testing::awkwardCohort()), {});
+  DatasetContents contents = wholeContents(set);
+  contents.recordings.clear();
+  EXPECT_THROW(writeDataset(contents, DatasetLayout::kLerobot, own.path() / "set"), Error);
+  EXPECT_FALSE(fs::exists(own.path() / "set"));
 }
 
 using testing::awkwardCohort;

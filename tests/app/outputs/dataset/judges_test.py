@@ -15,7 +15,7 @@ sys.path.insert(0, str(HERE.parents[3] / "support"))
 from npm_packages import node_modules  # noqa: E402
 
 DATASETS = ("Dataset.IsReadByTheReferenceLibraryOfFrictionless:Dataset.IsAcceptedByTheValidatorOfBids:"
-            "Dataset.AsParquetIsReadByAnotherReader")
+            "Dataset.AsParquetIsReadByAnotherReader:Dataset.AsLerobotIsReadByAnotherReaderAsItsDescriptionSays")
 STATEMENTS = """
 const validate = require("xapi-validation/dist/index").default;
 const lines = require("fs").readFileSync(process.argv[1], "utf8").split("\\n").filter(Boolean);
