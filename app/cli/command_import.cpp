@@ -76,7 +76,7 @@ void addDatasetImport(CLI::App& dataset) {
   CLI::App* in = dataset.add_subcommand("import", "A data set of Torsio, or recordings of other equipment");
   addDatabaseArgument(*in, "--database", incoming->database, "SQLite file or postgresql://... address")
       ->capture_default_str();
-  in->add_option("--as", incoming->layout, "torsio, jigsaws, rosma, perktutor or csv")->required();
+  in->add_option("--as", incoming->layout, "torsio, jigsaws, rosma, perktutor, csv or parquet")->required();
   in->add_option("--from", incoming->folder, "torsio: folder of a data set that was exported whole");
   in->add_option("--map", incoming->map, "Other formats: a map of what the files do not contain (JSON)");
   in->add_option("--reason", incoming->reason, "Reason, for the audit trail");

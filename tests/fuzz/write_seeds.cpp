@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_seeds FOLDER: writes small valid inputs, one folder per target.
+// write_seeds FOLDER PARQUET_FILES: writes small valid inputs, one folder per target.
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -79,11 +79,23 @@ void writeMails(const fs::path& folder) {
   write(folder, "tool", '\2' + mailOf(tool));
 }
 
+/// Each file, to be read for the columns of marks, of motion, and of text with motion.
+void writeParquetSeeds(const fs::path& from, const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(from)) {
+    if (entry.path().extension() == ".parquet") {
+      for (const char columns : {'\0', '\1', '\2'}) {
+        write(folder, entry.path().filename().string() + std::to_string(columns),
+              columns + readFile(entry.path()));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "write_seeds FOLDER\n";
+  if (argc != 3) {
+    std::cerr << "write_seeds FOLDER PARQUET_FILES\n";
     return 1;
   }
   const fs::path folder = argv[1];
@@ -91,5 +103,6 @@ int main(int argc, char** argv) {
   writeOrgan(folder / "organ_file");
   writeMeshes(folder / "mesh_head");
   writeMails(folder / "scan_mail");
+  writeParquetSeeds(argv[2], folder / "parquet");
   return 0;
 }

@@ -124,6 +124,8 @@ std::string layoutTitle(ForeignLayout layout) {
       return "ROSMA";
     case ForeignLayout::kPerkTutor:
       return "Perk Tutor";
+    case ForeignLayout::kParquet:
+      return "Parquet";
     case ForeignLayout::kCsv:
       break;
   }

@@ -25,11 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::pair<std::string_view, ForeignLayout>, 4> kForeignLayouts = {
+constexpr std::array<std::pair<std::string_view, ForeignLayout>, 5> kForeignLayouts = {
     {{"jigsaws", ForeignLayout::kJigsaws},
      {"rosma", ForeignLayout::kRosma},
      {"perktutor", ForeignLayout::kPerkTutor},
-     {"csv", ForeignLayout::kCsv}}};
+     {"csv", ForeignLayout::kCsv},
+     {"parquet", ForeignLayout::kParquet}}};
 
 struct RotationRow {
   std::string_view name;
@@ -43,8 +44,8 @@ constexpr std::array<RotationRow, 5> kRotations = {{{"none", RotationForm::kNone
                                                     {"matrix columns", RotationForm::kMatrixColumns, 9}}};
 constexpr std::array<std::pair<std::string_view, double>, 3> kLengths = {
     {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}};
-constexpr std::array<std::pair<std::string_view, double>, 3> kTimes = {
-    {{"s", 1e6}, {"ms", 1e3}, {"us", 1.0}}};
+constexpr std::array<std::pair<std::string_view, double>, 4> kTimes = {
+    {{"s", 1e6}, {"ms", 1e3}, {"us", 1.0}, {"ns", 1e-3}}};
 constexpr double kFastest_Hz = 10'000.0;
 
 /// An object of the map that knows its path.
@@ -201,9 +202,8 @@ void readTimes(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   const bool stamped = layout == ForeignLayout::kPerkTutor;
   if (map.has("rate_Hz") == (map.has("time") || stamped)) {
     map.refuseAt("rate_Hz", Text::tr("either the file has times, or the map states the rate"),
-                 stamped || layout == ForeignLayout::kCsv
-                     ? Text::tr("Leave one of the two out")
-                     : Text::tr("State the rate: these files have no time"));
+                 stamped || namesColumns(layout) ? Text::tr("Leave one of the two out")
+                                                 : Text::tr("State the rate: these files have no time"));
   }
   if (map.has("rate_Hz")) {
     out.rate_Hz = map.number("rate_Hz");
@@ -211,18 +211,19 @@ void readTimes(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
       map.refuseAt("rate_Hz", Text::tr("not a valid rate"), Text::tr("State lines a second, up to 10000"));
     }
   } else if (!stamped) {
-    if (layout != ForeignLayout::kCsv) {
+    if (!namesColumns(layout)) {
       map.refuseAt("time", Text::tr("these files have no time"), Text::tr("State rate_Hz instead"));
     }
     const MapPart time = map.part("time");
     time.allow({"column", "unit"});
     out.timeColumn = time.text("column");
     out.usPerTime = chosenFrom(kTimes, time, "unit");
+    out.timeUnit = time.text("unit");
   }
 }
 
 void readColumns(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
-  if (layout == ForeignLayout::kCsv) {
+  if (namesColumns(layout)) {
     const std::vector<std::string> position = map.texts("position", out.position.size());
     std::copy(position.begin(), position.end(), out.position.begin());
     if (out.rotation != RotationForm::kNone) {
@@ -242,7 +243,7 @@ void readColumns(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
     if (layout == ForeignLayout::kPerkTutor) {
       map.refuseAt("grip", Text::tr("these files say nothing of the jaw"), Text::tr("Leave it out"));
     }
-    if (layout == ForeignLayout::kCsv) {
+    if (namesColumns(layout)) {
       (void)grip.text("column");
     }
   }
@@ -253,7 +254,7 @@ void readGaps(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   if (!map.has("gaps")) {
     return;
   }
-  const bool tables = layout == ForeignLayout::kRosma || layout == ForeignLayout::kCsv;
+  const bool tables = layout == ForeignLayout::kRosma || namesColumns(layout);
   if (!tables || map.text("gaps") != "leave out") {
     map.refuseAt("gaps", Text::tr("only \"leave out\" is allowed here, and only for tables"),
                  Text::tr("Remove it: lines without a pose are then refused"));
@@ -392,7 +393,7 @@ ForeignLayout foreignLayout(const std::string& word) {
     }
   }
   throw Error(ErrorCode::kUsage, Text::tr("there is no such layout of recordings"), word,
-              Text::tr("Use jigsaws, rosma, perktutor or csv"));
+              Text::tr("Use jigsaws, rosma, perktutor, csv or parquet"));
 }
 
 std::size_t numbersOf(RotationForm form) noexcept {

@@ -18,9 +18,15 @@ enum class ForeignLayout {
   kRosma,      ///< a header with spaces after its commas, no time; columns are found by name
   kPerkTutor,  ///< XML lines of time-stamped transforms
   kCsv,        ///< a table with a header; the map names its columns
+  kParquet,    ///< a table in Parquet; the map names its columns
 };
 
-/// Parses "jigsaws", "rosma", "perktutor" or "csv". Throws Error{kUsage} for another word.
+/// Returns whether the map names the columns.
+[[nodiscard]] inline bool namesColumns(ForeignLayout layout) noexcept {
+  return layout == ForeignLayout::kCsv || layout == ForeignLayout::kParquet;
+}
+
+/// Parses "jigsaws", "rosma", "perktutor", "csv" or "parquet". Throws Error{kUsage} for another word.
 [[nodiscard]] ForeignLayout foreignLayout(const std::string& word);
 
 /// Notation of a rotation, which takes a vector from the instrument's frame to that of the recording. The map
@@ -33,7 +39,7 @@ enum class RotationForm { kNone, kQuaternionWxyz, kQuaternionXyzw, kMatrixRows, 
 
 /// Readings of the closed and of the open jaw, in the file's own numbers.
 struct ForeignGrip {
-  std::string column{};  ///< csv: column name
+  std::string column{};  ///< of a table: column name
   double open = 0.0;
   double closed = 0.0;  ///< differs from `open`
 };
@@ -80,9 +86,10 @@ struct ForeignMap {
   bool unitConfirmed = false;  ///< although the movements would fit another unit better
   RotationForm rotation = RotationForm::kNone;
   std::optional<double> rate_Hz{};  ///< empty: the file contains times
-  std::string timeColumn{};         ///< csv only
+  std::string timeColumn{};         ///< of a table only
+  std::string timeUnit{};           ///< "s", "ms", "us" or "ns"; of timeColumn
   double usPerTime = 0.0;
-  std::string instrument{};  ///< arm or device to read; empty for csv
+  std::string instrument{};  ///< arm or device to read; empty for a table
   std::array<std::string, 3> position{};
   std::vector<std::string> rotationColumns{};
   std::optional<ForeignGrip> grip{};

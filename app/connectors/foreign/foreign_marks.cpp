@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "app/connectors/foreign/parquet_table.h"
 #include "app/services/base/csv_table.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
@@ -18,6 +19,23 @@ const ForeignRecording* recordingOfStem(const ForeignMap& map, const std::string
       map.recordings.begin(), map.recordings.end(),
       [&](const ForeignRecording& one) { return one.name == stem || one.file.stem().string() == stem; });
   return found == map.recordings.end() ? nullptr : &*found;
+}
+
+constexpr std::size_t kMaxMarkBytes = 64U << 20U;
+
+/// The columns of a Parquet file as the text of a table.
+CsvTable markTable(const std::filesystem::path& file) {
+  const std::vector<std::string> columns{"recording", "rater", "score"};
+  ParquetTable table(file, file.filename().string(), columns);
+  std::string text = csvLine(columns);
+  for (std::vector<std::string> cells; table.next(cells);) {
+    text += csvLine(cells);
+    if (text.size() > kMaxMarkBytes) {
+      refuse(Text::tr("the table of marks has more than 64 MiB"), file.filename().string(),
+             Text::tr("Choose the file with the columns recording, rater and score"));
+    }
+  }
+  return CsvTable::parse(text, file.filename().string(), {"recording", "rater", "score"});
 }
 
 }  // namespace
@@ -52,7 +70,8 @@ std::vector<ForeignMark> jigsawsMarks(const std::filesystem::path& file, const s
 }
 
 std::vector<ForeignMark> tabledMarks(const std::filesystem::path& file, const ForeignMap& map) {
-  const CsvTable table = CsvTable::read(file, {"recording", "rater", "score"});
+  const CsvTable table =
+      isParquet(file) ? markTable(file) : CsvTable::read(file, {"recording", "rater", "score"});
   std::vector<ForeignMark> marks;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const std::string& name = table.text(row, "recording");

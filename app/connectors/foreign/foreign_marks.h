@@ -15,8 +15,8 @@ namespace torsio {
 [[nodiscard]] std::vector<ForeignMark> jigsawsMarks(const std::filesystem::path& file,
                                                     const std::string& rater, const ForeignMap& map);
 
-/// Reads marks from a table with the columns recording, rater, score (points). Throws as above, and for a
-/// recording or rater that the map does not list.
+/// Reads marks from a table (CSV or Parquet) with the columns recording, rater, score (points). Throws as
+/// above, and for a recording or rater that the map does not list.
 [[nodiscard]] std::vector<ForeignMark> tabledMarks(const std::filesystem::path& file, const ForeignMap& map);
 
 }  // namespace torsio

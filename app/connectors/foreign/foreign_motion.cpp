@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/connectors/foreign/foreign_rows.h"
+#include "app/connectors/foreign/parquet_table.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/pose.h"
@@ -154,42 +155,98 @@ class PoseClock {
   std::int64_t last_us_ = 0;
 };
 
+/// Turns rows into poses and passes them on.
+class PoseTaker {
+ public:
+  PoseTaker(const ForeignMap& map, const ForeignRecording& recording,
+            const std::function<void(const ForeignPose&, std::size_t line)>& take)
+      : map_(map), recording_(recording), take_(take), clock_(map.rate_Hz) {}
+
+  void operator()(const ForeignRow& row, std::size_t line) {
+    if (row.gap) {
+      clock_.pass();
+      return;
+    }
+    const Where where = [&] { return recording_.name + ", line " + std::to_string(line); };
+    ForeignPose pose;
+    pose.place = clock_.count();
+    pose.time_us = clock_.timeOf(row, where);
+    pose.pose.position_m = map_.metresPerUnit * row.position;
+    pose.pose.orientation = rotationIn(map_.rotation, row.rotation, where);
+    if (map_.grip) {
+      const double closed = (row.grip - map_.grip->open) / (map_.grip->closed - map_.grip->open);
+      pose.grip = std::clamp(closed, 0.0, 1.0);
+    }
+    take_(pose, line);
+    ++poses_;
+  }
+  [[nodiscard]] ForeignFile finish(const std::string& hash) const {
+    if (poses_ < 2) {
+      refuse(Text::tr("the recording has fewer than two lines"), recording_.name,
+             Text::tr("Check the instrument and the columns that the map names"));
+    }
+    return {poses_, clock_.period_us(), hash};
+  }
+
+ private:
+  const ForeignMap& map_;
+  const ForeignRecording& recording_;
+  const std::function<void(const ForeignPose&, std::size_t line)>& take_;
+  PoseClock clock_;
+  std::int64_t poses_ = 0;
+};
+
+/// Returns the hash of the file.
+std::string takeLines(const ForeignMap& map, ForeignLayout layout, const ForeignRecording& recording,
+                      PoseTaker& poses) {
+  HashedLines lines(recording.file);
+  if (isParquet(recording.file)) {
+    refuse(Text::tr("this is a Parquet file"), recording.name, Text::tr("Import it as parquet"));
+  }
+  const std::unique_ptr<ForeignRows> rows = foreignRows(map, layout, recording.name);
+  ForeignRow row;
+  std::string_view line;
+  while (lines.next(line)) {
+    if (rows->read(line, lines.number(), row)) {
+      poses(row, lines.number());
+    }
+  }
+  return lines.hash();
+}
+
+/// Returns the hash of the file.
+std::string takeParquet(const ForeignMap& map, const ForeignRecording& recording, PoseTaker& poses) {
+  const std::vector<std::string> columns = tableColumns(map);
+  ParquetTable table(recording.file, recording.name, columns);
+  if (const std::string stated = map.timeColumn.empty() ? "" : table.timeUnit(0);
+      !stated.empty() && stated != map.timeUnit) {
+    refuse(Text::tr("the file says that its times are in %1, and the map says %2", stated, map.timeUnit),
+           recording.name + ", " + map.timeColumn, Text::tr("Write the unit of the file into the map"));
+  }
+  const std::unique_ptr<ForeignCells> rows = foreignCells(map, recording.name);
+  ForeignRow row;
+  (void)rows->readCells({columns.begin(), columns.end()}, 0, row);
+  std::vector<std::string> cells;
+  for (std::size_t number = 1; table.next(cells); ++number) {
+    if (rows->readCells({cells.begin(), cells.end()}, number, row)) {
+      poses(row, number);
+    }
+  }
+  HashedLines whole(recording.file);
+  std::string_view line;
+  while (whole.next(line)) {
+  }
+  return whole.hash();
+}
+
 }  // namespace
 
 ForeignFile readForeignMotion(const ForeignMap& map, ForeignLayout layout, const ForeignRecording& recording,
                               const std::function<void(const ForeignPose&, std::size_t line)>& take) {
-  HashedLines lines(recording.file);
-  const std::unique_ptr<ForeignRows> rows = foreignRows(map, layout, recording.name);
-  PoseClock clock(map.rate_Hz);
-  ForeignRow row;
-  std::string_view line;
-  std::int64_t poses = 0;
-  const Where where = [&] { return recording.name + ", line " + std::to_string(lines.number()); };
-  while (lines.next(line)) {
-    if (!rows->read(line, lines.number(), row)) {
-      continue;
-    }
-    if (row.gap) {
-      clock.pass();
-      continue;
-    }
-    ForeignPose pose;
-    pose.place = clock.count();
-    pose.time_us = clock.timeOf(row, where);
-    pose.pose.position_m = map.metresPerUnit * row.position;
-    pose.pose.orientation = rotationIn(map.rotation, row.rotation, where);
-    if (map.grip) {
-      const double closed = (row.grip - map.grip->open) / (map.grip->closed - map.grip->open);
-      pose.grip = std::clamp(closed, 0.0, 1.0);
-    }
-    take(pose, lines.number());
-    ++poses;
-  }
-  if (poses < 2) {
-    refuse(Text::tr("the recording has fewer than two lines"), recording.name,
-           Text::tr("Check the instrument and the columns that the map names"));
-  }
-  return {poses, clock.period_us(), lines.hash()};
+  PoseTaker poses(map, recording, take);
+  const std::string hash = layout == ForeignLayout::kParquet ? takeParquet(map, recording, poses)
+                                                             : takeLines(map, layout, recording, poses);
+  return poses.finish(hash);
 }
 
 }  // namespace torsio

@@ -25,7 +25,8 @@ struct ForeignFile {
   std::string contentHash{};   ///< BLAKE2b-256 of the file
 };
 
-/// Reads a recording line by line and passes each pose with its line number (from 1) to `take`. Throws Error:
+/// Reads a recording line by line and passes each pose with its line number (from 1; in Parquet its row) to
+/// `take`. Throws Error:
 /// kFileMissing, kFileUnreadable; kBadData, with file, line and rule, for missing columns or numbers, text,
 /// NaN, invalid rotations, times that do not increase, fewer than two lines. Exceptions of `take` pass
 /// through.

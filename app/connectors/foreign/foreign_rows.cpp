@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
 
@@ -115,7 +116,7 @@ class JigsawsRows final : public RowReaderBase {
 };
 
 /// A table with a header; RFC 4180 without quotes, spaces around names and numbers are ignored.
-class TableRows : public RowReaderBase {
+class TableRows : public RowReaderBase, public ForeignCells {
  public:
   using RowReaderBase::RowReaderBase;
 
@@ -124,6 +125,15 @@ class TableRows : public RowReaderBase {
       return false;
     }
     split(line);
+    return takeCells(number, row);
+  }
+  bool readCells(const std::vector<std::string_view>& cells, std::size_t number, ForeignRow& row) override {
+    cells_ = cells;
+    return takeCells(number, row);
+  }
+
+ protected:
+  bool takeCells(std::size_t number, ForeignRow& row) {
     if (header_.empty()) {
       for (const std::string_view cell : cells_) {
         header_.emplace_back(cell);
@@ -153,8 +163,6 @@ class TableRows : public RowReaderBase {
     }
     return true;
   }
-
- protected:
   virtual void findColumns() {
     for (std::size_t i = 0; i < position_.size(); ++i) {
       position_[i] = columnNamed(map().position[i]);
@@ -337,8 +345,28 @@ std::unique_ptr<ForeignRows> foreignRows(const ForeignMap& map, ForeignLayout la
     case ForeignLayout::kPerkTutor:
       return std::make_unique<PerkTutorRows>(map, name);
     case ForeignLayout::kCsv:
+    case ForeignLayout::kParquet:
       break;
   }
+  TORSIO_EXPECTS(layout != ForeignLayout::kParquet);
+  return std::make_unique<TableRows>(map, name);
+}
+
+std::vector<std::string> tableColumns(const ForeignMap& map) {
+  std::vector<std::string> all;
+  const auto add = [&all](const std::string& column) {
+    if (!column.empty() && std::find(all.begin(), all.end(), column) == all.end()) {
+      all.push_back(column);
+    }
+  };
+  add(map.timeColumn);
+  std::for_each(map.position.begin(), map.position.end(), add);
+  std::for_each(map.rotationColumns.begin(), map.rotationColumns.end(), add);
+  add(map.grip ? map.grip->column : std::string());
+  return all;
+}
+
+std::unique_ptr<ForeignCells> foreignCells(const ForeignMap& map, const std::string& name) {
   return std::make_unique<TableRows>(map, name);
 }
 

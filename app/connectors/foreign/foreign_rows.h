@@ -31,8 +31,21 @@ class ForeignRows {
   virtual bool read(std::string_view line, std::size_t number, ForeignRow& row) = 0;
 };
 
-/// The reader for the map's layout. `name`: of the file, for messages. Throws Error{kBadData} if the layout
-/// has no such instrument.
+/// Reads the rows of a table that are already cut into cells, in order.
+class ForeignCells {
+ public:
+  virtual ~ForeignCells() = default;
+  /// As ForeignRows::read(). The first row is the header, with `number` 0.
+  virtual bool readCells(const std::vector<std::string_view>& cells, std::size_t number, ForeignRow& row) = 0;
+};
+
+/// The columns of a table that the map names, without repetition.
+[[nodiscard]] std::vector<std::string> tableColumns(const ForeignMap& map);
+/// The reader of these. `name`: of the file, for messages.
+[[nodiscard]] std::unique_ptr<ForeignCells> foreignCells(const ForeignMap& map, const std::string& name);
+
+/// The reader for the map's layout, which is not Parquet (contract). `name`: of the file, for messages.
+/// Throws Error{kBadData} if the layout has no such instrument.
 [[nodiscard]] std::unique_ptr<ForeignRows> foreignRows(const ForeignMap& map, ForeignLayout layout,
                                                        const std::string& name);
 

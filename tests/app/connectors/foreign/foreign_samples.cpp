@@ -118,7 +118,7 @@ std::filesystem::path writeForeignStudy(const std::filesystem::path& folder, con
       {"groups", {{{"code", "N"}, {"label", "novices"}}, {{"code", "E"}, {"label", "experts"}}}},
       {"people", {{{"name", "B"}, {"group", "N"}, {"level", "novice"}}, {{"name", "C"}, {"group", "E"}}}}};
   std::string text;
-  if (layout == "csv") {
+  if (layout == "csv" || layout == "parquet") {  // in Parquet the caller writes the recordings
     text = foreignCsv();
     map["time"] = {{"column", "t_ms"}, {"unit", "ms"}};
     map["position"] = {"x", "y", "z"};

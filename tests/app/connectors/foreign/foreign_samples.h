@@ -25,7 +25,7 @@ inline constexpr std::size_t kForeignLines = 201;  ///< four seconds
 [[nodiscard]] std::string foreignCsv();     ///< t_ms, x, y, z, qw, qx, qy, qz, jaw
 
 /// Writes two people in two groups with two recordings each as described by the map of `layout` ("jigsaws",
-/// "rosma", "perktutor", "csv"), and marks of two raters if `marks`. Returns the map file.
+/// "rosma", "perktutor", "csv", "parquet"), and marks of two raters if `marks`. Returns the map file.
 std::filesystem::path writeForeignStudy(const std::filesystem::path& folder, const std::string& layout,
                                         bool marks = false);
 
