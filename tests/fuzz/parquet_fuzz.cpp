@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes as a Parquet file of which three columns are read: the result must be an Error or rows. The first byte
-// selects the columns, so that numbers, text and dictionaries of each sample are reached.
+// Any bytes as a Parquet file of which three columns are read: the result must be an Error or rows. The first
+// byte selects the columns, so that numbers, text and dictionaries of each sample are reached.
 #include <array>
 #include <cstdlib>
 #include <string>

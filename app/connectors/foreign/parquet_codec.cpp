@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <utility>
-
 #include <zlib.h>
+
 #include <zstd.h>
 
 namespace torsio {

@@ -23,13 +23,14 @@ struct SchemaElement {
 
 /// The older word for what the numbers mean.
 void hearConverted(std::int64_t word, ParquetLeaf& leaf) {
-  constexpr std::int64_t kUtf8 = 0, kEnum = 4, kDate = 6, kFirstMillis = 7, kLastMicros = 10, kFirstUnsigned = 11,
-                         kLastUnsigned = 14, kJson = 19;
+  constexpr std::int64_t kUtf8 = 0, kEnum = 4, kDate = 6, kFirstMillis = 7, kLastMicros = 10,
+                         kFirstUnsigned = 11, kLastUnsigned = 14, kJson = 19;
   leaf.isText = leaf.isText || word == kUtf8 || word == kEnum || word == kJson;
   leaf.isUnsigned = leaf.isUnsigned || (word >= kFirstUnsigned && word <= kLastUnsigned);
   if (word == kDate) {
     leaf.timeUnit = "days";
-  } else if (word >= kFirstMillis && word <= kLastMicros) {  // time and time stamp, in milliseconds and microseconds
+  } else if (word >= kFirstMillis &&
+             word <= kLastMicros) {  // time and time stamp, in milliseconds and microseconds
     leaf.timeUnit = word % 2 != 0 ? "ms" : "us";
   }
 }
@@ -227,6 +228,5 @@ ParquetPage pageHead(std::string_view bytes) {
   head.bytes = in.at();
   return head;
 }
-
 
 }  // namespace torsio

@@ -37,8 +37,8 @@ struct ParquetPage {
   std::size_t bytes = 0;             ///< of this head
 };
 
-/// Reads the schema: the columns in the order in which row groups list them. Throws ThriftReader::Damaged, for
-/// more than 100,000 columns too, as do the others.
+/// Reads the schema: the columns in the order in which row groups list them. Throws ThriftReader::Damaged,
+/// for more than 100,000 columns too, as do the others.
 [[nodiscard]] std::vector<ParquetLeaf> leavesOf(ThriftReader& in);
 [[nodiscard]] ParquetChunk chunkOf(ThriftReader& in);
 [[nodiscard]] ParquetPage pageHead(std::string_view bytes);

@@ -29,9 +29,9 @@ struct ParquetLeaf {
   bool optional = false;
   bool isText = false;
   bool isUnsigned = false;
-  bool isHalf = false;         ///< a half-precision number
-  std::int64_t scale = 0;      ///< digits behind the point of a decimal number
-  std::string timeUnit{};      ///< "ms", "us", "ns", "days"; empty: not a time
+  bool isHalf = false;     ///< a half-precision number
+  std::int64_t scale = 0;  ///< digits behind the point of a decimal number
+  std::string timeUnit{};  ///< "ms", "us", "ns", "days"; empty: not a time
 };
 
 struct PageDamaged {};

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view kParquetMark = "PAR1";
 constexpr std::string_view kEncryptedMark = "PARE";
-constexpr std::size_t kFooterEnd = 8;               // its length and the mark
+constexpr std::size_t kFooterEnd = 8;                // its length and the mark
 constexpr std::size_t kMaxFooterBytes = 16U << 20U;  // limits: what a damaged file may make this program hold
 constexpr std::size_t kMaxHeadBytes = 64U << 10U;
 constexpr std::size_t kMaxPageBytes = 32U << 20U;
@@ -39,8 +39,9 @@ constexpr std::int64_t kPlainDictionary = 2;
 constexpr std::int64_t kRunsAndBits = 3;
 constexpr std::int64_t kRleDictionary = 8;
 constexpr std::array kEncodingNames = {
-    "PLAIN",           "GROUP_VAR_INT", "PLAIN_DICTIONARY", "RLE",           "BIT_PACKED", "DELTA_BINARY_PACKED", "DELTA_LENGTH_BYTE_ARRAY",
-    "DELTA_BYTE_ARRAY", "RLE_DICTIONARY", "BYTE_STREAM_SPLIT"};
+    "PLAIN",          "GROUP_VAR_INT",       "PLAIN_DICTIONARY",        "RLE",
+    "BIT_PACKED",     "DELTA_BINARY_PACKED", "DELTA_LENGTH_BYTE_ARRAY", "DELTA_BYTE_ARRAY",
+    "RLE_DICTIONARY", "BYTE_STREAM_SPLIT"};
 
 }  // namespace
 
@@ -99,13 +100,13 @@ class ParquetTable::Reader {
   struct Column {
     std::size_t leaf = 0;
     ParquetChunk chunk{};
-    std::size_t at = 0;          ///< of the next page in the file
+    std::size_t at = 0;           ///< of the next page in the file
     std::int64_t valuesLeft = 0;  ///< in pages to come
     std::int64_t inPage = 0;
     std::string dictionaryPage{};
     std::vector<std::string> dictionary{};
     std::string page{};
-    LevelReader given{};  ///< whether there is a value
+    LevelReader given{};                   ///< whether there is a value
     std::optional<LevelReader> numbers{};  ///< in the dictionary, or truth values; empty: PLAIN
     PageValues plain{};
   };
@@ -118,7 +119,8 @@ class ParquetTable::Reader {
     refuse(what, placeOf(leaves_[column.leaf]), remedy);
   }
   [[noreturn]] void refuseDamaged(const Column& column) const {
-    refuseColumn(column, Text::tr("the Parquet file is damaged or incomplete"), Text::tr("Copy or write it again"));
+    refuseColumn(column, Text::tr("the Parquet file is damaged or incomplete"),
+                 Text::tr("Copy or write it again"));
   }
   [[nodiscard]] std::string placeOf(const ParquetLeaf& leaf) const { return name_ + ", " + leaf.name; }
 
@@ -135,7 +137,8 @@ class ParquetTable::Reader {
 
   void readFooter() {
     const std::size_t least = kParquetMark.size() + kFooterEnd;
-    const std::string end = size_ < least ? std::string(kFooterEnd, '\0') : bytesAt(size_ - kFooterEnd, kFooterEnd);
+    const std::string end =
+        size_ < least ? std::string(kFooterEnd, '\0') : bytesAt(size_ - kFooterEnd, kFooterEnd);
     const std::string mark = end.substr(kFooterEnd - kParquetMark.size());
     if (mark == kEncryptedMark) {
       refuseFile(Text::tr("the Parquet file is encrypted"), Text::tr("Write it without encryption"));
@@ -218,11 +221,12 @@ class ParquetTable::Reader {
     constexpr std::int64_t kMaxScale = 18;
     if (!number && !(found->kind == ParquetKind::kBytes && found->isText)) {
       refuse(Text::tr("the column is stored in a way that is not read (%1)",
-                      found->isHalf                              ? "FLOAT16"
-                      : found->kind == ParquetKind::kInt96       ? "INT96"
+                      found->isHalf                             ? "FLOAT16"
+                      : found->kind == ParquetKind::kInt96      ? "INT96"
                       : found->kind == ParquetKind::kFixedBytes ? "FIXED_LEN_BYTE_ARRAY"
-                                                                 : "BYTE_ARRAY"),
-             placeOf(*found), Text::tr("Write it as whole numbers, as decimal numbers of 32 or 64 bits, or as text"));
+                                                                : "BYTE_ARRAY"),
+             placeOf(*found),
+             Text::tr("Write it as whole numbers, as decimal numbers of 32 or 64 bits, or as text"));
     }
     if (found->scale < 0 || found->scale > kMaxScale) {
       refuseDamagedFile();
@@ -281,14 +285,15 @@ class ParquetTable::Reader {
                    Text::tr("Write one file without encryption"));
     }
     if (!isReadCodec(chunk.codec)) {
-      refuseColumn(column, Text::tr("the values are packed with %1, which is not read", codecName(chunk.codec)),
+      refuseColumn(column,
+                   Text::tr("the values are packed with %1, which is not read", codecName(chunk.codec)),
                    Text::tr("Write the file unpacked, or packed with Snappy, gzip or zstd"));
     }
     const bool dictionary = chunk.dictionaryAt > 0 && chunk.dictionaryAt < chunk.dataAt;
     const std::int64_t begin = dictionary ? chunk.dictionaryAt : chunk.dataAt;
     const auto room = static_cast<std::int64_t>(dataEnd_);
-    if (chunk.kind != static_cast<std::int64_t>(leaves_[column.leaf].kind) || chunk.values != rows || begin < 0 ||
-        begin > room) {
+    if (chunk.kind != static_cast<std::int64_t>(leaves_[column.leaf].kind) || chunk.values != rows ||
+        begin < 0 || begin > room) {
       refuseDamaged(column);
     }
     column.at = static_cast<std::size_t>(begin);
@@ -439,10 +444,11 @@ class ParquetTable::Reader {
 
   [[noreturn]] void refuseEncoding(const Column& column, std::int64_t encoding) const {
     const bool known = encoding >= 0 && encoding < std::ssize(kEncodingNames);
-    refuseColumn(column,
-                 Text::tr("the values are encoded as %1, which is not read",
-                          known ? kEncodingNames[static_cast<std::size_t>(encoding)] : std::to_string(encoding)),
-                 Text::tr("Write them with plain or dictionary encoding"));
+    refuseColumn(
+        column,
+        Text::tr("the values are encoded as %1, which is not read",
+                 known ? kEncodingNames[static_cast<std::size_t>(encoding)] : std::to_string(encoding)),
+        Text::tr("Write them with plain or dictionary encoding"));
   }
 
   std::string name_;

@@ -14,7 +14,20 @@ class ThriftReader {
  public:
   struct Damaged {};
   /// Kinds of a value as the protocol numbers them.
-  enum Kind : unsigned { kTrue = 1, kFalse, kByte, kI16, kI32, kI64, kDouble, kBinary, kList, kSet, kMap, kStruct };
+  enum Kind : unsigned {
+    kTrue = 1,
+    kFalse,
+    kByte,
+    kI16,
+    kI32,
+    kI64,
+    kDouble,
+    kBinary,
+    kList,
+    kSet,
+    kMap,
+    kStruct
+  };
   struct List {
     std::size_t size = 0;
     unsigned kind = 0;

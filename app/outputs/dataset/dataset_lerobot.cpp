@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layout: https://huggingface.co/docs/lerobot/lerobot-dataset-v3. Names of files, columns and fields below
-// are its own.
+// The layout: https://huggingface.co/docs/lerobot/lerobot-dataset-v3. Names of files, columns and fields
+// below are its own.
 #include "app/outputs/dataset/dataset_lerobot.h"
 
 #include <algorithm>
@@ -56,7 +56,8 @@ std::vector<std::size_t> columnsWhere(bool (*wanted)(const std::string& name)) {
 }
 
 const std::vector<std::size_t>& stateColumns() {
-  static const std::vector<std::size_t> all = columnsWhere([](const std::string& name) { return name != "time_s"; });
+  static const std::vector<std::size_t> all =
+      columnsWhere([](const std::string& name) { return name != "time_s"; });
   return all;
 }
 
@@ -133,7 +134,7 @@ FeatureStats joined(const std::vector<FeatureStats>& all) {
 /// A column of the frames.
 struct Feature {
   std::string name;
-  bool whole = false;               ///< int64; otherwise float32
+  bool whole = false;                ///< int64; otherwise float32
   std::vector<std::string> names{};  ///< of a vector's numbers; empty: one number
 };
 
@@ -202,11 +203,12 @@ class LerobotWriter {
       ++leftOut_;
       return;
     }
-    const std::string task = trial.header.sceneId.text() + ": " + trial.header.patternId.text() + ", target " +
-                             formatFixed(degrees(trial.header.targetAngle_rad), 0) + " degrees";
+    const std::string task = trial.header.sceneId.text() + ": " + trial.header.patternId.text() +
+                             ", target " + formatFixed(degrees(trial.header.targetAngle_rad), 0) + " degrees";
     const std::int64_t taskIndex = tasks_.emplace(task, std::ssize(tasks_)).first->second;
     std::vector<std::vector<double>> values(features_.size());
-    const auto gather = [&](std::size_t frame, const std::vector<std::size_t>& wanted, std::vector<double>& to) {
+    const auto gather = [&](std::size_t frame, const std::vector<std::size_t>& wanted,
+                            std::vector<double>& to) {
       for (const std::size_t c : wanted) {
         to.push_back(static_cast<double>(static_cast<float>(columns[c][frame].value_or(0.0))));
       }
@@ -246,8 +248,8 @@ class LerobotWriter {
       } else if (features_[i].names.empty()) {
         group.push_back({features_[i].name, std::vector<float>(values[i].begin(), values[i].end())});
       } else {
-        group.push_back(
-            {features_[i].name, ParquetLists<float>{size, std::vector<float>(values[i].begin(), values[i].end())}});
+        group.push_back({features_[i].name,
+                         ParquetLists<float>{size, std::vector<float>(values[i].begin(), values[i].end())}});
       }
     }
     if (data_ && data_->bytes() + bytes > kMaxFileBytes) {
@@ -285,7 +287,8 @@ class LerobotWriter {
         {"index_columns", {"task"}},
         {"column_indexes", LerobotJson::array()},
         {"columns", {column("task_index", "int64", "int64"), column("task", "unicode", "object")}}};
-    writeParquet(place("meta/tasks.parquet"), {{"task_index", numbers}, {"task", words}}, {{"pandas", pandas.dump()}});
+    writeParquet(place("meta/tasks.parquet"), {{"task_index", numbers}, {"task", words}},
+                 {{"pandas", pandas.dump()}});
   }
 
   void writeEpisodes() {
@@ -317,13 +320,20 @@ class LerobotWriter {
         }
         columns.push_back({prefix + name, std::move(lists)});
       };
-      add("min", [](const FeatureStats& one) -> const auto& { return one.min; });
-      add("max", [](const FeatureStats& one) -> const auto& { return one.max; });
-      add("mean", [](const FeatureStats& one) -> const auto& { return one.mean; });
-      add("std", [](const FeatureStats& one) -> const auto& { return one.std; });
+      add(
+          "min", [](const FeatureStats& one) -> const auto& { return one.min; });
+      add(
+          "max", [](const FeatureStats& one) -> const auto& { return one.max; });
+      add(
+          "mean", [](const FeatureStats& one) -> const auto& { return one.mean; });
+      add(
+          "std", [](const FeatureStats& one) -> const auto& { return one.std; });
       columns.push_back({prefix + "count", ParquetLists<std::int64_t>{1, lengths_}});
       for (std::size_t q = 0; q < kStatsQuantiles.size(); ++q) {
-        add(kStatsQuantiles[q].first, [q](const FeatureStats& one) -> const auto& { return one.quantiles[q]; });
+        add(
+            kStatsQuantiles[q].first, [q](const FeatureStats& one) -> const auto& {
+              return one.quantiles[q];
+            });
       }
     }
     writeParquet(place(filePath("meta/episodes", 0, 0)), columns);
@@ -334,9 +344,10 @@ class LerobotWriter {
     LerobotJson stats;
     for (std::size_t i = 0; i < features_.size(); ++i) {
       const Feature& feature = features_[i];
-      features[feature.name] = {{"dtype", feature.whole ? "int64" : "float32"},
-                                {"shape", {std::max<std::size_t>(1, feature.names.size())}},
-                                {"names", feature.names.empty() ? LerobotJson() : LerobotJson(feature.names)}};
+      features[feature.name] = {
+          {"dtype", feature.whole ? "int64" : "float32"},
+          {"shape", {std::max<std::size_t>(1, feature.names.size())}},
+          {"names", feature.names.empty() ? LerobotJson() : LerobotJson(feature.names)}};
       const FeatureStats all = joined(stats_[i]);
       LerobotJson& own = stats[feature.name];
       own = {{"min", all.min}, {"max", all.max}, {"mean", all.mean}, {"std", all.std}};
@@ -367,22 +378,25 @@ class LerobotWriter {
     std::string licence = about.licence;
     std::transform(licence.begin(), licence.end(), licence.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    std::string text =
-        "---\nlicense: " + licence +
-        "\ntask_categories:\n- robotics\ntags:\n- LeRobot\nconfigs:\n- config_name: default\n"
-        "  data_files: data/*/*.parquet\n---\n\n# " +
-        about.title + "\n\n";
-    for (const std::string& paragraph : {about.description, about.citation.empty() ? "" : "Please cite: " + about.citation}) {
+    std::string text = "---\nlicense: " + licence +
+                       "\ntask_categories:\n- robotics\ntags:\n- LeRobot\nconfigs:\n- config_name: default\n"
+                       "  data_files: data/*/*.parquet\n---\n\n# " +
+                       about.title + "\n\n";
+    for (const std::string& paragraph :
+         {about.description, about.citation.empty() ? "" : "Please cite: " + about.citation}) {
       text += paragraph.empty() ? "" : paragraph + "\n\n";
     }
     for (const std::string& sentence : contents_.origin) {
       text += "**" + sentence + "**\n\n";
     }
     text +=
-        "A data set of LeRobot, version 3.0. Each episode is one recording of a training simulator for surgical "
+        "A data set of LeRobot, version 3.0. Each episode is one recording of a training simulator for "
+        "surgical "
         "twists; `trial` and `participant` of `meta/episodes` name it as the tables in `torsio/` do.\n\n"
-        "- `observation.state`: instrument, twist, torque, forces, stage. Lengths in metres, forces in newtons; "
-        "the frame is LPS (x to the patient's left, y to the back, z to the head); quaternions have their real "
+        "- `observation.state`: instrument, twist, torque, forces, stage. Lengths in metres, forces in "
+        "newtons; "
+        "the frame is LPS (x to the patient's left, y to the back, z to the head); quaternions have their "
+        "real "
         "part first.\n"
         "- `action`: pose, turn and jaw of the instrument in the next frame; in the last frame its own.\n"
         "- `timestamp`: seconds since the first frame; where samples were lost, it leaves a gap.\n\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recordings in Parquet: files of three other programs (tests/data/parquet) and of our own writer give the same
-// motion; what is not read is refused by name; damaged files are refused.
+// Recordings in Parquet: files of three other programs (tests/data/parquet) and of our own writer give the
+// same motion; what is not read is refused by name; damaged files are refused.
 #include <array>
 #include <fstream>
 #include <functional>
@@ -72,7 +72,13 @@ std::string ownFile(const fs::path& folder) {
   for (std::size_t i = 0; i < kForeignLines; ++i) {
     const auto [place, turn] = foreignPose(i);
     const std::array<double, 9> row{500.0 + 20.0 * static_cast<double>(i),
-                                    place.x, place.y, place.z, turn.w, turn.x, turn.y, turn.z,
+                                    place.x,
+                                    place.y,
+                                    place.z,
+                                    turn.w,
+                                    turn.x,
+                                    turn.y,
+                                    turn.z,
                                     1.2 - 1.5 * foreignJaw(i)};
     for (std::size_t c = 0; c < row.size(); ++c) {
       columns[c].push_back(row[c]);
@@ -88,7 +94,8 @@ std::string ownFile(const fs::path& folder) {
 }
 
 TEST(ForeignParquet, IsTheSameFromEachWriter) {
-  for (const char* file : {"arrow-gzip-2.parquet", "arrow-zstd.parquet", "duckdb.parquet", "hyparquet.parquet"}) {
+  for (const char* file :
+       {"arrow-gzip-2.parquet", "arrow-zstd.parquet", "duckdb.parquet", "hyparquet.parquet"}) {
     const OwnFolder own;
     expectMotion(parquetPoses(studyOf(own.path(), readFile(kFiles / file))), file);
   }
@@ -143,7 +150,8 @@ TEST(ForeignParquet, RefusesWhatItDoesNotReadByName) {
       {"lists or groups of values", newer, [](ordered_json& map) { map["position"][0] = "state"; }},
       {"is not a number", newer, [](ordered_json& map) { map["position"][0] = "note"; }},
       {"exactly one column 'px'", good, [](ordered_json& map) { map["position"][0] = "px"; }},
-      {"its times are in ms, and the map says s", newer, [](ordered_json& map) { map["time"]["unit"] = "s"; }},
+      {"its times are in ms, and the map says s", newer,
+       [](ordered_json& map) { map["time"]["unit"] = "s"; }},
       {"not a complete Parquet file", foreignCsv()},
       {"not a complete Parquet file", good.substr(0, good.size() - 1)},
       {"not a complete Parquet file", ""},
@@ -159,12 +167,14 @@ TEST(ForeignParquet, RefusesWhatItDoesNotReadByName) {
   const OwnFolder own;
   const ForeignMap csv = readForeignMap(studyOf(own.path(), good), ForeignLayout::kCsv);
   EXPECT_THAT(testing::refusalText([&] {
-                (void)readForeignMotion(csv, ForeignLayout::kCsv, csv.recordings.front(), [](const auto&, auto) {});
+                (void)readForeignMotion(csv, ForeignLayout::kCsv, csv.recordings.front(),
+                                        [](const auto&, auto) {});
               }),
               HasSubstr("this is a Parquet file"));
 }
 
-/// Every byte of a small file, changed in each of a few ways: an error, or rows; never more memory or a crash.
+/// Every byte of a small file, changed in each of a few ways: an error, or rows; never more memory or a
+/// crash.
 TEST(ForeignParquet, SurvivesEachDamagedByte) {
   const OwnFolder own;
   const fs::path file = own.path() / "marks.parquet";
