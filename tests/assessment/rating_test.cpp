@@ -54,6 +54,13 @@ TEST(SheetChecks, ListUnansweredRowsInTheOrderOfTheSheet) {
   EXPECT_FALSE(check.allTheSame);  // two scores form no pattern
 }
 
+TEST(SheetChecks, AMarkOffItsScaleIsNoAnswer) {
+  std::vector<SheetLine> lines = linesOf(50, 60, 999, 60);
+  const SheetCheck check = checkSheetLines(lines, std::nullopt, {});
+  EXPECT_EQ(check.unanswered, (std::vector<std::string>{"c"}));
+  EXPECT_FALSE(check.mayBeSubmitted());
+}
+
 TEST(SheetChecks, FlagTheSameScoreEverywhereEvenOnTwoScales) {
   std::vector<SheetLine> lines = linesOf(55, 55, 55, 55);
   lines[1] = {"b", kNoneToFour, {2, {}}};  // 2 of 0..4 is a half; so is (55 - 10) / (100 - 10)

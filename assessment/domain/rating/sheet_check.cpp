@@ -64,7 +64,7 @@ SheetCheck checkSheetLines(std::span<const SheetLine> lines, const std::optional
   SheetCheck check;
   bool excused = false;
   for (const SheetLine& line : lines) {
-    if (!line.answer.given()) {
+    if (faultOf(line.answer, line.scale) != AnswerFault::kNone) {
       check.unanswered.push_back(line.code);
     }
     excused = excused || (line.code == kOverallRow && !line.answer.notAssessableReason.empty());
