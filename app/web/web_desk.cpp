@@ -9,6 +9,8 @@
 #include <typeinfo>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "app/services/access/access_service.h"
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/database_away.h"
@@ -369,9 +371,10 @@ void WebDesk::queue(const std::shared_ptr<Job>& job) {
   }
 }
 
-// Hashing takes most of a second, and one thread does it. First come those who are signed in, then those from
-// addresses without many wrong passwords, then the others; of each, the newest and the oldest by turns: a
-// right password does not wait for a heap of wrong ones. Which names have an account plays no part.
+// Hashing takes a while, and one thread does it. First come those who are signed in, then browsers from which
+// the name has signed in before and addresses without many wrong passwords, then the others; of each, the
+// newest and the oldest by turns: a right password does not wait for a heap of wrong ones. Which names have
+// an account plays no part.
 void WebDesk::queueToHash(const std::shared_ptr<Job>& job) {
   const bool open = job->match.route->access == RouteAccess::kOpen;
   const bool many = open && sentManyWrong(*job);
@@ -388,7 +391,13 @@ void WebDesk::queueToHash(const std::shared_ptr<Job>& job) {
 }
 
 bool WebDesk::sentManyWrong(const Job& job) {
-  return wrongTries_.waitOf(clientOf(job.request), deskNow()).count() > 0;
+  if (wrongTries_.waitOf(clientOf(job.request), deskNow()).count() == 0) {
+    return false;
+  }
+  const auto body = nlohmann::json::parse(job.request.body, nullptr, false);
+  const auto login = body.is_object() ? body.find("login") : body.end();
+  return login == body.end() || !login->is_string() ||
+         !knownBrowsers_.knows(job.request.cookie(kKnownCookie), login->get<std::string>());
 }
 
 void WebDesk::work(const std::shared_ptr<Job>& job, SessionContext* context) {

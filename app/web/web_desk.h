@@ -37,8 +37,8 @@ struct DeskSettings {
   /// "localhost" and the host of `publicUrl` always are its own. Any other name is refused: it may be one
   /// that somebody else lets point here (DNS rebinding).
   std::vector<std::string> hosts{};
-  std::size_t workers = 0;                              ///< 0: as many as suit the database engine
-  PasswordCost passwordCost = PasswordCost::kModerate;  ///< for hashes made here; tests use a cheap one
+  std::size_t workers = 0;                          ///< 0: as many as suit the database engine
+  PasswordCost passwordCost = PasswordCost::kFull;  ///< for hashes made here; tests use a cheap one
   /// Receives one line per answer: "GET /api/cases/* 200 3 ms", with the route's pattern instead of the
   /// address, so without names or handles. Called from several threads; may be empty.
   LogLine accessLog{};

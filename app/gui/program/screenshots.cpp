@@ -135,7 +135,6 @@ class Cast {
   Cast(const std::string& locator, const std::filesystem::path& assets, const ProgressCallback& progress)
       : locator_(locator) {
     SessionContext session(key());
-    session.setPasswordCost(PasswordCost::kInteractive);
     FirstRun first;
     first.centre = kCentre;
     first.login = kAdministrator;

@@ -30,7 +30,7 @@ struct ShellSetup {
   bool remember = true;
   std::optional<IdleLimits> idle;  ///< empty: the centre's
   const Clock* clock = nullptr;    ///< of the idle lock; null: the system's
-  PasswordCost passwordCost = PasswordCost::kModerate;
+  PasswordCost passwordCost = PasswordCost::kFull;
   LinePatience linePatience;
   /// Fills a record with simulated people; empty: the paper's protocol demonstration.
   std::function<std::vector<StartAccount>(SessionContext&, const ProgressCallback&)> simulatedPeople;

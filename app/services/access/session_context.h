@@ -129,7 +129,7 @@ class SessionContext {
   IdSource* ids_;
   SessionKey key_;
   UtcClock now_;
-  PasswordCost passwordCost_ = PasswordCost::kModerate;
+  PasswordCost passwordCost_ = PasswordCost::kFull;
   mutable bool asked_ = false;  // require() has passed in this call
 };
 

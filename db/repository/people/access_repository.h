@@ -46,7 +46,7 @@ struct InvitationRow {
 /// Users, roles, and the matrix role x operation (filled by the migration). Default deny.
 class AccessRepository {
  public:
-  explicit AccessRepository(Connection& connection, PasswordCost cost = PasswordCost::kModerate)
+  explicit AccessRepository(Connection& connection, PasswordCost cost = PasswordCost::kFull)
       : connection_(connection), cost_(cost) {}
 
   /// True if one of the user's roles permits the operation; never for unknown or disabled users.

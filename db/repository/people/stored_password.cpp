@@ -29,15 +29,10 @@ struct Limits {
 };
 
 Limits limitsOf(PasswordCost cost) {
-  switch (cost) {
-    case PasswordCost::kTest:
-      return {crypto_pwhash_OPSLIMIT_MIN, crypto_pwhash_MEMLIMIT_MIN};
-    case PasswordCost::kInteractive:
-      return {crypto_pwhash_OPSLIMIT_INTERACTIVE, crypto_pwhash_MEMLIMIT_INTERACTIVE};
-    case PasswordCost::kModerate:
-      break;
-  }
-  return {crypto_pwhash_OPSLIMIT_MODERATE, crypto_pwhash_MEMLIMIT_MODERATE};
+  constexpr unsigned long long kPasses = 3;
+  constexpr std::size_t kMemory_bytes = 64U << 20U;
+  return cost == PasswordCost::kTest ? Limits{crypto_pwhash_OPSLIMIT_MIN, crypto_pwhash_MEMLIMIT_MIN}
+                                     : Limits{kPasses, kMemory_bytes};
 }
 
 [[noreturn]] void refuseWithoutMemory() {

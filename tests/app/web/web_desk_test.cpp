@@ -167,6 +167,44 @@ TEST(WebDesk, ARightPasswordDoesNotWaitForWrongOnesUnderOtherNames) {
   }
 }
 
+/// Sixty clients that keep guessing from the owner's own address.
+TEST(WebDesk, AKnownBrowserComesBeforeGuessesFromTheSameAddress) {
+  constexpr int kGuessers = 60;
+  const Served served;
+  WebDesk desk(
+      {.locator = served.centre.locator(), .assets = assetsFolder(), .workers = 2});  // the real cost
+  const HttpServer server({"127.0.0.1", 0}, {}, {}, [&desk](HttpRequest request, HttpServer::Reply reply) {
+    desk.handle(std::move(request), std::move(reply));
+  });
+  WebClient owner(server.port());
+  ASSERT_TRUE(owner.signIn("physician0", kPassword)) << "from now on this browser is known";
+  std::atomic<bool> over{false};
+  std::atomic<int> answered{0};
+  std::vector<std::thread> guessing;
+  for (int i = 0; i < kGuessers; ++i) {
+    guessing.emplace_back([&, i] {
+      WebClient client(server.port());
+      for (int n = 0; !over; ++n) {
+        const std::string login = "nobody" + std::to_string(i) + "." + std::to_string(n);
+        (void)client.send("POST", "/api/sign-in", {{"login", login}, {"password", "x"}});
+        ++answered;
+      }
+    });
+  }
+  while (answered < 15) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));  // the address has sent many wrong ones
+  }
+  for (int turn = 0; turn < 3; ++turn) {
+    const int before = answered;
+    EXPECT_TRUE(owner.signIn("physician0", kPassword));
+    EXPECT_LE(answered - before, 2) << "the one that was being checked, and one that ended meanwhile";
+  }
+  over = true;
+  for (std::thread& one : guessing) {
+    one.join();
+  }
+}
+
 /// Wrong passwords from elsewhere, or from the same address, do not keep the owner of an account out.
 TEST(WebDesk, NobodyCanLockTheOwnerOfAnAccountOut) {
   const Served served;
