@@ -77,7 +77,7 @@ void runCompare(OrganComparison arguments) {
   }
   std::vector<MeasuredSubject> measured;
   if (!arguments.measured.empty()) {
-    measured = readMeasuredMarkers(arguments.measured, markers);
+    measured = readMeasuredMarkers(arguments.measured, markers, arguments.options.unitConfirmed);
   }
   ComparisonResult result;
   {
@@ -118,6 +118,8 @@ void addCompare(CLI::App& program) {
   command->add_option("--measured", arguments->measured,
                       "Markers of real limbs, CSV: marker, time, x, y, z, unit, subject; or a camera marker "
                       "file (TRC)");
+  command->add_flag("--unit-confirmed", arguments->options.unitConfirmed,
+                    "The unit in --measured is right although the markers move as no skin does");
   addDefaulted(*command, "--nu", arguments->options.poissonRatio, "Poisson's ratio of the elements");
   addDefaulted(*command, "--ramp", arguments->options.ramp_s, "Seconds in which the torque grows");
   addDefaulted(*command, "--rings", arguments->options.rings, "Rings of elements and springs in a section");

@@ -35,6 +35,7 @@ struct EvaluateArguments {
   std::int64_t stepsPerPoint = 10;
   std::int64_t resamples = 0;
   std::uint64_t seed = 1;
+  bool scaleConfirmed = false;
 };
 
 /// Parses "0.15" or "name=0.15"; the name is empty if missing.
@@ -374,6 +375,18 @@ void runEvaluate(const EvaluateArguments& arguments) {
   noteTable(table);
   MarkReader reader(table, instrument);
   const std::vector<EvaluationRating> ratings = reader.read();
+  if (!arguments.scaleConfirmed) {
+    std::vector<std::int64_t> steps;
+    for (const EvaluationRating& rating : ratings) {
+      if (rating.steps) {
+        steps.push_back(*rating.steps);
+      }
+    }
+    requireScaleUsed(
+        steps, instrument.scale, table.name() + ", column \"score\"",
+        Text::verbatim("Give --lowest and --highest as the raters had them, or --scale-confirmed if they "
+                       "are right"));
+  }
   EvaluationPolicy policy;
   policy.missing = policyOf(arguments.policy);
   reader.requireScores(ratings, policy.missing);
@@ -393,6 +406,9 @@ void runEvaluate(const EvaluateArguments& arguments) {
     throw Error(error.code(), error.happened(), table.name() + ", " + error.where(), error.remedy());
   }
   out["policy"] = arguments.policy;
+  if (arguments.scaleConfirmed) {
+    out["scale_confirmed"] = true;
+  }
   out["formula"] = kEvaluationFormulaVersion;
   printJson(out);
 }
@@ -419,6 +435,8 @@ void addEvaluate(CLI::App& program) {
   addDefaulted(*command, "--highest", arguments->highest, "Highest score, points", CLI::Range(-1000, 1000));
   addDefaulted(*command, "--steps-per-point", arguments->stepsPerPoint,
                "Steps per point; 10: scores in tenths", CLI::Range(1, 1000));
+  command->add_flag("--scale-confirmed", arguments->scaleConfirmed,
+                    "The scale is right although no score reaches a tenth of it");
   addDefaulted(*command, "--resamples", arguments->resamples,
                "Resampled panels of raters for an interval of N; 0: none", CLI::Range(0, 1'000'000));
   addDefaulted(*command, "--seed", arguments->seed, "Seed of the resampling");

@@ -2473,10 +2473,6 @@
         <translation>请输入一个</translation>
     </message>
     <message>
-        <source>Enter the age in years, or leave it empty</source>
-        <translation>请输入年龄（岁），或留空</translation>
-    </message>
-    <message>
         <source>Enter the full name</source>
         <translation>请输入全名</translation>
     </message>
@@ -2919,10 +2915,6 @@
     <message>
         <source>M08 face %1 uses vertex %2 of %3</source>
         <translation>M08 面 %1 使用了顶点 %2，共有 %3 个</translation>
-    </message>
-    <message>
-        <source>M09 largest side %1 is not that of an organ (%2 to %3)</source>
-        <translation>M09 最大边长 %1 不符合器官尺寸（%2 至 %3）</translation>
     </message>
     <message>
         <source>M09 largest side %1: the file seems to be in %2</source>
@@ -3639,10 +3631,6 @@
     <message>
         <source>Write a decimal number with a point, such as 7.5</source>
         <translation>请填写以点号作小数点的数，例如 7.5</translation>
-    </message>
-    <message>
-        <source>Write a whole number from %1 to %2, or leave the cell empty</source>
-        <translation>请填写 %1 至 %2 的整数，或将单元格留空</translation>
     </message>
     <message>
         <source>Write it in a few words</source>
@@ -8675,10 +8663,6 @@
     <message>
         <source>&apos;%1&apos; is not a unit of length here</source>
         <translation>“%1”不是可用的长度单位</translation>
-    </message>
-    <message>
-        <source>Use mm, cm or m</source>
-        <translation>请使用 mm、cm 或 m</translation>
     </message>
     <message>
         <source>The line must begin with Frame# and Time</source>
@@ -13891,10 +13875,6 @@ audit trail %3</source>
         <translation>请写明采样率：此类文件不含时间</translation>
     </message>
     <message>
-        <source>not a valid rate</source>
-        <translation>这不是采样率</translation>
-    </message>
-    <message>
         <source>State lines a second, up to 10000</source>
         <translation>请写明每秒行数，最大 10000</translation>
     </message>
@@ -14897,10 +14877,6 @@ audit trail %3</source>
     <message>
         <source>N05 the file&apos;s origin is out of range</source>
         <translation>N05 文件的原点超出范围</translation>
-    </message>
-    <message>
-        <source>N05 voxels are %1 mm along axis %2, they must have %3 to %4 mm</source>
-        <translation>N05 体素沿轴 %2 为 %1 mm，必须在 %3 到 %4 mm 之间</translation>
     </message>
     <message>
         <source>N05 the volume is sheared: two of its axes are %1 degrees off a right angle</source>
@@ -17381,10 +17357,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Give the angle of one jaw</source>
         <translation>请给出单片钳口的角度</translation>
-    </message>
-    <message>
-        <source>M09 largest side %1 mm is not that of an instrument (%2 to %3 mm)</source>
-        <translation>M09 最长边 %1 mm 不是器械（%2 至 %3 mm）</translation>
     </message>
     <message>
         <source>M20 the mesh is %1 mm long: no instrument with jaws of %2 mm</source>
@@ -21273,6 +21245,150 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Choose another form: LeRobot has no place for other equipment&apos;s recordings</source>
         <translation>请选择其他形式：LeRobot 无法容纳其他设备的记录</translation>
+    </message>
+    <message>
+        <source>the poses would be %1 apart: %2 is plausible</source>
+        <translation>各位姿之间将相隔%1，合理范围为%2</translation>
+    </message>
+    <message>
+        <source>Write the right &quot;unit&quot; of the time into the map (%1 would fit), or &quot;time_confirmed&quot;: true if it is right</source>
+        <translation>请在映射文件的时间中写入正确的&quot;unit&quot;（%1与数据相符）；如果原单位确实正确，请写&quot;time_confirmed&quot;: true</translation>
+    </message>
+    <message>
+        <source>not a valid rate: %1 from line to line is plausible</source>
+        <translation>采样率无效：相邻两行的合理间隔为%1</translation>
+    </message>
+    <message>
+        <source>Write the right scale into the map, or &quot;scale_confirmed&quot;: true if it is right</source>
+        <translation>请在映射文件中写入正确的量表；如果原量表确实正确，请写&quot;scale_confirmed&quot;: true</translation>
+    </message>
+    <message>
+        <source>confirmed at the import</source>
+        <translation>导入时已确认</translation>
+    </message>
+    <message>
+        <source>Confirmed at the import of recordings</source>
+        <translation>导入记录时已确认</translation>
+    </message>
+    <message>
+        <source>The unit of the measured markers was confirmed by whoever compared: it was not checked.</source>
+        <translation>实测标记点的单位由进行比较的人员确认，程序未作检查。</translation>
+    </message>
+    <message>
+        <source>Use one of these: %1</source>
+        <translation>请使用以下之一：%1</translation>
+    </message>
+    <message>
+        <source>the markers of &apos;%1&apos; would have moved %2 at most: %3 is plausible</source>
+        <translation>“%1”的标记点最多移动%2，合理范围为%3</translation>
+    </message>
+    <message>
+        <source>Write the right unit into the file (%1 would fit), or give --unit-confirmed if it is right</source>
+        <translation>请在文件中写入正确的单位（%1与数据相符）；如果原单位确实正确，请加上 --unit-confirmed</translation>
+    </message>
+    <message>
+        <source>The header says %1 frames a second, the times say %2</source>
+        <translation>文件头写明每秒%1帧，而时间列为每秒%2帧</translation>
+    </message>
+    <message>
+        <source>Correct the rate, or write the times in seconds</source>
+        <translation>请更正帧率，或以秒为单位写入时间</translation>
+    </message>
+    <message>
+        <source>Enter the age in years (%1), or leave it empty</source>
+        <translation>请输入年龄（%1岁），或留空</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a plausible age in years, but would be one in %2</source>
+        <translation>“%1”作为以岁为单位的年龄不合理，若单位为%2则合理</translation>
+    </message>
+    <message>
+        <source>Write a whole number (%1), or leave the cell empty</source>
+        <translation>请写整数（%1），或将单元格留空</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; looks like a number that a spreadsheet has shortened: people can no longer be told apart by it</source>
+        <translation>名称“%1”像是被电子表格缩写的数字，已无法据此区分人员</translation>
+    </message>
+    <message>
+        <source>Write the whole number as text, everywhere in the data</source>
+        <translation>请在数据各处以文本形式写出完整的数字</translation>
+    </message>
+    <message>
+        <source>the highest of %1 scores is %2 on a scale from %3 to %4: they seem to be on a smaller scale</source>
+        <translation>%1个评分中最高为%2，而量表为%3至%4：这些评分似乎采用了更小的量表</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>years</source>
+        <translation>岁</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>微米</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>毫秒</translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation>微秒</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>months</source>
+        <translation>月</translation>
+    </message>
+    <message>
+        <source>metres a second</source>
+        <translation>米/秒</translation>
+    </message>
+    <message>
+        <source>M09 largest side %1 is not that of an organ (%2)</source>
+        <translation>M09 最长边%1不符合器官的尺寸（%2）</translation>
+    </message>
+    <message>
+        <source>N05 voxels are %1 along axis %2; %3 is plausible</source>
+        <translation>N05 体素沿第%2轴的边长为%1，合理范围为%3</translation>
+    </message>
+    <message>
+        <source>The numbers seem to be %1: save the volume with that unit</source>
+        <translation>这些数值的单位似乎是%1：请以该单位保存体数据</translation>
+    </message>
+    <message>
+        <source>M09 largest side %1 is not that of an instrument (%2)</source>
+        <translation>M09 最长边%1不符合器械的尺寸（%2）</translation>
+    </message>
+    <message>
+        <source>the unit of the positions, although another would fit a hand better</source>
+        <translation>位置的单位（另一单位更符合手的运动）</translation>
+    </message>
+    <message>
+        <source>the unit of the times, although another would fit better</source>
+        <translation>时间的单位（另一单位更合适）</translation>
+    </message>
+    <message>
+        <source>the scale of the scores, although they use hardly any of it</source>
+        <translation>评分的量表（评分只用到其中很小一部分）</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,12 @@ inline constexpr std::string_view kForeignModel = "foreign recording";
 /// The one key of the parameters of such a recording: source, frame, unit, how it was read.
 inline constexpr const char* kForeignParameters = "foreign";
 
+/// Keys of the parameters, and of the map: what was confirmed although something else would have fitted
+/// better.
+inline constexpr const char* kUnitConfirmed = "unit_confirmed";
+inline constexpr const char* kTimeConfirmed = "time_confirmed";
+inline constexpr const char* kScaleConfirmed = "scale_confirmed";
+
 /// A pose that is the same bit for bit for longer is no pose of a hand: the instrument was out of view.
 inline constexpr std::int64_t kFrozenPose_us = 200'000;
 

@@ -35,7 +35,7 @@ void writeInstrument(const std::filesystem::path& file, const ToolSurface& tool,
                      const InstrumentFacts& facts) {
   const std::string id = file.stem().string();
   const double tip_mm = facts.tipRadius_mm > 0.0 ? facts.tipRadius_mm : tool.tipRadius_mm;
-  requireMeasure(tool.length_mm, kInstrumentLength_mm, Text::tr("its length"), file);
+  requireMeasure(tool.length_mm, instrumentLength_mm(), Text::tr("its length"), file);
   requireMeasure(tip_mm, kInstrumentTip_mm, Text::tr("the radius of its tip"), file);
   requireMeasure(facts.gripReach_mm, kInstrumentReach_mm, Text::tr("the reach of its grip"), file);
   nlohmann::ordered_json json;

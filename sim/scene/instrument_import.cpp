@@ -312,12 +312,11 @@ void requireThickness(const std::vector<Vec3>& local_mm, const std::string& wher
 void requireInstrumentSize(const TriangleMesh& mesh, std::optional<double> unit_m, const std::string& where) {
   requireSound(mesh, where);
   const double side_m = boxOf(mesh.vertices_m).largestSide();
-  requireLargestSide(side_m,
-                     {kInstrumentLength_mm.least / kToolMetre_mm, kInstrumentLength_mm.most / kToolMetre_mm},
-                     Text::tr("M09 largest side %1 mm is not that of an instrument (%2 to %3 mm)",
-                              shortNumber(kToolMetre_mm * side_m), shortNumber(kInstrumentLength_mm.least),
-                              shortNumber(kInstrumentLength_mm.most)),
-                     where, unit_m);
+  requireLargestSide(
+      side_m, Stated::kInstrumentSide,
+      Text::tr("M09 largest side %1 is not that of an instrument (%2)",
+               inPlausibleUnit(Stated::kInstrumentSide, side_m), plausibleRange(Stated::kInstrumentSide)),
+      where, unit_m);
 }
 
 [[noreturn]] void refuseShape(const Text& what, const std::string& where) {

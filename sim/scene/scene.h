@@ -171,6 +171,9 @@ struct Scene {
 /// Returns the warnings with which the organ of a recorded trial was accepted; none where the parameters
 /// cannot be read.
 [[nodiscard]] std::vector<OrganWarning> recordedOrganWarnings(const std::string& parametersJson);
+/// Returns what was confirmed at the import of a recording of other equipment although something else would
+/// have fitted better; empty for any other recording.
+[[nodiscard]] std::vector<Text> recordedConfirmations(const std::string& parametersJson);
 
 /// Loads a scene, checks it and builds its model; takes as long as the organ's lattice and sections. A
 /// user's mesh is cut by planes when it is a straight bar, else by its harmonic field between ends that are

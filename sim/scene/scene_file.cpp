@@ -294,7 +294,7 @@ Instrument readInstrument(const fs::path& assets, const std::string& id) {
   instrument.tipRadius_m =
       fields.number("tip_radius_mm", kInstrumentTip_mm.least, kInstrumentTip_mm.most) * kMillimetre;
   instrument.shaftLength_m =
-      fields.number("shaft_length_mm", kInstrumentLength_mm.least, kInstrumentLength_mm.most) * kMillimetre;
+      fields.number("shaft_length_mm", instrumentLength_mm().least, instrumentLength_mm().most) * kMillimetre;
   instrument.gripReach_m =
       fields.number("grip_reach_mm", kInstrumentReach_mm.least, kInstrumentReach_mm.most) * kMillimetre;
   return instrument;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/core/error.h"
+#include "sim/core/plausible.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/twist/twist_model.h"
@@ -54,7 +55,12 @@ struct InstrumentRange {
   double most = 0.0;
 };
 inline constexpr InstrumentRange kInstrumentTip_mm{0.5, 20.0};
-inline constexpr InstrumentRange kInstrumentLength_mm{30.0, 600.0};
+/// Of a shaft, or of the whole instrument: Stated::kInstrumentSide.
+[[nodiscard]] inline InstrumentRange instrumentLength_mm() noexcept {
+  constexpr double kMillimetresPerMetre = 1e3;
+  const PlausibleRow& side = plausible(Stated::kInstrumentSide);
+  return {kMillimetresPerMetre * side.least, kMillimetresPerMetre * side.most};
+}
 inline constexpr InstrumentRange kInstrumentReach_mm{0.5, 30.0};
 
 /// Reads assets/instruments/<id>.json, as far as the collision needs it. Throws as readSceneFile().

@@ -348,6 +348,24 @@ std::vector<OrganWarning> recordedOrganWarnings(const std::string& parametersJso
   }
 }
 
+std::vector<Text> recordedConfirmations(const std::string& parametersJson) {
+  constexpr std::array kSentences = {
+      std::pair(kUnitConfirmed,
+                Text::tr("the unit of the positions, although another would fit a hand better")),
+      std::pair(kTimeConfirmed, Text::tr("the unit of the times, although another would fit better")),
+      std::pair(kScaleConfirmed, Text::tr("the scale of the scores, although they use hardly any of it"))};
+  const auto json = nlohmann::json::parse(parametersJson, nullptr, false);
+  std::vector<Text> confirmed;
+  if (json.is_object() && json.contains(kForeignParameters)) {
+    for (const auto& [key, sentence] : kSentences) {
+      if (json.at(kForeignParameters).value(key, false)) {
+        confirmed.emplace_back(sentence);
+      }
+    }
+  }
+  return confirmed;
+}
+
 std::optional<RecordedValidity> recordedValidity(const std::string& parametersJson) {
   const auto json = nlohmann::json::parse(parametersJson, nullptr, false);
   if (!json.is_object() || !json.contains(kValidity)) {

@@ -17,15 +17,12 @@
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/foreign_recording.h"
+#include "sim/core/plausible.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr double kMaxHandReach_m = 3.0;
-constexpr double kMinHandReach_m = 0.002;
-constexpr double kMaxHandSpeed_m_per_s = 3.0;  // mean over a recording
 
 /// How far an instrument moved.
 class Movement {
@@ -43,10 +40,12 @@ class Movement {
   [[nodiscard]] double path_m() const noexcept { return path_m_; }
   [[nodiscard]] double reach_m() const noexcept { return reach_m_; }
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
-  /// Whether a hand can have made this movement, or one `scale` times as large. One that stands still can.
-  [[nodiscard]] bool fitsAHand(double scale) const noexcept {
-    return reach_m_ == 0.0 || (scale * reach_m_ >= kMinHandReach_m && scale * reach_m_ <= kMaxHandReach_m &&
-                               scale * path_m_ <= kMaxHandSpeed_m_per_s * seconds_);
+  /// What the unit of positions says of the hand; nothing of one that stands still.
+  [[nodiscard]] std::vector<StatedValue> stated() const {
+    if (reach_m_ == 0.0) {
+      return {};
+    }
+    return {{Stated::kHandReach, reach_m_}, {Stated::kHandSpeed, path_m_ / seconds_}};
   }
 
  private:
@@ -95,24 +94,39 @@ class PoseRecorder {
 
 /// Refuses movements that no hand makes if another unit of length would make them a hand's.
 void requirePlausibleUnit(const ForeignMap& map, const std::string& file, const Movement& moved) {
-  if (map.unitConfirmed || moved.fitsAHand(1.0)) {
+  const std::vector<StatedValue> stated = moved.stated();
+  const Text fitting = unitsThatFit(stated, map.metresPerUnit);
+  if (map.unitConfirmed || fitting.empty() ||
+      std::all_of(stated.begin(), stated.end(),
+                  [](const StatedValue& one) { return isPlausible(one.quantity, one.value); })) {
     return;
   }
-  std::vector<Text> fitting;
-  for (const auto& [unit, metres] : {std::pair("m", 1.0), {"cm", 1e-2}, {"mm", 1e-3}}) {
-    if (moved.fitsAHand(metres / map.metresPerUnit)) {
-      fitting.push_back(Text::verbatim("\"%1\"", unit));
-    }
+  refuse(
+      Text::tr("the instrument would have moved %1 m in %2 s, and reached %3 m: no hand does that",
+               formatFixed(moved.path_m(), 3), formatFixed(moved.seconds(), 1),
+               formatFixed(moved.reach_m(), 4)),
+      file,
+      Text::tr("Write the right \"unit\" into the map (%1 would fit), or \"unit_confirmed\": true if %2 is "
+               "right",
+               fitting, map.unit));
+}
+
+/// Refuses times between poses that no tracker has if another unit of time would make them one's.
+void requirePlausibleTime(const ForeignMap& map, const std::string& file, std::int64_t period_us) {
+  constexpr double kMicrosecond_s = 1e-6;
+  const StatedValue period{Stated::kPosePeriod, kMicrosecond_s * static_cast<double>(period_us)};
+  if (map.timeConfirmed || map.rate_Hz || isPlausible(period.quantity, period.value)) {
+    return;
   }
+  const Text fitting = unitsThatFit({&period, 1}, map.timeUnit_s);
   if (!fitting.empty()) {
     refuse(
-        Text::tr("the instrument would have moved %1 m in %2 s, and reached %3 m: no hand does that",
-                 formatFixed(moved.path_m(), 3), formatFixed(moved.seconds(), 1),
-                 formatFixed(moved.reach_m(), 4)),
+        Text::tr("the poses would be %1 apart: %2 is plausible",
+                 inPlausibleUnit(period.quantity, period.value), plausibleRange(period.quantity)),
         file,
-        Text::tr("Write the right \"unit\" into the map (%1 would fit), or \"unit_confirmed\": true if %2 is "
-                 "right",
-                 listed(fitting), map.unit));
+        Text::tr("Write the right \"unit\" of the time into the map (%1 would fit), or \"time_confirmed\": "
+                 "true if it is right",
+                 fitting));
   }
 }
 
@@ -146,8 +160,12 @@ std::string parametersOf(const ForeignMap& map, ForeignLayout layout, const Fore
                               {"file", recording.name},
                               {"file_blake2b", file.contentHash},
                               {"start_known", recording.startedUtc_us.has_value()}};
-  if (map.unitConfirmed) {
-    json["unit_confirmed"] = true;
+  for (const auto& [key, confirmed] : {std::pair(kUnitConfirmed, map.unitConfirmed),
+                                       {kTimeConfirmed, map.timeConfirmed},
+                                       {kScaleConfirmed, map.scaleConfirmed}}) {
+    if (confirmed) {
+      json[key] = true;
+    }
   }
   if (map.rate_Hz) {
     json["stated_rate_Hz"] = *map.rate_Hz;
@@ -167,6 +185,7 @@ Trial trialOf(const ForeignMap& map, ForeignLayout layout, const ForeignRecordin
   const ForeignFile file = readForeignMotion(
       map, layout, recording,
       [&](const ForeignPose& pose, std::size_t line) { recorder.take(pose, recording.name, line); });
+  requirePlausibleTime(map, recording.name, file.period_us);
   requirePlausibleUnit(map, recording.name, recorder.movement());
   fileHash = file.contentHash;
   Trial trial;

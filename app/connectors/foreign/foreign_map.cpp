@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <initializer_list>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,8 @@
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/foreign_recording.h"
+#include "sim/core/plausible.h"
 #include "sim/core/time_units.h"
 
 namespace torsio {
@@ -42,11 +45,6 @@ constexpr std::array<RotationRow, 5> kRotations = {{{"none", RotationForm::kNone
                                                     {"quaternion xyzw", RotationForm::kQuaternionXyzw, 4},
                                                     {"matrix rows", RotationForm::kMatrixRows, 9},
                                                     {"matrix columns", RotationForm::kMatrixColumns, 9}}};
-constexpr std::array<std::pair<std::string_view, double>, 3> kLengths = {
-    {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}};
-constexpr std::array<std::pair<std::string_view, double>, 4> kTimes = {
-    {{"s", 1e6}, {"ms", 1e3}, {"us", 1.0}, {"ns", 1e-3}}};
-constexpr double kFastest_Hz = 10'000.0;
 
 /// An object of the map that knows its path.
 class MapPart {
@@ -97,7 +95,11 @@ class MapPart {
     requireReadable(found, placeOf(key));
     return found;
   }
-  [[nodiscard]] bool yes(const char* key) const {
+  /// False without the key.
+  [[nodiscard]] bool yesOrNo(const char* key) const {
+    if (!has(key)) {
+      return false;
+    }
     if (!json_[key].is_boolean()) {
       refuseAt(key, Text::tr("neither true nor false"), Text::tr("Write one of them, without quotes"));
     }
@@ -150,17 +152,15 @@ class MapPart {
   std::string where_;
 };
 
-template <typename Table>
-auto chosenFrom(const Table& table, const MapPart& part, const char* key) {
+/// The stored value of one unit that the map names.
+double unitOf(Stated quantity, const MapPart& part, const char* key) {
   const std::string word = part.text(key);
-  std::string words;
-  for (const auto& [name, value] : table) {
-    if (name == word) {
-      return value;
-    }
-    words += (words.empty() ? "" : ", ") + std::string(name);
+  const std::optional<StatedUnit> unit = statedUnit(quantity, word);
+  if (!unit) {
+    part.refuseAt(key, Text::tr("'%1' must be one of: %2", word, unitWords(quantity)),
+                  Text::tr("Name one of them"));
   }
-  part.refuseAt(key, Text::tr("'%1' must be one of: %2", word, words), Text::tr("Name one of them"));
+  return unit->si;
 }
 
 RotationForm rotationOf(const MapPart& part) {
@@ -207,8 +207,11 @@ void readTimes(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
   }
   if (map.has("rate_Hz")) {
     out.rate_Hz = map.number("rate_Hz");
-    if (!(*out.rate_Hz > 0.0 && *out.rate_Hz <= kFastest_Hz)) {
-      map.refuseAt("rate_Hz", Text::tr("not a valid rate"), Text::tr("State lines a second, up to 10000"));
+    if (!isPlausible(Stated::kPosePeriod, 1.0 / *out.rate_Hz)) {
+      map.refuseAt("rate_Hz",
+                   Text::tr("not a valid rate: %1 from line to line is plausible",
+                            plausibleRange(Stated::kPosePeriod)),
+                   Text::tr("State lines a second, up to 10000"));
     }
   } else if (!stamped) {
     if (!namesColumns(layout)) {
@@ -217,8 +220,9 @@ void readTimes(const MapPart& map, ForeignLayout layout, ForeignMap& out) {
     const MapPart time = map.part("time");
     time.allow({"column", "unit"});
     out.timeColumn = time.text("column");
-    out.usPerTime = chosenFrom(kTimes, time, "unit");
     out.timeUnit = time.text("unit");
+    out.timeUnit_s = unitOf(Stated::kPosePeriod, time, "unit");
+    out.timeConfirmed = map.yesOrNo(kTimeConfirmed);
   }
 }
 
@@ -342,7 +346,8 @@ void readMarks(const MapPart& map, const fs::path& folder, ForeignLayout layout,
     return;
   }
   const MapPart marks = map.part("marks");
-  marks.allow({"table", "meta_file", "rater", "lowest", "highest", "steps_per_point"});
+  marks.allow({"table", "meta_file", "rater", "lowest", "highest", "steps_per_point", kScaleConfirmed});
+  out.scaleConfirmed = marks.yesOrNo(kScaleConfirmed);
   const auto whole = [&marks](const char* key) {
     const double value = marks.number(key);
     if (!(value >= -1e6 && value <= 1e6) || value != static_cast<double>(static_cast<std::int64_t>(value))) {
@@ -361,9 +366,17 @@ void readMarks(const MapPart& map, const fs::path& folder, ForeignLayout layout,
     const std::string rater = marks.text("rater");
     requireKnown(out.raters, rater, marks, "rater");
     out.marks = jigsawsMarks(folder / marks.text("meta_file"), rater, out);
-    return;
+  } else {
+    out.marks = tabledMarks(folder / marks.text("table"), out);
   }
-  out.marks = tabledMarks(folder / marks.text("table"), out);
+  if (!out.scaleConfirmed) {
+    std::vector<std::int64_t> steps;
+    std::transform(out.marks.begin(), out.marks.end(), std::back_inserter(steps),
+                   [](const ForeignMark& mark) { return mark.steps; });
+    requireScaleUsed(
+        steps, out.scale, marks.placeOf("highest"),
+        Text::tr("Write the right scale into the map, or \"scale_confirmed\": true if it is right"));
+  }
 }
 
 /// The record takes one mark per person, rater and occasion.
@@ -416,16 +429,18 @@ ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
   digest.update(text);
   out.contentHash = digest.hex();
   const MapPart map(json, out.name);
-  map.allow({"cohort", "description", "source", "frame", "unit", "unit_confirmed", "rotation",
-             "rotation_columns", "position", "rate_Hz", "time", "gaps", "instrument", "grip", "groups",
-             "people", "raters", "recordings", "marks"});
+  map.allow({"cohort",   "description",  "source",     "frame",
+             "unit",     kUnitConfirmed, "rotation",   "rotation_columns",
+             "position", "rate_Hz",      "time",       kTimeConfirmed,
+             "gaps",     "instrument",   "grip",       "groups",
+             "people",   "raters",       "recordings", "marks"});
   out.cohort = map.label("cohort");
   out.description = map.textOr("description", "");
   out.source = map.text("source");
   out.frame = map.text("frame");
   out.unit = map.text("unit");
-  out.metresPerUnit = chosenFrom(kLengths, map, "unit");
-  out.unitConfirmed = map.has("unit_confirmed") && map.yes("unit_confirmed");
+  out.metresPerUnit = unitOf(Stated::kHandReach, map, "unit");
+  out.unitConfirmed = map.yesOrNo(kUnitConfirmed);
   out.rotation = rotationOf(map);
   readTimes(map, layout, out);
   readColumns(map, layout, out);

@@ -88,7 +88,8 @@ struct ForeignMap {
   std::optional<double> rate_Hz{};  ///< empty: the file contains times
   std::string timeColumn{};         ///< of a table only
   std::string timeUnit{};           ///< "s", "ms", "us" or "ns"; of timeColumn
-  double usPerTime = 0.0;
+  double timeUnit_s = 0.0;     ///< the same in seconds
+  bool timeConfirmed = false;  ///< although the times would fit another unit better
   std::string instrument{};  ///< arm or device to read; empty for a table
   std::array<std::string, 3> position{};
   std::vector<std::string> rotationColumns{};
@@ -99,6 +100,7 @@ struct ForeignMap {
   std::vector<ForeignRater> raters{};
   std::vector<ForeignRecording> recordings{};
   ScoreScale scale{};
+  bool scaleConfirmed = false;  ///< although the marks use hardly any of it
   std::vector<ForeignMark> marks{};
 };
 

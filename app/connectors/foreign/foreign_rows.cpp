@@ -159,7 +159,7 @@ class TableRows : public RowReaderBase, public ForeignCells {
       row.grip = at(*grip_, number);
     }
     if (time_) {
-      row.time_us = std::llround(at(*time_, number) * map().usPerTime);
+      row.time_us = std::llround(at(*time_, number) * (1e6 * map().timeUnit_s));
     }
     return true;
   }

@@ -212,6 +212,9 @@ class CellTracer::Walk {
       for (const OrganWarning& warning : recordedOrganWarnings(trial.header.parametersJson)) {
         step.madeOf.push_back({Text::tr("warning about the organ"), coded(warning).str()});
       }
+      for (const Text& confirmed : recordedConfirmations(trial.header.parametersJson)) {
+        step.madeOf.push_back({Text::tr("confirmed at the import"), confirmed.str()});
+      }
       const std::optional<RecordedValidity> validity = recordedValidity(trial.header.parametersJson);
       if (validity && !validity->beyond.empty()) {
         step.madeOf.push_back({Text::tr("beyond the checked law of the wall"), validity->beyond});

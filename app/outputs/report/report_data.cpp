@@ -161,15 +161,21 @@ void nameTrainees(SessionContext& session, CohortInputs& inputs) {
   }
 }
 
-/// Adds warnings about the centre's own organs used in trials of the cohort.
-void addOrganWarnings(Connection& connection, const CohortId& cohortId, CohortInputs& inputs) {
-  std::vector<OrganWarning> told;
+/// Adds warnings about the centre's own organs used in trials of the cohort, and what was confirmed at the
+/// import of recordings of other equipment.
+void addRecordedWarnings(Connection& connection, const CohortId& cohortId, CohortInputs& inputs) {
+  const auto addOnce = [&inputs](const Phrase& title, const Text& value) {
+    const std::pair<Text, Text> fact(title, value);
+    if (std::find(inputs.provenance.begin(), inputs.provenance.end(), fact) == inputs.provenance.end()) {
+      inputs.provenance.push_back(fact);
+    }
+  };
   for (const std::string& parameters : TrialRepository(connection).warnedParameters(cohortId)) {
     for (const OrganWarning& warning : recordedOrganWarnings(parameters)) {
-      if (std::find(told.begin(), told.end(), warning) == told.end()) {
-        inputs.provenance.emplace_back(Text::tr("Warning about the organ of a recording"), coded(warning));
-        told.push_back(warning);
-      }
+      addOnce(Text::tr("Warning about the organ of a recording"), coded(warning));
+    }
+    for (const Text& confirmed : recordedConfirmations(parameters)) {
+      addOnce(Text::tr("Confirmed at the import of recordings"), confirmed);
     }
   }
 }
@@ -268,7 +274,7 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   }
   addAllocation(session, cohort.id, inputs);
   addFreeze(session, request, inputs);
-  addOrganWarnings(connection, cohort.id, inputs);
+  addRecordedWarnings(connection, cohort.id, inputs);
   addSafeguards(session, request.frozenId, training, inputs);
   inputs.singleMarks = showsSingleMarks(session, request, inputs);
   inputs.trials = digests.ofCohort(session, cohort.id, progress);

@@ -215,6 +215,9 @@ std::string comparisonJson(const ComparisonResult& result) {
     json["meshes"].push_back(meshJson(mesh));
   }
   json["measured"] = measuredJson(result);
+  if (result.options.unitConfirmed) {
+    json["unit_confirmed"] = true;
+  }
   return json.dump(2) + "\n";
 }
 

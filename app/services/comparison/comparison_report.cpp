@@ -104,6 +104,10 @@ ReportFigure markerFigure(const ComparisonResult& result) {
       series.y.push_back(found.subjects > 0 ? std::optional(kMillimetres * found.mean_m) : std::nullopt);
     }
     figure.series.push_back(series);
+    if (result.options.unitConfirmed) {
+      figure.notes.emplace_back(Text::tr(
+          "The unit of the measured markers was confirmed by whoever compared: it was not checked."));
+    }
   }
   figure.provenance =
       comparedFrom(result, Text::tr("Eq. 24"), static_cast<std::int64_t>(result.markers.size()));

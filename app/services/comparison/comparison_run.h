@@ -34,6 +34,7 @@ struct ComparisonOptions {
   /// Position at which a jaw turns the organ, as a fraction of its length, with everything beyond it free;
   /// empty: the last section is turned.
   std::optional<double> grasp{};
+  bool unitConfirmed = false;  ///< of the measured markers, although another would fit better
 };
 
 /// Positions of the key points at a moment, for display.

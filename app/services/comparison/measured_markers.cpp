@@ -7,37 +7,37 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "app/services/base/csv_table.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/plausible.h"
+#include "sim/core/short_number.h"
 
 namespace torsio {
 
 namespace {
 
 double unitInMetres(const CsvTable& table, std::size_t row) {
-  const std::string& unit = table.text(row, "unit");
-  if (unit == "mm") {
-    return 1e-3;
+  const std::string& word = table.text(row, "unit");
+  const std::optional<StatedUnit> unit = statedUnit(Stated::kMarkerWay, word);
+  if (!unit) {
+    table.refuse(row, Text::tr("'%1' is not a unit of length here", word),
+                 Text::tr("Use one of these: %1", unitWords(Stated::kMarkerWay)));
   }
-  if (unit == "cm") {
-    return 1e-2;
-  }
-  if (unit != "m") {
-    table.refuse(row, Text::tr("'%1' is not a unit of length here", unit), Text::tr("Use mm, cm or m"));
-  }
-  return 1.0;
+  return unit->si;
 }
 
 void takeSample(const CsvTable& table, std::size_t row, int markers, MeasuredSubject& subject) {
   const auto number = static_cast<int>(table.whole(row, "marker", 1, markers));
   MarkerSample sample;
   sample.time_s = table.number(row, "time");
+  subject.unit_m = unitInMetres(table, row);
   sample.place_m =
-      unitInMetres(table, row) * Vec3{table.number(row, "x"), table.number(row, "y"), table.number(row, "z")};
+      subject.unit_m * Vec3{table.number(row, "x"), table.number(row, "y"), table.number(row, "z")};
   std::vector<MarkerSample>& samples = subject.markers[number];
   if (sample.time_s < 0.0 || (!samples.empty() && sample.time_s <= samples.back().time_s)) {
     table.refuse(row, Text::tr("Times are seconds from 0 that rise from sample to sample of a marker"),
@@ -55,12 +55,38 @@ std::vector<MeasuredSubject> subjectsOfTable(const std::filesystem::path& file, 
     auto subject = std::find_if(subjects.begin(), subjects.end(),
                                 [&](const MeasuredSubject& s) { return s.name == name; });
     if (subject == subjects.end()) {
-      subjects.push_back({name, {}});
+      subjects.push_back({.name = name});
       subject = std::prev(subjects.end());
     }
     takeSample(table, row, markers, *subject);
   }
   return subjects;
+}
+
+/// Refuses markers that move as no skin does if another unit of length would make it plausible. Each row of a
+/// table states its own unit; the file's only one is told.
+void requirePlausibleWay(const std::vector<MeasuredSubject>& subjects, const std::string& file) {
+  for (const MeasuredSubject& subject : subjects) {
+    double farthest_m = 0.0;
+    for (const auto& [number, samples] : subject.markers) {
+      for (const MarkerSample& sample : samples) {
+        farthest_m = std::max(farthest_m, norm(sample.place_m - samples.front().place_m));
+      }
+    }
+    const StatedValue way{Stated::kMarkerWay, farthest_m};
+    if (farthest_m == 0.0 || isPlausible(way.quantity, way.value)) {
+      continue;
+    }
+    const Text fitting = unitsThatFit({&way, 1}, subject.unit_m);
+    if (!fitting.empty()) {
+      refuse(Text::tr("the markers of '%1' would have moved %2 at most: %3 is plausible", subject.name,
+                      inPlausibleUnit(way.quantity, way.value), plausibleRange(way.quantity)),
+             file,
+             Text::tr(
+                 "Write the right unit into the file (%1 would fit), or give --unit-confirmed if it is right",
+                 fitting));
+    }
+  }
 }
 
 /// Throws unless each marker has a position at rest and a later one.
@@ -84,7 +110,8 @@ void requireTwoSamples(const std::vector<MeasuredSubject>& subjects, const std::
 }  // namespace
 
 std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& file,
-                                                 const std::vector<OrganMarker>& markers) {
+                                                 const std::vector<OrganMarker>& markers,
+                                                 bool unitConfirmed) {
   if (markers.empty()) {
     refuse(Text::tr("This organ has no markers to compare measurements with"), file.string(),
            Text::tr("Choose an organ with markers, such as arm"));
@@ -93,6 +120,9 @@ std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& fi
                                               ? std::vector<MeasuredSubject>{readCameraMarkers(file, markers)}
                                               : subjectsOfTable(file, static_cast<int>(markers.size()));
   requireTwoSamples(subjects, file.string());
+  if (!unitConfirmed) {
+    requirePlausibleWay(subjects, file.string());
+  }
   return subjects;
 }
 
@@ -178,6 +208,7 @@ class TrackTable {
 
 /// Contents of the second and third line.
 struct TrackHeader {
+  double rate_Hz = 0.0;
   std::size_t frames = 0;
   std::size_t markers = 0;
   double unit_m = 1e-3;
@@ -205,19 +236,21 @@ TrackHeader headerOf(const TrackTable& table) {
     }
     return static_cast<std::size_t>(value);
   };
-  if (!(table.number(3, column("DataRate"), "DataRate") > 0.0)) {
+  TrackHeader header;
+  header.rate_Hz = table.number(3, column("DataRate"), "DataRate");
+  if (!(header.rate_Hz > 0.0)) {
     table.refuseField(3, "DataRate", Text::tr("The rate must be positive"),
                       Text::tr("Give frames a second, such as 100"));
   }
-  TrackHeader header;
   header.frames = count("NumFrames");
   header.markers = count("NumMarkers");
   const std::string& unit = table.field(3, column("Units"));
-  if (unit != "mm" && unit != "cm" && unit != "m") {
+  const std::optional<StatedUnit> stated = statedUnit(Stated::kMarkerWay, unit);
+  if (!stated) {
     table.refuseField(3, "Units", Text::tr("'%1' is not a unit of length here", unit),
-                      Text::tr("Use mm, cm or m"));
+                      Text::tr("Use one of these: %1", unitWords(Stated::kMarkerWay)));
   }
-  header.unit_m = unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0;
+  header.unit_m = stated->si;
   return header;
 }
 
@@ -297,6 +330,19 @@ void takeFrame(const TrackTable& table, std::size_t line, const TrackHeader& hea
   }
 }
 
+/// Frames may be missing, so the times may be further apart than the header's rate says; never nearer.
+void requireStatedRate(const TrackTable& table, const TrackHeader& header, double duration_s,
+                       std::size_t frames) {
+  constexpr double kSlack = 0.01;
+  const double apart_s = frames > 1 ? duration_s / static_cast<double>(frames - 1) : 0.0;
+  if (apart_s > 0.0 && apart_s * header.rate_Hz < 1.0 - kSlack) {
+    table.refuseField(3, "DataRate",
+                      Text::tr("The header says %1 frames a second, the times say %2",
+                               shortNumber(header.rate_Hz), shortNumber(1.0 / apart_s)),
+                      Text::tr("Correct the rate, or write the times in seconds"));
+  }
+}
+
 }  // namespace
 
 bool isCameraMarkerFile(const std::filesystem::path& file) {
@@ -309,9 +355,10 @@ MeasuredSubject readCameraMarkers(const std::filesystem::path& file,
   const TrackTable table(file);
   const TrackHeader header = headerOf(table);
   const std::vector<int> tracks = tracksOf(table, header, markers);
-  MeasuredSubject subject{file.stem().string(), {}};
+  MeasuredSubject subject{.name = file.stem().string(), .unit_m = header.unit_m};
   std::size_t frames = 0;
   double before_s = -1.0;
+  double duration_s = 0.0;
   for (std::size_t line = kHeaderLines + 1; line <= table.lines(); ++line) {
     if (table.fields(line).empty()) {
       continue;
@@ -328,9 +375,11 @@ MeasuredSubject readCameraMarkers(const std::filesystem::path& file,
                         Text::tr("Export the file once more"));
     }
     takeFrame(table, line, header, tracks, subject);
+    duration_s += frames > 0 ? time_s - before_s : 0.0;
     before_s = time_s;
     ++frames;
   }
+  requireStatedRate(table, header, duration_s, frames);
   if (frames != header.frames) {
     table.refuseField(
         3, "NumFrames",

@@ -20,16 +20,19 @@ struct MarkerSample {
 /// Measurements of one person: marker number -> samples in order of time.
 struct MeasuredSubject {
   std::string name;
-  std::map<int, std::vector<MarkerSample>> markers;
+  double unit_m = 1.0;  ///< in which the file states the positions
+  std::map<int, std::vector<MarkerSample>> markers{};
 };
 
 /// Reads markers measured on real limbs: a camera marker file (see readCameraMarkers), or a table with the
 /// columns marker (number from 1), time (s), x, y, z, unit (mm, cm or m), subject. A marker's first sample is
 /// its position at rest. `markers`: the organ's. Throws Error: kFileMissing, kFileUnreadable; kBadData with
 /// file and line for an unknown marker or unit, an empty subject, times that are negative or do not increase,
-/// and a marker with fewer than 2 samples.
+/// and a marker with fewer than 2 samples; unless
+/// `unitConfirmed`, for markers that move as no skin does (Stated::kMarkerWay) where another unit would fit.
 [[nodiscard]] std::vector<MeasuredSubject> readMeasuredMarkers(const std::filesystem::path& file,
-                                                               const std::vector<OrganMarker>& markers);
+                                                               const std::vector<OrganMarker>& markers,
+                                                               bool unitConfirmed = false);
 
 /// Mean over the subjects, m, and their number.
 struct MeasuredDisplacement {

@@ -23,6 +23,7 @@
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
+#include "sim/core/plausible.h"
 
 namespace torsio {
 
@@ -118,9 +119,9 @@ void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const Pe
     refuse(Text::tr("neither a trainee nor a rater"), Text::tr("role"),
            Text::tr("Choose at least one of the two"));
   }
-  if (entry.age_years && (*entry.age_years < kYoungest_years || *entry.age_years > kOldest_years)) {
+  if (entry.age_years && !isPlausible(Stated::kAge, static_cast<double>(*entry.age_years))) {
     refuse(Text::tr("an age of %1 {year|years} is not likely", *entry.age_years), Text::tr("age"),
-           Text::tr("Enter the age in years, or leave it empty"));
+           Text::tr("Enter the age in years (%1), or leave it empty", plausibleRange(Stated::kAge)));
   }
   if (!entry.sex.empty() && !fromStoredText<Sex>(entry.sex)) {
     refuse(Text::tr("the sex is not known to the record"), Text::tr("sex"),

@@ -15,10 +15,6 @@
 
 namespace torsio {
 
-/// Plausible ages; others are assumed to be typing errors.
-inline constexpr std::int64_t kYoungest_years = 14;
-inline constexpr std::int64_t kOldest_years = 100;
-
 /// A person in lists: with a code, without a name.
 struct PersonRow {
   Person person{};

@@ -9,6 +9,7 @@
 #include "db/repository/people/people_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
+#include "sim/core/plausible.h"
 
 namespace torsio {
 
@@ -77,14 +78,18 @@ void understandAge(RosterRow& row) {
   }
   std::int64_t years = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), years);
-  if (error == std::errc() && end == value.data() + value.size() && years >= kYoungest_years &&
-      years <= kOldest_years) {
+  const bool whole = error == std::errc() && end == value.data() + value.size();
+  const StatedValue age{Stated::kAge, static_cast<double>(years)};
+  if (whole && isPlausible(age.quantity, age.value)) {
     row.values[rosterIndex(RosterField::kAge)] = std::to_string(years);
     return;
   }
-  refuseRow(row, Text::tr("\"%1\" is not a plausible age in years", value),
-            Text::tr("Write a whole number from %1 to %2, or leave the cell empty", kYoungest_years,
-                     kOldest_years));
+  const auto likely = whole ? unitThatFits({&age, 1}, plausible(age.quantity).shown.si) : std::nullopt;
+  refuseRow(
+      row,
+      likely ? Text::tr("\"%1\" is not a plausible age in years, but would be one in %2", value, likely->name)
+             : Text::tr("\"%1\" is not a plausible age in years", value),
+      Text::tr("Write a whole number (%1), or leave the cell empty", plausibleRange(age.quantity)));
 }
 
 void understandClass(RosterRow& row, const std::vector<SeniorityClass>& classes) {

@@ -289,15 +289,26 @@ class Landing {
   std::map<std::string, std::string> occasionOf_;  // code by the name used in the data
 };
 
-/// Throws if a name or label of imported data cannot be read, or two names of people look alike.
+/// Throws if a name or label of imported data cannot be read, was shortened by a spreadsheet, or two names of
+/// people look alike.
 void checkNames(const LandedStudy& study) {
   Identifiers people("name");
+  const auto take = [&people](const std::string& name) {
+    people.take(name, name);
+    if (isSpreadsheetNumber(name)) {
+      refuse(Text::tr(
+                 "the name \"%1\" looks like a number that a spreadsheet has shortened: people can no longer "
+                 "be told apart by it",
+                 name),
+             name, Text::tr("Write the whole number as text, everywhere in the data"));
+    }
+  };
   for (const LandedPerson& one : study.people) {
-    people.take(one.name, one.name);
+    take(one.name);
     requireReadable(one.level, one.name);
   }
   for (const LandedRater& one : study.raters) {
-    people.take(one.name, one.name);
+    take(one.name);
   }
   requireReadable(study.curriculum.name, Text::tr("curriculum"));
 }

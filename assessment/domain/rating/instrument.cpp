@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assessment/domain/rating/instrument.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
 
 #include "sim/core/error.h"
+#include "sim/core/plausible.h"
+#include "sim/core/short_number.h"
 
 namespace torsio {
 
@@ -150,6 +153,26 @@ std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::
     refuseScore(shown, Text::verbatim("lies between two steps of the scale"), scale, where);
   }
   return checkedSteps(steps, shown, scale, where);
+}
+
+void requireScaleUsed(std::span<const std::int64_t> steps, const ScoreScale& scale, const std::string& where,
+                      const Text& remedy) {
+  constexpr std::size_t kFewest = 10;
+  if (steps.size() < kFewest) {
+    return;
+  }
+  const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
+  const double used = static_cast<double>(*most - scale.lo) / static_cast<double>(scale.hi - scale.lo);
+  if (*least == *most || isPlausible(Stated::kScaleUsed, used)) {
+    return;
+  }
+  const auto points = [&scale](std::int64_t step) {
+    return shortNumber(static_cast<double>(step) / static_cast<double>(scale.stepsPerPoint));
+  };
+  refuse(
+      Text::tr("the highest of %1 scores is %2 on a scale from %3 to %4: they seem to be on a smaller scale",
+               steps.size(), points(*most), points(scale.lo), points(scale.hi)),
+      where, remedy);
 }
 
 void validateInstrument(const EvaluationInstrument& instrument) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,12 @@ void validateScale(const ScoreScale& scale);
 /// Converts points to steps. The value must be the double nearest to a step. Throws Error{kBadData} like
 /// stepsFromText.
 [[nodiscard]] std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::string& where);
+
+/// Checks that marks use their scale (Stated::kScaleUsed): scores out of 10 on a scale to 100 do not. Fewer
+/// than ten marks, and marks that are all equal, say nothing. Throws Error{kBadData} with `where` and
+/// `remedy`.
+void requireScaleUsed(std::span<const std::int64_t> steps, const ScoreScale& scale, const std::string& where,
+                      const Text& remedy);
 
 [[nodiscard]] inline double pointsFromSteps(std::int64_t steps, const ScoreScale& scale) {
   return static_cast<double>(steps) / static_cast<double>(scale.stepsPerPoint);

@@ -427,7 +427,8 @@ std::vector<Trial> TrialLoader::load(std::span<const TrialId> trialIds) {
 std::vector<std::string> TrialRepository::warnedParameters(const CohortId& cohortId) const {
   return selectAll(connection_,
                    "SELECT DISTINCT t.parameters_json FROM enrolment e JOIN trial t ON t.enrolment_id = e.id"
-                   " WHERE e.cohort_id = ? AND t.parameters_json LIKE '%\"organ_warnings\"%' ORDER BY 1",
+                   " WHERE e.cohort_id = ? AND (t.parameters_json LIKE '%\"organ_warnings\"%' OR"
+                   " t.parameters_json LIKE '%_confirmed\":true%') ORDER BY 1",
                    {cohortId}, [](RowReader& row) { return std::string(row.text()); });
 }
 

@@ -51,7 +51,8 @@ class TrialRepository final : public TrialSink {
   /// Starts of the trials of a cohort, microseconds since 1970 UTC.
   [[nodiscard]] std::map<TrialId, std::int64_t> startsOf(const CohortId& cohortId) const;
 
-  /// Model parameters of a cohort's trials whose organ was accepted with a warning, without duplicates.
+  /// Model parameters of a cohort's trials whose organ was accepted with a warning, or where something was
+  /// confirmed at their import, without duplicates.
   [[nodiscard]] std::vector<std::string> warnedParameters(const CohortId& cohortId) const;
 
   /// Trials of `station` without a closing row: at program start, the interrupted ones. Oldest first.

@@ -156,10 +156,11 @@ void measureVertices(const TriangleMesh& mesh, const std::vector<EdgeUse>& edges
 
 void requireSize(const MeshReport& report, const std::string& where, std::optional<double> unit_m) {
   const double side_m = report.largestSide_m();
-  requireLargestSide(side_m, kOrganSide,
-                     Text::tr("M09 largest side %1 is not that of an organ (%2 to %3)", mm(side_m),
-                              mm(kSmallestOrgan_m), mm(kLargestOrgan_m)),
-                     where, unit_m);
+  requireLargestSide(
+      side_m, Stated::kOrganSide,
+      Text::tr("M09 largest side %1 is not that of an organ (%2)",
+               inPlausibleUnit(Stated::kOrganSide, side_m), plausibleRange(Stated::kOrganSide)),
+      where, unit_m);
 }
 
 void requireClosedManifold(const MeshReport& r, const std::string& where) {
@@ -205,26 +206,18 @@ void requireShape(const MeshReport& r, const std::string& where) {
 
 }  // namespace
 
-void requireLargestSide(double side_m, const SideRange& range, const Text& otherwise,
-                        const std::string& where, std::optional<double> unit_m) {
-  if (range.holds(side_m)) {
+void requireLargestSide(double side_m, Stated what, const Text& otherwise, const std::string& where,
+                        std::optional<double> unit_m) {
+  if (isPlausible(what, side_m)) {
     return;
   }
-  struct Unit {
-    const char* option;
-    const char* name;
-    double metres;
-  };
-  // The likeliest first: 190 units read as metres are millimetres, though centimetres would pass too.
-  constexpr std::array<Unit, 4> kUnits{{{"mm", "millimetres", 0.001},
-                                        {"m", "metres", 1.0},
-                                        {"cm", "centimetres", 0.01},
-                                        {"um", "micrometres", 1e-6}}};
-  for (const Unit& unit : kUnits) {
-    if (unit_m && range.holds(side_m / *unit_m * unit.metres)) {
-      refuseMesh(Text::tr("M09 largest side %1: the file seems to be in %2", mm(side_m), unit.name), where,
-                 Text::tr("Add --organ-unit %1 (in the window: choose the unit of the file)", unit.option));
-    }
+  const std::array stated{StatedValue{what, side_m}};
+  const std::optional<StatedUnit> likely = unit_m ? unitThatFits(stated, *unit_m) : std::nullopt;
+  if (likely) {
+    refuseMesh(Text::tr("M09 largest side %1: the file seems to be in %2", inPlausibleUnit(what, side_m),
+                        likely->name),
+               where,
+               Text::tr("Add --organ-unit %1 (in the window: choose the unit of the file)", likely->word));
   }
   refuseMesh(otherwise, where, Text::tr("Scale the mesh to life size"));
 }

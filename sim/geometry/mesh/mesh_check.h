@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/core/plausible.h"
 #include "sim/core/text.h"
 #include "sim/core/vec3.h"
 #include "sim/geometry/mesh/mesh_repair.h"
@@ -13,19 +14,8 @@
 
 namespace torsio {
 
-/// Limits within which a mesh is accepted as an organ. Lengths in metres.
-inline constexpr double kSmallestOrgan_m = 0.03;     ///< of the largest side of the bounding box
-inline constexpr double kLargestOrgan_m = 2.0;       ///< of the largest side of the bounding box
+/// Limits within which a mesh is accepted as an organ, besides Stated::kOrganSide. Lengths in metres.
 inline constexpr double kLargestCoordinate_m = 100;  ///< importers keep single precision
-/// Of the largest side of what a mesh shows.
-struct SideRange {
-  double least_m;
-  double most_m;
-  [[nodiscard]] constexpr bool holds(double side_m) const noexcept {
-    return side_m >= least_m && side_m <= most_m;
-  }
-};
-inline constexpr SideRange kOrganSide{kSmallestOrgan_m, kLargestOrgan_m};
 inline constexpr std::size_t kMaxTriangles = 2'000'000;
 inline constexpr std::size_t kMinTriangles = 200;
 inline constexpr double kSmallPieceShare =
@@ -76,10 +66,11 @@ void requireSound(const TriangleMesh& mesh, const std::string& where);
 /// kLargestCoordinate_m.
 void requireNearOrigin(const TriangleMesh& mesh, const std::string& where);
 
-/// Checks that a surface is as large as what it shows. Throws Error{kBadMesh}, M09, with the unit that would
-/// fit in place of `unit_m` where one does, else with the sentence `otherwise`. No unit: the file states it.
-void requireLargestSide(double side_m, const SideRange& range, const Text& otherwise,
-                        const std::string& where, std::optional<double> unit_m);
+/// Checks that a surface is as large as what it shows (Stated::kOrganSide, kInstrumentSide). Throws
+/// Error{kBadMesh}, M09, with the unit that would fit in place of `unit_m` where one does, else with the
+/// sentence `otherwise`. No unit: the file states it.
+void requireLargestSide(double side_m, Stated what, const Text& otherwise, const std::string& where,
+                        std::optional<double> unit_m);
 
 /// Repairs what can be repaired without guessing (double vertices and faces, orientation, small separate
 /// pieces, inner shells) and returns a closed, manifold, outward-oriented surface of genus 0. Throws

@@ -14,6 +14,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/plain_text.h"
+#include "sim/core/plausible.h"
 #include "sim/core/short_number.h"
 #include "sim/core/text.h"
 #include "sim/imaging/scan/dicom_slice.h"
@@ -224,7 +225,7 @@ void requirePlace(const DicomSlice& slice, const std::string& where) {
     refuse("Rescale Slope or Intercept (0028,1053)");
   }
   if (!slice.spacing_mm || !std::all_of(slice.spacing_mm->begin(), slice.spacing_mm->end(),
-                                        [](double s) { return s > 0.01 && s < 50.0; })) {
+                                        [](double s) { return isPlausible(Stated::kVoxelSide, 1e-3 * s); })) {
     refuse("Pixel Spacing (0028,0030)");
   }
   if (!slice.position_mm || norm(*slice.position_mm) > 1e5) {

@@ -14,6 +14,7 @@
 #include <zlib.h>
 
 #include "sim/core/error.h"
+#include "sim/core/plausible.h"
 #include "sim/core/short_number.h"
 
 namespace torsio {
@@ -23,8 +24,7 @@ namespace {
 constexpr std::int32_t kNifti2Bytes = 540;
 constexpr std::int16_t kMaxSide = 4096;
 constexpr double kMaxOffset = 64e6;
-constexpr double kThinnestVoxel_mm = 0.01;
-constexpr double kThickestVoxel_mm = 50.0;
+constexpr double kMillimetre_m = 1e-3;
 constexpr double kMaxShear = 0.01745;  // cosine of 89 degrees
 constexpr double kFarthest_mm = 1e5;
 
@@ -239,19 +239,22 @@ void readPlace(const HeaderBytes& bytes, const std::string& where, NiftiHeader& 
   }
 }
 
-void checkPlace(const NiftiHeader& header, const std::string& where) {
+void checkPlace(const NiftiHeader& header, double unit_mm, const std::string& where) {
   const Text again = Text::tr("Resample the volume to voxels with right angles, or export it again");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const StatedValue side{Stated::kVoxelSide, kMillimetre_m * norm(header.step_mm[axis])};
+    if (!isPlausible(side.quantity, side.value)) {
+      const auto likely = unitThatFits({&side, 1}, kMillimetre_m * unit_mm);
+      refuseHeader(
+          Text::tr("N05 voxels are %1 along axis %2; %3 is plausible",
+                   inPlausibleUnit(side.quantity, side.value), axis + 1, plausibleRange(side.quantity)),
+          where,
+          likely ? Text::tr("The numbers seem to be %1: save the volume with that unit", likely->name)
+                 : again);
+    }
+  }
   if (!isFinite(header.origin_mm) || norm(header.origin_mm) > kFarthest_mm) {
     refuseHeader(Text::tr("N05 the file's origin is out of range"), where, again);
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double side_mm = norm(header.step_mm[axis]);
-    if (!(side_mm >= kThinnestVoxel_mm && side_mm <= kThickestVoxel_mm)) {
-      refuseHeader(
-          Text::tr("N05 voxels are %1 mm along axis %2, they must have %3 to %4 mm", shortNumber(side_mm),
-                   std::to_string(axis + 1), shortNumber(kThinnestVoxel_mm), shortNumber(kThickestVoxel_mm)),
-          where, again);
-    }
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double shear = dot(normalized(header.step_mm[axis]), normalized(header.step_mm[(axis + 1) % 3]));
@@ -455,7 +458,7 @@ NiftiHeader niftiHeader(std::span<const unsigned char, kNiftiHeaderBytes> bytes,
   for (Vec3* const v : {&header.origin_mm, &header.step_mm[0], &header.step_mm[1], &header.step_mm[2]}) {
     *v = {-unit_mm * v->x, -unit_mm * v->y, unit_mm * v->z};  // RAS to LPS
   }
-  checkPlace(header, where);
+  checkPlace(header, unit_mm, where);
   return header;
 }
 

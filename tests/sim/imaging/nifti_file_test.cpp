@@ -197,6 +197,7 @@ TEST(NiftiFile, RefusesWithTheRuleThatIsBroken) {
       {"N05", with<float>(good, 292, 1e30F)},
       {"N05", with<float>(good, 284, 1.0F)},
       {"N05", with<float>(niftiBytes(countedScan(), {.sform = false, .qform = true}), 256, 3.0F)},
+      {"N05 voxels are", with<unsigned char>(good, 123, 1)},  // millimetres that the header calls metres
       {"N06", with<unsigned char>(good, 123, 5)},
       {"D15", with<std::int16_t>(with<std::int16_t>(with<std::int16_t>(good, 42, 4096), 44, 4096), 46, 4096)},
   };

@@ -354,6 +354,8 @@ TEST(ForeignImport, ReportsErrorsByLineAndStoresNothing) {
       {"csv", "must be one of: m, cm, mm", [](auto& map, auto&) { map["unit"] = "inch"; }},
       {"csv", "no hand does that", [](auto& map, auto&) { map["unit"] = "mm"; }},
       {"perktutor", "more than 200 m away", [](auto& map, auto&) { map["unit"] = "m"; }},
+      {"csv", "the poses would be 20 s apart", [](auto& map, auto&) { map["time"]["unit"] = "s"; }},
+      {"csv", "the poses would be 2e-05 s apart", [](auto& map, auto&) { map["time"]["unit"] = "us"; }},
       {"csv", "neither true nor false", [](auto& map, auto&) { map["unit_confirmed"] = "yes"; }},
       {"csv", "an unknown field | map.json, \"rate_hz\"", [](auto& map, auto&) { map["rate_hz"] = 30; }},
       {"csv", "lists no person 'Z' | map.json, \"recordings\" 2, \"person\"",
@@ -376,11 +378,42 @@ TEST(ForeignImport, AConfirmedUnitIsRecorded) {
   content["unit"] = "mm";
   content["unit_confirmed"] = true;
   writeFileAtomically(map, content.dump());
-  (void)importForeign(centre.as("administrator"), ForeignLayout::kCsv, map, "");
+  const ForeignOutcome outcome = importForeign(centre.as("administrator"), ForeignLayout::kCsv, map, "");
   Statement rows = centre.session().connectionWithoutRight().prepare("SELECT parameters_json FROM trial");
   rows.execute();
   ASSERT_TRUE(rows.step());
-  EXPECT_THAT(rows.text(0), HasSubstr("\"unit_confirmed\":true"));
+  const std::string parameters = rows.text(0);
+  EXPECT_THAT(parameters, HasSubstr("\"unit_confirmed\":true"));
+  const std::vector<Text> told = recordedConfirmations(parameters);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told.front().str(), HasSubstr("unit of the positions"));
+  const std::vector<std::string> warned =
+      TrialRepository(centre.session().connectionWithoutRight()).warnedParameters(outcome.landed.cohortId);
+  EXPECT_FALSE(warned.empty());
+}
+
+TEST(ForeignImport, ScoresOnASmallerScaleThanTheMapSaysAreRefusedOrConfirmed) {
+  const OwnFolder own;
+  const fs::path map = writeForeignStudy(own.path(), "csv", true);
+  ordered_json content = ordered_json::parse(readFile(map));
+  content["raters"].push_back({{"name", "GRS 3"}, {"class", "chief"}});
+  std::string table = "recording,rater,score\n";
+  int score = 1;
+  for (const auto& recording : content["recordings"]) {
+    for (const auto& rater : content["raters"]) {
+      table += recording["file"].get<std::string>() + "," + rater["name"].get<std::string>() + "," +
+               std::to_string(1 + score++ % 8) + "\n";
+    }
+  }
+  content["marks"]["lowest"] = 0;
+  content["marks"]["highest"] = 100;
+  writeFileAtomically(own.path() / "marks.csv", table);
+  writeFileAtomically(map, content.dump());
+  EXPECT_THAT(testing::refusal([&] { return readForeignMap(map, ForeignLayout::kCsv); }).what(),
+              HasSubstr("the highest of 12 scores is 8 on a scale from 0 to 100"));
+  content["marks"]["scale_confirmed"] = true;
+  writeFileAtomically(map, content.dump());
+  EXPECT_TRUE(readForeignMap(map, ForeignLayout::kCsv).scaleConfirmed);
 }
 
 TEST(ForeignImport, StoresNothingIfCancelledOrRejectedAtTheEnd) {

@@ -493,7 +493,21 @@ TEST(MeasuredMarkers, DisplacementIsTheMeanOverTheSubjects) {
 }
 
 TEST(MeasuredMarkers, AcceptMetresAndCentimetres) {
-  EXPECT_EQ(refusedAt("1,0,1,2,3,m,A\n1,1,1,2,3,cm,A\n"), "");
+  EXPECT_EQ(refusedAt("1,0,0.1,0.2,0.3,m,A\n1,1,10,20,35,cm,A\n"), "");
+}
+
+TEST(MeasuredMarkers, AWayThatNoSkinMakesNamesTheUnitThatFits) {
+  const std::string metres = "marker,time,x,y,z,unit,subject\n1,0,0,0,350,m,A\n1,1,20,0,340,m,A\n";
+  EXPECT_EQ(refusedIn("torsio_measured_unit_test.csv", metres), "torsio_measured_unit_test.csv");
+  const fs::path file = fs::temp_directory_path() / "torsio_measured_unit_test.csv";
+  try {
+    static_cast<void>(readMeasuredMarkers(file, tenMarkers()));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.happened(),
+              "the markers of 'A' would have moved 2.236e+04 mm at most: 0.5 to 1500 mm is plausible");
+    EXPECT_NE(error.remedy().find("(\"cm\", \"mm\" would fit)"), std::string::npos) << error.remedy();
+  }
+  EXPECT_EQ(readMeasuredMarkers(file, tenMarkers(), true).size(), 1U) << "confirmed";
 }
 
 TEST(MeasuredMarkers, ReportInvalidTablesWithTheirPlace) {
