@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A day at the real arm: `live_day_test.py TORSIO DESK_SERVER [--to PICTURES]`. Ten raters, one of them in Chromium and
-one in Firefox, and an administrator who calls one trainee to all three occasions on a phone. While sheets are filled in,
+"""A day at the real arm: `live_day_test.py TORSIO DESK_SERVER [--to PICTURES] [--browsers N]`. Ten raters, N of them (2) in
+Chromium and Firefox by turns, and an administrator who calls one trainee to all three occasions on a phone. While sheets are filled in,
 the server is killed and the network cut, and if TORSIO_TEST_POSTGRES is set, the day is played once more on a PostgreSQL
 of its own, which goes away and comes back.
 Exit status 1 on failure, 77 if there is no such browser."""
@@ -27,7 +27,6 @@ from webdriver import Browser, Failed, Firefox
 START = pathlib.Path(__file__).parents[1] / "support" / "start-postgres.sh"
 RATERS = 10
 TRAINEE = "TR-4100"
-WITHOUT_BROWSER = range(2, RATERS)
 
 
 class Cable:
@@ -234,17 +233,17 @@ def score(browser):
     browser.keys("7", "ArrowDown", "8", "ArrowDown", "7")
 
 
-def play(program, locator, pictures, database):
+def play(program, locator, pictures, browsers, database):
     """`database`: None, or an object with down() and up()."""
     with contextlib.ExitStack() as stack:
         server = Server(program, *(database.for_the_program() if database else (locator, os.environ)))
         stack.callback(server.close)
-        others = [Rater(server, number) for number in WITHOUT_BROWSER]
+        others = [Rater(server, number) for number in range(browsers, RATERS)]
         for one in others:
             one.start()
         office = stack.enter_context(Browser(size=(390, 844), webgl=False))
         kinds = [Browser, Firefox if shutil.which(Firefox.PROGRAM) else Browser]
-        desks = [stack.enter_context(kind(webgl=False)) for kind in kinds]
+        desks = [stack.enter_context(kinds[number % 2](webgl=False)) for number in range(browsers)]
         for number, desk in enumerate(desks):
             sign_in(desk, server.url, f"physician{number}", "[aria-labelledby=cases-title]")
         sign_in(office, server.url, "office", ".call-form")
@@ -359,17 +358,18 @@ def main():
     arguments.add_argument("program")
     arguments.add_argument("desk_server")
     arguments.add_argument("--to", type=pathlib.Path, default=pathlib.Path("."), help="folder of the pictures")
+    arguments.add_argument("--browsers", type=int, choices=range(2, RATERS + 1), default=2, help="raters in a browser")
     given = arguments.parse_args()
     if shutil.which(Browser.PROGRAM) is None:
         print(f"no {Browser.PROGRAM} here")
         return 77
     given.to.mkdir(parents=True, exist_ok=True)
     with centre(given.desk_server) as locator:
-        play(given.program, locator, given.to, None)
+        play(given.program, locator, given.to, given.browsers, None)
         print("ok      a day on SQLite", flush=True)
     if os.environ.get("TORSIO_TEST_POSTGRES"):
         with contextlib.closing(Postgres()) as database, centre(given.desk_server, database.locator) as locator:
-            play(given.program, locator, given.to, database)
+            play(given.program, locator, given.to, given.browsers, database)
             print("ok      a day on PostgreSQL", flush=True)
     return 0
 
