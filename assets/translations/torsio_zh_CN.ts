@@ -21352,7 +21352,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>nanoseconds</source>
-        <translation type="unfinished"></translation>
+        <translation>纳秒</translation>
     </message>
     <message>
         <source>months</source>
