@@ -4,84 +4,22 @@
 // integrated in steps of 20 us while the force of a tick is held.
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "sim/core/random.h"
-#include "sim/device/haptic_device.h"
 #include "sim/servo/servo_loop.h"
 #include "tests/sim/servo/bar_scene.h"
+#include "tests/sim/servo/led_hand.h"
 
 namespace torsio {
 namespace {
 
-constexpr double kTwoPi = 6.28318530717958647692;
-constexpr int kSteps = 50;  // a tick
-// What the issue of a safe force allows.
-constexpr double kMaxGiven_J = 1e-3;
-
-struct Hand {
-  double mass_kg = 0.2;
-  double damping_Ns_per_m = 5.0;
-  double stiffness_N_per_m = 500.0;
-  double frequency_Hz = 5.0;
-  Vec3 centre_m;
-  Vec3 amplitude_m;
-  std::int64_t jawEvery_us = 0;  // it closes and opens; 0: it stays open
-};
-
-/// A hand on a device; what it gets of the force is added up exactly.
-class LedHand final : public HapticDevice {
- public:
-  explicit LedHand(const Hand& hand) : hand_(hand), at_m_(hand.centre_m) {
-    capabilities_.rendersForce = true;
-  }
-
-  [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
-  [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override {
-    DeviceReading reading{.time_us = time_us, .pose = {at_m_, facing_}};
-    const bool closed = hand_.jawEvery_us > 0 && (time_us / hand_.jawEvery_us) % 2 == 1;
-    reading.grip = closed ? 1.0 : 0.0;
-    reading.buttons = closed ? static_cast<std::uint32_t>(kButtonGrip) : 0U;
-    last_ = quantize(reading, last_);
-    return last_;
-  }
-  void write(const ForceCommand& command) noexcept override {
-    for (int i = 0; i < kSteps; ++i) {
-      const double angle_rad = kTwoPi * hand_.frequency_Hz * time_s_;
-      const Vec3 led_m = hand_.centre_m + hand_.amplitude_m * std::sin(angle_rad);
-      const Vec3 led_m_per_s = hand_.amplitude_m * (kTwoPi * hand_.frequency_Hz * std::cos(angle_rad));
-      const Vec3 force_N = command.force_N + (led_m - at_m_) * hand_.stiffness_N_per_m +
-                           (led_m_per_s - speed_m_per_s_) * hand_.damping_Ns_per_m;
-      constexpr double kStep_s = 1e-3 / kSteps;
-      speed_m_per_s_ += force_N * (kStep_s / hand_.mass_kg);
-      at_m_ += speed_m_per_s_ * kStep_s;
-      given_J_ += dot(command.force_N, speed_m_per_s_) * kStep_s;
-      time_s_ += kStep_s;
-    }
-    if (command.force_N == Vec3{}) {
-      given_J_ = 0.0;
-    }
-    mostGiven_J_ = std::max(mostGiven_J_, given_J_);
-    felt_ = felt_ || norm(command.force_N) > 0.1;
-  }
-  /// Returns the most that a contact has given in all, J.
-  [[nodiscard]] double mostGiven_J() const noexcept { return mostGiven_J_; }
-  [[nodiscard]] bool felt() const noexcept { return felt_; }
-
- private:
-  Hand hand_;
-  DeviceCapabilities capabilities_;
-  Quat facing_{std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0};  // the stylus points along -x
-  DeviceSample last_;
-  Vec3 at_m_;
-  Vec3 speed_m_per_s_;
-  double time_s_ = 0.0;
-  double given_J_ = 0.0;
-  double mostGiven_J_ = 0.0;
-  bool felt_ = false;
-};
+using testing::Hand;
+using testing::kMaxGiven_J;
+using testing::LedHand;
 
 struct Lead {
   double given_J = 0.0;
