@@ -183,6 +183,7 @@ void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int 
   }
   run("SET lock_timeout = " + std::to_string(busyTimeout_ms));
   run("SET TIME ZONE 'UTC'");
+  run("SET client_min_messages = error");  // its library would print warnings beside our own log
   run("SET synchronous_commit = on");
   if (!locator.schema.empty()) {
     run("SET search_path TO \"" + locator.schema + "\"");
