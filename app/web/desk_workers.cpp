@@ -95,6 +95,12 @@ DeskWorkers::Work DeskWorkers::popNext() {
   return work;
 }
 
+std::size_t DeskWorkers::waiting(int rank) {
+  const std::lock_guard lock(mutex_);
+  return static_cast<std::size_t>(std::count_if(waiting_.begin(), waiting_.end(),
+                                                [rank](const Waiting& one) { return one.rank == rank; }));
+}
+
 bool DeskWorkers::isIdle() {
   const std::lock_guard lock(mutex_);
   return waiting_.empty() && busy_ == 0;

@@ -41,6 +41,8 @@ class DeskWorkers {
   /// a full queue, the last work of a higher rank is given up instead: its `givenUp` is called. Neither may
   /// throw. `work` starts with nobody signed in.
   [[nodiscard]] bool take(Work work, int rank = 0, std::function<void()> givenUp = {});
+  /// Returns how many works of this rank are queued.
+  [[nodiscard]] std::size_t waiting(int rank);
   /// True if nothing is running or queued.
   [[nodiscard]] bool isIdle();
 

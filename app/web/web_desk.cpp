@@ -27,6 +27,7 @@ namespace {
 
 constexpr std::size_t kPictures_bytes = 64UL * 1024UL * 1024UL;
 constexpr std::size_t kManyWrongTries = 10;     // a minute
+constexpr int kManyWrongRank = 2;               // behind everybody else
 constexpr std::chrono::seconds kIdleSlack{60};  // pages in use report every half minute
 constexpr std::size_t kWorkersOfAFile = 4;      // writers to a file wait for each other
 constexpr std::size_t kWorkersOfAServer = 8;
@@ -235,6 +236,7 @@ WebDesk::~WebDesk() {
   }
   lookoutEnds_.notify_all();
   lookout_.join();
+  late_.end();
 }
 
 void WebDesk::prepare(const Actor& actor, const AssignmentId& assignmentId) {
@@ -385,7 +387,7 @@ void WebDesk::queueToHash(const std::shared_ptr<Job>& job) {
     work(job, context);
   };
   const auto refuse = [this, job] { job->finish(busyNow(wordingFor(job->request))); };
-  if (!hashing_.take(begin, many ? 2 : open ? 1 : 0, refuse)) {
+  if (!hashing_.take(begin, many ? kManyWrongRank : open ? 1 : 0, refuse)) {
     refuse();
   }
 }
@@ -416,10 +418,20 @@ void WebDesk::work(const std::shared_ptr<Job>& job, SessionContext* context) {
     if (nothing && seen != waiting_.news()) {
       return queue(job);  // news while the record was read
     }
-    job->finish(std::move(response));
+    finish(job, std::move(response));
   } catch (...) {
     job->finish(failure(std::current_exception(), route, wordingFor(job->request)));
   }
+}
+
+void WebDesk::finish(const std::shared_ptr<Job>& job, HttpResponse response) {
+  constexpr int kWrongPassword = 401;
+  const bool guess = job->match.route->hashing == Hashing::kAlways && response.status == kWrongPassword;
+  const auto delay = guess ? LateAnswers::delayFor(hashing_.waiting(kManyWrongRank)) : decltype(kLook){};
+  if (delay.count() == 0) {
+    return job->finish(std::move(response));
+  }
+  late_.keep(deskNow() + delay, [job, response = std::move(response)] { job->finish(response); });
 }
 
 void WebDesk::lookOut() {
@@ -431,6 +443,7 @@ void WebDesk::lookOut() {
   std::unique_lock lock(lookoutMutex_);
   while (!lookoutEnds_.wait_for(lock, kLook, [this] { return ending_; })) {
     waiting_.tick(deskNow());
+    late_.tick(deskNow());
     if (waiting_.empty() || look->underway.exchange(true)) {
       continue;
     }

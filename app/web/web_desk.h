@@ -18,6 +18,7 @@
 #include "app/web/case_picture.h"
 #include "app/web/desk_workers.h"
 #include "app/web/http_server.h"
+#include "app/web/late_answers.h"
 #include "app/web/organ_shelf.h"
 #include "app/web/page_files.h"
 #include "app/web/record_state.h"
@@ -82,7 +83,10 @@ class WebDesk {
   /// second.
   void tellCalls() { waiting_.tell(); }
   /// Answers waiting pages and lets none wait any more: before the server stops.
-  void endWaiting() { waiting_.end(); }
+  void endWaiting() {
+    waiting_.end();
+    late_.end();
+  }
   [[nodiscard]] WrongTries& wrongTries() noexcept { return wrongTries_; }
   [[nodiscard]] const KnownBrowsers& knownBrowsers() const noexcept { return knownBrowsers_; }
 
@@ -97,6 +101,8 @@ class WebDesk {
   /// Queues a request for a thread, or answers that there are too many.
   void queue(const std::shared_ptr<Job>& job);
   void work(const std::shared_ptr<Job>& job, SessionContext* context);
+  /// Sends an answer; that to a wrong password later, while other guesses wait.
+  void finish(const std::shared_ptr<Job>& job, HttpResponse response);
   /// Queues what needs a password to be hashed.
   void queueToHash(const std::shared_ptr<Job>& job);
   /// Returns whether many wrong passwords came from the address of this request.
@@ -118,11 +124,12 @@ class WebDesk {
   std::atomic<std::chrono::steady_clock::rep> lastBeat_;
   RecordState record_;
   WaitingPages waiting_;
+  LateAnswers late_;
   std::mutex lookoutMutex_;
   std::condition_variable lookoutEnds_;
   bool ending_ = false;
   DeskWorkers workers_;  // last: their work uses all of the above
-  DeskWorkers hashing_;  // one thread: each password takes a quarter of a gigabyte
+  DeskWorkers hashing_;  // one thread: each password takes 64 MiB
   DeskWorkers heavy_;    // few threads: each picture takes a core
   std::thread lookout_;
 };

@@ -20,8 +20,7 @@ constexpr StatedUnit kYears{"years", Text::tr("years"), 1.0};
 // 190 units read as metres are millimetres, though centimetres would pass too.
 constexpr std::array<StatedUnit, 4> kLengths{
     {kMillimetres, kMetres, {"cm", Text::tr("centimetres"), 1e-2}, {"um", Text::tr("micrometres"), 1e-6}}};
-constexpr std::array<StatedUnit, 3> kTracked{
-    {kMetres, {"cm", Text::tr("centimetres"), 1e-2}, kMillimetres}};
+constexpr std::array<StatedUnit, 3> kTracked{{kMetres, {"cm", Text::tr("centimetres"), 1e-2}, kMillimetres}};
 constexpr std::array<StatedUnit, 4> kTimes{{{"ms", Text::tr("milliseconds"), 1e-3},
                                             {"us", Text::tr("microseconds"), 1e-6},
                                             kSeconds,

@@ -61,8 +61,9 @@ struct StatedValue {
   double value = 0.0;  ///< SI, by the unit that the file states
 };
 
-/// Returns the likeliest unit in which all values would be plausible, if they grow with the unit and were read
-/// in one of `stated_si`; empty where none is, or nothing is stated (0). The values' quantities share their units.
+/// Returns the likeliest unit in which all values would be plausible, if they grow with the unit and were
+/// read in one of `stated_si`; empty where none is, or nothing is stated (0). The values' quantities share
+/// their units.
 [[nodiscard]] std::optional<StatedUnit> unitThatFits(std::span<const StatedValue> values, double stated_si);
 /// Returns all such units, listed: "cm, mm"; empty where there is none.
 [[nodiscard]] Text unitsThatFit(std::span<const StatedValue> values, double stated_si);

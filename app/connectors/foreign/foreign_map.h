@@ -88,9 +88,9 @@ struct ForeignMap {
   std::optional<double> rate_Hz{};  ///< empty: the file contains times
   std::string timeColumn{};         ///< of a table only
   std::string timeUnit{};           ///< "s", "ms", "us" or "ns"; of timeColumn
-  double timeUnit_s = 0.0;     ///< the same in seconds
-  bool timeConfirmed = false;  ///< although the times would fit another unit better
-  std::string instrument{};  ///< arm or device to read; empty for a table
+  double timeUnit_s = 0.0;          ///< the same in seconds
+  bool timeConfirmed = false;       ///< although the times would fit another unit better
+  std::string instrument{};         ///< arm or device to read; empty for a table
   std::array<std::string, 3> position{};
   std::vector<std::string> rotationColumns{};
   std::optional<ForeignGrip> grip{};

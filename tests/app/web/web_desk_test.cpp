@@ -167,9 +167,38 @@ TEST(WebDesk, ARightPasswordDoesNotWaitForWrongOnesUnderOtherNames) {
   }
 }
 
-/// Sixty clients that keep guessing from the owner's own address.
-TEST(WebDesk, AKnownBrowserComesBeforeGuessesFromTheSameAddress) {
-  constexpr int kGuessers = 60;
+/// Clients that keep guessing from one address, each under a new name and without a pause.
+class Guessers {
+ public:
+  Guessers(int count, std::uint16_t port) {
+    for (int i = 0; i < count; ++i) {
+      threads_.emplace_back([this, i, port] {
+        WebClient client(port);
+        for (int n = 0; !over_; ++n) {
+          const std::string login = "nobody" + std::to_string(i) + "." + std::to_string(n);
+          (void)client.send("POST", "/api/sign-in", {{"login", login}, {"password", "x"}});
+          ++answered_;
+        }
+      });
+    }
+  }
+  [[nodiscard]] int answered() const noexcept { return answered_; }
+  void end(WebDesk& desk) {
+    over_ = true;
+    desk.endWaiting();
+    for (std::thread& one : threads_) {
+      one.join();
+    }
+  }
+
+ private:
+  std::atomic<bool> over_{false};
+  std::atomic<int> answered_{0};
+  std::vector<std::thread> threads_;
+};
+
+TEST(WebDesk, GuessesFromTheSameAddressKeepNobodyWaiting) {
+  constexpr int kGuessers = 25;
   const Served served;
   WebDesk desk(
       {.locator = served.centre.locator(), .assets = assetsFolder(), .workers = 2});  // the real cost
@@ -178,31 +207,42 @@ TEST(WebDesk, AKnownBrowserComesBeforeGuessesFromTheSameAddress) {
   });
   WebClient owner(server.port());
   ASSERT_TRUE(owner.signIn("physician0", kPassword)) << "from now on this browser is known";
-  std::atomic<bool> over{false};
-  std::atomic<int> answered{0};
-  std::vector<std::thread> guessing;
-  for (int i = 0; i < kGuessers; ++i) {
-    guessing.emplace_back([&, i] {
-      WebClient client(server.port());
-      for (int n = 0; !over; ++n) {
-        const std::string login = "nobody" + std::to_string(i) + "." + std::to_string(n);
-        (void)client.send("POST", "/api/sign-in", {{"login", login}, {"password", "x"}});
-        ++answered;
-      }
-    });
+  Guessers guessers(kGuessers, server.port());
+  while (guessers.answered() == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  while (answered < 15) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));  // the address has sent many wrong ones
+  const auto took = [&](WebClient& browser, const std::string& login) {
+    const auto begun = std::chrono::steady_clock::now();
+    EXPECT_TRUE(browser.signIn(login, kPassword));
+    return std::chrono::steady_clock::now() - begun;
+  };
+  EXPECT_LT(took(owner, "physician0"), std::chrono::seconds(2)) << "a known browser comes first";
+  std::this_thread::sleep_for(std::chrono::seconds(5));  // the first guess of each has been checked
+  for (int i = 0; i < 3; ++i) {
+    WebClient fresh(server.port());
+    EXPECT_LT(took(fresh, "physician1"), std::chrono::seconds(2))
+        << "so does whoever comes for the first time";
   }
-  for (int turn = 0; turn < 3; ++turn) {
-    const int before = answered;
-    EXPECT_TRUE(owner.signIn("physician0", kPassword));
-    EXPECT_LE(answered - before, 2) << "the one that was being checked, and one that ended meanwhile";
-  }
-  over = true;
-  for (std::thread& one : guessing) {
-    one.join();
-  }
+  guessers.end(desk);
+}
+
+TEST(LateAnswers, AreGivenWhenTheyAreDueOrAtTheEnd) {
+  using std::chrono::milliseconds;
+  EXPECT_EQ(LateAnswers::delayFor(2).count(), 0) << "nobody is kept waiting on a quiet day";
+  EXPECT_GT(LateAnswers::delayFor(4), LateAnswers::delayFor(3));
+  EXPECT_LE(LateAnswers::delayFor(10'000), std::chrono::seconds(45)) << "browsers give up after a minute";
+  LateAnswers late;
+  std::vector<int> given;
+  const SteadyTime now{};
+  late.keep(now + milliseconds(20), [&] { given.push_back(2); });
+  late.keep(now + milliseconds(10), [&] { given.push_back(1); });
+  late.tick(now + milliseconds(9));
+  EXPECT_TRUE(given.empty());
+  late.tick(now + milliseconds(10));
+  EXPECT_EQ(given, std::vector<int>{1});
+  late.end();
+  late.keep(now + milliseconds(99), [&] { given.push_back(3); });
+  EXPECT_EQ(given, (std::vector<int>{1, 2, 3}));
 }
 
 /// Wrong passwords from elsewhere, or from the same address, do not keep the owner of an account out.

@@ -13,9 +13,9 @@
 namespace torsio {
 namespace {
 
-constexpr std::array kAll = {Stated::kOrganSide,  Stated::kInstrumentSide, Stated::kVoxelSide,
-                             Stated::kHandReach,  Stated::kHandSpeed,      Stated::kPosePeriod,
-                             Stated::kMarkerWay,  Stated::kScaleUsed,      Stated::kAge};
+constexpr std::array kAll = {Stated::kOrganSide, Stated::kInstrumentSide, Stated::kVoxelSide,
+                             Stated::kHandReach, Stated::kHandSpeed,      Stated::kPosePeriod,
+                             Stated::kMarkerWay, Stated::kScaleUsed,      Stated::kAge};
 
 TEST(Plausible, EveryRowBelievesItsRangeAndNothingElse) {
   for (const Stated quantity : kAll) {

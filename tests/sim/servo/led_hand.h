@@ -21,7 +21,7 @@ struct Hand {
   double frequency_Hz = 5.0;
   Vec3 centre_m;
   Vec3 amplitude_m;
-  std::int64_t jawEvery_us = 0;  // it closes and opens; 0: it stays open
+  std::int64_t jawEvery_us = 0;                           // it closes and opens; 0: it stays open
   Quat facing{std::sqrt(0.5), 0.0, std::sqrt(0.5), 0.0};  // the stylus points along -x
   bool wholeContacts = false;  // a contact ends by endContact(), not already without force
   std::function<std::uint32_t(std::int64_t time_us)> status{};  // DeviceStatus; empty: kDeviceOk

@@ -66,7 +66,8 @@ Quat turning(const Vec3& from, const Vec3& to) {
 }
 
 /// Leads a hand through a random place of the organ's surface, the instrument along its normal.
-Hand handAt(const std::vector<Vec3>& vertices_m, const std::vector<Vec3>& normals, Random& random, int number) {
+Hand handAt(const std::vector<Vec3>& vertices_m, const std::vector<Vec3>& normals, Random& random,
+            int number) {
   const auto place = static_cast<std::size_t>(random.uniform() * static_cast<double>(vertices_m.size() - 1));
   const Vec3& out = normals[place];
   Hand hand;
@@ -105,7 +106,8 @@ TEST(PassiveOrgans, GiveAHandNoMoreThanAMillijouleInAnyStateOfTheDevice) {
         for (int number = 0; number < kHands; ++number) {
           Hand hand = handAt(mesh.vertices_m, normals, random, number);
           hand.status = [&state](std::int64_t time_us) -> std::uint32_t {
-            const bool now = state.every_us > 0 && time_us % state.every_us >= state.every_us - state.lasts_us;
+            const bool now =
+                state.every_us > 0 && time_us % state.every_us >= state.every_us - state.lasts_us;
             return now ? state.status : kDeviceOk;
           };
           LedHand device(hand);
