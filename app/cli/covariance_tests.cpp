@@ -49,6 +49,7 @@ Json differenceJson(const AdjustedDifference& pair, double df, const std::option
            {"difference", pair.difference},
            {"error", pair.error},
            {"interval", intervalJson(pair.interval)},
+           {"interval_holm", intervalJson(pair.asHolm)},
            {"interval_simultaneous", intervalJson(pair.simultaneous)}};
   if (margin) {
     out["equivalence"] = equivalenceJson(pair.difference, pair.error, df, *margin);
@@ -157,6 +158,7 @@ Json comparisonJson(const Study& study, const MixedComparison& result, const Cov
   for (const MixedComparison::Pair& pair : result.pairs) {
     Json entry = estimateJson(pair.difference);
     entry["p_holm"] = pair.pHolm;
+    entry["interval_holm"] = intervalJson(pair.asHolm);
     entry["interval_simultaneous"] = intervalJson(pair.simultaneous);
     if (request.margin) {
       entry["equivalence"] =
@@ -221,10 +223,18 @@ Json ancovaJson(const Study& study, const CovarianceRequest& request) {
                                        {"mean", result.adjusted[g].mean},
                                        {"interval", intervalJson(result.adjusted[g].interval)}});
     }
+    const std::vector<AdjustedDifference>& concluded = concludedPairs(result);
+    const bool robust = &concluded != &result.pairs;
+    out["errors"] = robust ? "HC3" : "pooled";
+    out["spread"] = {{"largest", result.spread.largest}, {"smallest", result.spread.smallest}};
+    out["spread"]["equal"] = fTestJson(result.spread.test);
     out["pairs"] = Json::array();
-    for (const AdjustedDifference& pair : result.pairs) {
-      out["pairs"].push_back(
-          pairJson(study, pair.first, pair.second, differenceJson(pair, result.residualDf, request.margin)));
+    for (std::size_t i = 0; i < concluded.size(); ++i) {
+      Json pair = differenceJson(concluded[i], result.residualDf, request.margin);
+      if (robust) {
+        pair["pooled"] = differenceJson(result.pairs[i], result.residualDf, request.margin);
+      }
+      out["pairs"].push_back(pairJson(study, concluded[i].first, concluded[i].second, pair));
     }
     out["equal_slopes"] = fTestJson(result.equalSlopes);
     if (result.equalSlopes && result.equalSlopes->p < kSlopesDiffer) {

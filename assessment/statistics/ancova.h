@@ -68,6 +68,12 @@ struct Ancova {
 [[nodiscard]] Outcome<Ancova> ancova(const Groups& before, const Groups& after,
                                      double confidence = kDefaultConfidence);
 
+/// Returns the differences from which conclusions are drawn: with the errors of HC3, or the pooled ones where
+/// HC3 has none.
+[[nodiscard]] inline const std::vector<AdjustedDifference>& concludedPairs(const Ancova& of) noexcept {
+  return of.spread.pairs.empty() ? of.pairs : of.spread.pairs;
+}
+
 /// If the test of equal slopes gives p below this, the analysis with separate slopes is reported as well.
 inline constexpr double kSlopesDiffer = 0.05;
 

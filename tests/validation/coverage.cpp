@@ -76,6 +76,7 @@ std::vector<Case> cases() {
   addRaterCases(all);
   addModelCases(all);
   addLaterCases(all);
+  addPrimaryComparisonCases(all);
   return all;
 }
 

@@ -11,6 +11,7 @@
 #include "assessment/statistics/ancova.h"
 #include "assessment/statistics/categorical_agreement.h"
 #include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/generalizability.h"
 #include "assessment/statistics/rank_tests.h"
 #include "assessment/statistics/rasch.h"
 #include "assessment/statistics/reliability.h"
@@ -56,6 +57,42 @@ NumberTable ratings(Random& random, Shape shape, std::size_t targets, std::size_
 }
 
 namespace {
+
+/// Three groups whose spreads about the line are `sd`; the second gains 0.5 more.
+Study unequal(Random& random, Shape shape, const std::array<int, 3>& sizes, const std::array<double, 3>& sd) {
+  Study out;
+  for (std::size_t g = 0; g < sizes.size(); ++g) {
+    out.before.push_back(sample(random, shape, sizes[g], 5.0));
+    out.after.emplace_back();
+    for (const double x : out.before.back()) {
+      out.after.back().push_back(0.8 * x + (g == 1 ? 0.5 : 0.0) + sd[g] * draw(random, shape));
+    }
+  }
+  return out;
+}
+
+/// Adds the intervals of the report's primary comparison.
+void addPrimaryCases(const std::string& size, const std::array<int, 3>& sizes,
+                     const std::array<double, 3>& sd, std::vector<Case>& all) {
+  constexpr std::array kTruths{-0.5, 0.0, 0.5};
+  all.push_back({"adjusted difference, HC3", size, [=](Random& random, Shape shape) {
+                   const Study of = unequal(random, shape, sizes, sd);
+                   return holds(concludedPairs(*ancova(of.before, of.after))[0].interval, kTruths[0]);
+                 }});
+  all.push_back({"adjusted difference, HC3, after Holm", size, [=](Random& random, Shape shape) {
+                   const Study of = unequal(random, shape, sizes, sd);
+                   return holds(concludedPairs(*ancova(of.before, of.after))[0].asHolm, kTruths[0]);
+                 }});
+  all.push_back({"all three differences, HC3, after Holm", size, [=](Random& random, Shape shape) {
+                   const Study of = unequal(random, shape, sizes, sd);
+                   const Outcome<Ancova> found = ancova(of.before, of.after);
+                   int all3 = 1;
+                   for (std::size_t i = 0; i < kTruths.size(); ++i) {
+                     all3 *= holds(concludedPairs(*found)[i].asHolm, kTruths[i]);
+                   }
+                   return all3;
+                 }});
+}
 
 /// Draws one of ten categories of a rating scale with thresholds from -2 to 2.
 int rated(Random& random, double level) {
@@ -233,6 +270,36 @@ void addReliabilityCases(std::vector<Case>& all) {
                          random, shape, static_cast<std::size_t>(targets), static_cast<std::size_t>(raters)));
                      return alpha ? holds(alpha->interval, 1.0 / (1.0 + 0.49 / k)) : -1;
                    }});
+  }
+}
+
+void addPrimaryComparisonCases(std::vector<Case>& all) {
+  addPrimaryCases("3 x 10", {10, 10, 10}, {0.6, 0.6, 0.6}, all);
+  addPrimaryCases("3 x 10, SD 0.3, 0.6, 0.9", {10, 10, 10}, {0.3, 0.6, 0.9}, all);
+  addPrimaryCases("5, 5, 5, SD 0.9, 0.6, 0.3", {5, 5, 5}, {0.9, 0.6, 0.3}, all);
+  addPrimaryCases("4, 12, 12, SD 0.9, 0.6, 0.3", {4, 12, 12}, {0.9, 0.6, 0.3}, all);
+  addPrimaryCases("3 x 40, SD 0.3, 0.6, 0.9", {40, 40, 40}, {0.3, 0.6, 0.9}, all);
+  for (const std::size_t k : {3U, 10U}) {
+    for (const bool mean : {false, true}) {
+      all.push_back({mean ? "dependability of the mean of all, within groups"
+                          : "dependability of one rater, within groups",
+                     "3 x 10 x " + std::to_string(k), [k, mean](Random& random, Shape shape) {
+                       const std::vector<double> severity =
+                           sample(random, shape, static_cast<int>(k), 0.0, 0.5);
+                       std::vector<NumberTable> groups(3, NumberTable(10, k));
+                       for (std::size_t g = 0; g < groups.size(); ++g) {
+                         for (std::size_t i = 0; i < 10; ++i) {
+                           const double level = 2.0 * static_cast<double>(g) + draw(random, shape);
+                           for (std::size_t r = 0; r < k; ++r) {
+                             groups[g].at(i, r) = level + severity[r] + 0.7 * draw(random, shape);
+                           }
+                         }
+                       }
+                       const double raters = mean ? static_cast<double>(k) : 1.0;
+                       const auto found = dependabilityInterval(*gStudyPRWithin(groups), raters);
+                       return found ? holds(*found, 1.0 / (1.0 + (0.25 + 0.49) / raters)) : -1;
+                     }});
+    }
   }
 }
 

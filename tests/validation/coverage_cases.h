@@ -64,5 +64,7 @@ void addReliabilityCases(std::vector<Case>& all);  ///< intraclass correlation
 void addRaterCases(std::vector<Case>& all);        ///< agreement and rater offsets
 void addMixedCase(std::vector<Case>& all);         ///< the difference with missing marks
 void addModelCases(std::vector<Case>& all);        ///< adjusted means and the mixed model
+void addPrimaryComparisonCases(
+    std::vector<Case>& all);  ///< as the first page and the raters' section have them
 
 }  // namespace torsio::coverage

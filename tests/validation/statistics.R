@@ -232,6 +232,20 @@ two_occasions <- function(name) {
   names(w) <- sub("score.", "", names(w), fixed = TRUE); w$group <- factor(w$group, unique(w$group)); w
 }
 separate <- function(name) lm(after ~ 0 + group + group:before, two_occasions(name))
+# Differences of the adjusted means with the errors of HC3 (car::hccm), all pairs in the order of the groups.
+robust <- function(name) {
+  w <- two_occasions(name); w$x <- w$before - mean(w$before)
+  m <- lm(after ~ 0 + group + x, w); k <- nlevels(w$group); v <- car::hccm(m, type = "hc3")
+  pairs <- t(combn(k, 2)); df <- df.residual(m)
+  d <- coef(m)[pairs[, 1]] - coef(m)[pairs[, 2]]
+  e <- apply(pairs, 1, function(i) sqrt(v[i[1], i[1]] + v[i[2], i[2]] - 2 * v[i[1], i[2]]))
+  p <- 2 * pt(-abs(d / e), df); holm <- p.adjust(p, "holm")
+  # The factor by which Holm's method multiplies p, at least that of its step (Ludbrook 2000).
+  o <- order(p); step <- largest <- p; step[o] <- rev(seq_along(p)); largest[o] <- cummax(step[o] * p[o])
+  factor <- pmax(step, largest / p)
+  data.frame(difference = d, error = e, t = d / e, p = p, p_holm = holm, df = df, reach = qt(0.975, df) * e,
+             holm_reach = qt(1 - 0.025 / factor, df) * e)
+}
 at_baseline <- function(name, a, b, deviations) {
   w <- two_occasions(name); m <- separate(name); k <- nlevels(w$group)
   x <- mean(w$before) + deviations * sd(w$before); l <- numeric(2 * k); l[c(a, b)] <- c(1, -1); l[k + c(a, b)] <- c(x, -x)

@@ -45,9 +45,9 @@ void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
   const TrainingResult training = readTraining(connection, StudyRepository(connection).cohorts().at(0).id);
   const std::vector<std::string> occasions = {"before", "after 20 min", "after 40 min"};
   std::map<std::pair<std::string, std::string>, std::string>
-      lines;  // of the last occasion, by trainee and rater
+      lines;  // of the first group at the last occasion, by trainee and rater
   for (const TrainingMark& mark : training.marks) {
-    if (mark.occasion == 2) {
+    if (mark.occasion == 2 && mark.group == 0) {
       lines[{mark.trainee, mark.rater}] = mark.trainee + "," + mark.rater + "," +
                                           formatExact(pointsFromSteps(mark.steps, training.scale)) + "\n";
     }
@@ -68,12 +68,21 @@ void equalThoseOfTheCommandsToTheLastDigit(const fs::path& folder) {
   ASSERT_EQ(compared.code, 0) << compared.err;
   const json ancova = json::parse(compared.out)["ancova"];
   EXPECT_EQ(report.at("comparison", "", "", "", occasions[2], "ancova_f"), ancova["statistic"].get<double>());
+  EXPECT_EQ(ancova["errors"], "HC3");
   for (const json& pair : ancova["pairs"]) {
     const std::string name =
         pair["groups"][0].get<std::string>() + " - " + pair["groups"][1].get<std::string>();
     EXPECT_EQ(report.at("comparison", name, "", "", occasions[2], "adjusted_difference"),
               pair["difference"].get<double>());
-    EXPECT_EQ(report.at("comparison", name, "", "", occasions[2], "p_holm"), pair["p_holm"].get<double>());
+    EXPECT_EQ(report.at("comparison", name, "", "", occasions[2], "robust_p_holm"),
+              pair["p_holm"].get<double>());
+    EXPECT_EQ(report.at("comparison", name, "", "", occasions[2], "p_holm"),
+              pair["pooled"]["p_holm"].get<double>());
+    for (const char* end : {"lower", "upper"}) {
+      EXPECT_EQ(report.at("comparison", name, "", "", occasions[2],
+                          std::string("robust_difference_holm_") + end + "_95"),
+                pair["interval_holm"][end].get<double>());
+    }
   }
 }
 
