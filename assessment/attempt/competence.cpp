@@ -16,7 +16,6 @@ namespace torsio {
 namespace {
 
 constexpr double kWatchShare = 0.5;
-constexpr std::int64_t kMaxRunsPerSession = 19;  // for which the probabilities are exact (cusum.cpp)
 constexpr double kMaxCorrelation = 0.9;
 constexpr std::int64_t kSessionPause_us = kDay_us / 4;
 
@@ -67,8 +66,8 @@ void requireSoundNumbers(const CompetenceDesign& design) {
   }
   requireCorrelation(design.sessionCorrelation, Text::tr("correlation of the runs of a session"));
   requireCorrelation(design.lagCorrelation, Text::tr("correlation of successive runs"));
-  if (design.runsPerSession < 1 || design.runsPerSession > kMaxRunsPerSession) {
-    throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 1 and %1", kMaxRunsPerSession),
+  if (design.runsPerSession < 1 || design.runsPerSession > kMaxCompetenceAttempts) {
+    throw Error(ErrorCode::kBadParameter, Text::tr("must lie between 1 and %1", kMaxCompetenceAttempts),
                 Text::tr("runs of a session"), Text::tr("Give as many as a trainee makes in a day"));
   }
   if (design.validDays < 0 || design.validDays > kMaxValidDays) {
@@ -227,7 +226,7 @@ void setDependence(CompetenceDesign& design, const EstimatedDependence& estimate
                         std::max(assumed.runsPerSession, estimated.runsOfSession)});
   design.sessionCorrelation = dependence.session;
   design.lagCorrelation = dependence.lag;
-  design.runsPerSession = std::min(dependence.perSession, kMaxRunsPerSession);
+  design.runsPerSession = std::min<std::int64_t>(dependence.perSession, kMaxCompetenceAttempts);
   design.dependenceRuns = estimated.dependence ? estimated.attempts : 0;
 }
 

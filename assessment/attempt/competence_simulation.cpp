@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -36,6 +38,7 @@ struct SimulatedRun {
   std::int64_t cutOff = 0;
   double force_N = 2.0;
   bool interrupted = false;
+  friend auto operator<=>(const SimulatedRun&, const SimulatedRun&) = default;
 };
 
 /// Judges a run by the rule that judges recordings.
@@ -54,6 +57,24 @@ RunOutcome outcomeOf(const SimulatedRun& run, const CompetenceDesign& design, co
   return run.interrupted ? RunOutcome::kInterrupted
                          : competenceOutcome(design, exercise, measures, exercise.tolerance_rad);
 }
+
+/// Judges each kind of run once.
+class Judge {
+ public:
+  Judge(const CompetenceDesign& design, const AttemptRules& exercise)
+      : design_(design), exercise_(exercise) {}
+
+  RunOutcome operator()(const SimulatedRun& run) {
+    const auto known = known_.find(run);
+    return known != known_.end() ? known->second
+                                 : known_.emplace(run, outcomeOf(run, design_, exercise_)).first->second;
+  }
+
+ private:
+  const CompetenceDesign& design_;
+  const AttemptRules& exercise_;
+  std::map<SimulatedRun, RunOutcome> known_;
+};
 
 /// Probability of more than `most` misses among `twists` twists that each miss with probability `rate`.
 double moreMisses(double rate, std::int64_t twists, std::int64_t most) {
@@ -190,12 +211,11 @@ constexpr std::array kScenarios{
              [](double f) { return leavingHand(f, false); }},
 };
 
-std::vector<CompetenceRun> runsOf(const CompetenceDesign& design, const AttemptRules& exercise, Hand hand,
-                                  Random& random) {
+std::vector<CompetenceRun> runsOf(std::int64_t count, Judge& judge, Hand hand, Random& random) {
   std::vector<CompetenceRun> runs;
-  for (std::int64_t number = 0; number < design.attempts; ++number) {
+  for (std::int64_t number = 0; number < count; ++number) {
     runs.push_back(
-        {.outcome = outcomeOf(hand(random, number), design, exercise),
+        {.outcome = judge(hand(random, number)),
          .startedUtc_us = number / kRunsPerDay * kDay_us + number % kRunsPerDay * kBetweenRuns_us});
   }
   return runs;
@@ -206,10 +226,11 @@ std::vector<SessionOutcomes> simulatedCentre(const Scenario& scenario, const Com
                                              const AttemptRules& exercise, std::int64_t people,
                                              Random& random) {
   std::vector<SessionOutcomes> centre;
+  Judge judge(design, exercise);
   for (const double rate : kStatedFailureRates) {
     const Hand hand = scenario.hand(rate);
     for (std::int64_t person = 0; person < people; person += std::ssize(kStatedFailureRates)) {
-      centre.push_back(sessionsOf(runsOf(design, exercise, hand, random)));
+      centre.push_back(sessionsOf(runsOf(design.attempts, judge, hand, random)));
     }
   }
   return centre;
@@ -219,9 +240,10 @@ SimulatedShare simulatedShare(const Scenario& scenario, const CompetenceDesign& 
                               const AttemptRules& exercise, double failureRate, std::int64_t trainees,
                               Random& random) {
   const Hand hand = scenario.hand(failureRate);
+  Judge judge(design, exercise);
   std::int64_t declared = 0;
   for (std::int64_t trainee = 0; trainee < trainees; ++trainee) {
-    const std::vector<CompetenceRun> runs = runsOf(design, exercise, hand, random);
+    const std::vector<CompetenceRun> runs = runsOf(design.attempts, judge, hand, random);
     declared += judgeAttempts(design, failedAttempts(runs)).ableAt ? 1 : 0;
   }
   return {.failureRate = failureRate,

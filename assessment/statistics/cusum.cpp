@@ -244,30 +244,34 @@ struct SessionRate {
 };
 
 /// Returns nodes and weights of the beta distribution of a session's rate by Gauss-Jacobi quadrature (Golub
-/// and Welsch): exact for sessions of up to 2 kNodes - 1 attempts.
-std::vector<SessionRate> sessionRates(double failureRate, const AttemptDependence& dependence) {
+/// and Welsch): exact, as n nodes integrate polynomials of degree 2 n - 1 and a session of so many attempts
+/// is one of the rate.
+std::vector<SessionRate> sessionRates(double failureRate, const AttemptDependence& dependence,
+                                      std::size_t attempts) {
   if (dependence.session <= 0.0 || dependence.perSession <= 1 || failureRate <= 0.0 || failureRate >= 1.0) {
     return {{failureRate, 1.0}};
   }
-  constexpr int kNodes = 10;
+  const auto longest = std::min<std::int64_t>(dependence.perSession, static_cast<std::int64_t>(attempts));
+  const auto nodes = static_cast<Eigen::Index>(longest / 2 + 1);
   const double precision = (1.0 - dependence.session) / dependence.session;
   const double a = (1.0 - failureRate) * precision - 1.0;  // exponent of 1 - t
   const double b = failureRate * precision - 1.0;          // exponent of 1 + t
-  Eigen::VectorXd diagonal(kNodes);
-  Eigen::VectorXd beside(kNodes - 1);
+  Eigen::VectorXd diagonal(nodes);
+  Eigen::VectorXd beside(nodes - 1);
   diagonal[0] = (b - a) / (a + b + 2.0);
-  for (int n = 1; n < kNodes; ++n) {
+  for (Eigen::Index i = 1; i < nodes; ++i) {
+    const auto n = static_cast<double>(i);
     const double twice = 2.0 * n + a + b;
-    diagonal[n] = (b * b - a * a) / (twice * (twice + 2.0));
+    diagonal[i] = (b * b - a * a) / (twice * (twice + 2.0));
     const double squared =
-        n == 1 ? 4.0 * (1.0 + a) * (1.0 + b) / (twice * twice * (twice + 1.0))
+        i == 1 ? 4.0 * (1.0 + a) * (1.0 + b) / (twice * twice * (twice + 1.0))
                : 4.0 * n * (n + a) * (n + b) * (n + a + b) / (twice * twice * (twice + 1.0) * (twice - 1.0));
-    beside[n - 1] = std::sqrt(squared);
+    beside[i - 1] = std::sqrt(squared);
   }
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
   solver.computeFromTridiagonal(diagonal, beside);
   std::vector<SessionRate> rates;
-  for (int i = 0; i < kNodes; ++i) {
+  for (Eigen::Index i = 0; i < nodes; ++i) {
     const double first = solver.eigenvectors()(0, i);
     rates.push_back({std::clamp(0.5 * (1.0 + solver.eigenvalues()[i]), 0.0, 1.0), first * first});
   }
@@ -281,7 +285,7 @@ class Course {
   Course(const LcCusumDesign& design, double failureRate, std::size_t attempts, bool watched)
       : lag_(design.dependence.lag),
         perSession_(std::max<std::int64_t>(1, design.dependence.perSession)),
-        rates_(sessionRates(failureRate, design.dependence)),
+        rates_(sessionRates(failureRate, design.dependence, attempts)),
         watched_(watched),
         all_(startOf(design, failureRate, attempts, watched)) {
     TORSIO_EXPECTS(lag_ >= 0.0 && lag_ < 1.0 && design.dependence.session >= 0.0 &&

@@ -97,7 +97,7 @@ CompetenceDesign dependent(double session, double lag, std::int64_t perSession) 
 TEST(Competence, SimulatedErrorRatesMatchThePrintedOnes) {
   for (const CompetenceDesign& design :
        {shipped(), designOf(0.1, 0.4, 30, 0.05), designOf(0.05, 0.2, 100, 0.01), dependent(0.0, 0.4, 1),
-        dependent(0.3, 0.0, 10), dependent(0.2, 0.2, 3)}) {
+        dependent(0.3, 0.0, 10), dependent(0.2, 0.2, 3), dependent(0.15, 0.0, 40)}) {
     const CompetenceErrors errors = competenceErrors(design, design.attempts);
     const double pass = declaredAble(design, design.inadequate, design.attempts);
     const double fail = 1.0 - declaredAble(design, design.adequate, design.attempts);
@@ -204,7 +204,8 @@ TEST(Competence, DesignsThatMissTheirRatesAreRejected) {
   refused([](CompetenceDesign& d) { d.tolerance_rad = 0.0; });
   refused([](CompetenceDesign& d) { d.sessionCorrelation = -0.1; });
   refused([](CompetenceDesign& d) { d.lagCorrelation = 1.0; });
-  refused([](CompetenceDesign& d) { d.runsPerSession = 20; });
+  refused([](CompetenceDesign& d) { d.runsPerSession = 0; });
+  refused([](CompetenceDesign& d) { d.runsPerSession = kMaxCompetenceAttempts + 1; });
   refused([](CompetenceDesign& d) { d.validDays = -1; });
   refused([](CompetenceDesign& d) { d.attempts = 2; });  // two runs cannot suffice at 2.5 %
   // Rates of an earlier report within 50 independent attempts: half of the competent would not pass.
