@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "assessment/results/analysis_tables.h"
@@ -19,18 +20,37 @@ namespace {
 
 using enum ResultSection;
 
-void addCoefficients(ResultWriter& rows, const Outcome<IccResult>& icc, std::int64_t trainees,
-                     std::int64_t n) {
-  if (icc) {
-    rows.addInterval("icc_2_1", icc->agreementSingle.estimate, icc->agreementSingle.interval, n);
-    rows.addInterval("icc_2_k", icc->agreementMean.estimate, icc->agreementMean.interval, n);
-    rows.add("sem_agreement", icc->semAgreement, n);
-    rows.add("sem_of_mean", icc->semMean, n);
+/// Adds the coefficients of a group by itself.
+void addCoefficients(ResultWriter& rows, const GroupAgreement& of) {
+  if (of.icc) {
+    rows.addInterval("icc_2_1", of.icc->agreementSingle.estimate, of.icc->agreementSingle.interval,
+                     of.trainees);
+    rows.addInterval("icc_2_k", of.icc->agreementMean.estimate, of.icc->agreementMean.interval, of.trainees);
+    rows.add("sem_agreement", of.icc->semAgreement, of.trainees);
+    rows.add("sem_of_mean", of.icc->semMean, of.trainees);
   } else {
-    rows.put("icc_2_1", Undefined{icc.reason()}, n);
-    rows.put("icc_2_k", Undefined{icc.reason()}, n);
+    rows.put("icc_2_1", Undefined{of.icc.reason()}, of.trainees);
+    rows.put("icc_2_k", Undefined{of.icc.reason()}, of.trainees);
   }
-  rows.addCount("trainees_with_every_mark", trainees, n);
+  rows.addCount("trainees_with_every_mark", of.trainees, of.trainees);
+}
+
+/// Adds the dependability of one rater and of the mean of all, within the groups.
+void addWithin(ResultWriter& rows, const OccasionMarks& at) {
+  const std::int64_t n = at.completeTrainees;
+  const auto all = static_cast<double>(std::max<std::size_t>(1, at.present.size()));
+  for (const auto& [name, sem, raters] : {std::tuple("dependability_of_one_rater", "sem_agreement", 1.0),
+                                          std::tuple("dependability_of_all_raters", "sem_of_mean", all)}) {
+    const Outcome<DStudy> of =
+        at.within ? dStudyPR(*at.within, raters) : Outcome<DStudy>::undefined(at.within.reason());
+    if (of) {
+      rows.addInterval(name, of->dependability, dependabilityInterval(*at.within, raters), n);
+      rows.add(sem, std::sqrt(of->absoluteError), n);
+    } else {
+      rows.put(name, Undefined{of.reason()}, n);
+    }
+  }
+  rows.addCount("trainees_with_every_mark", n, n);
 }
 
 /// Adds pairwise agreement of the raters in whole points.
@@ -56,15 +76,16 @@ void addPoints(ResultWriter& rows, const PointAgreement& points) {
 /// Adds how many raters are needed: variance components, and the result for each number of raters.
 void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   const RatersNeeded& needed = study.needed;
-  if (!needed.components) {
+  const Outcome<GStudy>& components = study.occasions.back().within;
+  if (!components) {
     return;
   }
   ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in),
                     {"complete cases"});
   rows.madeOf = partsOf({marksAt(lastOf(in))});
-  rows.add("variance_of_trainees", needed.components->at("p").variance, needed.marks);
-  rows.add("variance_of_raters", needed.components->at("r").variance, needed.marks);
-  rows.add("variance_of_rest", needed.components->at("pr").variance, needed.marks);
+  rows.add("variance_of_trainees", components->at("p").variance, needed.marks);
+  rows.add("variance_of_raters", components->at("r").variance, needed.marks);
+  rows.add("variance_of_rest", components->at("pr").variance, needed.marks);
   for (const auto& [name, fewest] :
        {std::pair("raters_needed", needed.fewest), {"raters_needed_by_estimate", needed.fewestByEstimate}}) {
     rows.add(name, fewest ? std::optional(static_cast<double>(*fewest)) : std::nullopt, needed.marks);
@@ -105,16 +126,15 @@ void addRasch(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger
   }
 }
 
-/// Adds agreement at each occasion: overall, with missing marks if there are any, and within each group.
+/// Adds agreement at each occasion: within the groups, with missing marks if there are any, and in each
+/// group.
 void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   for (std::size_t t = 0; t < study.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
     ResultWriter rows(ledger, {.section = kAgreement, .occasion = t}, commonFlags(in),
                       flagIf(at.missing > 0, "marks missing"));
     rows.madeOf = partsOf({marksAt(t)});
-    addCoefficients(rows, at.icc, at.completeTrainees, at.completeTrainees);
-    addPoints(rows, at.points);
-    rows.add("krippendorff_alpha_interval", at.alpha, &KrippendorffResult::alpha, at.n);
+    addWithin(rows, at);
     if (at.missing > 0) {
       rows.addCount("trainees_with_marks", std::ssize(at.marks), at.n);
       rows.add("reml_one_rater", at.reliability, &IncompleteReliability::single, at.n);
@@ -125,7 +145,8 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& le
     for (const GroupAgreement& of : at.groups) {
       rows.place.group = of.group;
       rows.madeOf = partsOf({marksAt(t, of.group)});
-      addCoefficients(rows, of.icc, of.trainees, of.trainees);
+      addCoefficients(rows, of);
+      addPoints(rows, of.points);
     }
   }
 }

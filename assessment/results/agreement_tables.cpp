@@ -16,18 +16,17 @@ constexpr int kAgreementDecimals = 3;
 }  // namespace
 
 ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
-  ReportTable table =
-      itemOf<ReportTable>(in, "table-agreement", Text::tr("Agreement of the raters at each occasion"),
-                          Text::tr("Shrout and Fleiss ICC(2,1), ICC(2,k); Krippendorff alpha"));
+  ReportTable table = itemOf<ReportTable>(
+      in, "table-agreement", Text::tr("Agreement of the raters within the groups, at each occasion"),
+      Text::tr("G-study of trainees x raters within groups"));
   ResultTable rows(
       ledger, table,
       {{Text::tr("Occasion")},
        {Text::tr("Trainees"), "trainees_with_every_mark"},
-       {Text::tr("ICC(2,1) [95 %]"), "icc_2_1", kWithInterval},
-       {Text::tr("ICC(2,k) [95 %]"), "icc_2_k", kWithInterval},
+       {Text::tr("Dependability of one rater [95 %]"), "dependability_of_one_rater", kWithInterval},
+       {Text::tr("Dependability of the mean of all [95 %]"), "dependability_of_all_raters", kWithInterval},
        {Text::tr("SEM of one rater (points)"), "sem_agreement", fixed(kAgreementDecimals)},
-       {Text::tr("SEM of the mean (points)"), "sem_of_mean", fixed(kAgreementDecimals)},
-       {Text::tr("Krippendorff alpha"), "krippendorff_alpha_interval", fixed(kAgreementDecimals)}});
+       {Text::tr("SEM of the mean (points)"), "sem_of_mean", fixed(kAgreementDecimals)}});
   bool holes = false;
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
@@ -44,30 +43,29 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study, c
                           cell("reml_one_rater", fixed(kAgreementDecimals)),
                           cell("reml_mean", fixed(kAgreementDecimals)),
                           cell("reml_sem_of_one_rater", fixed(kAgreementDecimals)),
-                          cell("reml_sem_of_mean", fixed(kAgreementDecimals)), ""});
+                          cell("reml_sem_of_mean", fixed(kAgreementDecimals))});
   }
   table.notes = {
-      holes
-          ? Text::tr("ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the "
-                     "mean over all, which is the reported score of who has a mark of each.")
-          : Text::tr("ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the "
-                     "mean over all, which is the reported score."),
-      Text::tr("Alpha with the interval metric. A group that is much alike gives a low coefficient even when "
-               "raters agree well: look at the standard error of measurement (SEM)."),
-      Text::tr("The intervals assume normal scores. With strongly skewed scores they include the true "
-               "coefficient in about four of five cases, not in 95 %.")};
+      Text::tr("Dependability: share of the variance of a mark, or of the mean over all raters, that is due "
+               "to the trainee; in a single group the intraclass correlations for absolute agreement, "
+               "ICC(2,1) and ICC(2,k). Raters count as a random sample. Differences between the groups do "
+               "not count: an effect of the training would make raters look more alike."),
+      Text::tr("A group that is much alike gives a low coefficient even when raters agree well: look at the "
+               "standard error of measurement (SEM). The intervals assume normal scores. With strongly "
+               "skewed scores they include the true coefficient in about four of five cases, not in 95 %.")};
   if (holes) {
     table.notes.push_back(Text::tr(
         "Marks are missing: the first line of an occasion is made from the trainees whom every rater "
-        "scored, the second from every mark, with variances by restricted maximum likelihood."));
+        "scored, the second from every mark, with variances by restricted maximum likelihood and without "
+        "an interval."));
   }
   return table;
 }
 
 ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
-  ReportTable table =
-      itemOf<ReportTable>(in, "table-agreement-groups", Text::tr("Agreement of the raters within each group"),
-                          Text::tr("Shrout and Fleiss ICC(2,1), ICC(2,k), each group alone"));
+  ReportTable table = itemOf<ReportTable>(in, "table-agreement-groups",
+                                          Text::tr("Agreement of the raters in each group alone"),
+                                          Text::tr("Shrout and Fleiss ICC(2,1), ICC(2,k), each group alone"));
   table.annex = true;
   ResultTable rows(ledger, table,
                    {{Text::tr("Occasion")},
@@ -84,19 +82,17 @@ ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& st
                {.section = ResultSection::kAgreement, .group = of.group, .occasion = t});
     }
   }
-  table.notes = {
-      Text::tr("Differences between the groups make raters agree in the table above. This table shows what "
-               "counts for comparing trainees of one group.")};
   return table;
 }
 
 ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
   ReportTable table = itemOf<ReportTable>(
       in, "table-kappa", Text::tr("Agreement of the raters in whole points, pair by pair"),
-      Text::tr("Cohen's kappa with quadratic weights; marks rounded to whole points"));
+      Text::tr("Cohen's kappa with quadratic weights, each group alone; marks rounded to whole points"));
   table.annex = true;
   ResultTable rows(ledger, table,
                    {{Text::tr("Occasion")},
+                    {Text::tr("Group")},
                     {Text::tr("Pairs of raters"), "rater_pairs"},
                     {Text::tr("Marks compared"), "rater_pairs", kValues},
                     {Text::tr("Kappa, median (lowest to highest)")},
@@ -105,15 +101,17 @@ ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     table.provenance.n += study.occasions[t].n;
     table.provenance.missing += study.occasions[t].missing;
-    const ResultKey place{.section = ResultSection::kAgreement, .occasion = t};
-    const ResultsAt cell(ledger, place);
-    ReportCell kappa = cell("kappa_quadratic_median", fixed(kAgreementDecimals));
-    if (cell.number("kappa_quadratic_median")) {
-      static_cast<Text&>(kappa) = Text::tr(
-          "%1 (%2 to %3)", kappa.words(), cell("kappa_quadratic_lowest", fixed(kAgreementDecimals)).words(),
-          cell("kappa_quadratic_highest", fixed(kAgreementDecimals)).words());
+    for (std::size_t g = 0; g < in.groups.size(); ++g) {
+      const ResultKey place{.section = ResultSection::kAgreement, .group = g, .occasion = t};
+      const ResultsAt cell(ledger, place);
+      ReportCell kappa = cell("kappa_quadratic_median", fixed(kAgreementDecimals));
+      if (cell.number("kappa_quadratic_median")) {
+        static_cast<Text&>(kappa) = Text::tr(
+            "%1 (%2 to %3)", kappa.words(), cell("kappa_quadratic_lowest", fixed(kAgreementDecimals)).words(),
+            cell("kappa_quadratic_highest", fixed(kAgreementDecimals)).words());
+      }
+      rows.row({in.occasions[t], in.groups[g].name, kappa}, place);
     }
-    rows.row({in.occasions[t], kappa}, place);
   }
   table.notes = {
       Text::tr("Kappa is agreement beyond chance; distances count by their square. If one pair is far below "
@@ -123,21 +121,22 @@ ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const
 
 std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyAnalysis& study,
                                             const Ledger& ledger) {
-  ReportFigure figure =
-      itemOf<ReportFigure>(in, "figure-agreement", Text::tr("Agreement of the raters with 95 % intervals"),
-                           Text::tr("Shrout and Fleiss ICC(2,1), ICC(2,k)"));
+  ReportFigure figure = itemOf<ReportFigure>(
+      in, "figure-agreement", Text::tr("Agreement of the raters within the groups, with 95 % intervals"),
+      Text::tr("G-study of trainees x raters within groups"));
   figure.kind = FigureKind::kForest;
-  figure.yLabel = Text::tr("intraclass correlation");
-  FigureSeries one{.name = Text::tr("ICC(2,1), one rater")};
-  FigureSeries mean{.name = Text::tr("ICC(2,k), mean of all raters")};
+  figure.yLabel = Text::tr("dependability");
+  FigureSeries one{.name = Text::tr("one rater")};
+  FigureSeries mean{.name = Text::tr("mean of all raters")};
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = t});
-    if (at.find("icc_2_1_95") == nullptr || at.find("icc_2_k_95") == nullptr) {
+    if (at.find("dependability_of_one_rater_95") == nullptr ||
+        at.find("dependability_of_all_raters_95") == nullptr) {
       continue;
     }
     figure.categories.push_back(in.occasions[t]);
-    addPoint(one, at, "icc_2_1", true);
-    addPoint(mean, at, "icc_2_k", true);
+    addPoint(one, at, "dependability_of_one_rater", true);
+    addPoint(mean, at, "dependability_of_all_raters", true);
     figure.provenance.n += study.occasions[t].n;
     figure.provenance.missing += study.occasions[t].missing;
   }

@@ -2,10 +2,8 @@
 // What stands against the answer on the first page, or limits it.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -14,6 +12,7 @@
 #include "assessment/results/record_sentences.h"
 #include "assessment/results/report_labels.h"
 #include "assessment/results/report_sections.h"
+#include "assessment/results/same_marks.h"
 #include "assessment/results/study_analysis.h"
 #include "sim/core/text.h"
 
@@ -23,9 +22,18 @@ namespace {
 
 constexpr double kManyWithdrew = 0.2;
 
+using Sentences = std::vector<ReportParagraph>;
+
+/// By what they stand against, the most serious first.
+struct Reservations {
+  Sentences data{};      ///< doubts about the data
+  Sentences rivals{};    ///< what else could explain a difference
+  Sentences missing{};   ///< missing data
+  Sentences analysis{};  ///< how the answer was reached
+};
+
 /// Adds whether the answer is not that of a planned analysis of covariance, and why.
-void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger,
-               std::vector<ReportParagraph>& out) {
+void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger, Sentences& out) {
   if (!in.hasAnalysisPlan() && study.primaryMethod() != PrimaryMethod::kNone) {
     out.emplace_back(Text(Text::tr(
         "No plan of the analysis is in the record: nothing shows that it was chosen before the data were "
@@ -77,7 +85,7 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
 }
 
 /// Names raters whose severity cannot be told from what the training did.
-void addRatersOfSomeGroups(const CohortInputs& in, const Ledger& ledger, std::vector<ReportParagraph>& out) {
+void addRatersOfSomeGroups(const CohortInputs& in, const Ledger& ledger, Sentences& out) {
   if (const std::vector<std::string> codes = ratersOfSomeGroups(in); !codes.empty()) {
     out.push_back(ratersOfSomeGroupsSentence(in, codes, ledger));
   }
@@ -109,47 +117,32 @@ std::optional<ReportParagraph> unlikeBefore(const CohortInputs& in, const Ledger
   return out;
 }
 
-/// Names trainees who have the same marks throughout.
+/// Names trainees whose marks are the same, or nearly so.
 std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study) {
-  constexpr std::size_t kFewMarks = 6;  // that many are alike by chance
-  std::map<std::vector<std::optional<double>>, std::vector<Text>> alike;
-  for (std::size_t i = 0; i < study.trainees.size(); ++i) {
-    std::vector<std::optional<double>> all;
-    std::set<double> different;
-    for (const OccasionMarks& occasion : study.occasions) {
-      for (const std::optional<double>& mark : occasion.marks[i]) {
-        all.push_back(mark);
-        if (mark) {
-          different.insert(*mark);
-        }
-      }
-    }
-    const auto given = static_cast<std::size_t>(std::count_if(
-        all.begin(), all.end(), [](const std::optional<double>& mark) { return mark.has_value(); }));
-    if (different.size() > 2 &&
-        given > kFewMarks) {  // constant marks are alike without being the same person
-      alike[std::move(all)].emplace_back(study.trainees[i]);
-    }
-  }
-  std::vector<Text> pairs;
-  std::size_t people = 0;
-  for (const auto& [marks, codes] : alike) {
-    if (codes.size() > 1) {
-      pairs.push_back(listed(codes, Text::tr("%1 and %2")));
-      people += codes.size();
-    }
-  }
-  if (pairs.empty()) {
+  const std::vector<AlikeTrainees> alike = traineesMarkedAlike(study.trainees, study.occasions);
+  if (alike.empty()) {
     return std::nullopt;
   }
+  if (in.identity == ReportIdentity::kAggregated) {
+    return Text::tr(
+        "%1 {pair of trainees has|pairs of trainees have} more marks in common than chance gives two "
+        "trainees "
+        "of equal skill: check whether somebody was entered twice.",
+        alike.size());
+  }
+  std::vector<Text> pairs;
+  for (const AlikeTrainees& pair : alike) {
+    pairs.push_back(Text::tr("%1 and %2 in %3 of %4", pair.first, pair.second, pair.same, pair.shared));
+  }
   return Text::tr(
-      "%1 have the same mark from every rater at every occasion: check whether somebody was entered twice.",
-      in.identity == ReportIdentity::kAggregated ? Text::tr("%1 trainees", people)
-                                                 : listed(pairs, Text::tr("%1; %2")));
+      "More marks are the same than chance gives two trainees of equal skill (same rater, same occasion): "
+      "%1. "
+      "Check whether somebody was entered twice.",
+      listed(pairs, Text::tr("%1; %2")));
 }
 
 /// Adds how many withdrew if they are many.
-void addWithdrawn(const CohortInputs& in, const Ledger& ledger, std::vector<ReportParagraph>& out) {
+void addWithdrawn(const CohortInputs& in, const Ledger& ledger, Sentences& out) {
   const ResultsAt people(ledger, {.section = ResultSection::kParticipants});
   const double everybody = people.number("trainees").value_or(0.0);
   const double withdrew = people.number("withdrew").value_or(0.0);
@@ -184,7 +177,7 @@ void addWithdrawn(const CohortInputs& in, const Ledger& ledger, std::vector<Repo
 }
 
 /// Adds where recorded runs contradict the minutes that somebody noted, or the plan.
-void addContradictions(const CohortInputs& in, const Ledger& ledger, std::vector<ReportParagraph>& out) {
+void addContradictions(const CohortInputs& in, const Ledger& ledger, Sentences& out) {
   if (!knowsPlanAndTimes(in)) {
     return;
   }
@@ -210,16 +203,15 @@ void addContradictions(const CohortInputs& in, const Ledger& ledger, std::vector
 }
 
 /// Adds what the data lack.
-void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger,
-             std::vector<ReportParagraph>& out) {
+void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger, Reservations& out) {
   if (in.freeze && !in.freeze->unchanged) {
-    out.emplace_back(
+    out.data.emplace_back(
         Text::tr("The record has changed since it was frozen as \"%1\": these results are computed from the "
                  "record as it is now, not from the frozen data.",
                  in.freeze->name));
   }
   if (in.freeze && in.freeze->interim()) {
-    out.emplace_back(Text::tr(
+    out.data.emplace_back(Text::tr(
         "Interim: these data were frozen when %1 of %2 sheets were in (%3). %4 Looking at results "
         "before the end of a study makes false findings more likely.",
         in.freeze->sheetsSubmitted, in.freeze->sheetsAsked, in.freeze->whyIncomplete,
@@ -228,23 +220,24 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
             : Text::tr("%1 asked for this look, and %2 agreed.", in.freeze->askedBy, in.freeze->frozenBy)));
   }
   if (in.imported) {
-    out.emplace_back(Text::tr(
+    out.data.emplace_back(Text::tr(
         "This study was imported: %1. How its marks (%2) were given, its recordings (%3) made and its "
         "groups drawn is not in this record.",
         importSentence(*in.imported), in.imported->marks, in.imported->recordings));
   }
   if (in.sites.size() > 1) {
-    out.emplace_back(
+    out.rivals.emplace_back(
         Text::tr("The data of %1 centres were pooled (%2). No analysis takes account of the centre: how far "
                  "the answer "
                  "differs between them is not shown.",
                  in.sites.size(), listed(std::vector<Text>(in.sites.begin(), in.sites.end()))));
   }
-  addWithdrawn(in, ledger, out);
-  addContradictions(in, ledger, out);
+  addWithdrawn(in, ledger, out.missing);
+  addContradictions(in, ledger, out.data);
   const bool compared = study.primaryMethod() != PrimaryMethod::kNone;
   if (const std::vector<Text> groups = groupsNotCompared(in, study); !groups.empty()) {
-    out.emplace_back(Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
+    out.missing.emplace_back(
+        Text::tr("Not compared, as nobody has a score at both occasions: %1.", listed(groups)));
   }
   std::vector<Text> single;
   for (std::size_t g = 0; g < study.ends.after.size(); ++g) {
@@ -253,25 +246,26 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
     }
   }
   if (!single.empty()) {
-    out.emplace_back(
+    out.rivals.emplace_back(
         Text::tr("A single trainee has a score at both occasions in: %1. Its differences rest on one person; "
                  "how much trainees of a group vary is taken from the other groups.",
                  listed(single)));
   }
   if (std::optional<ReportParagraph> unlike = unlikeBefore(in, ledger)) {
-    out.push_back(std::move(*unlike));
+    out.rivals.push_back(std::move(*unlike));
   }
   if (std::optional<Text> same = sameMarks(in, study)) {
-    out.emplace_back(std::move(*same));
+    out.data.emplace_back(std::move(*same));
   }
   const ResultsAt at = resultsAtEnd(in, ledger);
   if (at.number("pairs_left_open").value_or(0.0) > 0.0 && compared) {
     const ReportCell open = at("pairs_left_open");
     const ReportCell pairs = at("pairs_left_open", kValues);
-    out.push_back({Text::tr("The missing marks could, at worst, leave open which group is better in %1 of %2 "
-                            "{comparison|comparisons}.",
-                            open.words(), pairs.words()),
-                   {open, pairs}});
+    out.missing.push_back(
+        {Text::tr("The missing marks could, at worst, leave open which group is better in %1 of %2 "
+                  "{comparison|comparisons}.",
+                  open.words(), pairs.words()),
+         {open, pairs}});
   }
 }
 
@@ -279,10 +273,17 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
 
 std::vector<ReportParagraph> reservations(const CohortInputs& in, const StudyAnalysis& study,
                                           const Ledger& ledger) {
-  std::vector<ReportParagraph> out;
-  addData(in, study, ledger, out);
-  addRatersOfSomeGroups(in, ledger, out);
-  addMethod(in, study, ledger, out);
+  Reservations found;
+  addRatersOfSomeGroups(in, ledger, found.rivals);
+  addData(in, study, ledger, found);
+  addMethod(in, study, ledger, found.analysis);
+  Sentences out;
+  for (Sentences* kind : {&found.data, &found.rivals, &found.missing, &found.analysis}) {
+    for (ReportParagraph& sentence : *kind) {
+      sentence.reservation = true;
+      out.push_back(std::move(sentence));
+    }
+  }
   return out;
 }
 

@@ -301,7 +301,9 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   figure.references = {{0.0, Text::tr("no difference")}};
   figure.provenance.n = study.mixed ? static_cast<std::int64_t>(study.mixed->marks) : comparedTrainees(study);
   figure.provenance.missing = study.endMissing;
-  figure.notes = {Text::tr("Intervals are adjusted for the number of pairs, as the p values are (Holm).")};
+  figure.notes = {Text::tr(
+      "Intervals are adjusted for the number of pairs, as the p values are (Holm): one excludes zero "
+      "exactly where p is below 0.05.")};
   return figure;
 }
 

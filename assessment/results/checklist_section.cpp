@@ -253,18 +253,23 @@ ReportTable checklist(const std::string& id, const Text& title, Items items, con
 
 }  // namespace
 
-ReportSection checklistSection(const CohortInputs& in, const ReportModel& report) {
-  ReportSection section{"checklists", Text::tr("Study and checklists")};
+ReportSection statementsSection(const CohortInputs& in) {
+  ReportSection section{"statements", Text::tr("Study")};
   section.tables = {statementsTable(in)};
-  const Text statements = section.tables.front().title;
-  section.tables.push_back(checklist("table-checklist-consort", Text::tr("CONSORT 2025: a randomised study"),
-                                     kConsort, in, report, statements));
-  section.tables.push_back(checklist("table-checklist-grras",
-                                     Text::tr("GRRAS 2011: reliability and agreement"), kGrras, in, report,
-                                     statements));
-  section.tables.push_back(checklist("table-checklist-simulation",
-                                     Text::tr("Cheng et al. 2016: research by simulation"), kSimulation, in,
-                                     report, statements));
+  return section;
+}
+
+ReportSection checklistSection(const CohortInputs& in, const ReportModel& report) {
+  ReportSection section{"checklists", Text::tr("Checklists")};
+  section.startsPage = true;
+  const Text statements = titleIn(report, "table-statements");
+  section.tables = {
+      checklist("table-checklist-consort", Text::tr("CONSORT 2025: a randomised study"), kConsort, in, report,
+                statements),
+      checklist("table-checklist-grras", Text::tr("GRRAS 2011: reliability and agreement"), kGrras, in,
+                report, statements),
+      checklist("table-checklist-simulation", Text::tr("Cheng et al. 2016: research by simulation"),
+                kSimulation, in, report, statements)};
   return section;
 }
 

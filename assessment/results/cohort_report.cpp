@@ -192,6 +192,7 @@ ReportModel reportOf(const CohortInputs& in, const std::optional<StudyAnalysis>&
   report.sections.push_back(methodsSection(in, study ? *study : StudyAnalysis{}, ledger));
   report.sections.push_back(provenanceSection(in, ledger));
   if (!in.trainees.empty()) {
+    report.sections.push_back(statementsSection(in));
     report.sections.push_back(checklistSection(in, report));
   }
   for (ReportSection& section : report.sections) {
@@ -207,6 +208,8 @@ void moveToAnnex(ReportModel& report) {
   std::vector<ReportSection> annex;
   for (ReportSection& section : report.sections) {
     ReportSection rest{"annex-" + section.id, Text::tr("Annex: %1", section.title)};
+    rest.annex = true;
+    rest.startsPage = section.startsPage;
     const auto move = [](auto& from, auto& to) {
       const auto kept =
           std::stable_partition(from.begin(), from.end(), [](const auto& item) { return !item.annex; });

@@ -177,6 +177,7 @@ struct CohortCompetence {
   Text design;                     ///< as text
   Text errors;                     ///< the rates as text, within the runs planned
   std::vector<TrialId> runs{};     ///< the attempts, oldest first
+  std::vector<TrialId> excused{};  ///< interrupted runs that do not count, oldest first
 };
 
 /// A rater's signature of one mark.

@@ -187,7 +187,9 @@ void addVerdicts(const CohortInputs& in, Ledger& ledger) {
   std::int64_t fewest = in.competence.front().fewestAttempts;
   std::int64_t tooFew = 0;
   std::map<std::string, double> missed;  // by trainee: one exercise is enough for not being competent at all
+  std::int64_t excused = 0;
   for (const CohortCompetence& one : in.competence) {
+    excused += std::ssize(one.excused);
     falsePass = std::max(falsePass, one.falsePass);
     most = std::max(most, one.attempts);
     fewest = std::min(fewest, one.fewestAttempts);
@@ -207,6 +209,8 @@ void addVerdicts(const CohortInputs& in, Ledger& ledger) {
   rows.addCount("verdicts_on_too_few_runs", tooFew, verdicts);
   rows.add("false_pass_at_most", falsePass, verdicts);
   rows.add("false_fail_at_most", falseFail, verdicts);
+  rows.madeOf = partsOf({ResultPattern{.section = kCompetence, .statistic = "excused_runs", .of = kEach}});
+  rows.addCount("excused_runs", excused, excused);
 }
 
 void addCompetence(const CohortInputs& in, Ledger& ledger) {
@@ -220,6 +224,12 @@ void addCompetence(const CohortInputs& in, Ledger& ledger) {
     for (const TrialId& run : one.runs) {
       parts.emplace_back(RecordRef{RecordKind::kRecording, run.text()});
     }
+    std::vector<ResultPart> withExcused = parts;
+    for (const TrialId& run : one.excused) {
+      withExcused.emplace_back(RecordRef{RecordKind::kRecording, run.text()});
+    }
+    rows.madeOf = partsOf(std::move(withExcused));
+    rows.addCount("excused_runs", std::ssize(one.excused), one.attempts + std::ssize(one.excused));
     rows.madeOf = partsOf(std::move(parts));
     rows.put("level", one.level, one.attempts);
     rows.addCount("failed", one.failed, one.attempts);

@@ -214,12 +214,17 @@ void addEquivalence(const CohortInputs& in, const StudyAnalysis& study, std::int
   placeAtAll(rows);
 }
 
-/// Adds the difference of each pair that the primary comparison detects with a power of kWantedPower.
+/// Adds the difference of each pair that the primary comparison detects with a power of kWantedPower,
+/// whatever the other pairs are: at the level of Holm's first step.
 void addDetectable(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
-  for (const PrimaryDifference& pair : primaryDifferences(study)) {
+  const std::vector<PrimaryDifference> pairs = primaryDifferences(study);
+  const double alpha =
+      (1.0 - kDefaultConfidence) / static_cast<double>(std::max<std::size_t>(1, pairs.size()));
+  for (const PrimaryDifference& pair : pairs) {
     if (pair.error > 0.0 && pair.df > 0.0) {
       placeAtPair(rows, pair.first, pair.second);
-      rows.add("detectable_difference", pair.error * detectableStandardErrors(pair.df, kWantedPower), n);
+      rows.add("detectable_difference", pair.error * detectableStandardErrors(pair.df, kWantedPower, alpha),
+               n);
     }
   }
   placeAtAll(rows);
@@ -233,7 +238,7 @@ void addSpread(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
   rows.add("equal_spread_p", spread.test, &FTest::p, n);
   for (const AdjustedDifference& pair : spread.pairs) {
     placeAtPair(rows, pair.first, pair.second);
-    rows.put("robust_difference_95", pair.interval, n);
+    rows.addInterval("robust_difference", pair.difference, pair.interval, n);
     rows.put("robust_difference_holm_95", pair.asHolm, n);
     rows.add("robust_error", pair.error, n);
     rows.add("robust_t", pair.t, n);
@@ -276,7 +281,7 @@ void addPerProtocol(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
   }
   ResultWriter rows = comparison(in, {"per protocol"}, partsOf(std::move(parts)), ledger);
   const Ancova& treated = *study.perProtocol;
-  for (const AdjustedDifference& pair : treated.spread.pairs.empty() ? treated.pairs : treated.spread.pairs) {
+  for (const AdjustedDifference& pair : concludedPairs(treated)) {
     placeAtPair(rows, pair.first, pair.second);
     const std::int64_t n = std::ssize(study.perProtocolCodes);
     rows.add("per_protocol_difference", pair.difference, n);
@@ -432,14 +437,19 @@ void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   }
   placeAtAll(rows);
   if (!study.bounds.empty()) {
+    const std::vector<PrimaryDifference> made = primaryDifferences(study);
     rows.addCount(
         "pairs_left_open",
-        std::count_if(study.bounds.begin(), study.bounds.end(),
-                      [](const MissingBounds& pair) {
-                        return !pair.worst || !pair.best ||
-                               (pair.worst->interval.lower <= 0.0 && pair.best->interval.upper >= 0.0);
-                      }),
-        std::ssize(study.bounds));
+        std::count_if(
+            study.bounds.begin(), study.bounds.end(),
+            [&](const MissingBounds& pair) {
+              const bool compared = std::any_of(made.begin(), made.end(), [&](const PrimaryDifference& one) {
+                return one.first == pair.first && one.second == pair.second;
+              });
+              return compared && (!pair.worst || !pair.best ||
+                                  (pair.worst->interval.lower <= 0.0 && pair.best->interval.upper >= 0.0));
+            }),
+        std::ssize(made));
   }
   addMissingTrainees(study, rows);
 }

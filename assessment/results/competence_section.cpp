@@ -89,6 +89,7 @@ ReportTable verdictsTable(const CohortInputs& in, const Ledger& ledger) {
                     {Text::tr("Exercise")},
                     {Text::tr("Runs"), "level", kValues},
                     {Text::tr("Failed"), "failed"},
+                    {Text::tr("Excused"), "excused_runs"},
                     {Text::tr("Level"), "level"},
                     {Text::tr("False pass so far"), "false_pass", percent(1)},
                     {Text::tr("False fail so far"), "false_fail", percent(1)},
@@ -171,6 +172,15 @@ ReportSection competenceSection(const CohortInputs& in, const Ledger& ledger) {
   ReportSection section{"competence", Text::tr("Competence")};
   const std::vector<Text> designs = designSentences(in);
   section.paragraphs.assign(designs.begin(), designs.end());
+  const ResultsAt at(ledger, {.section = ResultSection::kCompetence});
+  if (at.number("excused_runs").value_or(0.0) > 0.0) {
+    const ReportCell excused = at("excused_runs");
+    section.paragraphs.push_back(
+        {Text::tr("%1 {interrupted run was|interrupted runs were} excused with a reason and {counts|count} "
+                  "neither as passed nor as failed; the table of every trainee has how many of whom.",
+                  excused.words()),
+         {excused}});
+  }
   section.figures = {sumsFigure(in, ledger)};
   section.tables = {countsTable(in, ledger), oddsTable(in, ledger), verdictsTable(in, ledger)};
   return section;

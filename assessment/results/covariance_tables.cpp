@@ -15,6 +15,15 @@ namespace torsio {
 
 namespace {
 
+bool isRobust(const StudyAnalysis& study) {
+  return study.ancova && !study.ancova->spread.pairs.empty();
+}
+
+Text formulaOf(const StudyAnalysis& study) {
+  return isRobust(study) ? Text::tr("analysis of covariance, one pooled slope, HC3")
+                         : Text::tr("analysis of covariance, one pooled slope");
+}
+
 ReportFigure forestOf(const CohortInputs& in, const std::string& id, const Text& title, const Text& axis,
                       const Text& formula) {
   ReportFigure figure = itemOf<ReportFigure>(in, id, title, formula);
@@ -86,26 +95,27 @@ ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study, const
 }
 
 ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
-  ReportTable table =
-      itemOf<ReportTable>(in, "table-ancova", Text::tr("Scores at the end, adjusted for the score before"),
-                          Text::tr("analysis of covariance, one pooled slope"));
+  const Outcome<Ancova>& got = study.ancova;
+  const bool robust = isRobust(study);
+  ReportTable table = itemOf<ReportTable>(
+      in, "table-ancova", Text::tr("Scores at the end, adjusted for the score before"), formulaOf(study));
   ResultTable rows(
       ledger, table,
       {{Text::tr("Comparison")},
-       {Text::tr("Difference [95 %, not adjusted]"), "adjusted_difference", kWithInterval},
-       {Text::tr("[95 %, all pairs together]"), "adjusted_difference_simultaneous_95"},
-       {Text::verbatim("t"), "t", fixed(2)},
-       {Text::verbatim("p"), "p", kAsP},
-       {Text::tr("p (Holm)"), "p_holm", kAsP},
+       {Text::tr("Difference [95 %, not adjusted]"), robust ? "robust_difference" : "adjusted_difference",
+        kWithInterval},
+       {Text::tr("[95 %, after Holm]"), robust ? "robust_difference_holm_95" : "adjusted_difference_holm_95"},
+       {Text::verbatim("t"), robust ? "robust_t" : "t", fixed(2)},
+       {Text::verbatim("p"), robust ? "robust_p" : "p", kAsP},
+       {Text::tr("p (Holm)"), robust ? "robust_p_holm" : "p_holm", kAsP},
        {Text::tr("Hedges g of the end scores [95 %, not adjusted]"), "hedges_g", kWithInterval}});
-  const Outcome<Ancova>& got = study.ancova;
   table.provenance.n = comparedTrainees(study);
   table.provenance.missing = study.endMissing;
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", "", ""});
     return table;
   }
-  for (const AdjustedDifference& pair : got->pairs) {
+  for (const AdjustedDifference& pair : concludedPairs(*got)) {
     rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
   }
   const ResultsAt at = resultsAtEnd(in, ledger);
@@ -115,13 +125,14 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study, 
   const ReportCell f = at("ancova_f", fixed(2));
   const ReportCell p = at("ancova_p", kEqualsP);
   table.notes = {
-      {Text::tr("Effect of the group: F(%1, %2) = %3, %4. Adjusted means [95 %]: %5.", df1.words(),
-                df2.words(), f.words(), p.words(), means.words()),
+      {Text::tr("With one variance for all groups: effect of the group F(%1, %2) = %3, %4; adjusted means "
+                "[95 %]: %5.",
+                df1.words(), df2.words(), f.words(), p.words(), means.words()),
        {df1, df2, f, p},
        means.keys},
       slopesText(study, at),
-      Text::tr("Intervals of all pairs together are widened after Bonferroni: all of them hold at once with "
-               "95 % or more. They are wider than Holm's p values ask for.")};
+      Text::tr("An interval after Holm excludes zero exactly where p (Holm) is below 0.05. That all of them "
+               "hold at once is not claimed.")};
   return table;
 }
 
@@ -172,7 +183,9 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
   ReportTable table =
       itemOf<ReportTable>(in, "table-equivalence", Text::tr("Whether the groups are equal within the margin"),
                           study.mixed ? Text::tr("two one-sided tests, linear mixed model")
-                                      : Text::tr("two one-sided tests, analysis of covariance"));
+                          : study.primaryMethod() == PrimaryMethod::kRobust
+                              ? Text::tr("two one-sided tests, analysis of covariance, HC3")
+                              : Text::tr("two one-sided tests, analysis of covariance"));
   table.columns = {Text::tr("Comparison"), Text::tr("Difference [90 %, not adjusted]"),
                    Text::tr("p (of equality)"), Text::tr("Equal within %1 points (5 %)", margin.words())};
   table.provenance.n = study.mixed ? static_cast<std::int64_t>(study.mixed->marks) : comparedTrainees(study);
@@ -217,19 +230,20 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
       forestOf(in, "figure-differences",
                Text::tr("Differences between the groups at the end, adjusted for the score before"),
                Text::tr("difference (points)"),
-               study.mixed ? Text::tr("linear mixed model; analysis of covariance, one pooled slope")
-                           : Text::tr("analysis of covariance, one pooled slope"));
+               study.mixed ? Text::tr("linear mixed model; %1", formulaOf(study)) : formulaOf(study));
   ReportFigure effects =
       forestOf(in, "figure-effects", Text::tr("Standardised differences of the scores at the end"),
                Text::tr("Hedges g"), Text::tr("Hedges g, interval from the noncentral t distribution"));
+  effects.annex = true;
   FigureSeries difference{.name = study.mixed ? Text::tr("complete cases [95 %]")
                                               : Text::tr("difference [95 %]")};
   FigureSeries primary{.name = Text::tr("mixed model, primary [95 %]")};
+  const char* adjusted = isRobust(study) ? "robust_difference" : "adjusted_difference";
   FigureSeries effect{.name = Text::tr("Hedges g [95 %]")};
-  for (const AdjustedDifference& pair : study.ancova->pairs) {
+  for (const AdjustedDifference& pair : concludedPairs(*study.ancova)) {
     const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
     points.categories.push_back(pairName(in, pair.first, pair.second));
-    addPoint(difference, at, "adjusted_difference", true);
+    addPoint(difference, at, adjusted, true);
     addPoint(primary, at, "mixed_model_difference", true);
     if (at.number("hedges_g")) {
       effects.categories.push_back(pairName(in, pair.first, pair.second));

@@ -115,8 +115,9 @@ ReportSection methodsSection(const CohortInputs& in, const StudyAnalysis& study,
     section.paragraphs.push_back(comparisonSentence(study));
     section.paragraphs.push_back(Text::tr(
         "Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is "
-        "the intraclass correlation for absolute agreement (Shrout and Fleiss) and Krippendorff's alpha. "
-        "Severity is a rater's mean distance from the other raters."));
+        "the dependability within the groups, which in a single group is the intraclass correlation for "
+        "absolute agreement (Shrout and Fleiss). Severity is a rater's mean distance from the other "
+        "raters."));
   }
   if (!in.competence.empty()) {
     section.paragraphs.push_back(Text::tr(

@@ -107,15 +107,21 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
     return out;
   }
   if (study.asPlanned()) {
+    const Text errors =
+        study.primaryMethod() == PrimaryMethod::kRobust
+            ? Text::tr("Its standard errors hold for unequal spreads, too (HC3).")
+            : Text::tr(
+                  "Its standard errors assume that all groups spread alike: somebody is alone in a group.");
     const Text used =
         in.hasAnalysisPlan()
             ? Text::tr(
                   "Planned and used: the analysis of covariance of the score at the end on the score "
-                  "before. Its standard errors hold for unequal spreads, too (HC3).")
+                  "before. %1",
+                  errors)
             : Text::tr(
-                  "Used: the analysis of covariance of the score at the end on the score before. Its "
-                  "standard errors hold for unequal spreads, too (HC3). No plan of the analysis is in "
-                  "the record.");
+                  "Used: the analysis of covariance of the score at the end on the score before. %1 No "
+                  "plan of the analysis is in the record.",
+                  errors);
     const Text marks =
         out.empty()
             ? Text::tr("No mark of the first and the last occasion is missing.")

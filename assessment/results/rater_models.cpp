@@ -20,7 +20,8 @@ namespace torsio {
 
 namespace {
 
-PointAgreement agreementInPoints(const OccasionMarks& at) {
+PointAgreement agreementInPoints(const OccasionMarks& at, const std::vector<std::size_t>& groupOf,
+                                 std::size_t group) {
   const auto pointOf = [&](double mark) { return static_cast<std::int64_t>(std::lround(mark)); };
   PointAgreement out;
   for (auto a = at.present.begin(); a != at.present.end(); ++a) {
@@ -28,8 +29,9 @@ PointAgreement agreementInPoints(const OccasionMarks& at) {
       std::vector<double> first;
       std::vector<double> second;
       ++out.pairs;
-      for (const std::vector<std::optional<double>>& marks : at.marks) {
-        if (!marks[*a] || !marks[*b]) {
+      for (std::size_t i = 0; i < at.marks.size(); ++i) {
+        const std::vector<std::optional<double>>& marks = at.marks[i];
+        if (groupOf[i] != group || !marks[*a] || !marks[*b]) {
           continue;
         }
         const std::int64_t x = pointOf(*marks[*a]);
@@ -59,19 +61,13 @@ std::optional<std::size_t> fewestRaters(const Dependable& dependable) {
   return std::nullopt;
 }
 
-RatersNeeded ratersNeeded(const StudyAnalysis& study, std::size_t groups) {
-  const OccasionMarks& last = study.occasions.back();
+RatersNeeded ratersNeeded(const OccasionMarks& last) {
   RatersNeeded out;
-  std::vector<NumberTable> within;
-  for (std::size_t g = 0; g < groups; ++g) {
-    within.push_back(completeMarks(last, study.groupOf, g));
-    out.marks += static_cast<std::int64_t>(within.back().rows() * within.back().columns());
-  }
-  out.components = gStudyPRWithin(within);
-  if (!out.components) {
+  out.marks = last.completeTrainees * std::ssize(last.present);
+  if (!last.within) {
     return out;
   }
-  const GStudy& found = *out.components;
+  const GStudy& found = *last.within;
   for (const std::size_t raters : std::set<std::size_t>{1, 2, 3, 5, 10, last.present.size()}) {
     const auto k = static_cast<double>(raters);
     out.planned.push_back({raters, dStudyPR(found, k), dependabilityInterval(found, k)});
@@ -118,11 +114,13 @@ void putOnOneScale(const OccasionMarks& last, StudyAnalysis& out) {
 
 }  // namespace
 
-void addRaterModels(std::size_t groups, StudyAnalysis& study) {
+void addRaterModels(StudyAnalysis& study) {
   for (OccasionMarks& occasion : study.occasions) {
-    occasion.points = agreementInPoints(occasion);
+    for (GroupAgreement& of : occasion.groups) {
+      of.points = agreementInPoints(occasion, study.groupOf, of.group);
+    }
   }
-  study.needed = ratersNeeded(study, groups);
+  study.needed = ratersNeeded(study.occasions.back());
   putOnOneScale(study.occasions.back(), study);
 }
 

@@ -117,10 +117,11 @@ ReportParagraph detectableSentence(const CohortInputs& in, const StudyAnalysis& 
                         ? least->second.words()
                         : Text::tr("%1 to %2", least->second.words(), most->second.words());
   return {
-      Text::tr("What this does not show: with the spread found here, this comparison detects a difference of "
-               "%1 points between two groups with a power of %2 (two-sided test at 5 %, not adjusted for the "
-               "number of pairs), and misses smaller ones more often. %3",
-               size, formatFixed(kWantedPower, 2), rest),
+      Text::tr(
+          "What this does not show: with the spread found here, this comparison detects a difference of "
+          "%1 points between two groups with a power of %2 (two-sided test at 5 %, shared among the pairs "
+          "as in Holm's first step), and misses smaller ones more often. %3",
+          size, formatFixed(kWantedPower, 2), rest),
       {least->second, most->second}};
 }
 

@@ -14,12 +14,14 @@ namespace {
 constexpr int kReliabilityDecimals = 3;
 
 /// Returns how many raters it takes, by the lower end of the interval; otherwise why that is not known.
-ReportParagraph neededSentence(const Ledger& ledger, const CohortInputs& in, const RatersNeeded& found) {
+ReportParagraph neededSentence(const Ledger& ledger, const CohortInputs& in, const StudyAnalysis& study) {
+  const RatersNeeded& found = study.needed;
+  const GStudy& components = *study.occasions.back().within;
   const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)});
   const ReportCell fewest = at("raters_needed", fixed(0));
   const ReportCell byEstimate = at("raters_needed_by_estimate", fixed(0));
   const std::string wanted = formatFixed(kWantedDependability, 2);
-  if (found.components->at("pr").variance == 0.0 && found.components->at("r").variance == 0.0) {
+  if (components.at("pr").variance == 0.0 && components.at("r").variance == 0.0) {
     return Text(
         Text::tr("All raters gave the same marks: that says nothing about how many are needed, as raters who "
                  "score by themselves differ."));
@@ -55,8 +57,9 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
   const RatersNeeded& found = study.needed;
   table.provenance.n = found.marks;
   table.provenance.missing = study.occasions.back().missing;
-  if (!found.components) {
-    table.rows.push_back({notDefined(found.components.reason()), "", "", ""});
+  const Outcome<GStudy>& components = study.occasions.back().within;
+  if (!components) {
+    table.rows.push_back({notDefined(components.reason()), "", "", ""});
     return table;
   }
   for (const RatersNeeded::Planned& planned : found.planned) {
@@ -66,7 +69,7 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
   }
   if (std::any_of(found.planned.begin(), found.planned.end(),
                   [](const auto& planned) { return static_cast<bool>(planned.study); })) {
-    table.notes = {neededSentence(ledger, in, found)};
+    table.notes = {neededSentence(ledger, in, study)};
   }
   const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)});
   const ReportCell trainees = at("variance_of_trainees", fixed(kReliabilityDecimals));
@@ -77,7 +80,7 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
                 "the groups do not count: an effect of the training would make raters look more alike.",
                 trainees.words(), raters.words(), rest.words()),
        {trainees, raters, rest}});
-  if (found.components->negativeComponent) {
+  if (components->negativeComponent) {
     table.notes.push_back(Text::tr("A negative component counts as 0 in the rows above."));
   }
   return table;

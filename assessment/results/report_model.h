@@ -62,6 +62,9 @@ struct ReportParagraph : Text {
   [[nodiscard]] const Text& words() const noexcept { return *this; }
 
   std::vector<std::shared_ptr<const ResultKey>> keys{};
+  /// Stands against the answer on the first page. Those without room there are counted, and all are listed
+  /// behind it.
+  bool reservation = false;
 };
 
 struct ReportTable {
@@ -161,7 +164,8 @@ struct ReportSection {
   std::string id;  ///< stable id, "methods"
   Text title;
   bool onFirstPage = false;  ///< below the title, on the same page
-  bool annex = false;        ///< shown only in the annex
+  bool annex = false;        ///< shown only in the annex, which begins on a page of its own
+  bool startsPage = false;   ///< begins on a page of its own
   std::vector<ReportParagraph> paragraphs{};
   std::vector<ReportFigure> figures{};
   std::vector<ReportTable> tables{};

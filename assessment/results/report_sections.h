@@ -28,7 +28,8 @@ inline constexpr int kPointDecimals = 1;
 /// The board's one-minute page; requires scores.
 [[nodiscard]] ReportSection boardSection(const CohortInputs& inputs, const StudyAnalysis& study,
                                          const Ledger& ledger);
-/// Returns what stands against the answer on that page, or limits it.
+/// Returns what stands against the answer on that page, or limits it: doubts about the data, what else could
+/// explain a difference, missing data, the analysis.
 [[nodiscard]] std::vector<ReportParagraph> reservations(const CohortInputs& inputs,
                                                         const StudyAnalysis& study, const Ledger& ledger);
 [[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs, const Ledger& ledger);
@@ -119,8 +120,10 @@ inline constexpr const char* kMarkMinusOthers = "mark_minus_others";
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs, const StudyAnalysis& study,
                                            const Ledger& ledger);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs, const Ledger& ledger);
-/// Returns what the study says about itself, and checklists of what its report should contain and where
-/// `report` has it; call with all other sections.
+/// Returns what the study says about itself.
+[[nodiscard]] ReportSection statementsSection(const CohortInputs& inputs);
+/// Returns checklists of what a report should contain and where `report` has it; call with all other
+/// sections.
 [[nodiscard]] ReportSection checklistSection(const CohortInputs& inputs, const ReportModel& report);
 
 /// Returns the effect of more or fewer raters, and each rater's severity on one scale.

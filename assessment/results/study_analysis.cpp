@@ -55,6 +55,7 @@ void measureAgreement(const CohortInputs& in, const std::vector<std::size_t>& gr
                       OccasionMarks& occasion) {
   findPresent(occasion);
   IncompleteRatings byRater;
+  std::vector<NumberTable> within;
   for (const std::size_t r : occasion.present) {
     byRater.emplace_back();
     for (const std::vector<std::optional<double>>& marks : occasion.marks) {
@@ -62,15 +63,14 @@ void measureAgreement(const CohortInputs& in, const std::vector<std::size_t>& gr
       ++(marks[r] ? occasion.n : occasion.missing);
     }
   }
-  const NumberTable table = completeMarks(occasion);
-  occasion.completeTrainees = static_cast<std::int64_t>(table.rows());
-  occasion.icc = intraclassCorrelation(table);
-  occasion.alpha = krippendorffAlpha(byRater, AlphaMetric::kInterval);
-  occasion.reliability = incompleteReliability(byRater);
+  occasion.reliability = incompleteReliability(byRater, groupOf);
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const NumberTable within = completeMarks(occasion, groupOf, g);
-    occasion.groups.push_back({g, static_cast<std::int64_t>(within.rows()), intraclassCorrelation(within)});
+    within.push_back(completeMarks(occasion, groupOf, g));
+    const auto trainees = static_cast<std::int64_t>(within.back().rows());
+    occasion.completeTrainees += trainees;
+    occasion.groups.push_back({g, trainees, intraclassCorrelation(within.back()), {}});
   }
+  occasion.within = gStudyPRWithin(within);
 }
 
 /// Returns differences from the mean of the other raters, averaged first over a trainee's occasions: the
@@ -291,7 +291,7 @@ PrimaryStatistics primaryStatistics(PrimaryMethod method) noexcept {
     case PrimaryMethod::kMixed:
       return {"mixed_model_difference", "mixed_model_difference_holm_95", "mixed_model_p_holm"};
     case PrimaryMethod::kRobust:
-      return {"adjusted_difference", "robust_difference_holm_95", "robust_p_holm"};
+      return {"robust_difference", "robust_difference_holm_95", "robust_p_holm"};
     case PrimaryMethod::kCovariance:
       return {"adjusted_difference", "adjusted_difference_holm_95", "p_holm"};
     case PrimaryMethod::kNone:
@@ -308,8 +308,7 @@ std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study) {
       out.push_back({pair.first, pair.second, of.value, of.error, of.df, pair.pHolm, pair.asHolm});
     }
   } else if (study.ancova) {
-    const bool robust = study.primaryMethod() == PrimaryMethod::kRobust;
-    for (const AdjustedDifference& pair : robust ? study.ancova->spread.pairs : study.ancova->pairs) {
+    for (const AdjustedDifference& pair : concludedPairs(*study.ancova)) {
       out.push_back({pair.first, pair.second, pair.difference, pair.error, study.ancova->residualDf,
                      pair.pHolm, pair.asHolm});
     }
@@ -367,7 +366,7 @@ StudyAnalysis analyseStudy(const CohortInputs& in) {
   if (out.occasions.empty()) {
     return out;
   }
-  addRaterModels(in.groups.size(), out);
+  addRaterModels(out);
   out.againstPanel.assign(
       out.raters.size(), Outcome<BlandAltmanResult>::undefined(Text::tr("too few trainees with every mark")));
   const OccasionMarks& end = out.occasions.back();

@@ -21,14 +21,7 @@
 
 namespace torsio {
 
-/// Agreement of the raters in one group at one occasion.
-struct GroupAgreement {
-  std::size_t group = 0;
-  std::int64_t trainees = 0;  ///< with marks by every rater
-  Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
-};
-
-/// Pairwise agreement of raters at one occasion, for marks in whole points.
+/// Pairwise agreement of raters in one group at one occasion, for marks in whole points.
 struct PointAgreement {
   std::size_t pairs = 0;       ///< of the raters with marks
   std::vector<double> kappas;  ///< quadratic weights, for pairs that define it
@@ -37,31 +30,36 @@ struct PointAgreement {
   std::int64_t withinOne = 0;
 };
 
+/// Agreement of the raters in one group at one occasion.
+struct GroupAgreement {
+  std::size_t group = 0;
+  std::int64_t trainees = 0;  ///< with marks by every rater
+  Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
+  PointAgreement points;
+};
+
 /// Marks of one occasion, trainees x raters in the order of StudyAnalysis; missing ones are empty.
 struct OccasionMarks {
   std::vector<std::vector<std::optional<double>>> marks;
   std::vector<std::size_t> present;  ///< raters with marks here; the others' marks do not count as missing
   std::int64_t n = 0;
   std::int64_t missing = 0;
-  std::int64_t completeTrainees = 0;  ///< with marks by every rater present; input of `icc`
-  Outcome<IccResult> icc = Outcome<IccResult>::undefined(Text::tr("not computed"));
+  std::int64_t completeTrainees = 0;  ///< with marks by every rater present; input of `within`
+  /// Trainees and raters within the groups: an effect of the training would pass for agreement.
+  Outcome<GStudy> within = Outcome<GStudy>::undefined(Text::tr("not computed"));
   std::vector<GroupAgreement> groups;
   Outcome<IncompleteReliability> reliability =
       Outcome<IncompleteReliability>::undefined(Text::tr("not computed"));
-  Outcome<KrippendorffResult> alpha = Outcome<KrippendorffResult>::undefined(Text::tr("not computed"));
-  PointAgreement points;
 };
 
-/// Results for other numbers of raters (G- and D-study of the last occasion, within the groups: an effect of
-/// the training would pass for a difference between trainees).
+/// Results for other numbers of raters (G- and D-study of the last occasion, within the groups).
 struct RatersNeeded {
   struct Planned {
     std::size_t raters = 0;
     Outcome<DStudy> study = Outcome<DStudy>::undefined(Text::tr("not computed"));
     std::optional<Interval> dependability;
   };
-  std::int64_t marks = 0;  ///< of trainees scored by every rater
-  Outcome<GStudy> components = Outcome<GStudy>::undefined(Text::tr("not computed"));  ///< within groups
+  std::int64_t marks = 0;                       ///< of trainees scored by every rater
   std::vector<Planned> planned;                 ///< by number of raters, ascending
   std::optional<std::size_t> fewest;            ///< whose interval lies at or above kWantedDependability
   std::optional<std::size_t> fewestByEstimate;  ///< whose estimate does

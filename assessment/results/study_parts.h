@@ -8,7 +8,7 @@ namespace torsio {
 
 /// Adds properties of the raters derived from their marks: agreement in points, number needed, severity on
 /// one scale.
-void addRaterModels(std::size_t groups, StudyAnalysis& study);
+void addRaterModels(StudyAnalysis& study);
 /// Adds the groups' gains; requires at least two occasions.
 void addGains(const CohortInputs& inputs, StudyAnalysis& study);
 

@@ -204,7 +204,8 @@ Outcome<MixedComparison> mixedComparison(const std::vector<MarkedTrainee>& train
   return out;
 }
 
-Outcome<IncompleteReliability> incompleteReliability(const IncompleteRatings& codersByUnit) {
+Outcome<IncompleteReliability> incompleteReliability(const IncompleteRatings& codersByUnit,
+                                                     const std::vector<std::size_t>& groupOf) {
   std::vector<CrossedMark> marks;
   std::map<std::size_t, std::size_t> unitOf;
   std::map<std::size_t, std::size_t> marksOf;
@@ -223,9 +224,13 @@ Outcome<IncompleteReliability> incompleteReliability(const IncompleteRatings& co
   for (const auto& [unit, number] : marksOf) {
     ++unitsWith[number];
   }
-  NumberTable level(unitOf.size(), 1);
-  for (std::size_t i = 0; i < level.rows(); ++i) {
-    level.at(i, 0) = 1.0;
+  std::map<std::size_t, std::size_t> columnOf;  // of a group with marks
+  for (const auto& [unit, row] : unitOf) {
+    columnOf.emplace(groupOf.empty() ? 0 : groupOf[unit], columnOf.size());
+  }
+  NumberTable level(unitOf.size(), columnOf.size());
+  for (const auto& [unit, row] : unitOf) {
+    level.at(row, columnOf.at(groupOf.empty() ? 0 : groupOf[unit])) = 1.0;
   }
   const Outcome<CrossedModel> model = CrossedModel::fit(marks, level);
   if (!model) {

@@ -72,8 +72,10 @@ struct IncompleteReliability {
   double semSingle = 0.0;  ///< standard error of measurement of a single rater's mark
   double semMean = 0.0;    ///< of the mean over usualRaters
 };
-/// Estimates reliability from the marks given. Undefined like CrossedModel::fit().
-[[nodiscard]] Outcome<IncompleteReliability> incompleteReliability(const IncompleteRatings& codersByUnit);
+/// Estimates reliability from the marks given. `groupOf`: group of each unit, within which units are
+/// compared; empty: one group. Undefined like CrossedModel::fit().
+[[nodiscard]] Outcome<IncompleteReliability> incompleteReliability(
+    const IncompleteRatings& codersByUnit, const std::vector<std::size_t>& groupOf = {});
 
 /// Marks missing at an occasion, compared with the most frequent number per trainee.
 struct MissingCount {

@@ -311,12 +311,59 @@ icc_interval <- function(n, k, trainees, raters, rest, df_trainees = n - 1, df_r
 }
 spearman_brown <- function(one, k) k * one / (1 + (k - 1) * one)
 
+# Generalizability study of trainees x raters within groups (Brennan 2001), for trainees with a mark from every
+# rater. NULL if no group has two of them.
+g_study_within <- function(x) {
+  present <- colSums(!is.na(x)) > 0
+  tables <- lapply(groups, function(group) {
+    table <- x[group_of == group, present, drop = FALSE]
+    table[rowSums(is.na(table)) == 0, , drop = FALSE]
+  })
+  tables <- tables[sapply(tables, function(table) nrow(table) > 1 && ncol(table) > 1)]
+  if (length(tables) == 0) return(NULL)
+  squares <- sapply(tables, function(table) unlist(mean_squares(table)))
+  n <- mean(squares["n", ])
+  k <- squares[["k", 1]]
+  df <- c(trainees = sum(squares["n", ] - 1), raters = ncol(squares) * (k - 1),
+          rest = sum(squares["n", ] - 1) * (k - 1))
+  ms <- c(trainees = sum(squares["trainees", ] * (squares["n", ] - 1)),
+          raters = sum(squares["raters", ] * (k - 1)),
+          rest = sum(squares["rest", ] * (squares["n", ] - 1) * (k - 1))) / df
+  names(df) <- names(ms) <- c("trainees", "raters", "rest")
+  variance <- c(trainees = (ms[["trainees"]] - ms[["rest"]]) / k,
+                raters = (ms[["raters"]] - ms[["rest"]]) / n, rest = ms[["rest"]])
+  component <- pmax(variance, 0)
+  list(present = present, variance = variance, component = component,
+       dependability = function(number) {
+         component[["trainees"]] /
+           (component[["trainees"]] + (component[["raters"]] + component[["rest"]]) / number)
+       },
+       error = function(number) sqrt((component[["raters"]] + component[["rest"]]) / number),
+       one_rater = icc_interval(n, k, ms[["trainees"]], ms[["raters"]], ms[["rest"]], df[["trainees"]],
+                                df[["raters"]], df[["rest"]]))
+}
+
+# Dependability of one rater and of the mean of all, within the groups, and the standard errors of measurement.
+put_within <- function(x, ...) {
+  present <- colSums(!is.na(x)) > 0
+  study <- g_study_within(x)
+  put_agreement("trainees_with_every_mark", sum(rowSums(is.na(x[, present, drop = FALSE])) == 0), ...)
+  put_one <- function(name, sem, number) {
+    known <- !is.null(study) && sum(study$component) > 0
+    put_agreement(name, if (known) study$dependability(number) else NA_real_, ...)
+    if (!known) return(invisible())
+    if (!is.null(study$one_rater)) {
+      ends <- spearman_brown(study$one_rater, number)
+      put_interval("agreement", name, ends[1], ends[2], ...)
+    }
+    put_agreement(sem, study$error(number), ...)
+  }
+  put_one("dependability_of_one_rater", "sem_agreement", 1)
+  put_one("dependability_of_all_raters", "sem_of_mean", max(1, sum(present)))
+}
+
 # ICC(2,1) and ICC(2,k) of Shrout and Fleiss (1979), and the standard errors of measurement, for trainees
 # with a mark from every rater.
-put_icc <- function(x, ...) {
-  x <- x[, colSums(!is.na(x)) > 0, drop = FALSE]
-  put_icc_of_complete(x[rowSums(is.na(x)) == 0, , drop = FALSE], ...)
-}
 put_icc_of_complete <- function(x, ...) {
   put_agreement("trainees_with_every_mark", nrow(x), ...)
   if (nrow(x) < 2 || ncol(x) < 2 || var(rowMeans(x)) <= 1e-13 * var(as.vector(x))) {
@@ -344,22 +391,6 @@ quadratic_kappa <- function(a, b) {
   expected <- mean(outer(a, b, "-")^2)
   if (length(a) < 2 || expected == 0) return(NA_real_)
   1 - mean((a - b)^2) / expected
-}
-
-# Krippendorff's alpha for interval data, from the trainees with at least two marks.
-krippendorff_alpha <- function(x) {
-  x <- x[rowSums(!is.na(x)) > 1, , drop = FALSE]
-  all <- x[!is.na(x)]
-  if (length(unique(all)) < 2) return(NA_real_)
-  # The sum of all squared differences within a trainee with m marks is 2 m^2 times their variance (divisor
-  # m); it counts with weight 1 / (m - 1).
-  within <- apply(x, 1, function(row) {
-    row <- row[!is.na(row)]
-    2 * length(row) * sum((row - mean(row))^2) / (length(row) - 1)
-  })
-  observed <- sum(within) / length(all)
-  expected <- 2 * length(all) * sum((all - mean(all))^2) / (length(all) * (length(all) - 1))
-  1 - observed / expected
 }
 
 # Linear mixed model with crossed random trainees and raters, by restricted maximum likelihood. `design`:
@@ -434,18 +465,25 @@ crossed_model <- function(y, trainee, rater, design) {
        estimate = estimate)
 }
 
-# The same model for the marks of one occasion, without a fixed part other than the mean.
+# The same model for the marks of one occasion, with the means of the groups as fixed part.
 reliability_at <- function(x) {
   cells <- which(!is.na(x), arr.ind = TRUE)
   if (length(unique(cells[, 2])) < 2 || length(unique(cells[, 1])) < 2) return(NULL)
   complete <- x[rowSums(!is.na(x)) > 0, colSums(!is.na(x)) > 0, drop = FALSE]
   if (!anyNA(complete)) {   # then the mean squares give the same variances, unless one would be negative
     ms <- mean_squares(complete)
-    model <- with(ms, list(rest = rest, trainees = (trainees - rest) / k, raters = (raters - rest) / n,
+    own <- group_of[rowSums(!is.na(x)) > 0]
+    means <- rowMeans(complete)
+    between <- sum((means - ave(means, own))^2) * ms$k / (ms$n - length(unique(own)))
+    model <- with(ms, list(rest = rest, trainees = (between - rest) / k, raters = (raters - rest) / n,
                            usual = k))
+    if (!is.finite(between)) return(NULL)
     if (ms$rest > 0 && model$trainees > 0 && model$raters > 0) return(model)
   }
-  model <- crossed_model(x[!is.na(x)], cells[, 1], cells[, 2], matrix(1, nrow(cells), 1))
+  own <- group_of[cells[, 1]]
+  present_groups <- groups[groups %in% own]
+  if (length(unique(cells[, 1])) <= length(present_groups)) return(NULL)
+  model <- crossed_model(x[!is.na(x)], cells[, 1], cells[, 2], outer(own, present_groups, "==") + 0)
   if (is.null(model)) return(NULL)
   model$usual <- usual_number(rowSums(!is.na(x)))
   model
@@ -456,36 +494,34 @@ if (nrow(marks) > 0) {
     occasion <- occasions[t]
     x <- marks_at[[t]]
     present <- colSums(!is.na(x)) > 0
-    put_icc(x, occasion = occasion)
+    put_within(x, occasion = occasion)
+    points <- ifelse(x >= 0, floor(x + 0.5), ceiling(x - 0.5))[, present, drop = FALSE]
+    pairs <- pairs_of(ncol(points))
     for (group in groups) {
       # A group is judged by all raters who are present at the occasion.
       within <- x[group_of == group, present, drop = FALSE]
       put_icc_of_complete(within[rowSums(is.na(within)) == 0, , drop = FALSE], group = group,
                           occasion = occasion)
-    }
 
-    # Every pair of raters, in whole points.
-    points <- ifelse(x >= 0, floor(x + 0.5), ceiling(x - 0.5))[, present, drop = FALSE]
-    pairs <- pairs_of(ncol(points))
-    kappas <- numeric(0)
-    apart <- numeric(0)
-    for (i in seq_len(nrow(pairs))) {
-      both <- points[, pairs[i, ], drop = FALSE]
-      both <- both[rowSums(is.na(both)) == 0, , drop = FALSE]
-      kappas <- c(kappas, quadratic_kappa(both[, 1], both[, 2]))
-      apart <- c(apart, abs(both[, 1] - both[, 2]))
+      # Every pair of raters, in whole points.
+      kappas <- numeric(0)
+      apart <- numeric(0)
+      for (i in seq_len(nrow(pairs))) {
+        both <- points[group_of == group, pairs[i, ], drop = FALSE]
+        both <- both[rowSums(is.na(both)) == 0, , drop = FALSE]
+        kappas <- c(kappas, quadratic_kappa(both[, 1], both[, 2]))
+        apart <- c(apart, abs(both[, 1] - both[, 2]))
+      }
+      kappas <- kappas[!is.na(kappas)]
+      known <- length(kappas) > 0
+      put_one <- function(...) put_agreement(..., group = group, occasion = occasion)
+      put_one("rater_pairs", nrow(pairs))
+      put_one("kappa_quadratic_median", if (known) median(kappas) else NA_real_)
+      put_one("kappa_quadratic_lowest", if (known) min(kappas) else NA_real_)
+      put_one("kappa_quadratic_highest", if (known) max(kappas) else NA_real_)
+      put_one("share_same_point", if (length(apart)) mean(apart == 0) else NA_real_)
+      put_one("share_within_one_point", if (length(apart)) mean(apart <= 1) else NA_real_)
     }
-    kappas <- kappas[!is.na(kappas)]
-    known <- length(kappas) > 0
-    put_agreement("rater_pairs", nrow(pairs), occasion = occasion)
-    put_agreement("kappa_quadratic_median", if (known) median(kappas) else NA_real_, occasion = occasion)
-    put_agreement("kappa_quadratic_lowest", if (known) min(kappas) else NA_real_, occasion = occasion)
-    put_agreement("kappa_quadratic_highest", if (known) max(kappas) else NA_real_, occasion = occasion)
-    put_agreement("share_same_point", if (length(apart)) mean(apart == 0) else NA_real_,
-                  occasion = occasion)
-    put_agreement("share_within_one_point", if (length(apart)) mean(apart <= 1) else NA_real_,
-                  occasion = occasion)
-    put_agreement("krippendorff_alpha_interval", krippendorff_alpha(x), occasion = occasion)
 
     # With missing marks: reliability from the variances of the mixed model.
     if (any(is.na(x[, present]))) {
@@ -559,58 +595,35 @@ if (nrow(marks) > 0) {
   put_agreement("raters_of_some_groups", sum(table(here$rater) < length(unique(here$group))),
                 occasion = end)
 
-  # How many raters are needed: generalizability study within groups (Brennan 2001), trainees x raters; the
-  # lower limit of the dependability must reach 0.8.
-  tables <- lapply(groups, function(group) {
-    table <- x[group_of == group, present, drop = FALSE]
-    table[rowSums(is.na(table)) == 0, , drop = FALSE]
-  })
-  tables <- tables[sapply(tables, function(table) nrow(table) > 1 && ncol(table) > 1)]
-  if (length(raters) > 1 && length(tables) > 0) {
-    squares <- sapply(tables, function(table) unlist(mean_squares(table)))
-    n <- mean(squares["n", ])
-    k <- squares[["k", 1]]
-    df <- c(trainees = sum(squares["n", ] - 1), raters = ncol(squares) * (k - 1),
-            rest = sum(squares["n", ] - 1) * (k - 1))
-    ms <- c(trainees = sum(squares["trainees", ] * (squares["n", ] - 1)),
-            raters = sum(squares["raters", ] * (k - 1)),
-            rest = sum(squares["rest", ] * (squares["n", ] - 1) * (k - 1))) / df
-    names(df) <- names(ms) <- c("trainees", "raters", "rest")
-    variance <- c(trainees = (ms[["trainees"]] - ms[["rest"]]) / k,
-                  raters = (ms[["raters"]] - ms[["rest"]]) / n, rest = ms[["rest"]])
-    put_agreement("variance_of_trainees", variance[["trainees"]], occasion = end)
-    put_agreement("variance_of_raters", variance[["raters"]], occasion = end)
-    put_agreement("variance_of_rest", variance[["rest"]], occasion = end)
-    component <- pmax(variance, 0)
-    dependability <- function(number) {
-      component[["trainees"]] /
-        (component[["trainees"]] + (component[["raters"]] + component[["rest"]]) / number)
-    }
-    one_rater <- icc_interval(n, k, ms[["trainees"]], ms[["raters"]], ms[["rest"]], df[["trainees"]],
-                              df[["raters"]], df[["rest"]])
+  # How many raters are needed: the lower limit of the dependability must reach 0.8.
+  study <- if (length(raters) > 1) g_study_within(x)
+  if (!is.null(study)) {
+    put_agreement("variance_of_trainees", study$variance[["trainees"]], occasion = end)
+    put_agreement("variance_of_raters", study$variance[["raters"]], occasion = end)
+    put_agreement("variance_of_rest", study$variance[["rest"]], occasion = end)
     fewest <- function(reaches) {
       enough <- which(sapply(1:100, reaches))
       if (length(enough) > 0) enough[1] else NA_real_
     }
     put_agreement("raters_needed", fewest(function(number) {
-      !is.null(one_rater) && isTRUE(spearman_brown(one_rater[1], number) >= 0.8)
+      !is.null(study$one_rater) && isTRUE(spearman_brown(study$one_rater[1], number) >= 0.8)
     }), occasion = end)
     put_agreement("raters_needed_by_estimate", fewest(function(number) {
-      isTRUE(dependability(number) >= 0.8)
+      isTRUE(study$dependability(number) >= 0.8)
     }), occasion = end)
     for (number in sort(unique(c(1, 2, 3, 5, 10, sum(present))))) {
       at <- function(statistic, value) {
         put_agreement(statistic, value, index = paste("raters", number), occasion = end)
       }
-      at("dependability", dependability(number))
-      if (!is.null(one_rater)) {
-        ends <- spearman_brown(one_rater, number)
+      at("dependability", study$dependability(number))
+      if (!is.null(study$one_rater)) {
+        ends <- spearman_brown(study$one_rater, number)
         put_interval("agreement", "dependability", ends[1], ends[2], index = paste("raters", number),
                      occasion = end)
       }
-      at("generalizability", component[["trainees"]] /
-           (component[["trainees"]] + component[["rest"]] / number))
-      at("standard_error_of_mean_mark", sqrt((component[["raters"]] + component[["rest"]]) / number))
+      at("generalizability", study$component[["trainees"]] /
+           (study$component[["trainees"]] + study$component[["rest"]] / number))
+      at("standard_error_of_mean_mark", study$error(number))
     }
   }
 }
@@ -860,9 +873,9 @@ hedges_g <- function(x, y) {
   correction * c(d, noncentrality(upper_tail) * scale, noncentrality(1 - upper_tail) * scale)
 }
 
-# Difference, in standard errors, that a two-sided t test at 5 % finds with a power of 80 %.
-detectable_errors <- function(df) {
-  critical <- qt(upper_tail, df)
+# Difference, in standard errors, that a two-sided t test finds with a power of 80 % at Holm's first step.
+detectable_errors <- function(df, pairs) {
+  critical <- qt(1 - (1 - confidence) / 2 / pairs, df)
   power <- function(errors) {
     pt(critical, df, errors, lower.tail = FALSE) + pt(-critical, df, errors)
   }
@@ -929,7 +942,8 @@ if (last > 1 && nrow(marks) > 0) {
     put_comparison("primary_analysis", if (!is.null(mixed)) "linear mixed model" else if (robust)
       "analysis of covariance, HC3" else "analysis of covariance")
     usable <- primary[primary$error > 0, ]
-    put_comparison("detectable_difference", usable$error * sapply(usable$df, detectable_errors),
+    put_comparison("detectable_difference", usable$error * sapply(usable$df, detectable_errors,
+                                                                   pairs = nrow(primary)),
                    group = usable$pair)
     put_comparison("marks_missing", sum(missing_before + missing_after))
     put_comparison("trainees_compared", sum(compared))
@@ -992,6 +1006,7 @@ if (last > 1 && nrow(marks) > 0) {
     put_comparison("equal_spread_p", spread_p)
     if (!is.null(result$robust)) {
       of_pairs <- result$robust
+      put_comparison("robust_difference", of_pairs$difference, group = of_pairs$pair)
       put_comparison_interval("robust_difference", of_pairs$lower, of_pairs$upper, group = of_pairs$pair)
       put_comparison_interval("robust_difference_holm", of_pairs$holm_lower, of_pairs$holm_upper,
                               group = of_pairs$pair)
@@ -1276,7 +1291,7 @@ if (last > 1 && nrow(marks) > 0) {
       }
       settled <- !is.null(ends[[1]]) && !is.null(ends[[2]]) &&
         !(ends[[1]]$lower <= 0 && ends[[2]]$upper >= 0)
-      open <- open + !settled
+      open <- open + (!settled && pair_name(g, h) %in% primary$pair)
     }
     if (nrow(pairs) > 0) put_comparison("pairs_left_open", open)
     put_comparison("marks_missing_before", missing_before[affected], item = people$item[affected],
@@ -1736,7 +1751,9 @@ methods <- c(
   kinds_of("agreement", "
     trainees_with_every_mark icc_2_1 icc_2_k icc_2_1_lower_95 icc_2_1_upper_95 icc_2_k_lower_95
     icc_2_k_upper_95 sem_agreement sem_of_mean rater_pairs kappa_quadratic_median kappa_quadratic_lowest
-    kappa_quadratic_highest share_same_point share_within_one_point krippendorff_alpha_interval
+    kappa_quadratic_highest share_same_point share_within_one_point dependability_of_one_rater
+    dependability_of_one_rater_lower_95 dependability_of_one_rater_upper_95 dependability_of_all_raters
+    dependability_of_all_raters_lower_95 dependability_of_all_raters_upper_95
     severity_offset severity_offset_lower_95 severity_offset_upper_95 mean_difference_from_others
     limit_of_agreement_lower limit_of_agreement_upper usual_number_of_others limit_against_others
     mean_of_mark_and_others mark_minus_others raters_absent raters_of_some_groups variance_of_trainees
@@ -1753,7 +1770,7 @@ methods <- c(
     adjusted_difference_holm_lower_95 adjusted_difference_holm_upper_95
     adjusted_difference_simultaneous_lower_95 adjusted_difference_simultaneous_upper_95 t p p_holm
     hedges_g hedges_g_lower_95 hedges_g_upper_95 largest_spread smallest_spread equal_spread_p
-    robust_difference_lower_95 robust_difference_upper_95 robust_difference_holm_lower_95
+    robust_difference robust_difference_lower_95 robust_difference_upper_95 robust_difference_holm_lower_95
     robust_difference_holm_upper_95 robust_error robust_t robust_p robust_p_holm
     residuals_shapiro_wilk_w residuals_shapiro_wilk_p ancova_fitted ancova_residual
     ancova_normal_quantile difference_before_in_sd mixed_interaction_f mixed_interaction_df

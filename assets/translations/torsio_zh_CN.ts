@@ -5877,14 +5877,6 @@
         <translation>一致性与组间比较</translation>
     </message>
     <message>
-        <source>Agreement of the raters at each occasion</source>
-        <translation>各评分时点的评分者间一致性</translation>
-    </message>
-    <message>
-        <source>Agreement of the raters with 95 % intervals</source>
-        <translation>评分者间一致性及 95 % 置信区间</translation>
-    </message>
-    <message>
         <source>All people and marks in this report are simulated. No conclusion about training, trainees or models may be drawn from it.</source>
         <translation>本报告中的人员和评分均为模拟，不得据此对训练、学员或模型得出任何结论。</translation>
     </message>
@@ -6221,16 +6213,8 @@
         <translation>ICC(2,1) [95 %]</translation>
     </message>
     <message>
-        <source>ICC(2,1), one rater</source>
-        <translation>ICC(2,1)，单个评分者</translation>
-    </message>
-    <message>
         <source>ICC(2,k) [95 %]</source>
         <translation>ICC(2,k) [95 %]</translation>
-    </message>
-    <message>
-        <source>ICC(2,k), mean of all raters</source>
-        <translation>ICC(2,k)，全体评分者均值</translation>
     </message>
     <message>
         <source>Index</source>
@@ -6243,10 +6227,6 @@
     <message>
         <source>Kind</source>
         <translation>类型</translation>
-    </message>
-    <message>
-        <source>Krippendorff alpha</source>
-        <translation>Krippendorff α</translation>
     </message>
     <message>
         <source>Kruskal-Wallis H = %1, %2, epsilon squared %3.</source>
@@ -6575,14 +6555,6 @@
     <message>
         <source>Severity of the raters</source>
         <translation>评分者的严格度</translation>
-    </message>
-    <message>
-        <source>Shrout and Fleiss ICC(2,1), ICC(2,k)</source>
-        <translation>Shrout-Fleiss 组内相关系数 ICC(2,1)、ICC(2,k)</translation>
-    </message>
-    <message>
-        <source>Shrout and Fleiss ICC(2,1), ICC(2,k); Krippendorff alpha</source>
-        <translation>Shrout-Fleiss 组内相关系数 ICC(2,1)、ICC(2,k)；Krippendorff α</translation>
     </message>
     <message>
         <source>Simulated date</source>
@@ -7007,10 +6979,6 @@
     <message>
         <source>interrupted</source>
         <translation>已中断</translation>
-    </message>
-    <message>
-        <source>intraclass correlation</source>
-        <translation>组内相关系数</translation>
     </message>
     <message>
         <source>kappa needs subjects and at least two categories</source>
@@ -10697,20 +10665,8 @@
         <translation>%1，全部评分</translation>
     </message>
     <message>
-        <source>Marks are missing: the first line of an occasion is made from the trainees whom every rater scored, the second from every mark, with variances by restricted maximum likelihood.</source>
-        <translation>有评分缺失：每个评分时点的第一行仅含所有评分者都评过的学员，第二行使用全部评分，方差由限制性极大似然估计。</translation>
-    </message>
-    <message>
-        <source>Agreement of the raters within each group</source>
-        <translation>各组内的评分者一致性</translation>
-    </message>
-    <message>
         <source>Shrout and Fleiss ICC(2,1), ICC(2,k), each group alone</source>
         <translation>Shrout-Fleiss 组内相关系数 ICC(2,1)、ICC(2,k)，逐组计算</translation>
-    </message>
-    <message>
-        <source>Differences between the groups make raters agree in the table above. This table shows what counts for comparing trainees of one group.</source>
-        <translation>上表的一致性部分来自组间差异。比较同组学员时应看本表。</translation>
     </message>
     <message>
         <source>Left out, without a score at every occasion: %1.</source>
@@ -10785,10 +10741,6 @@
         <translation>结束得分的 Hedges g [95 %，未校正]</translation>
     </message>
     <message>
-        <source>Intervals of all pairs together are widened after Bonferroni: all of them hold at once with 95 % or more. They are wider than Holm&apos;s p values ask for.</source>
-        <translation>“所有配对同时成立”的区间按 Bonferroni 法加宽：全部同时成立的概率不低于 95 %，比 Holm 法 p 值所要求的更宽。</translation>
-    </message>
-    <message>
         <source>Scores at the end where each group has a slope of its own</source>
         <translation>各组斜率分开时的结束得分</translation>
     </message>
@@ -10807,10 +10759,6 @@
     <message>
         <source>Slopes: %1. Stated scores before: the mean of all and one standard deviation to either side. p (Holm) over all rows. This analysis was not planned: the test of equal slopes asked for it.</source>
         <translation>斜率：%1。所取训练前得分为全体均值及其上下各一个标准差。p（Holm）对所有行校正。本分析不在计划之内，由斜率相等检验引出。</translation>
-    </message>
-    <message>
-        <source>linear mixed model; analysis of covariance, one pooled slope</source>
-        <translation>线性混合模型；协方差分析，共用一个斜率</translation>
     </message>
     <message>
         <source>complete cases [95 %]</source>
@@ -12287,10 +12235,6 @@ audit trail %3</source>
         <translation>请写 novice（新手）或 master（熟练者）</translation>
     </message>
     <message>
-        <source>The intervals assume normal scores. With strongly skewed scores they include the true coefficient in about four of five cases, not in 95 %.</source>
-        <translation>这些区间以得分呈正态分布为前提。得分明显偏态时，区间包含真实系数的情况约为五分之四，而不是 95 %。</translation>
-    </message>
-    <message>
         <source>No margin was planned within which a difference would not matter. Nothing here shows that groups are equal, however far a difference is from significant.</source>
         <translation>研究计划没有规定多大的差异无关紧要。无论差异离显著有多远，这里都没有任何结果说明各组相等。</translation>
     </message>
@@ -12329,10 +12273,6 @@ audit trail %3</source>
     <message>
         <source>Agreement of the raters in whole points, pair by pair</source>
         <translation>评分者按整分两两比较的一致性</translation>
-    </message>
-    <message>
-        <source>Cohen&apos;s kappa with quadratic weights; marks rounded to whole points</source>
-        <translation>二次加权的 Cohen κ；评分取整到整分</translation>
     </message>
     <message>
         <source>Pairs of raters</source>
@@ -12649,10 +12589,6 @@ audit trail %3</source>
     <message>
         <source>Groups are compared by an analysis of covariance: the score at the end, adjusted for the score before, one pooled slope; the trainee is the unit.</source>
         <translation>各组用协方差分析比较：结束得分按训练前得分校正，各组共用一个斜率；以学员为分析单位。</translation>
-    </message>
-    <message>
-        <source>Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement (Shrout and Fleiss) and Krippendorff&apos;s alpha. Severity is a rater&apos;s mean distance from the other raters.</source>
-        <translation>效应量为 Hedges g，区间取自非中心 t 分布。评分者一致性为绝对一致的组内相关系数（Shrout 与 Fleiss）和 Krippendorff α。严格度为某评分者与其他评分者的平均差距。</translation>
     </message>
     <message>
         <source>Raters with marks at the other end of the study but none %1: %2. The scores before and at the end are then not means over the same raters, which shifts the gains of all groups alike and not the differences between them.</source>
@@ -14255,10 +14191,6 @@ audit trail %3</source>
         <translation>记录已改变，数值按今天的记录计算；见“数据来源”</translation>
     </message>
     <message>
-        <source>Effect of the group: F(%1, %2) = %3, %4. Adjusted means [95 %]: %5.</source>
-        <translation>组别效应：F(%1, %2) = %3，%4。校正均值 [95 %]：%5。</translation>
-    </message>
-    <message>
         <source>A class of weight 0 enters s2 but not M: %1.</source>
         <translation>权重为 0 的类别计入 s2 而不计入 M：%1。</translation>
     </message>
@@ -14481,18 +14413,6 @@ audit trail %3</source>
     <message>
         <source>the sheet was not taken back from its rater</source>
         <translation>该评分表未从评分者处收回</translation>
-    </message>
-    <message>
-        <source>ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, which is the reported score of who has a mark of each.</source>
-        <translation>ICC：组内相关系数，绝对一致，评分者视为随机样本；(2,1) 针对单个评分者，(2,k) 针对全体均值，即每位评分者都给过评分的学员所报告的得分。</translation>
-    </message>
-    <message>
-        <source>ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, which is the reported score.</source>
-        <translation>ICC：组内相关系数，绝对一致，评分者视为随机样本；(2,1) 针对单个评分者，(2,k) 针对全体均值，即所报告的得分。</translation>
-    </message>
-    <message>
-        <source>Alpha with the interval metric. A group that is much alike gives a low coefficient even when raters agree well: look at the standard error of measurement (SEM).</source>
-        <translation>α 采用等距度量。若各学员水平相近，即使评分者一致性好，系数也会偏低：此时请看测量标准误 (SEM)。</translation>
     </message>
     <message>
         <source>Raters gave an overall mark and one for each criterion that they could assess. Scores, comparison and agreement are those of the overall mark; the criteria show what it rests on and enter no test.</source>
@@ -18507,10 +18427,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>各组在训练前就不相同，以标准差计：%1。答案已在直线关系所能达到的范围内对此作了调整。</translation>
     </message>
     <message>
-        <source>%1 and %2</source>
-        <translation>%1 和 %2</translation>
-    </message>
-    <message>
         <source>Everybody withdrew. The answer rests on marks that were given before that: ask whether it may be used.</source>
         <translation>所有人都已退出。答案所依据的分数是在此之前给出的：请询问是否可以使用。</translation>
     </message>
@@ -18567,10 +18483,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>协方差分析，单一合并斜率，HC3</translation>
     </message>
     <message>
-        <source>Intervals are adjusted for the number of pairs, as the p values are (Holm).</source>
-        <translation>区间与 p 值一样已按对数校正（Holm）。</translation>
-    </message>
-    <message>
         <source>Mean score (lowest to highest)</source>
         <translation>平均分（最低至最高）</translation>
     </message>
@@ -18603,10 +18515,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>这不能说明什么：%1</translation>
     </message>
     <message>
-        <source>What this does not show: with the spread found here, this comparison detects a difference of %1 points between two groups with a power of %2 (two-sided test at 5 %, not adjusted for the number of pairs), and misses smaller ones more often. %3</source>
-        <translation>这不能说明什么：按这里的离散程度，这项比较能以 %2 的检验效能发现两组之间 %1 分的差异（双侧检验，5 %，未按对数校正），更小的差异则更常被漏掉。%3</translation>
-    </message>
-    <message>
         <source>All raters gave the same marks: that says nothing about how many are needed, as raters who score by themselves differ.</source>
         <translation>所有评分者给出的分数都相同：这不能说明需要多少评分者，因为独立评分的人总会有差别。</translation>
     </message>
@@ -18629,10 +18537,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>everybody was trained as planned</source>
         <translation>所有人都按计划接受了训练</translation>
-    </message>
-    <message>
-        <source>%1 have the same mark from every rater at every occasion: check whether somebody was entered twice.</source>
-        <translation>%1 在每次评分中从每位评分者得到的分数都相同：请检查是否有人被录入了两次。</translation>
     </message>
     <message>
         <source>First group minus second group. Intervals are not adjusted for the number of pairs.</source>
@@ -19843,10 +19747,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>在本报告中</translation>
     </message>
     <message>
-        <source>Study and checklists</source>
-        <translation>研究说明与清单</translation>
-    </message>
-    <message>
         <source>GRRAS 2011: reliability and agreement</source>
         <translation>GRRAS 2011：信度与一致性</translation>
     </message>
@@ -21039,14 +20939,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1 只评了部分组学员的评分者：%2。这类评分者的严格程度无法与训练效果区分：组间差异可能是评分者之间的差异。</translation>
     </message>
     <message>
-        <source>Planned and used: the analysis of covariance of the score at the end on the score before. Its standard errors hold for unequal spreads, too (HC3).</source>
-        <translation>计划并采用：以训练前成绩为协变量的末次成绩协方差分析。其标准误在离散程度不等时同样有效（HC3）。</translation>
-    </message>
-    <message>
-        <source>Used: the analysis of covariance of the score at the end on the score before. Its standard errors hold for unequal spreads, too (HC3). No plan of the analysis is in the record.</source>
-        <translation>采用：以训练前成绩为协变量的末次成绩协方差分析。其标准误在离散程度不等时同样有效（HC3）。记录中没有分析计划。</translation>
-    </message>
-    <message>
         <source>%1 %2, so the linear mixed model is the primary comparison here: it uses every mark at the end of everybody who also has one before. The analysis of covariance is shown beside it, for the %3 {trainee|trainees} with a score at both occasions.</source>
         <translation>%1 %2，因此此处以线性混合模型为主要比较：凡训练前也有评分的学员，其全部末次评分均予采用。协方差分析一并列出，针对两个时点均有成绩的 %3 名学员。</translation>
     </message>
@@ -21389,6 +21281,142 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>the scale of the scores, although they use hardly any of it</source>
         <translation>评分的量表（评分只用到其中很小一部分）</translation>
+    </message>
+    <message>
+        <source>What stands against the answer</source>
+        <translation>对结论的保留意见</translation>
+    </message>
+    <message>
+        <source>In this order: doubts about the data, what else could explain a difference, missing data, how the answer was reached.</source>
+        <translation>排列顺序：对数据的疑问，差异的其他可能原因，缺失数据，得出结论的方法。</translation>
+    </message>
+    <message>
+        <source>%1 more {reservation stands|reservations stand} against the answer: all %2 are on the next page, the most serious first.</source>
+        <translation>对结论另有 %1 条保留意见：全部 %2 条见下一页，最重要的在前。</translation>
+    </message>
+    <message>
+        <source>Agreement of the raters within the groups, at each occasion</source>
+        <translation>各评分时点的组内评分者一致性</translation>
+    </message>
+    <message>
+        <source>G-study of trainees x raters within groups</source>
+        <translation>组内学员 × 评分者的概化研究（G 研究）</translation>
+    </message>
+    <message>
+        <source>Dependability of one rater [95 %]</source>
+        <translation>单个评分者的可靠性 [95 %]</translation>
+    </message>
+    <message>
+        <source>Dependability of the mean of all [95 %]</source>
+        <translation>全部评分者均值的可靠性 [95 %]</translation>
+    </message>
+    <message>
+        <source>Dependability: share of the variance of a mark, or of the mean over all raters, that is due to the trainee; in a single group the intraclass correlations for absolute agreement, ICC(2,1) and ICC(2,k). Raters count as a random sample. Differences between the groups do not count: an effect of the training would make raters look more alike.</source>
+        <translation>可靠性：一个评分（或全部评分者的均值）的方差中由学员造成的比例；只有一个组时即为绝对一致性的组内相关系数 ICC(2,1) 和 ICC(2,k)。评分者视为随机样本。组间差异不计入：否则训练效果会使评分者看起来更一致。</translation>
+    </message>
+    <message>
+        <source>A group that is much alike gives a low coefficient even when raters agree well: look at the standard error of measurement (SEM). The intervals assume normal scores. With strongly skewed scores they include the true coefficient in about four of five cases, not in 95 %.</source>
+        <translation>若各学员水平相近，即使评分者一致性好，系数也会偏低：此时请看测量标准误 (SEM)。这些区间以得分呈正态分布为前提。得分明显偏态时，区间包含真实系数的情况约为五分之四，而不是 95 %。</translation>
+    </message>
+    <message>
+        <source>Marks are missing: the first line of an occasion is made from the trainees whom every rater scored, the second from every mark, with variances by restricted maximum likelihood and without an interval.</source>
+        <translation>有评分缺失：每个评分时点的第一行仅含所有评分者都评过的学员，第二行使用全部评分，方差由限制性极大似然估计，没有区间。</translation>
+    </message>
+    <message>
+        <source>Agreement of the raters in each group alone</source>
+        <translation>各组单独的评分者一致性</translation>
+    </message>
+    <message>
+        <source>Cohen&apos;s kappa with quadratic weights, each group alone; marks rounded to whole points</source>
+        <translation>二次加权的 Cohen κ，逐组计算；评分取整</translation>
+    </message>
+    <message>
+        <source>Agreement of the raters within the groups, with 95 % intervals</source>
+        <translation>组内评分者一致性及 95 % 区间</translation>
+    </message>
+    <message>
+        <source>dependability</source>
+        <translation>可靠性</translation>
+    </message>
+    <message>
+        <source>one rater</source>
+        <translation>单个评分者</translation>
+    </message>
+    <message>
+        <source>mean of all raters</source>
+        <translation>全部评分者的均值</translation>
+    </message>
+    <message>
+        <source>%1 {pair of trainees has|pairs of trainees have} more marks in common than chance gives two trainees of equal skill: check whether somebody was entered twice.</source>
+        <translation>有 %1 对学员的相同评分多于水平相同的两名学员偶然会有的：请检查是否有人被录入了两次。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 in %3 of %4</source>
+        <translation>%1 与 %2，%4 个评分中有 %3 个相同</translation>
+    </message>
+    <message>
+        <source>More marks are the same than chance gives two trainees of equal skill (same rater, same occasion): %1. Check whether somebody was entered twice.</source>
+        <translation>相同的评分（同一评分者、同一时点）多于水平相同的两名学员偶然会有的：%1。请检查是否有人被录入了两次。</translation>
+    </message>
+    <message>
+        <source>Intervals are adjusted for the number of pairs, as the p values are (Holm): one excludes zero exactly where p is below 0.05.</source>
+        <translation>区间与 p 值一样按对数校正（Holm 法）：当且仅当 p 小于 0.05 时，区间不包含零。</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>研究说明</translation>
+    </message>
+    <message>
+        <source>Checklists</source>
+        <translation>清单</translation>
+    </message>
+    <message>
+        <source>Excused</source>
+        <translation>免计</translation>
+    </message>
+    <message>
+        <source>%1 {interrupted run was|interrupted runs were} excused with a reason and {counts|count} neither as passed nor as failed; the table of every trainee has how many of whom.</source>
+        <translation>有 %1 次中断的练习经说明理由而免计，既不算通过也不算未通过；各学员的次数见逐人表。</translation>
+    </message>
+    <message>
+        <source>With one variance for all groups: effect of the group F(%1, %2) = %3, %4; adjusted means [95 %]: %5.</source>
+        <translation>各组共用一个方差时：组别效应 F(%1, %2) = %3，%4；校正均值 [95 %]：%5。</translation>
+    </message>
+    <message>
+        <source>An interval after Holm excludes zero exactly where p (Holm) is below 0.05. That all of them hold at once is not claimed.</source>
+        <translation>当且仅当 p（Holm）小于 0.05 时，Holm 法校正的区间不包含零。并不声称这些区间同时成立。</translation>
+    </message>
+    <message>
+        <source>two one-sided tests, analysis of covariance, HC3</source>
+        <translation>两次单侧检验，协方差分析，HC3</translation>
+    </message>
+    <message>
+        <source>linear mixed model; %1</source>
+        <translation>线性混合模型；%1</translation>
+    </message>
+    <message>
+        <source>Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is the dependability within the groups, which in a single group is the intraclass correlation for absolute agreement (Shrout and Fleiss). Severity is a rater&apos;s mean distance from the other raters.</source>
+        <translation>效应量为 Hedges g，区间取自非中心 t 分布。评分者一致性为组内可靠性，只有一个组时即为绝对一致性的组内相关系数（Shrout-Fleiss）。严格度为某评分者与其他评分者的平均差距。</translation>
+    </message>
+    <message>
+        <source>Its standard errors hold for unequal spreads, too (HC3).</source>
+        <translation>其标准误在离散程度不等时同样有效（HC3）。</translation>
+    </message>
+    <message>
+        <source>Its standard errors assume that all groups spread alike: somebody is alone in a group.</source>
+        <translation>其标准误以各组离散程度相同为前提：有一个组只有一名学员。</translation>
+    </message>
+    <message>
+        <source>Planned and used: the analysis of covariance of the score at the end on the score before. %1</source>
+        <translation>计划并采用：以训练前成绩为协变量的末次成绩协方差分析。%1</translation>
+    </message>
+    <message>
+        <source>Used: the analysis of covariance of the score at the end on the score before. %1 No plan of the analysis is in the record.</source>
+        <translation>采用：以训练前成绩为协变量的末次成绩协方差分析。%1记录中没有分析计划。</translation>
+    </message>
+    <message>
+        <source>What this does not show: with the spread found here, this comparison detects a difference of %1 points between two groups with a power of %2 (two-sided test at 5 %, shared among the pairs as in Holm&apos;s first step), and misses smaller ones more often. %3</source>
+        <translation>这不能说明什么：按这里的离散程度，这项比较能以 %2 的检验效能发现两组之间 %1 分的差异（双侧检验，5 %，与 Holm 法第一步一样由各对均分），更小的差异则更常被漏掉。%3</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the first page must and must not say of cohorts that something is wrong with.
 
+#include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +13,9 @@
 
 #include "assessment/results/cohort_report.h"
 #include "assessment/results/received_training.h"
+#include "assessment/results/same_marks.h"
 #include "assessment/results/study_analysis.h"
+#include "assessment/scoring/demonstration_marks.h"
 #include "tests/support/demonstration_cohort.h"
 
 namespace torsio {
@@ -88,6 +92,27 @@ struct Strange {
   std::vector<std::string> neverSays{};
 };
 
+/// A trainee of the first group is also one of the third, with so many marks changed.
+CohortInputs enteredTwice(int changed) {
+  return with([changed](CohortInputs& in) {
+    std::map<std::pair<std::string, std::size_t>, std::int64_t> first;
+    for (const TrainingMark& mark : in.trainingMarks) {
+      if (mark.trainee == "x101") {
+        first[{mark.rater, mark.occasion}] = mark.steps;
+      }
+    }
+    int left = changed;
+    for (TrainingMark& mark : in.trainingMarks) {
+      if (mark.trainee == "z110") {
+        mark.steps = first.at({mark.rater, mark.occasion});
+        mark.steps += left-- > 0 ? (mark.steps < 90 ? 10 : -10) : 0;
+      }
+    }
+    in = scored(std::move(in));
+  });
+}
+
+constexpr const char* kTwice = "More marks are the same than chance gives two trainees of equal skill";
 constexpr const char* kDrawn = "Groups: drawn at random (complete permutation).";
 constexpr const char* kNeedNot = "a difference need not be an effect of the training";
 constexpr const char* kAsPlanned = "Training: all 30 trainees received what was planned for their group";
@@ -96,7 +121,10 @@ constexpr const char* kNoPlan = "No plan of the analysis is in the record";
 
 std::vector<Strange> allocations() {
   return {
-      {"sound", sound(), {kDrawn, kAsPlanned}, {kNeedNot, kNoPlan, "withdrew:", "unlike before", "HC3"}},
+      {"sound",
+       sound(),
+       {kDrawn, kAsPlanned},
+       {kNeedNot, kNoPlan, kTwice, "withdrew:", "unlike before", "HC3"}},
       {"allocation not recorded",
        with([](CohortInputs& in) { in.allocation = {}; }),
        {"how trainees came into them is not in the record", kNeedNot},
@@ -185,23 +213,10 @@ std::vector<Strange> people() {
        {"1 of them withdrew"},
        {"may hold only"}},
       {"entered twice",
-       with([](CohortInputs& in) {
-         std::map<std::pair<std::string, std::size_t>, std::int64_t> first;
-         for (const TrainingMark& mark : in.trainingMarks) {
-           if (mark.trainee == "x101") {
-             first[{mark.rater, mark.occasion}] = mark.steps;
-           }
-         }
-         for (TrainingMark& mark : in.trainingMarks) {
-           if (mark.trainee == "z110") {
-             mark.steps = first.at({mark.rater, mark.occasion});
-           }
-         }
-         in = scored(std::move(in));
-       }),
-       {"x101 and z110 have the same mark from every rater at every occasion: check whether somebody was "
-        "entered "
-        "twice."}},
+       enteredTwice(0),
+       {"x101 and z110 in 30 of 30. Check whether somebody was entered twice."}},
+      {"entered twice, one mark changed", enteredTwice(1), {kTwice, "x101 and z110 in 29 of 30."}},
+      {"entered twice, three marks changed", enteredTwice(3), {kTwice, "x101 and z110 in 27 of 30."}},
       {"everything equal",
        withMarks([](TrainingMark& mark) { mark.steps = 70; }),
        {"Answer: none"},
@@ -336,6 +351,84 @@ TEST(FirstPage, APageWithoutNamesNamesNobody) {
       }
     }
   }
+}
+
+TEST(FirstPage, ReservationsComeInOrderOfWhatTheyStandAgainst) {
+  CohortInputs in = enteredTwice(0);
+  in.equivalenceMargin.reset();
+  in.sites = {"D1", "D2"};
+  in.trainees[0].withdrew = in.trainees[1].withdrew = in.trainees[2].withdrew = true;
+  for (std::size_t i = 3; i < 9; ++i) {
+    in.trainees[i].withdrew = true;
+  }
+  std::string order;
+  const ReportModel report = cohortReport(in);
+  for (const ReportParagraph& paragraph : report.sections.front().paragraphs) {
+    if (paragraph.reservation) {
+      order += paragraph.str() + "\n";
+    }
+  }
+  std::size_t at = 0;
+  for (const char* one : {kTwice, "centres were pooled", "trainees withdrew", kNoPlan}) {
+    const std::size_t found = order.find(one);
+    ASSERT_NE(found, std::string::npos) << one << "\n" << order;
+    EXPECT_GE(found, at) << one;
+    at = found;
+  }
+}
+
+/// How many simulated cohorts of the demonstration's design are said to contain somebody twice, of `cohorts`.
+int falseAlarms(int cohorts, std::size_t raters, std::size_t occasions) {
+  const CohortInputs shape = testing::demonstrationCohort();
+  int alarms = 0;
+  for (int seed = 1; seed <= cohorts; ++seed) {
+    DemonstrationPeople people{{{}, {}, {}}, {}, {}};
+    std::vector<std::string> trainees;
+    std::vector<std::size_t> groupOf;
+    for (const CohortTrainee& trainee : shape.trainees) {
+      people.groups[trainee.group].push_back(trainee.code);
+      trainees.push_back(trainee.code);
+      groupOf.push_back(trainee.group);
+    }
+    for (std::size_t r = 0; r < raters; ++r) {
+      people.raters.push_back("R" + std::to_string(100 + r));
+    }
+    std::vector<OccasionMarks> marks(occasions);
+    for (OccasionMarks& at : marks) {
+      at.marks.assign(trainees.size(), std::vector<std::optional<double>>(raters));
+      for (std::size_t r = 0; r < raters; ++r) {
+        at.present.push_back(r);
+      }
+    }
+    for (const TrainingMark& mark :
+         demonstrationTrainingMarks(shape.trainingScale, people, static_cast<std::uint64_t>(seed))) {
+      if (mark.occasion < occasions) {
+        const auto i = std::find(trainees.begin(), trainees.end(), mark.trainee) - trainees.begin();
+        const auto r =
+            std::find(people.raters.begin(), people.raters.end(), mark.rater) - people.raters.begin();
+        marks[mark.occasion].marks[static_cast<std::size_t>(i)][static_cast<std::size_t>(r)] =
+            pointsFromSteps(mark.steps, shape.trainingScale);
+      }
+    }
+    for (OccasionMarks& at : marks) {
+      IncompleteRatings byRater(raters);
+      for (std::size_t r = 0; r < raters; ++r) {
+        for (const std::vector<std::optional<double>>& row : at.marks) {
+          byRater[r].push_back(row[r]);
+        }
+      }
+      at.reliability = incompleteReliability(byRater, groupOf);
+    }
+    alarms += traineesMarkedAlike(trainees, marks).empty() ? 0 : 1;
+  }
+  return alarms;
+}
+
+TEST(SameMarks, NobodyIsSaidToBeThereTwiceInTwoHundredSimulatedCohorts) {
+  EXPECT_EQ(falseAlarms(200, 10, 3), 0);
+  EXPECT_EQ(falseAlarms(200, 5, 3), 0);
+  EXPECT_LE(falseAlarms(200, 10, 1), 10);  // one in twenty
+  EXPECT_LE(falseAlarms(200, 3, 2), 10);
 }
 
 TEST(ReceivedTraining, NothingNotedIsNoTraining) {

@@ -109,7 +109,8 @@ TEST(CohortCsv, ContainsTheTablesOfTheStudy) {
   in.equivalenceMargin = 1.0;
   // Agreement: three occasions, and within each of three groups.
   EXPECT_EQ(csvCount(in, "sem_of_mean"), 12);
-  EXPECT_EQ(csvCount(in, "icc_2_k_lower_95"), 12);
+  EXPECT_EQ(csvCount(in, "icc_2_k_lower_95"), 9);
+  EXPECT_EQ(csvCount(in, "dependability_of_all_raters_lower_95"), 3);
   EXPECT_EQ(csvCount(in, "limit_of_agreement_upper"), 10);
   EXPECT_EQ(csvCount(in, "mean_lower_95"), 9);
   EXPECT_EQ(csvCount(in, "adjusted_difference_simultaneous_lower_95"), 3);

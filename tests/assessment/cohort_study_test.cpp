@@ -119,7 +119,7 @@ TEST(CohortReport, ReportsTheRatersNeededAndEachGroupsGain) {
   // In a single group, one rater's dependability is ICC(2,1), and that of all ten ICC(2,k).
   CohortInputs one = in;
   std::erase_if(one.trainingMarks, [](const TrainingMark& mark) { return mark.group > 0; });
-  const IccResult icc = analyseStudy(one).occasions.back().icc.value();
+  const IccResult icc = analyseStudy(one).occasions.back().groups.front().icc.value();
   const ReportModel ofOne = cohortReport(testing::scored(std::move(one)));
   const ReportTable* alone = tableNamed(ofOne, "table-raters-needed");
   EXPECT_EQ(alone->rows.front().at(1),
@@ -294,13 +294,55 @@ TEST(CohortReport, DifferentSlopesAreAnalysedSeparately) {
   EXPECT_EQ(csvCount(in, "separate_slope"), 3);
 }
 
+TEST(CohortReport, NoStatementAboutRatersGainsFromAnEffectOfTheTraining) {
+  CohortInputs in = demonstrationCohort();
+  for (TrainingMark& mark : in.trainingMarks) {
+    mark.steps = std::clamp<std::int64_t>(mark.steps, 10, 60);
+  }
+  CohortInputs trained = in;
+  for (TrainingMark& mark : trained.trainingMarks) {
+    mark.steps += mark.group == 1 && mark.occasion == 2 ? 40 : 0;
+  }
+  const ReportModel usual = cohortReport(testing::scored(in));
+  const ReportModel changed = cohortReport(testing::scored(trained));
+  for (const char* id : {"table-agreement", "table-agreement-groups", "table-raters-needed"}) {
+    const ReportTable* before = tableNamed(usual, id);
+    const ReportTable* after = tableNamed(changed, id);
+    ASSERT_TRUE(before != nullptr && after != nullptr) << id;
+    EXPECT_EQ(before->rows, after->rows) << id;
+  }
+  const ReportFigure* figure = figureNamed(usual, "figure-agreement");
+  ASSERT_NE(figure, nullptr);
+  EXPECT_EQ(figure->series[1].low, figureNamed(changed, "figure-agreement")->series[1].low);
+  for (const CohortCsvRow& row : cohortCsvRows(trained)) {
+    EXPECT_FALSE(row.group.empty() &&
+                 (row.statistic.starts_with("icc_") || row.statistic.starts_with("kappa")))
+        << numberAddress(row);
+  }
+}
+
+TEST(CohortReport, TheTableOfDifferencesHasTheErrorsOfTheAnswer) {
+  const CohortInputs in = demonstrationCohort();
+  const StudyAnalysis study = analyseStudy(in);
+  ASSERT_EQ(study.primaryMethod(), PrimaryMethod::kRobust);
+  const ReportModel report = cohortReport(in);
+  const ReportTable* table = tableNamed(report, "table-ancova");
+  ASSERT_NE(table, nullptr);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const AdjustedDifference& pair = study.ancova->spread.pairs[i];
+    EXPECT_EQ(table->rows[i][1], withInterval(pair.difference, pair.interval));
+    EXPECT_EQ(figureNamed(report, "figure-differences")->series[0].high[i], pair.interval.upper);
+  }
+  EXPECT_THAT(table->provenance.formula.str(), ::testing::HasSubstr("HC3"));
+}
+
 TEST(CohortReport, ShowsKappaOfMarksInWholePoints) {
   CohortInputs in = demonstrationCohort();
   const ReportModel usual = cohortReport(in);
   const ReportTable* table = tableNamed(usual, "table-kappa");
   ASSERT_NE(table, nullptr);
-  ASSERT_EQ(table->rows.size(), in.occasions.size());
-  EXPECT_EQ(table->rows[0][1].str(), "45");  // pairs of ten raters
+  ASSERT_EQ(table->rows.size(), in.occasions.size() * in.groups.size());
+  EXPECT_EQ(table->rows[0][2].str(), "45");  // pairs of ten raters
 
   const std::string first = in.trainingMarks.front().rater;
   std::map<std::pair<std::string, std::size_t>, std::int64_t> marks;  // by trainee and occasion
@@ -316,8 +358,8 @@ TEST(CohortReport, ShowsKappaOfMarksInWholePoints) {
   in.scores = traineeScores(in.trainingScale, in.trainingMarks);
   in.summaries = groupSummaries(in.trainingScale, in.trainingMarks);
   const ReportModel alike = cohortReport(in);
-  EXPECT_EQ(tableNamed(alike, "table-kappa")->rows[0][3].str(), "1.000 (1.000 to 1.000)");
-  EXPECT_EQ(tableNamed(alike, "table-kappa")->rows[0][4].str(), "100 %");
+  EXPECT_EQ(tableNamed(alike, "table-kappa")->rows[0][4].str(), "1.000 (1.000 to 1.000)");
+  EXPECT_EQ(tableNamed(alike, "table-kappa")->rows[0][5].str(), "100 %");
 }
 
 TEST(CohortReport, TestsEquivalenceWithThePlannedMarginOrSaysThatThereIsNone) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -55,7 +56,11 @@ constexpr double kSectionStart_mm =
     45.0;  // a section begins on the page of the previous one if so much is free
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels per inch: chart fonts appear at about 9 points
 constexpr double kNote_pt = 7.5;
+constexpr double kBoard_pt = 9.0;  // of the first page
+constexpr double kBoardTitle_pt = 13.0;
+constexpr double kBoardGap_mm = 0.8;
 constexpr double kHeading_mm = 8.0;
+constexpr double kBehindNotes_mm = 4.0;
 constexpr std::size_t kRowsWithTitle = 2;
 constexpr double kShortTable_mm = 60.0;
 const QColor kAccent(0x00, 0x4A, 0x7C);
@@ -129,24 +134,45 @@ class Composer {
         8.5, false, kQuietInk);
   }
 
-  void section(const ReportSection& section) {
-    const double gap_mm = section.onFirstPage ? 0.8 : 2.0;
-    std::vector<Item> items = figureItems(section.figures);
-    for (const ReportTable& table : section.tables) {
-      items.push_back(tableItem(table));
+  /// Lays out the first page: as many reservations as leave room for the rest, and all of them behind it if
+  /// some do not fit.
+  void board(const ReportSection& section) {
+    ReportSection rest{"reservations", Text::tr("What stands against the answer")};
+    rest.paragraphs = {Text::tr(
+        "In this order: doubts about the data, what else could explain a difference, missing data, how "
+        "the answer was reached.")};
+    std::copy_if(section.paragraphs.begin(), section.paragraphs.end(), std::back_inserter(rest.paragraphs),
+                 [](const ReportParagraph& one) { return one.reservation; });
+    const std::size_t reservations = rest.paragraphs.size() - 1;
+    std::size_t shown = reservations;
+    std::vector<ReportParagraph> paragraphs = section.paragraphs;
+    for (const std::vector<Item> items = itemsOf(section); shown > 0 && !fits(section, paragraphs, items);) {
+      paragraphs = withReservations(section.paragraphs, --shown, reservations);
     }
+    this->section(section, paragraphs);
+    if (shown < reservations) {
+      flow_.newPage();
+      this->section(rest, rest.paragraphs);
+    }
+  }
+
+  void section(const ReportSection& section) { this->section(section, section.paragraphs); }
+
+  void section(const ReportSection& section, const std::vector<ReportParagraph>& paragraphs) {
+    const double gap_mm = section.onFirstPage ? kBoardGap_mm : 2.0;
+    std::vector<Item> items = itemsOf(section);
     double below_mm = 20.0;
-    if (section.paragraphs.size() <= 1 && !items.empty()) {  // no heading stands alone, or with one sentence
+    if (paragraphs.size() <= 1 && !items.empty()) {  // no heading stands alone, or with one sentence
       below_mm = 3.0 * gap_mm + items.front().begin_mm;
-      for (const Text& paragraph : section.paragraphs) {
+      for (const Text& paragraph : paragraphs) {
         below_mm += flow_.textHeight_mm(say_(paragraph), 9.5);
       }
     }
-    flow_.text(say_(section.title), section.onFirstPage ? 13.0 : 16.0, true, kAccent, below_mm);
+    flow_.text(say_(section.title), section.onFirstPage ? kBoardTitle_pt : 16.0, true, kAccent, below_mm);
     flow_.bookmark(say_(section.title), 0);
     flow_.space(gap_mm);
-    for (const Text& paragraph : section.paragraphs) {
-      flow_.text(say_(paragraph), section.onFirstPage ? 9.0 : 9.5);
+    for (const Text& paragraph : paragraphs) {
+      flow_.text(say_(paragraph), section.onFirstPage ? kBoard_pt : 9.5);
       flow_.space(gap_mm);
     }
     flow_.space(gap_mm);
@@ -216,8 +242,51 @@ class Composer {
     bool table = false;
     double begin_mm = 0.0;  ///< room that its first part needs
     double whole_mm = 0.0;
+    double taken_mm = 0.0;  ///< with the space behind it
     std::function<void()> add;
   };
+
+  [[nodiscard]] std::vector<Item> itemsOf(const ReportSection& section) {
+    std::vector<Item> items = figureItems(section.figures);
+    for (const ReportTable& table : section.tables) {
+      items.push_back(tableItem(table));
+    }
+    return items;
+  }
+
+  /// Returns the paragraphs with so many of the reservations, and how many more there are.
+  [[nodiscard]] static std::vector<ReportParagraph> withReservations(
+      const std::vector<ReportParagraph>& paragraphs, std::size_t shown, std::size_t reservations) {
+    std::vector<ReportParagraph> out;
+    std::size_t seen = 0;
+    for (const ReportParagraph& paragraph : paragraphs) {
+      if (!paragraph.reservation || seen < shown) {
+        out.push_back(paragraph);
+      } else if (seen == shown) {
+        out.emplace_back(
+            Text::tr("%1 more {reservation stands|reservations stand} against the answer: all %2 are on the "
+                     "next page, "
+                     "the most serious first.",
+                     reservations - shown, reservations));
+      }
+      seen += paragraph.reservation ? 1 : 0;
+    }
+    return out;
+  }
+
+  /// Returns whether the first page has room for these paragraphs and `items`.
+  [[nodiscard]] bool fits(const ReportSection& section, const std::vector<ReportParagraph>& paragraphs,
+                          const std::vector<Item>& items) const {
+    constexpr double kReserve_mm = 3.0;  // that the last table asks for
+    double taken_mm = flow_.textHeight_mm(say_(section.title), kBoardTitle_pt, true) + 2.0 * kBoardGap_mm;
+    for (const Text& paragraph : paragraphs) {
+      taken_mm += flow_.textHeight_mm(say_(paragraph), kBoard_pt) + kBoardGap_mm;
+    }
+    for (const Item& item : items) {
+      taken_mm += item.taken_mm;
+    }
+    return taken_mm + kReserve_mm <= flow_.room_mm();
+  }
 
   /// Places items in order; where a figure does not fit on the page, the next table fills the room if it can.
   void place(std::vector<Item> items) {
@@ -236,7 +305,9 @@ class Composer {
   [[nodiscard]] Item figureItem(const ReportFigure& figure) {
     const double height_mm = heightOf(figure, flow_.width_mm());
     const double begin_mm = 2.0 * kHeading_mm + height_mm;
-    return {false, begin_mm, begin_mm + notesHeight_mm(figure.notes, figure.provenance, flow_.width_mm()),
+    const double notes_mm = notesHeight_mm(figure.notes, figure.provenance, flow_.width_mm());
+    const double title_mm = flow_.textHeight_mm(say_(figure.title), kTitle_pt, true);
+    return {false, begin_mm, begin_mm + notes_mm, title_mm + height_mm + notes_mm + kBehindNotes_mm,
             [this, &figure, height_mm] {
               flow_.text(say_(figure.title), kTitle_pt, true, kAccent, height_mm + kHeading_mm);
               flow_.bookmark(say_(figure.title), 1);
@@ -286,7 +357,8 @@ class Composer {
                              std::max(notesHeight_mm(left.notes, left.provenance, width_mm),
                                       notesHeight_mm(right.notes, right.provenance, width_mm));
     const std::array<double, 2> below_mm = {titles_mm - title_mm(left), titles_mm - title_mm(right)};
-    return {false, height_mm, height_mm, [this, &left, &right, height_mm, chart_mm, below_mm] {
+    return {false, height_mm, height_mm, height_mm + kBehindNotes_mm,
+            [this, &left, &right, height_mm, chart_mm, below_mm] {
               flow_.beginColumns(height_mm);
               addInColumn(left, below_mm[0], chart_mm);
               addNotes(left.notes, left.provenance);
@@ -303,7 +375,7 @@ class Composer {
     const double height_mm =
         std::max(columnHeight_mm(figure) + flow_.textHeight_mm(say_(figure.title), kTitle_pt, true, width_mm),
                  notesHeight_mm(figure.notes, figure.provenance, width_mm));
-    return {false, height_mm, height_mm, [this, &figure, height_mm] {
+    return {false, height_mm, height_mm, height_mm + kBehindNotes_mm, [this, &figure, height_mm] {
               flow_.beginColumns(height_mm);
               addInColumn(figure, 0.0, columnHeight_mm(figure));
               flow_.nextColumn();
@@ -352,7 +424,9 @@ class Composer {
     if (whole_mm - kHeading_mm < kShortTable_mm) {
       begin_mm = whole_mm;
     }
+    const double title_mm = flow_.textHeight_mm(say_(table.title), kTitle_pt, true);
     return {true, begin_mm + kHeading_mm, whole_mm + kHeading_mm,
+            title_mm + layout.height_mm() + notes_mm + 1.0 + kBehindNotes_mm,
             [this, &table, cells = std::move(cells), layout = std::move(layout), begin_mm, notes_mm] {
               flow_.text(say_(table.title), kTitle_pt, true, kAccent, begin_mm);
               flow_.bookmark(say_(table.title), 1);
@@ -382,7 +456,7 @@ class Composer {
     if (!line.empty()) {
       flow_.text(say_(line), kNote_pt, false, kQuietInk);
     }
-    flow_.space(4.0);
+    flow_.space(kBehindNotes_mm);
   }
 
   PageFlow& flow_;
@@ -395,13 +469,15 @@ void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
   const bool board = next != model.sections.end() && next->onFirstPage;
   composer.title(model, !board);
   if (board) {
-    composer.section(*next++);
+    composer.board(*next++);
     flow.space(4.0);
   }
   composer.facts(model);
+  bool annex = false;
   for (auto at = next; at != model.sections.end(); ++at) {
     const ReportSection& section = *at;
-    if (flow.room_mm() < kSectionStart_mm) {
+    if (flow.room_mm() < kSectionStart_mm || section.startsPage || (section.annex && !annex)) {
+      annex = annex || section.annex;
       flow.newPage();
     } else {
       flow.space(6.0);

@@ -39,6 +39,20 @@ std::vector<TrialListing> endedRuns(Connection& connection, const std::string& t
   return trials;
 }
 
+/// Returns the interrupted runs that do not count, oldest first.
+std::vector<TrialId> excusedRuns(Connection& connection, const std::string& traineeCode,
+                                 const TrainingModule& module) {
+  const ExcuseRepository excuses(connection);
+  std::vector<TrialId> out;
+  for (const TrialListing& trial :
+       endedRuns(connection, traineeCode, module, std::numeric_limits<std::int64_t>::max())) {
+    if (trial.summary->outcome == TrialOutcome::kInterrupted && excuses.of(trial.trialId)) {
+      out.push_back(trial.trialId);
+    }
+  }
+  return out;
+}
+
 CompetenceRun runOf(Connection& connection, const TrialListing& trial, const CompetenceDesign& design,
                     const AttemptRules& required, ExerciseRules& rules, std::int64_t now_us) {
   CompetenceRun run{.outcome = RunOutcome::kInterrupted, .startedUtc_us = trial.startedUtc_us};
@@ -157,6 +171,7 @@ std::vector<CohortCompetence> competenceOfCohort(Connection& connection, const C
       one.required = isRequired(*version, module);
       one.sums = verdict.sums;
       one.runs = verdict.runs;
+      one.excused = excusedRuns(connection, trainee.code, module);
       one.limit = verdict.design.limit;
       one.falsePass = verdict.errors.falsePass;
       one.falseFail = verdict.errors.falseFail;

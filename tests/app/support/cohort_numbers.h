@@ -75,16 +75,17 @@ inline void expectEvaluationOfTheCommand(const CohortNumbers& report, const std:
   }
 }
 
-/// Computes the agreement of `marks`, those of the last occasion, with the command line, and compares.
+/// Computes the agreement of `marks`, those of the first group at the last occasion, with the command line,
+/// and compares.
 inline void expectAgreementOfTheCommand(const CohortNumbers& report, const std::string& marks,
                                         const std::filesystem::path& folder) {
   writeFileAtomically(folder / "marks.csv", marks);
   const ProgramRun agreed = runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
   ASSERT_EQ(agreed.code, 0) << agreed.err;
   const nlohmann::json agreement = nlohmann::json::parse(agreed.out);
-  EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_1"),
+  EXPECT_EQ(report.at("agreement", "Group 1", "", "", "after 40 min", "icc_2_1"),
             agreement["icc"]["ICC(2,1)"]["estimate"].get<double>());
-  EXPECT_EQ(report.at("agreement", "", "", "", "after 40 min", "icc_2_k"),
+  EXPECT_EQ(report.at("agreement", "Group 1", "", "", "after 40 min", "icc_2_k"),
             agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
 }
 

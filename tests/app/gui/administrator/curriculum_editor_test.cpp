@@ -28,10 +28,16 @@
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/theme.h"
+#include "app/outputs/report/cell_trace.h"
+#include "app/outputs/report/report_data.h"
 #include "app/services/recording/competence_service.h"
 #include "app/services/study/curriculum_service.h"
 #include "assessment/domain/study/curriculum.h"
+#include "db/repository/people/access_repository.h"
 #include "tests/app/gui/support/administrator_desk.h"
+#include "tests/app/gui/support/watched_shell.h"
+#include "tests/app/support/training_centre.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio::gui {
 namespace {
@@ -413,6 +419,78 @@ TEST(CurriculaPage, SaysForEachStateWhatMayBeChanged) {
     }
   }
   return ::testing::AssertionSuccess();
+}
+
+/// Everything of a trace, one step per line.
+std::string linesOf(const TraceStep& step) {
+  std::string all = step.what.str() + ": " + step.value + "\n";
+  for (const TraceStep& part : step.madeOf) {
+    all += linesOf(part);
+  }
+  return all;
+}
+
+// The dialog by its own widgets, then the report and the trace of what it prints.
+TEST(CompetenceDialog, AnInterruptedRunIsExcusedAndReportAndTraceTellIt) {
+  torsio::testing::TrainingCentre::Setup setup;
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 10 min", .duration_us = 600'000'000}};
+  torsio::testing::TrainingCentre centre(setup);
+  centre.attempt("first", "practice", 1.0);
+  const std::string cut = centre.attempt("first", "practice", 1.0, 12.0, {}, 0.0, TrialOutcome::kInterrupted);
+  AccessRepository(centre.connection(), PasswordCost::kTest)
+      .addUser({.id = "the administrator", .login = "admin", .roles = {"administrator", "statistician"}},
+               "a long enough password");
+  centre.session().setActor(
+      {.userId = "the administrator", .login = "admin", .roles = {"administrator", "statistician"}});
+  const CurriculumVersionId version = centre.cohort().curriculumVersionId;
+  const auto report = [&] {
+    TrialDigests digests{std::filesystem::path()};
+    return reportInputs(centre.session(), {.cohortId = centre.cohort().id}, digests);
+  };
+  const auto failed = [&](const CohortInputs& in) {
+    const auto own =
+        std::find_if(in.competence.begin(), in.competence.end(),
+                     [](const CohortCompetence& one) { return one.attempts + std::ssize(one.excused) == 2; });
+    return own == in.competence.end() ? -1 : own->failed;
+  };
+  EXPECT_EQ(failed(report()), 1);
+
+  testing::WatchedShell watched(centre.session());
+  watched.shell().readRights();
+  CompetenceDialog dialog(watched.shell(), version, nullptr);
+  dialog.show();
+  auto& runs = child<QComboBox>(dialog, "interrupted");
+  auto& reason = child<QLineEdit>(dialog, "excuse");
+  auto& excuse = child<QPushButton>(dialog, "excuse-run");
+  ASSERT_EQ(runs.count(), 1);
+  EXPECT_TRUE(runs.isVisible());
+  EXPECT_TRUE(runs.currentText().startsWith(QStringLiteral("T-01")));
+  EXPECT_FALSE(excuse.isEnabled());  // without a reason
+  QTest::keyClicks(&reason, QStringLiteral("power cut"));
+  ASSERT_TRUE(excuse.isEnabled());
+  QTest::mouseClick(&excuse, Qt::LeftButton);
+  EXPECT_TRUE(watched.failures.isEmpty()) << watched.told.join(QLatin1Char('\n')).toStdString();
+  EXPECT_TRUE(watched.notices.join(QLatin1Char(' ')).contains(QStringLiteral("Excused")));
+  EXPECT_EQ(runs.count(), 0);
+  EXPECT_FALSE(runs.isVisible());
+
+  const CohortInputs in = report();
+  EXPECT_EQ(failed(in), 0);
+  const ReportModel said = cohortReport(in);
+  EXPECT_NE(torsio::testing::paragraphsOf(said).find("1 interrupted run was excused with a reason"),
+            std::string::npos);
+  const ReportTable* table = torsio::testing::tableNamed(said, "table-competence");
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->rows.at(0).at(5), "1");
+  for (const CohortCsvRow& row : cohortCsvRows(in)) {
+    if (row.statistic == "excused_runs" && row.item == "T-01" && row.value == "1") {
+      const TraceStep trace =
+          traceNumber(centre.session(), centre.cohort().id, in, torsio::numberAddress(row));
+      EXPECT_NE(linesOf(trace).find(cut), std::string::npos) << linesOf(trace);
+      return;
+    }
+  }
+  ADD_FAILURE() << "no row excused_runs of T-01";
 }
 
 TEST(CompetenceDialog, PreviewsBothErrorRatesBeforeADesignIsRegistered) {

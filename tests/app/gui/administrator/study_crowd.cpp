@@ -111,7 +111,7 @@ void expectNumbersOfTheCommandLine(const fs::path& table, const Crowd& crowd, co
 
   std::map<std::pair<std::string, std::string>, std::int64_t> last;  // by trainee and rater, as in the report
   for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed)) {
-    if (mark.occasion == 2) {
+    if (mark.occasion == 2 && mark.group == 0) {
       last[{mark.trainee, mark.rater}] = mark.steps;
     }
   }

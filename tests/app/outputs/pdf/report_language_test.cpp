@@ -6,6 +6,7 @@
 
 #include <QDate>
 #include <QLocale>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QStringList>
 #include <gtest/gtest.h>
@@ -197,6 +198,21 @@ TEST(ReportLanguage, WritesAChinesePdfWithEmbeddedFonts) {
   EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);
 }
 
+/// Returns a text without blanks and with plain minus signs, as a page may break its lines anywhere.
+QString solid(QString text) {
+  return plainMinus(text.remove(QRegularExpression(QStringLiteral("\\s"))))
+      .normalized(QString::NormalizationForm_KC);
+}
+
+QString pageText(const std::filesystem::path& file, int page) {
+  QProcess reader;
+  reader.start(QStringLiteral("pdftotext"),
+               {QStringLiteral("-f"), QString::number(page), QStringLiteral("-l"), QString::number(page),
+                QString::fromStdString(file.string()), QStringLiteral("-")});
+  EXPECT_TRUE(reader.waitForFinished()) << "pdftotext of poppler-utils";
+  return solid(QString::fromUtf8(reader.readAllStandardOutput()));
+}
+
 /// Returns how many bookmarks lead to the first page.
 std::size_t bookmarksOfFirstPage(const std::string& pdf) {
   const std::string pages = pdf.substr(pdf.find("/Kids"));
@@ -223,6 +239,54 @@ TEST(ReportLanguage, ThePageForTheBoardIsOnePageWithItsSignaturesInBothLanguages
     EXPECT_EQ(bookmarksOfFirstPage(readFile(file)),
               1 + model.sections[0].figures.size() + model.sections[0].tables.size())
         << language << ": title, figure, standard and signatures begin on the first page";
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(ReportLanguage, ReservationsWithoutRoomOnThePageForTheBoardAreCountedThereAndAllListedBehindIt) {
+  CohortInputs in = everything();
+  in.sites = {"Demonstration centre A", "Demonstration centre B"};
+  in.freeze->sheetsAsked = 900;
+  in.freeze->sheetsSubmitted = 2;
+  in.freeze->whyIncomplete = "the board meets tomorrow and cannot wait for the other sheets to come in";
+  in.imported = CohortOrigin{"Torsio", "set", std::string(64, 'c'), "admin", 1'767'600'000'000'000};
+  for (std::size_t i = 0; i < 12; ++i) {
+    in.trainees[i].withdrew = true;
+  }
+  std::erase_if(in.trainingMarks, [](const TrainingMark& mark) {
+    return mark.occasion == 2 && (mark.trainee == "x101" || (mark.rater == "R104" && mark.group == 1));
+  });
+  for (TrainingMark& mark : in.trainingMarks) {
+    mark.steps = std::min<std::int64_t>(100, mark.steps + (mark.group == 1 && mark.occasion == 0 ? 30 : 0));
+  }
+  ReportModel model = cohortReport(testing::scored(std::move(in)));
+  ReportSection board = model.sections.front();
+  ASSERT_TRUE(board.onFirstPage);
+  std::vector<Text> reservations;
+  for (const ReportParagraph& paragraph : board.paragraphs) {
+    if (paragraph.reservation) {
+      reservations.push_back(paragraph);
+    }
+  }
+  ASSERT_GE(reservations.size(), 8U);
+  model.sections = {board};
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / "torsio-report-reservations.pdf";
+  for (const std::string& language : reportLanguages()) {
+    const Wording wording = wordingIn(language);
+    writePdfReport(model, file, wording);
+    EXPECT_EQ(bookmarksOfFirstPage(readFile(file)), 1 + board.figures.size() + board.tables.size())
+        << language;
+    const QString second = pageText(file, 2);
+    for (const Text& reservation : reservations) {
+      EXPECT_TRUE(second.contains(solid(wording(reservation)))) << language << ": " << reservation.str();
+    }
+    const QString first = pageText(file, 1);
+    EXPECT_TRUE(first.contains(solid(wording(reservations.front())))) << language;
+    EXPECT_FALSE(first.contains(solid(wording(reservations.back())))) << language;
+    EXPECT_TRUE(first.contains(language == "en" ? QStringLiteral("areonthenextpage,themostseriousfirst")
+                                                : QStringLiteral("最重要的在前")))
+        << first.toStdString();
   }
   std::filesystem::remove(file);
 }
