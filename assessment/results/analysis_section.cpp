@@ -75,6 +75,7 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
   ReportTable table =
       itemOf<ReportTable>(in, "table-gains", Text::tr("Gain from before to the end, by ranks"),
                           Text::tr("Kruskal-Wallis, Dunn with Holm, exact Mann-Whitney"));
+  table.annex = true;  // a second look
   ResultTable rows(ledger, table,
                    {{Text::tr("Comparison")},
                     {Text::tr("Difference of mean ranks"), "gain_difference_of_mean_ranks", fixed(2)},

@@ -39,7 +39,7 @@ TEST(CohortReport, ComparesGroupsAndRatersIfThereAreMarks) {
     ids.push_back(table.id);
   }
   EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-means", "table-ancova",
-                                          "table-mixed-anova", "table-gains", "table-within-groups"));
+                                          "table-mixed-anova", "table-within-groups"));
   const auto annex = std::find_if(report.sections.begin(), report.sections.end(),
                                   [](const ReportSection& of) { return of.id == "annex-comparisons"; });
   ASSERT_NE(annex, report.sections.end());
