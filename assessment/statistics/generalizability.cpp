@@ -121,9 +121,9 @@ Outcome<GStudy> gStudyPR(const NumberTable& x) {
 Outcome<GStudy> gStudyPRWithin(const std::vector<NumberTable>& groups) {
   GStudy out;
   out.components = {{"p"}, {"r"}, {"pr"}};
-  double persons = 0.0;
+  std::vector<std::vector<double>> rows;
   double strata = 0.0;
-  double nr = 0.0;
+  double between = 0.0;  // squares of persons within their groups
   for (const NumberTable& x : groups) {
     if (const std::optional<Text> reason = beyondArithmetic(x.values())) {
       return Outcome<GStudy>::undefined(*reason);
@@ -131,36 +131,41 @@ Outcome<GStudy> gStudyPRWithin(const std::vector<NumberTable>& groups) {
     if (x.rows() < 2 || x.columns() < 2) {
       continue;
     }
-    const double np = static_cast<double>(x.rows());
-    nr = static_cast<double>(x.columns());
     std::vector<double> p;
-    std::vector<double> r;
     for (std::size_t i = 0; i < x.rows(); ++i) {
-      p.push_back(meanOf(x.row(i)));
+      rows.push_back(x.row(i));
+      p.push_back(meanOf(rows.back()));
     }
-    for (std::size_t j = 0; j < x.columns(); ++j) {
-      r.push_back(meanOf(x.column(j)));
-    }
-    const double grand = meanOf(p);
-    const double squares[] = {nr * squaredAbout(p, grand), np * squaredAbout(r, grand),
-                              interaction(x, p, r, grand)};
-    const double df[] = {np - 1.0, nr - 1.0, (np - 1.0) * (nr - 1.0)};
-    for (std::size_t i = 0; i < out.components.size(); ++i) {
-      out.components[i].sumOfSquares += squares[i];
-      out.components[i].df += df[i];
-    }
-    persons += np;
+    between += static_cast<double>(x.columns()) * squaredAbout(p, meanOf(p));
     strata += 1.0;
   }
-  if (strata == 0.0) {
+  if (rows.empty()) {
     return Outcome<GStudy>::undefined(Text::tr("a study needs at least two persons and two raters"));
   }
+  const NumberTable all(rows);
+  const double np = static_cast<double>(all.rows());
+  const double nr = static_cast<double>(all.columns());
+  std::vector<double> p;
+  std::vector<double> r;
+  for (std::size_t i = 0; i < all.rows(); ++i) {
+    p.push_back(meanOf(all.row(i)));
+  }
+  for (std::size_t j = 0; j < all.columns(); ++j) {
+    r.push_back(meanOf(all.column(j)));
+  }
+  const double grand = meanOf(p);
+  const double squares[] = {between, np * squaredAbout(r, grand), interaction(all, p, r, grand)};
+  const double df[] = {np - strata, nr - 1.0, (np - 1.0) * (nr - 1.0)};
+  for (std::size_t i = 0; i < out.components.size(); ++i) {
+    out.components[i].sumOfSquares = squares[i];
+    out.components[i].df = df[i];
+  }
   finish(out);
-  out.personsPerRater = persons / strata;
+  out.personsPerRater = np;
   const double e = out.at("pr").meanSquare;
   setVariance(out, "pr", e);
   setVariance(out, "p", (out.at("p").meanSquare - e) / nr);
-  setVariance(out, "r", (out.at("r").meanSquare - e) / out.personsPerRater);
+  setVariance(out, "r", (out.at("r").meanSquare - e) / np);
   return out;
 }
 
@@ -169,7 +174,7 @@ std::optional<Interval> dependabilityInterval(const GStudy& study, double raters
   const GComponent& p = study.at("p");
   const GComponent& r = study.at("r");
   const GComponent& error = study.at("pr");
-  const auto single = agreementInterval({.raters = error.df / p.df + 1.0,
+  const auto single = agreementInterval({.raters = r.df + 1.0,
                                          .targetsPerRater = study.personsPerRater,
                                          .targets_ms = p.meanSquare,
                                          .targets_df = p.df,

@@ -21,7 +21,7 @@ struct GComponent {
 struct GStudy {
   std::vector<GComponent> components;
   bool negativeComponent = false;
-  double personsPerRater = 0.0;  ///< of persons x raters: mean number in a group; otherwise 0
+  double personsPerRater = 0.0;  ///< of persons x raters; otherwise 0
   /// Returns the component named `effect`; throws ContractError if there is none.
   [[nodiscard]] const GComponent& at(const std::string& effect) const;
 };
@@ -38,7 +38,8 @@ struct DStudy {
 /// either.
 [[nodiscard]] Outcome<GStudy> gStudyPR(const NumberTable& ratings);
 /// As gStudyPR(), within groups of persons who were all rated by the same raters: differences between groups
-/// count neither as differences between persons nor as errors. Groups of one person are left out.
+/// count neither as differences between persons nor as errors; a rater is equally severe in all of them.
+/// Groups of one person are left out.
 [[nodiscard]] Outcome<GStudy> gStudyPRWithin(const std::vector<NumberTable>& groups);
 [[nodiscard]] Outcome<DStudy> dStudyPR(const GStudy& study, double raters);
 /// Returns the interval of the dependability of the mean of `raters` raters; empty like agreementInterval().

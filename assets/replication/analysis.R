@@ -321,15 +321,12 @@ g_study_within <- function(x) {
   })
   tables <- tables[sapply(tables, function(table) nrow(table) > 1 && ncol(table) > 1)]
   if (length(tables) == 0) return(NULL)
-  squares <- sapply(tables, function(table) unlist(mean_squares(table)))
-  n <- mean(squares["n", ])
-  k <- squares[["k", 1]]
-  df <- c(trainees = sum(squares["n", ] - 1), raters = ncol(squares) * (k - 1),
-          rest = sum(squares["n", ] - 1) * (k - 1))
-  ms <- c(trainees = sum(squares["trainees", ] * (squares["n", ] - 1)),
-          raters = sum(squares["raters", ] * (k - 1)),
-          rest = sum(squares["rest", ] * (squares["n", ] - 1) * (k - 1))) / df
-  names(df) <- names(ms) <- c("trainees", "raters", "rest")
+  all <- mean_squares(do.call(rbind, tables))
+  n <- all$n
+  k <- all$k
+  df <- c(trainees = n - length(tables), raters = k - 1, rest = (n - 1) * (k - 1))
+  within <- sum(sapply(tables, function(table) k * sum((rowMeans(table) - mean(table))^2)))
+  ms <- c(trainees = within / df[["trainees"]], raters = all$raters, rest = all$rest)
   variance <- c(trainees = (ms[["trainees"]] - ms[["rest"]]) / k,
                 raters = (ms[["raters"]] - ms[["rest"]]) / n, rest = ms[["rest"]])
   component <- pmax(variance, 0)

@@ -454,22 +454,22 @@ TEST(BlandAltmanAgainstPanel, ExcludesTheRaterFromThePanel) {
   EXPECT_DOUBLE_EQ(got[1]->meanDifference, -0.5);
 }
 
-// Mean squares of both groups, pooled, by hand in R; interval after McGraw and Wong with their degrees of
-// freedom.
+// Mean square of trainees within both groups, of raters and rest over both, by hand in R; interval after
+// McGraw and Wong with their degrees of freedom.
 TEST(Generalizability, WithinGroupsTheDifferenceBetweenThemDoesNotCount) {
   const NumberTable first({{5, 6, 5}, {7, 7, 8}, {4, 6, 5}, {8, 8, 9}});
   const std::vector<std::vector<double>> second{{6, 7, 7}, {9, 9, 8}, {5, 7, 6}};
   const GStudy found = gStudyPRWithin({first, NumberTable(second)}).value();
-  EXPECT_NEAR(found.at("p").variance, 2.1611111111111110, 1e-12);
-  EXPECT_NEAR(found.at("r").variance, 0.0960317460317461, 1e-12);
-  EXPECT_NEAR(found.at("pr").variance, 0.4277777777777778, 1e-12);
-  EXPECT_NEAR(dStudyPR(found, 5.0)->dependability, 0.953765323992995, 1e-12);
+  EXPECT_NEAR(found.at("p").variance, 2.174074074074074, 1e-12);
+  EXPECT_NEAR(found.at("r").variance, 0.1349206349206351, 1e-12);
+  EXPECT_NEAR(found.at("pr").variance, 0.3888888888888889, 1e-12);
+  EXPECT_NEAR(dStudyPR(found, 5.0)->dependability, 0.9540283259809612, 1e-12);
   const Interval one = dependabilityInterval(found, 1.0).value();
-  EXPECT_NEAR(one.lower, 0.475070907450754, 1e-9);
-  EXPECT_NEAR(one.upper, 0.965775227739846, 1e-9);
+  EXPECT_NEAR(one.lower, 0.4500957881277023, 1e-9);
+  EXPECT_NEAR(one.upper, 0.9663701925455175, 1e-9);
   const Interval five = dependabilityInterval(found, 5.0).value();
-  EXPECT_NEAR(five.lower, 0.819007669748183, 1e-9);
-  EXPECT_NEAR(five.upper, 0.992962356141320, 1e-9);
+  EXPECT_NEAR(five.lower, 0.8036325095802493, 1e-9);
+  EXPECT_NEAR(five.upper, 0.9930880813134477, 1e-9);
   // A whole group two points better changes nothing; somebody alone in a group neither.
   std::vector<std::vector<double>> raised = second;
   for (std::vector<double>& row : raised) {
@@ -479,7 +479,7 @@ TEST(Generalizability, WithinGroupsTheDifferenceBetweenThemDoesNotCount) {
   }
   const GStudy shifted = gStudyPRWithin({first, NumberTable(raised), NumberTable({{1, 2, 3}})}).value();
   EXPECT_NEAR(shifted.at("p").variance, found.at("p").variance, 1e-12);
-  EXPECT_EQ(shifted.personsPerRater, 3.5);
+  EXPECT_EQ(shifted.personsPerRater, 7.0);
 }
 
 }  // namespace
