@@ -17,6 +17,7 @@
 #include "app/services/recording/trial_playback.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/force_felt.h"
+#include "assessment/attempt/foreign_measures.h"
 #include "assessment/attempt/run_verdict.h"
 #include "assessment/catalogue/quantity.h"
 #include "sim/core/angle.h"
@@ -240,6 +241,10 @@ void runMetrics(const MetricsArguments& arguments) {
       outcomeJson(whole, [](const TrialMetrics& metrics) { return Json(metrics.lostSamples); });
   if (foreign) {
     out["late_samples"] = trial.summary.lateTicks;
+    out["told"] = Json::array();
+    for (const Text& sentence : foreignSentences(measures.values)) {
+      out["told"].push_back(sentence.str());
+    }
   }
   out["clock"] = measured.deviceClock ? "device" : "ticks";
   out["duration_s"] = measured.duration_s();

@@ -86,7 +86,29 @@ std::vector<std::pair<std::size_t, std::size_t>> stretches(const TrialHeader& he
   return found;
 }
 
+/// Returns what is between the stretches, and after the last.
+std::vector<Unseen> gapsBetween(std::span<const std::int64_t> times_us,
+                                const std::vector<std::pair<std::size_t, std::size_t>>& seen) {
+  std::vector<Unseen> gaps;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::size_t last = seen[i].second - 1;
+    const std::size_t next = i + 1 < seen.size() ? seen[i + 1].first : times_us.size() - 1;
+    if (next > last) {
+      gaps.push_back({times_us[last] - times_us.front(), times_us[next] - times_us.front()});
+    }
+  }
+  return gaps;
+}
+
 }  // namespace
+
+std::vector<Unseen> unseenStretches(const TrialHeader& header, std::span<const Sample> samples) {
+  if (samples.size() < 2) {
+    return {};
+  }
+  const SampleTimes times = sampleTimes(header, samples);
+  return gapsBetween(times.us, stretches(header, times.us, samples));
+}
 
 Outcome<TrialMetrics> measureForeign(const TrialHeader& header, std::span<const Sample> samples) {
   using Result = Outcome<TrialMetrics>;
@@ -98,13 +120,15 @@ Outcome<TrialMetrics> measureForeign(const TrialHeader& header, std::span<const 
   }
   const SampleTimes times = sampleTimes(header, samples);
   const std::int64_t whole_us = times.us.back() - times.us.front();
+  std::int64_t seen_us = whole_us;
+  for (const Unseen& gap : gapsBetween(times.us, stretches(header, times.us, samples))) {
+    seen_us -= gap.to_us - gap.from_us;
+  }
   std::optional<TrialMetrics> metrics;
-  std::int64_t seen_us = 0;
   double path_m = 0.0;
   double idle_s = 0.0;
   for (const auto& [first, last] : stretches(header, times.us, samples)) {
     const std::int64_t span_us = times.us[last - 1] - times.us[first];
-    seen_us += span_us;
     if (span_us < kGridStep_us) {
       continue;
     }
@@ -134,6 +158,17 @@ AttemptMeasures foreignAttempt(const TrialHeader& header, std::span<const Sample
   AttemptMeasures out;
   out.duration_us = recordedDuration_us(header, samples);
   out.values[Quantity::kTime] = static_cast<double>(out.duration_us) / kMicrosecondsPerSecond;
+  if (samples.size() >= 2) {
+    const std::vector<Unseen> gaps = unseenStretches(header, samples);
+    double lost_s = 0.0;
+    for (const Unseen& gap : gaps) {
+      lost_s += static_cast<double>(gap.to_us - gap.from_us) / kMicrosecondsPerSecond;
+    }
+    const double whole_s = out.values[Quantity::kTime];
+    out.values[Quantity::kTimesUnseen] = static_cast<double>(gaps.size());
+    out.values[Quantity::kUnseen] = lost_s;
+    out.values[Quantity::kUnseenShare] = whole_s > 0.0 ? lost_s / whole_s : 0.0;
+  }
   if (const Outcome<TrialMetrics> metrics = measureForeign(header, samples)) {
     for (const auto& [quantity, value] : metrics->all()) {
       if (value) {
@@ -142,6 +177,35 @@ AttemptMeasures foreignAttempt(const TrialHeader& header, std::span<const Sample
     }
   }
   return out;
+}
+
+std::vector<Text> foreignSentences(const QuantityValues& values) {
+  std::vector<Text> said;
+  for (const Quantity quantity : {Quantity::kTipPath, Quantity::kIdleTime}) {
+    if (const std::optional<double> value = valueIn(values, quantity)) {
+      said.push_back(Text::tr("%1: %2.", rowOf(quantity).name, shownValue(quantity, *value)));
+    }
+  }
+  const std::optional<double> times = valueIn(values, Quantity::kTimesUnseen);
+  if (!times) {
+    said.push_back(Text::tr("Too little was recorded to measure the path."));
+  } else if (*times == 0.0) {
+    said.push_back(Text::tr("The instrument was in view all the time."));
+  } else {
+    said.push_back(Text::tr("The instrument was out of view %1 {time|times}, for %2 in all (%3 of the time).",
+                            static_cast<std::int64_t>(*times),
+                            shownValue(Quantity::kUnseen, valueIn(values, Quantity::kUnseen)),
+                            shownValue(Quantity::kUnseenShare, valueIn(values, Quantity::kUnseenShare))));
+  }
+  if (times && valueIn(values, Quantity::kTipPath)) {
+    if (*times > 0.0) {
+      said.push_back(Text::tr("Path and idle time leave this time out; nothing is guessed."));
+    }
+  } else if (times) {
+    said.push_back(
+        Text::tr("Path and idle time are not measured: too few poses came, or too much is missing."));
+  }
+  return said;
 }
 
 }  // namespace torsio

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/metrics/trial_metrics.h"
 #include "sim/core/live_types.h"
+#include "sim/core/text.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -26,7 +29,21 @@ inline constexpr double kLeastSeen = 0.95;
 [[nodiscard]] Outcome<TrialMetrics> measureForeign(const TrialHeader& header,
                                                    std::span<const Sample> samples);
 
-/// Returns the measures to store for such a recording: defined metrics, always the time, and no twists.
+/// A stretch of a recording, in microseconds since its first sample.
+struct Unseen {
+  std::int64_t from_us = 0;
+  std::int64_t to_us = 0;
+};
+/// Returns the gaps of such a recording, as measureForeign() knows them, in order. Any thread.
+[[nodiscard]] std::vector<Unseen> unseenStretches(const TrialHeader& header, std::span<const Sample> samples);
+
+/// Returns the measures to store for such a recording: defined metrics, always the time and, with two
+/// samples, how often and how long the instrument was out of view; no twists.
 [[nodiscard]] AttemptMeasures foreignAttempt(const TrialHeader& header, std::span<const Sample> samples);
+
+/// Says what such a recording measured, a sentence each: path and idle time if they are defined, then how
+/// often and how long the instrument was out of view and what follows from it. `values`:
+/// AttemptMeasures::values.
+[[nodiscard]] std::vector<Text> foreignSentences(const QuantityValues& values);
 
 }  // namespace torsio

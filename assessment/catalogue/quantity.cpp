@@ -58,6 +58,18 @@ constexpr std::array kRows = std::to_array<QuantityRow>({
      Text::tr("How many twists the computer recorded with a gap of more than 20 ms; an untwisting "
          "counts as one."), Text::tr("count of twists with a gap of more than 20 ms"), "count", kNumber,
      kLower, Text::tr("whole run"), QuantityScope::kRun, {.kind = QuantityKind::kCount}},
+    {Quantity::kTimesUnseen, "view.times_lost", Text::tr("Times out of view"),
+     Text::tr("How often the tracker of the real arm, or other equipment, lost the instrument."),
+     Text::tr("count of gaps: more than 20 ms and two and a half samples without a pose, or more than 0.2 s "
+         "with the same pose bit for bit"), "count", kNumber, kLower, Text::tr("whole run"),
+     QuantityScope::kRun, {.kind = QuantityKind::kCount}},
+    {Quantity::kUnseen, "view.lost", Text::tr("Time out of view"),
+     Text::tr("How long the instrument was lost in all; path and idle time leave this time out."),
+     Text::tr("sum of the gaps"), "s", {"s", 1.0, 2}, kLower, Text::tr("whole run"), QuantityScope::kRun},
+    {Quantity::kUnseenShare, "view.lost_share", Text::tr("Share of the time out of view"),
+     Text::tr("Share of the recording in which the instrument was lost; above 5 % path and idle time are not "
+         "measured."), Text::tr("sum of the gaps / time"), "1", {"%", 100.0, 1}, kLower,
+     Text::tr("whole run"), QuantityScope::kRun},
     {Quantity::kTime, "time.total", Text::tr("Time"),
      Text::tr("How long a twist took, from the grip to the end of its return; of an untwisting the "
          "whole run."), Text::verbatim("t_end - t_start"), "s", kSeconds, kLower, kTask,

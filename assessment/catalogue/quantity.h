@@ -16,7 +16,7 @@ namespace torsio {
 /// Version of all formulas for measuring a recording: quantities, definition of a twist, of on target. Stored
 /// with every value. Increment it whenever a number changes: values of older versions are ignored and
 /// recordings are measured again.
-inline constexpr std::int64_t kMetricsVersion = 8;
+inline constexpr std::int64_t kMetricsVersion = 9;
 
 /// Measured quantities of a run, in the order of all lists and tables.
 enum class Quantity : std::uint8_t {
@@ -25,6 +25,9 @@ enum class Quantity : std::uint8_t {
   kCompletedTwists,
   kShortestHold,
   kTornTwists,
+  kTimesUnseen,
+  kUnseen,
+  kUnseenShare,
   kTime,
   kTipPath,
   kAngularPath,

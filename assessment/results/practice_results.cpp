@@ -331,6 +331,27 @@ std::map<std::string, double> untwistingValues(const TrialSummaryRow& trial) {
   return values;
 }
 
+/// Adds how long the instrument was out of view in the runs of a group and phase, and the share of their
+/// time.
+void addTimeOutOfView(const ResultKey& place, const std::map<std::string, std::vector<double>>& values,
+                      ResultWriter& rows) {
+  const auto lost = values.find(idOf(Quantity::kUnseen));
+  const auto time = values.find(idOf(Quantity::kTime));
+  if (lost == values.end() || time == values.end()) {
+    return;
+  }
+  const auto sum = [](const std::vector<double>& all) {
+    return std::accumulate(all.begin(), all.end(), 0.0);
+  };
+  const std::int64_t n = std::ssize(lost->second);
+  const double whole_s = sum(time->second);
+  rows.madeOf = partsOf({runsOf(lost->first, *place.group, place.when)});
+  rows.add(kTimeOutOfView, sum(lost->second), n);
+  rows.madeOf =
+      partsOf({runsOf(lost->first, *place.group, place.when), runsOf(time->first, *place.group, place.when)});
+  rows.add(kShareOutOfView, whole_s > 0.0 ? std::optional(sum(lost->second) / whole_s) : std::nullopt, n);
+}
+
 /// Adds untwistings and recordings of other equipment by group and phase: in how many runs a quantity is
 /// above zero, of those that have it, and its median.
 void addMediansByPhase(const CohortInputs& in, Ledger& ledger) {
@@ -360,6 +381,7 @@ void addMediansByPhase(const CohortInputs& in, Ledger& ledger) {
                     std::count_if(found.begin(), found.end(), [](double value) { return value > 0.0; }), n);
       rows.add("median_" + id, quantile(found, 0.5), n);
     }
+    addTimeOutOfView(place, values, rows);
   }
 }
 

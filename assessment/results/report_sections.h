@@ -81,6 +81,9 @@ inline constexpr const char* kTrainingTimes = "training_times";
 
 /// Quantities of a recording of other equipment.
 inline constexpr std::array kForeignQuantities{Quantity::kTime, Quantity::kTipPath, Quantity::kIdleTime};
+/// How long the instrument was out of view in the runs of a group and phase, and its share of their time.
+inline constexpr const char* kTimeOutOfView = "total_view.lost";
+inline constexpr const char* kShareOutOfView = "total_view.lost_share";
 /// Returns the key for a trainee's course of such a quantity.
 [[nodiscard]] ResultKey foreignKey(const std::string& trainee, std::size_t group, const std::string& metric);
 inline constexpr const char* kRegripsBeyondLeast = "regrips_beyond_least";

@@ -190,12 +190,20 @@ ReportTable mediansTable(const CohortInputs& in, const Ledger& ledger,
   for (const Quantity quantity : kForeignQuantities) {
     columns.push_back({medianTitle(quantity), "median_" + idOf(quantity), shownAs(quantity)});
   }
+  columns.push_back(
+      {Text::tr("Runs with the instrument out of view"), "above_zero_" + idOf(Quantity::kTimesUnseen)});
+  columns.push_back({titleWithUnit(Quantity::kUnseen), kTimeOutOfView, shownAs(Quantity::kUnseen)});
+  columns.push_back(
+      {titleWithUnit(Quantity::kUnseenShare), kShareOutOfView, shownAs(Quantity::kUnseenShare)});
   ResultTable rows(ledger, table, std::move(columns));
   for (const auto& [place, phase] : phases) {
     rows.row({in.groups[*place.group].name, phase}, place);
   }
-  table.notes = {Text::tr(
-      "Force, torque and twist do not apply: no organ answered, and nothing can be computed again.")};
+  table.notes = {
+      Text::tr("Force, torque and twist do not apply: no organ answered, and nothing can be computed again."),
+      Text::tr(
+          "The time out of view is that of all runs. Path and idle time leave it out; a run that was out "
+          "of view for more than 5 % of its time has neither.")};
   return table;
 }
 

@@ -21418,6 +21418,74 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>What this does not show: with the spread found here, this comparison detects a difference of %1 points between two groups with a power of %2 (two-sided test at 5 %, shared among the pairs as in Holm&apos;s first step), and misses smaller ones more often. %3</source>
         <translation>这不能说明什么：按这里的离散程度，这项比较能以 %2 的检验效能发现两组之间 %1 分的差异（双侧检验，5 %，与 Holm 法第一步一样由各对均分），更小的差异则更常被漏掉。%3</translation>
     </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1：%2。</translation>
+    </message>
+    <message>
+        <source>Too little was recorded to measure the path.</source>
+        <translation>记录太少，无法测量路径。</translation>
+    </message>
+    <message>
+        <source>The instrument was in view all the time.</source>
+        <translation>器械始终可见。</translation>
+    </message>
+    <message>
+        <source>The instrument was out of view %1 {time|times}, for %2 in all (%3 of the time).</source>
+        <translation>器械离开视野 %1 次，共 %2（占时间的 %3）。</translation>
+    </message>
+    <message>
+        <source>Path and idle time leave this time out; nothing is guessed.</source>
+        <translation>路径和静止时间不计这段时间，也不作任何推测。</translation>
+    </message>
+    <message>
+        <source>Path and idle time are not measured: too few poses came, or too much is missing.</source>
+        <translation>未测量路径和静止时间：位姿太少，或缺失太多。</translation>
+    </message>
+    <message>
+        <source>Times out of view</source>
+        <translation>离开视野次数</translation>
+    </message>
+    <message>
+        <source>How often the tracker of the real arm, or other equipment, lost the instrument.</source>
+        <translation>实物手臂上的跟踪器或其他设备丢失器械的次数。</translation>
+    </message>
+    <message>
+        <source>count of gaps: more than 20 ms and two and a half samples without a pose, or more than 0.2 s with the same pose bit for bit</source>
+        <translation>间断次数：超过 20 毫秒且超过两个半采样没有位姿，或同一位姿逐位不变超过 0.2 秒</translation>
+    </message>
+    <message>
+        <source>Time out of view</source>
+        <translation>离开视野时间</translation>
+    </message>
+    <message>
+        <source>How long the instrument was lost in all; path and idle time leave this time out.</source>
+        <translation>器械丢失的总时间；路径和静止时间不计这段时间。</translation>
+    </message>
+    <message>
+        <source>sum of the gaps</source>
+        <translation>各间断之和</translation>
+    </message>
+    <message>
+        <source>Share of the time out of view</source>
+        <translation>离开视野时间占比</translation>
+    </message>
+    <message>
+        <source>Share of the recording in which the instrument was lost; above 5 % path and idle time are not measured.</source>
+        <translation>记录中器械丢失的时间占比；超过 5 % 时不测量路径和静止时间。</translation>
+    </message>
+    <message>
+        <source>sum of the gaps / time</source>
+        <translation>各间断之和 / 时间</translation>
+    </message>
+    <message>
+        <source>Runs with the instrument out of view</source>
+        <translation>器械曾离开视野的操作数</translation>
+    </message>
+    <message>
+        <source>The time out of view is that of all runs. Path and idle time leave it out; a run that was out of view for more than 5 % of its time has neither.</source>
+        <translation>离开视野时间为所有操作之和。路径和静止时间不计这段时间；离开视野超过 5 % 的操作两者都没有。</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>

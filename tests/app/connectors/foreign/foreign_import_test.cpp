@@ -71,12 +71,18 @@ std::string replacedOnce(std::string text, const std::string& from, const std::s
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// Replaces line `number` (from 1).
-void spoilLine(std::string& text, std::size_t number, const std::string& line) {
+/// Returns where line `number` (from 1) begins.
+std::size_t lineAt(const std::string& text, std::size_t number) {
   std::size_t begin = 0;
   for (std::size_t i = 1; i < number; ++i) {
     begin = text.find('\n', begin) + 1;
   }
+  return begin;
+}
+
+/// Replaces line `number` (from 1).
+void spoilLine(std::string& text, std::size_t number, const std::string& line) {
+  const std::size_t begin = lineAt(text, number);
   text.replace(begin, text.find('\n', begin) - begin, line);
 }
 
@@ -196,6 +202,12 @@ TEST(ForeignImport, IsSupportedByMetricsReportAndTables) {
       marks += name + ",GRS 1," + score + "\n" + name + ",GRS 2," + score + "\n";
     }
   }
+  std::string torn = readFile(own.path() / "S_E2.txt");  // three poses of the last run are missing
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t from = lineAt(torn, 100);
+    torn.erase(from, torn.find('\n', from) + 1 - from);
+  }
+  writeFileAtomically(own.path() / "S_E2.txt", torn);
   writeFileAtomically(own.path() / "marks.csv", marks);
   writeFileAtomically(map, content.dump());
   const ForeignOutcome done = importForeign(centre.as("administrator"), ForeignLayout::kCsv, map, "");
@@ -204,14 +216,19 @@ TEST(ForeignImport, IsSupportedByMetricsReportAndTables) {
       exchangeData(centre.as("statistician"), {.cohortId = done.landed.cohortId}, digests);
 
   ASSERT_EQ(data.inputs.trials.size(), 8U);
+  double torns = 0.0;
   for (const TrialSummaryRow& trial : data.inputs.trials) {
     EXPECT_EQ(trial.model, kForeignModel);
     EXPECT_NEAR(trial.detorsion.at("time.total"), 4.0, 1e-9);
-    EXPECT_NEAR(trial.detorsion.at("tip.path"), 0.2, 1e-4);
+    const double lost_s = trial.detorsion.at("view.lost");
+    torns += trial.detorsion.at("view.times_lost");
+    EXPECT_NEAR(lost_s, 0.08 * trial.detorsion.at("view.times_lost"), 1e-9);
+    EXPECT_NEAR(trial.detorsion.at("tip.path"), 0.2 - 0.05 * lost_s, 1e-4) << "does not jump over a gap";
     EXPECT_EQ(trial.detorsion.at("tip.idle"), 0.0);
-    EXPECT_EQ(trial.detorsion.size(), 3U);
+    EXPECT_EQ(trial.detorsion.size(), 6U);
     EXPECT_FALSE(trial.peakForce_N);
   }
+  EXPECT_EQ(torns, 1.0);
   // B has 12 and 13 at trial 1, 13 and 14 at trial 2; C has nine more.
   ASSERT_EQ(data.inputs.occasions.size(), 2U);
   std::vector<double> scores;
@@ -241,6 +258,11 @@ TEST(ForeignImport, IsSupportedByMetricsReportAndTables) {
         ++tables;
         ASSERT_EQ(table.rows.size(), 4U);    // two groups, two trials
         EXPECT_EQ(table.rows[0][4], "200");  // mm
+        EXPECT_EQ(table.rows[0][6], "0");
+        EXPECT_EQ(table.rows[3][4], "198");  // of 200 and 196
+        EXPECT_EQ(table.rows[3][6], "1");    // runs, seconds, share of 8 s
+        EXPECT_EQ(table.rows[3][7], "0.08");
+        EXPECT_EQ(table.rows[3][8], "1.0");
       }
       tables += table.id == "table-foreign-learning" ? 1 : 0;
     }
@@ -472,7 +494,16 @@ TEST(ForeignMeasures, AreUndefinedIfTheyWouldBeMisleading) {
     samples[i].device.time_us += 30'000;
   }
   EXPECT_EQ(measureForeign(header, samples).reason(), "the instrument was seen for 94 % of the time only");
-  EXPECT_EQ(foreignAttempt(header, samples).values.size(), 1U);
+  const QuantityValues lost = foreignAttempt(header, samples).values;
+  EXPECT_EQ(lost.size(), 4U);
+  EXPECT_EQ(lost.at(Quantity::kTimesUnseen), 1.0);
+  EXPECT_NEAR(lost.at(Quantity::kUnseen), 0.12, 1e-9);
+  EXPECT_EQ(
+      foreignSentences(lost),
+      (std::vector<Text>{
+          Text::verbatim("The instrument was out of view 1 time, for 0.12 s in all (5.7 % of the time)."),
+          Text::verbatim(
+              "Path and idle time are not measured: too few poses came, or too much is missing.")}));
   EXPECT_NEAR(foreignAttempt(header, samples).values.at(Quantity::kTime), 2.1, 1e-9);
   header.tickPeriod_us = 66'667;
   EXPECT_EQ(measureForeign(header, samples).reason(), "fewer than 20 samples a second were recorded");
@@ -495,6 +526,13 @@ TEST(ForeignMeasures, ARepeatedPoseIsNoIdleHand) {
   };
   EXPECT_NEAR(*measureForeign(header, recorded(10))->at(Quantity::kIdleTime), 19.98, 0.01);
   EXPECT_NEAR(*measureForeign(header, recorded(41))->at(Quantity::kIdleTime), 19.98 - 0.82, 0.05);
+  const std::vector<Unseen> gaps = unseenStretches(header, recorded(41));
+  ASSERT_EQ(gaps.size(), 1U);
+  EXPECT_EQ(gaps[0].from_us, 10'000'000);
+  EXPECT_EQ(gaps[0].to_us, 10'820'000);
+  EXPECT_EQ(foreignSentences(foreignAttempt(header, recorded(10)).values).back(),
+            "The instrument was in view all the time.");
+  EXPECT_EQ(foreignSentences({}).size(), 1U);
   EXPECT_EQ(measureForeign(header, recorded(101)).reason(),
             "the instrument was seen for 89 % of the time only");
 }
