@@ -82,6 +82,15 @@ json trendJson(const Call& call, const Trend& trend) {
           {"verdict", verdictJson(call, trend.competence)}};
 }
 
+/// Returns the tracker's recordings on the real arm, in the words of the window.
+json realArmJson(const Call& call, const std::vector<RealArmRun>& runs) {
+  return jsonList(runs, [&](const RealArmRun& run) -> json {
+    return {{"started_utc_us", run.startedUtc_us},
+            {"duration_s", run.duration_s},
+            {"told", jsonList(run.sentences, [&](const Text& one) -> json { return said(call, one); })}};
+  });
+}
+
 HttpResponse answerOwn(Call& call) {
   const PersonId person = call.context.actor().personId;
   const NextSteps steps = nextSteps(call.context, person);
@@ -101,6 +110,7 @@ HttpResponse answerOwn(Call& call) {
   return jsonAnswer({{"code", steps.traineeCode},
                      {"unread", steps.unreadRemarks},
                      {"modules", std::move(modules)},
+                     {"real_arm", realArmJson(call, realArmRuns(call.context, person))},
                      {"runs", std::move(runs)}});
 }
 
@@ -253,6 +263,7 @@ HttpResponse answerTranscript(Call& call) {
                      {"real_min", made.real_min},
                      {"rest_min", made.rest_min},
                      {"demonstration", made.demonstration},
+                     {"real_arm", realArmJson(call, made.realArm)},
                      {"modules", std::move(modules)}});
 }
 

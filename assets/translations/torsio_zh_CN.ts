@@ -21486,6 +21486,10 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>The time out of view is that of all runs. Path and idle time leave it out; a run that was out of view for more than 5 % of its time has neither.</source>
         <translation>离开视野时间为所有操作之和。路径和静止时间不计这段时间；离开视野超过 5 % 的操作两者都没有。</translation>
     </message>
+    <message>
+        <source>On the real arm, recorded by the tracker</source>
+        <translation>实物手臂训练（由跟踪器记录）</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -24410,6 +24414,31 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Your level (all runs): %1. %2</source>
         <translation>您的水平（全部操作）：%1。%2</translation>
+    </message>
+    <message>
+        <source>What the tracker recorded</source>
+        <translation>跟踪器的记录</translation>
+    </message>
+    <message>
+        <source>On the real arm</source>
+        <translation>实物手臂训练</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between the items of a list</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Longest out of view: %1.</source>
+        <translation>离开视野最长的时段：%1。</translation>
+    </message>
+    <message>
+        <source>Out of view: %1.</source>
+        <translation>离开视野：%1。</translation>
     </message>
 </context>
 <context>
@@ -33348,6 +33377,15 @@ T-02,master,17</translation>
     <message>
         <source>%1. Level: %2. %3</source>
         <translation>%1。水平：%2。%3</translation>
+    </message>
+    <message>
+        <source>On the real arm, recorded by the tracker</source>
+        <translation>实物手臂训练（由跟踪器记录）</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>when, how long, what was measured</comment>
+        <translation>%1，%2：%3</translation>
     </message>
 </context>
 <context>

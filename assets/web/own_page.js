@@ -26,6 +26,12 @@ export function verdictTexts() {
   };
 }
 
+/// What a tracker recorded on the real arm; nothing if it recorded nothing.
+export function realArmSection(runs) {
+  return runs.length === 0 ? '' : h('section', { class: 'card stack' }, h('h2', {}, t('On the real arm, recorded by the tracker')),
+    h('ul', {}, runs.map((run) => h('li', {}, `${dayText(run.started_utc_us)}, ${clockTenths(1e6 * run.duration_s)}: ${joinedSentences(run.told)}`))));
+}
+
 export class OwnPage {
   element = h('div', { class: 'queue' }, h('h1', {}, t('Your record')), h('p', { class: 'quiet', role: 'status' }, t('Being read…')));
 
@@ -36,10 +42,10 @@ export class OwnPage {
     return t('Your record');
   }
   async load() {
-    const { code, modules, runs } = await api.get('/api/own', { patience_ms: kPatience_ms });
+    const { code, modules, real_arm: realArm, runs } = await api.get('/api/own', { patience_ms: kPatience_ms });
     const tell = verdictTexts();
     this.element.replaceChildren(h('h1', {}, t('Your record')), h('p', { class: 'quiet' }, code),
-      ...modules.map((module) => this.#module(module, tell)), this.#runs(runs));
+      ...modules.map((module) => this.#module(module, tell)), realArmSection(realArm), this.#runs(runs));
   }
   resume() {
     this.load().catch(() => {}); // keeps the present content

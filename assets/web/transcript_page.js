@@ -3,7 +3,7 @@
 import { api } from './api.js';
 import { button, h } from './dom.js';
 import { dayText, figure } from './numbers.js';
-import { kPatience_ms, runText, verdictTexts } from './own_page.js';
+import { kPatience_ms, realArmSection, runText, verdictTexts } from './own_page.js';
 import { t } from './texts.js';
 
 export class TranscriptPage {
@@ -32,6 +32,7 @@ export class TranscriptPage {
       ...made.modules.map((module) => h('section', { class: 'card stack' },
         h('h2', {}, module.mastered ? t('%1: mastered', module.title) : module.title), tell(module.verdict, module.title),
         h('ul', {}, module.attempts.map((run) => h('li', {}, `${dayText(run.started_utc_us)}: ${runText(run)}`))))),
+      realArmSection(made.real_arm),
       h('p', { class: 'quiet' }, t('Made on %1 with Torsio %2. A training record, no certificate of clinical competence.', dayText(made.made_utc_us), made.version)),
       made.demonstration ? h('p', { class: 'caution' }, t('Simulated people')) : '');
   }

@@ -34,6 +34,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kLaidOut_ms = 300;
+constexpr std::size_t kMostGapsShown = 5;
 
 }  // namespace
 
@@ -188,7 +189,7 @@ void DebriefPage::compute(const TrialId& trialId) {
 }
 
 void DebriefPage::tellStory() {
-  if (!desk_.story.add(debrief_) || !haveReplay_) {
+  if (debrief_.realArm || !desk_.story.add(debrief_) || !haveReplay_) {
     return;
   }
   // The view must be laid out before it can be drawn at its size.
@@ -238,7 +239,8 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding)
 
 void DebriefPage::readQuestions() {
   attempt(shell(), [&] {
-    ask_->setRun(debrief_.verdict.outcome == RunOutcome::kInterrupted ? TrialId() : debrief_.trialId);
+    const bool asked = !debrief_.realArm && debrief_.verdict.outcome != RunOutcome::kInterrupted;
+    ask_->setRun(asked ? debrief_.trialId : TrialId());
   });
 }
 
@@ -259,7 +261,7 @@ void DebriefPage::applyTheme(const Theme& theme) {
 }
 
 void DebriefPage::fillTexts(bool any) {
-  targets_->setTitle(tr("Targets"));
+  targets_->setTitle(debrief_.realArm ? tr("What the tracker recorded") : tr("Targets"));
   good_->setTitle(tr("What went well"));
   better_->setTitle(tr("What to work on"));
   trace_->setTitle(tr("The run"));
@@ -273,7 +275,9 @@ void DebriefPage::fillTexts(bool any) {
   next_->setText(tr("&Next step"));
   again_->setEnabled(any && !debrief_.moduleId.empty());
   trend_->setEnabled(any && !debrief_.moduleId.empty());
-  const QString mode = debrief_.mode == AttemptMode::kGraded ? tr("Graded run") : tr("Practice");
+  const QString mode = debrief_.realArm                        ? tr("On the real arm")
+                       : debrief_.mode == AttemptMode::kGraded ? tr("Graded run")
+                                                               : tr("Practice");
   // A module of another enrolment is named by its trial's label.
   const std::string& title = debrief_.moduleTitle.empty() ? debrief_.phaseLabel : debrief_.moduleTitle;
   heading_->setTexts(any && !title.empty() ? toQString(Text(title)) : tr("Your run"),
@@ -331,6 +335,33 @@ void DebriefPage::fillNotes() {
   }
 }
 
+void DebriefPage::fillRealArm() {
+  for (const Text& one : debrief_.realArm->sentences) {
+    auto* words = plainLabel(targets_);
+    words->setText(toQString(one));
+    checks_->addWidget(words);
+  }
+  std::vector<Seconds> longest = debrief_.realArm->unseen;
+  if (longest.empty()) {
+    return;
+  }
+  const auto length = [](const Seconds& one) { return one.to_s - one.from_s; };
+  std::stable_sort(longest.begin(), longest.end(),
+                   [&](const Seconds& a, const Seconds& b) { return length(a) > length(b); });
+  longest.resize(std::min(longest.size(), kMostGapsShown));
+  std::sort(longest.begin(), longest.end(),
+            [](const Seconds& a, const Seconds& b) { return a.from_s < b.from_s; });
+  QStringList places;
+  for (const Seconds& one : longest) {
+    places << tr("%1 to %2").arg(clockTenths(one.from_s), clockTenths(one.to_s));
+  }
+  auto* where = named(plainLabel(targets_, "quiet"), "unseen");
+  const QString joined = places.join(tr(", ", "between the items of a list"));
+  where->setText(longest.size() < debrief_.realArm->unseen.size() ? tr("Longest out of view: %1.").arg(joined)
+                                                                  : tr("Out of view: %1.").arg(joined));
+  checks_->addWidget(where);
+}
+
 void DebriefPage::fill() {
   const bool any = !debrief_.trialId.empty();
   fillTexts(any);
@@ -339,16 +370,25 @@ void DebriefPage::fill() {
     widget->setVisible(any);
   }
   const bool undone = debrief_.detorsion.has_value();
+  const bool real = debrief_.realArm.has_value();
+  verdict_->setVisible(any && !real);
+  again_->setVisible(!real);
+  trend_->setVisible(!real);
+  bookmark_->setVisible(!real);
   inThree_->setVisible(any && haveReplay_);
   untwisting_->setVisible(any && undone);
   competence_->setVisible(any && debrief_.competence.planned.attempts > 0);
   for (QWidget* ofTwists : std::initializer_list<QWidget*>{good_, better_, trace_}) {
-    ofTwists->setVisible(any && !undone);
+    ofTwists->setVisible(any && !undone && !real);
   }
   emptyLayout(checks_);
   emptyLayout(strengths_);
   emptyLayout(weaknesses_);
   if (!any) {
+    return;
+  }
+  if (real) {
+    fillRealArm();
     return;
   }
   const RunVerdict& verdict = debrief_.verdict;

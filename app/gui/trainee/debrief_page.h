@@ -51,6 +51,8 @@ class DebriefPage : public Page {
   void connectParts();
   void fill();
   void fillNotes();
+  /// Fills the card of a tracker's recording on the real arm.
+  void fillRealArm();
   /// Arranges the 3D view beside its trace, or above it if the page is too narrow.
   void arrangeLooks();
   void fillTexts(bool any);

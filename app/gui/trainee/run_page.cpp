@@ -136,6 +136,7 @@ void RunPage::enter(const QVariant& argument) {
     return;
   }
   lastTrial_.clear();
+  lastTracked_.clear();
   inFile_ = false;
   panel_->setRun(&*runSession_);
   attempt(shell(), [&] { soundAtLimit_ = soundsAtLimit(shell().session()); });
@@ -353,6 +354,7 @@ void RunPage::track() {
     return;
   }
   const RecordingSpec recording = runSession_->newTrackedTrial();
+  lastTracked_ = toQString(recording.trialId.text());
   tracked_ = std::make_unique<TrackedRecording>(
       *link, view, recording, recordingSink(shell().session().key().locator, recording.context));
 }
@@ -388,9 +390,12 @@ void RunPage::finish() {
   }
   if (lastTrial_.isEmpty()) {
     shell().notify(tr("The time on the real arm is over. It has been logged."));
+  }
+  const QString& last = lastTrial_.isEmpty() ? lastTracked_ : lastTrial_;
+  if (last.isEmpty()) {
     shell().open(PageId::kNextStep);
   } else {
-    shell().open(PageId::kDebrief, lastTrial_);
+    shell().open(PageId::kDebrief, last);
   }
 }
 

@@ -78,6 +78,7 @@ class RunPage : public Page {
   StationDesk& desk_;
   std::optional<RunSession> runSession_;
   QString lastTrial_;
+  QString lastTracked_;                                  ///< on the real arm
   bool focusDue_ = false;                                // focus is to return to the instrument
   bool waiting_ = false;                                 // for scene and device, before the clock starts
   std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer

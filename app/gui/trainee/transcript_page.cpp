@@ -128,6 +128,19 @@ QString TranscriptPage::html(bool paper) const {
     }
     page += QStringLiteral("</table><p></p>");
   }
+  if (!t.realArm.empty()) {
+    page += QStringLiteral("<h3 style='margin-top: %1px'>%2</h3>")
+                .arg(kAboveModule_px)
+                .arg(tr("On the real arm, recorded by the tracker").toHtmlEscaped());
+    for (const RealArmRun& run : t.realArm) {
+      QStringList sentences;
+      for (const Text& one : run.sentences) {
+        sentences << toQString(one);
+      }
+      line(tr("%1, %2: %3", "when, how long, what was measured")
+               .arg(shownTime(run.startedUtc_us), clockTenths(run.duration_s), joinedSentences(sentences)));
+    }
+  }
   if (paper) {
     line(tr("Made on %1 with Torsio %2. A training record, no certificate of clinical competence.")
              .arg(shownTime(t.madeUtc_us), toQString(t.softwareVersion)));

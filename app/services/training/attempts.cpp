@@ -6,6 +6,7 @@
 #include "app/services/recording/competence.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/training/trainee_record.h"
+#include "assessment/attempt/foreign_measures.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/catalogue/quantity.h"
 #include "assessment/domain/ids.h"
@@ -67,6 +68,29 @@ std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personI
   transaction.commit();
   std::reverse(attempts.begin(), attempts.end());
   return attempts;
+}
+
+std::vector<RealArmRun> realArmRuns(SessionContext& session, const PersonId& personId) {
+  session.requireOwn(Operation::kTrialViewOwn, personId);
+  const TraineeRecord record = ownRecord(session, Operation::kTrialViewOwn);
+  TrialFilter filter;
+  filter.traineeCode = record.code;
+  filter.sceneId = SceneId(std::string(kForeignScene));
+  filter.limit = kMaxAttempts;
+  std::vector<RealArmRun> runs;
+  ExerciseRules rules;
+  Transaction transaction(session.connection());
+  for (const TrialListing& listing : TrialRepository(session.connection()).list(filter)) {
+    if (listing.summary) {
+      const AttemptMeasures measures =
+          digestOf(session.connection(), listing, rules, session.now_us()).measures;
+      runs.push_back({listing.trialId, listing.startedUtc_us,
+                      static_cast<double>(measures.duration_us) * 1e-6, foreignSentences(measures.values)});
+    }
+  }
+  transaction.commit();
+  std::reverse(runs.begin(), runs.end());
+  return runs;
 }
 
 Text Attempt::result() const {

@@ -45,6 +45,17 @@ struct Attempt {
 [[nodiscard]] std::vector<Attempt> attemptsOf(SessionContext& session, const PersonId& personId,
                                               const ModuleId& moduleId = {});
 
+/// A tracker's recording on the real arm, which is no attempt at a module.
+struct RealArmRun {
+  TrialId trialId{};
+  std::int64_t startedUtc_us = 0;
+  double duration_s = 0.0;
+  std::vector<Text> sentences{};  ///< foreignSentences()
+};
+/// Returns a trainee's recordings on the real arm that have ended, oldest first, and measures those that were
+/// not measured yet. kTrialViewOwn, the actor's trials.
+[[nodiscard]] std::vector<RealArmRun> realArmRuns(SessionContext& session, const PersonId& personId);
+
 /// Returns whether an attempt counts for mastery and for the attempt limit: ended properly, and graded unless
 /// the module is for practice.
 [[nodiscard]] bool counts(const Attempt& attempt, const TrainingModule& module);

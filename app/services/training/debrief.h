@@ -75,6 +75,12 @@ struct EarlierMeasure {
   bool withinLimits = false;  ///< force and torque were within the limits, by that version
 };
 
+/// A tracker's recording on the real arm.
+struct RealArmStory {
+  std::vector<Text> sentences{};  ///< foreignSentences()
+  std::vector<Seconds> unseen{};  ///< where the instrument was out of view
+};
+
 /// Feedback for a trainee right after a run.
 struct Debrief {
   TrialId trialId{};
@@ -108,6 +114,7 @@ struct Debrief {
   std::vector<double> grips_s{};  ///< start of each twist in the run, for aligning the expert's curve
   std::vector<DebriefBookmark> bookmarks{};
   std::optional<DetorsionStory> detorsion{};  ///< only for an organ that starts twisted
+  std::optional<RealArmStory> realArm{};      ///< only for a tracker's recording, which has no verdict
 };
 
 /// Computes the part that needs no database. `expert` may be null; strengths and weaknesses are then missing.

@@ -10,6 +10,7 @@
 #include "app/services/recording/recorded_run.h"
 #include "app/services/training/debrief.h"
 #include "app/services/training/trainee_record.h"
+#include "assessment/attempt/foreign_measures.h"
 #include "assessment/attempt/recorded_twists.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/catalogue/quantity.h"
@@ -130,6 +131,27 @@ void addStreaks(const TrainingModule& module, const TrialId& trialId, std::vecto
   }
 }
 
+/// Of a tracker's recording: what it measured. Nothing was asked of it, and there is nothing to play back.
+Debrief realArmDebrief(SessionContext& session, const TrialListing& listing, const Trial& trial) {
+  const std::vector<Sample> samples = decodeTrial(trial);
+  ExerciseRules rules;
+  const AttemptMeasures measures =
+      listing.summary ? digestOf(session.connection(), listing, rules, session.now_us()).measures
+                      : foreignAttempt(trial.header, samples);
+  Debrief out;
+  out.trialId = listing.trialId;
+  out.phaseLabel = trial.header.phaseLabel;
+  out.startedUtc_us = trial.header.startedUtc_us;
+  out.duration_s = static_cast<double>(measures.duration_us) * 1e-6;
+  out.demonstration = trial.header.demonstration;
+  RealArmStory& story = out.realArm.emplace();
+  story.sentences = foreignSentences(measures.values);
+  for (const Unseen& gap : unseenStretches(trial.header, samples)) {
+    story.unseen.push_back({static_cast<double>(gap.from_us) * 1e-6, static_cast<double>(gap.to_us) * 1e-6});
+  }
+  return out;
+}
+
 }  // namespace
 
 Debrief debrief(SessionContext& session, const TrialId& trialId, const std::filesystem::path& assets,
@@ -139,7 +161,7 @@ Debrief debrief(SessionContext& session, const TrialId& trialId, const std::file
   TrialRepository trials(session.connection());
   const Trial trial = trials.load(trialId);
   if (isForeign(trial.header.sceneId)) {
-    (void)sceneRequestFor(trial.header.parametersJson);  // throws with the reason if there is none
+    return realArmDebrief(session, listing, trial);
   }
   const TrainingModule* module = record.module(listing.moduleId);
   ExerciseRules exercises(assets);

@@ -58,6 +58,7 @@ Transcript transcript(SessionContext& session, const PersonId& personId) {
     module.competence = trend(session, personId, step.module.id).competence;
     transcript.modules.push_back(std::move(module));
   }
+  transcript.realArm = realArmRuns(session, personId);
   addTimes(session, steps, transcript);
   session.note(AuditAction::kTranscriptMake, AuditObject::kPerson, personId);
   return transcript;

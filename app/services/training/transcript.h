@@ -29,6 +29,7 @@ struct Transcript {
   std::int64_t madeUtc_us = 0;
   std::string softwareVersion{};
   std::vector<TranscriptModule> modules{};
+  std::vector<RealArmRun> realArm{};  ///< oldest first
   double virtual_min = 0.0;
   double real_min = 0.0;
   double rest_min = 0.0;

@@ -15,6 +15,7 @@
 #include "app/connectors/tracker/tracker_choice.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/training/attempts.h"
+#include "assessment/attempt/foreign_measures.h"
 #include "assessment/catalogue/quantity.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/core/clock.h"
@@ -54,6 +55,7 @@ class Line {
   }
   /// Skips the poses whose time has passed.
   void skip() { next_ = std::max(next_, static_cast<int>((clock_.now_us() - began_us_) / kEvery_us) + 2); }
+  void leaveOut(int count) { next_ += count; }
   [[nodiscard]] int sent() const { return sent_; }
   [[nodiscard]] int leftOut() const { return next_ - sent_; }
 
@@ -95,7 +97,9 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
     return recorded;
   }));
   line.skip();
-  line.send(kRecorded);
+  line.send(kRecorded / 2);
+  line.leaveOut(3);
+  line.send(kRecorded / 2);
   const QString counts = QStringLiteral("Poses: %1, missing: %2,").arg(line.sent()).arg(line.leftOut());
   ASSERT_TRUE(testing::eventually([&] {
     station.run().tick();
@@ -103,7 +107,14 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   })) << station.find<QLabel>("trackerCounts")->text().toStdString();
   station.train(2 * kRealTime_us);
 
-  EXPECT_EQ(station.pageId, PageId::kNextStep);
+  EXPECT_EQ(station.pageId, PageId::kDebrief);
+  ASSERT_TRUE(testing::eventually([&] { return station.debrief().debrief().realArm.has_value(); }));
+  const QString told = station.allText();
+  EXPECT_TRUE(told.contains(QStringLiteral("The instrument was out of view 1 time, for 0.04 s in all")))
+      << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("Path and idle time leave this time out"))) << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("Out of view: 0:00.5 to 0:00.5."))) << told.toStdString();
+  EXPECT_FALSE(told.contains(QStringLiteral("No twist was finished"))) << told.toStdString();
   const std::vector<TrialListing> trials = TrialRepository(centre.connection()).list();
   ASSERT_EQ(trials.size(), 1U);
   const TrialListing& trial = trials[0];
@@ -119,6 +130,11 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   const TrialDigest digest = digestOf(centre.connection(), trial, rules, 0);
   EXPECT_GT(digest.measures.values.at(Quantity::kTipPath), 0.09);
   EXPECT_FALSE(digest.measures.values.contains(Quantity::kPeakForce));
+  EXPECT_EQ(digest.measures.values.at(Quantity::kTimesUnseen), 1.0);
+  EXPECT_NEAR(digest.measures.values.at(Quantity::kUnseen), 0.04, 0.001);
+  const std::vector<RealArmRun> runs = realArmRuns(centre.session(), centre.person());
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs[0].sentences, foreignSentences(digest.measures.values));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 

@@ -454,6 +454,7 @@ std::vector<ServiceCall> trainingCalls() {
   return {
       {O::kTrialRecordOwn, "recoverInterrupted", [](W w, Path) { (void)recoverInterrupted(w); }},
       {O::kTrialViewOwn, "attemptsOf", [](W w, Path) { (void)attemptsOf(w, kNoSuch); }},
+      {O::kTrialViewOwn, "realArmRuns", [](W w, Path) { (void)realArmRuns(w, kNoSuch); }},
       {O::kMarkViewOwn, "scoreGap", [](W w, Path) { (void)scoreGap(w, kNoSuch); }},
       {O::kTrialViewOwn, "debrief", [](W w, Path folder) { (void)debrief(w, kNoSuch, folder); }},
       {O::kTrialViewOwn, "addBookmark", [](W w, Path) { addBookmark(w, kNoSuch, 1.0, "here"); }},
