@@ -19,6 +19,7 @@ torsio_packages=(
   libqpdf-dev # tags and outline of the report
   libqrencode-dev # the link on an invitation card, for a phone
   libgnutls28-dev # the certificate that a review desk signs for itself; libmicrohttpd encrypts by it
+  libssl-dev # time stamps of the audit trail
   libsodium-dev libzstd-dev nlohmann-json3-dev libcli11-dev
   qt6-websockets-dev libgtest-dev libgmock-dev libbenchmark-dev
 )

@@ -12,8 +12,10 @@
 #include "app/cli/options.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/station_anchor.h"
 #include "assessment/domain/people/audit_entry.h"
+#include "assessment/results/number_format.h"
 #include "sim/core/clock.h"
 #include "sim/core/error.h"
 
@@ -28,10 +30,14 @@ struct AuditArguments {
   std::string witness;
   std::string since;
   std::string publicKey;
+  std::string certificate;
+  std::string address;
+  bool off = false;
+  MaintenanceOptions maintenance;
   bool json = false;
 };
 
-nlohmann::ordered_json jsonOf(const DatabaseCheck& check) {
+nlohmann::ordered_json jsonOf(const DatabaseCheck& check, const HeadsVerdict& heads) {
   nlohmann::ordered_json findings = nlohmann::ordered_json::array();
   for (const AuditFinding& finding : check.audit) {
     findings.push_back({{"entry", finding.sequence},
@@ -43,11 +49,27 @@ nlohmann::ordered_json jsonOf(const DatabaseCheck& check) {
   for (const Text& note : check.clock) {
     clock.push_back(note.str());
   }
-  return {{"entries", check.auditEntries}, {"findings", std::move(findings)}, {"clock", std::move(clock)}};
+  nlohmann::ordered_json proven = nlohmann::ordered_json::array();
+  for (const ProvenTime& one : heads.proven) {
+    proven.push_back({{"entry", one.length}, {"utc", formatUtc(one.utc_us)}, {"authority", one.authority}});
+  }
+  nlohmann::ordered_json notes = nlohmann::ordered_json::array();
+  for (const Text& note : heads.notes) {
+    notes.push_back(note.str());
+  }
+  return {{"entries", check.auditEntries},
+          {"findings", std::move(findings)},
+          {"clock", std::move(clock)},
+          {"proven", std::move(proven)},
+          {"notes", std::move(notes)}};
+}
+
+std::string certificatesIn(const std::string& file) {
+  return file.empty() ? std::string() : certificatesOf(file);
 }
 
 /// Compares the record with heads stored elsewhere.
-std::vector<AuditFinding> findingsOfHeads(const AuditArguments& arguments) {
+HeadsVerdict verdictOfHeads(const AuditArguments& arguments) {
   std::vector<std::string> heads;
   if (!arguments.witness.empty()) {
     heads = headsOf(arguments.witness);
@@ -58,21 +80,21 @@ std::vector<AuditFinding> findingsOfHeads(const AuditArguments& arguments) {
   if (heads.empty()) {
     return {};
   }
-  return compareWithHeads(arguments.database.locator(), heads,
-                          arguments.key.empty() ? arguments.publicKey : publicAnchorKey(arguments.key));
+  return judgeHeads(arguments.database.locator(), heads,
+                    arguments.key.empty() ? arguments.publicKey : publicAnchorKey(arguments.key),
+                    certificatesIn(arguments.certificate));
 }
 
 void verify(const AuditArguments& arguments) {
   DatabaseCheck check = checkDatabase(arguments.database.locator());
-  for (AuditFinding& finding : findingsOfHeads(arguments)) {
-    check.audit.push_back(std::move(finding));
-  }
+  const HeadsVerdict heads = verdictOfHeads(arguments);
+  check.audit.insert(check.audit.end(), heads.findings.begin(), heads.findings.end());
   if (!check.damage.empty()) {
     throw Error(ErrorCode::kVerifyFailed, "the database is damaged: " + check.damage.front(), check.location,
                 Text::verbatim("Run torsio db check, and restore a backup"));
   }
   if (arguments.json) {
-    printJson(jsonOf(check));
+    printJson(jsonOf(check, heads));
   } else {
     for (const AuditFinding& finding : check.audit) {
       std::cout << finding.objectKind << " " << finding.objectId << ": " << finding.what;
@@ -81,8 +103,10 @@ void verify(const AuditArguments& arguments) {
       }
       std::cout << "\n";
     }
-    for (const Text& note : check.clock) {
-      std::cout << "Note: " << note << "\n";
+    for (const auto* notes : {&std::as_const(check.clock), &heads.notes}) {
+      for (const Text& note : *notes) {
+        std::cout << "Note: " << note << "\n";
+      }
     }
     if (check.audit.empty()) {
       std::cout << "The audit trail is whole: " << check.auditEntries
@@ -109,6 +133,29 @@ void printHead(const AuditArguments& arguments) {
     std::cerr << "torsio: this head is not signed; anybody who can write to the place where it is kept can "
                  "replace it. torsio audit key FILE makes a key\n";
   }
+  // Last: whatever an authority does, the head is kept.
+  if (const std::optional<StampAuthority> authority = stampAuthority(arguments.database.locator())) {
+    const std::string stamp = stampedBy(*authority, head);
+    if (!arguments.witness.empty()) {
+      appendToWitness(arguments.witness, stamp);
+    }
+    std::cout << stamp << "\n";
+  }
+}
+
+void setAuthority(const AuditArguments& arguments) {
+  if (arguments.maintenance.login.empty()) {
+    if (arguments.off || !arguments.address.empty()) {
+      refuseUsage("only somebody who may change settings names an authority", "--login", "Add --login");
+    }
+    const std::optional<StampAuthority> known = stampAuthority(arguments.database.locator());
+    std::cout << "Time stamps: " << (known ? "from " + known->address : std::string("none")) << "\n";
+    return;
+  }
+  MaintenanceDesk desk(arguments.maintenance.maintainer(), arguments.database.locator());
+  setStampAuthority(desk.session(), {arguments.off ? std::string() : arguments.address,
+                                     certificatesIn(arguments.certificate)});
+  std::cout << "Time stamps: " << (arguments.off ? std::string("none") : "from " + arguments.address) << "\n";
 }
 
 void setStation(const AuditArguments& arguments) {
@@ -158,6 +205,8 @@ void addAudit(CLI::App& program) {
   command->add_option("--witness", arguments->witness, "File with such lines");
   command->add_option("--key", arguments->key, "File of the key that must have signed them");
   command->add_option("--public-key", arguments->publicKey, "The public part of that key");
+  command->add_option("--certificate", arguments->certificate,
+                      "PEM file of the time stamp authority's root, instead of the centre's setting");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { verify(*arguments); });
 
@@ -172,6 +221,18 @@ void addAudit(CLI::App& program) {
                       "File to which a head is appended whenever an administrator signs out");
   command->add_option("--key", arguments->key, "File of the key that signs them");
   command->callback([arguments] { setStation(*arguments); });
+
+  command = audit->add_subcommand("authority", "Shows or sets the authority that stamps heads (RFC 3161)");
+  addDatabase(*command);
+  CLI::Option* address = command->add_option("--address", arguments->address, "Where it is asked, over HTTP");
+  CLI::Option* certificate =
+      command->add_option("--certificate", arguments->certificate, "PEM file of its root");
+  address->needs(certificate);
+  certificate->needs(address);
+  CLI::Option* off = command->add_flag("--off", arguments->off, "No time stamps from now on");
+  off->excludes(address);
+  addSignIn(*command, arguments->maintenance, "--login");
+  command->callback([arguments] { setAuthority(*arguments); });
 
   command = audit->add_subcommand("key", "Makes a key that signs heads, in a file of its own");
   command->add_option("FILE", arguments->file, "The new file")->required();

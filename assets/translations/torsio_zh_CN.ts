@@ -21490,6 +21490,102 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>On the real arm, recorded by the tracker</source>
         <translation>实物手臂训练（由跟踪器记录）</translation>
     </message>
+    <message>
+        <source>not an address of a time stamp authority</source>
+        <translation>不是时间戳机构的地址</translation>
+    </message>
+    <message>
+        <source>Write it like https://stamps.example.org/tsr</source>
+        <translation>请写成 https://stamps.example.org/tsr 这样</translation>
+    </message>
+    <message>
+        <source>The trail demonstrably existed up to entry %1 at %2</source>
+        <translation>可以证明：截至第 %1 条的审计记录在 %2 已经存在</translation>
+    </message>
+    <message>
+        <source>The trail demonstrably existed up to entry %1 at %2, says %3</source>
+        <translation>可以证明：截至第 %1 条的审计记录在 %2 已经存在，由 %3 证实</translation>
+    </message>
+    <message>
+        <source>is a pipe, a device or a folder</source>
+        <translation>是管道、设备或文件夹</translation>
+    </message>
+    <message>
+        <source>Give the certificate of the time stamp authority&apos;s root, as PEM</source>
+        <translation>请给出时间戳机构根证书的 PEM 文件</translation>
+    </message>
+    <message>
+        <source>the time stamp authority gave no answer: %1</source>
+        <translation>时间戳机构没有应答：%1</translation>
+    </message>
+    <message>
+        <source>the time stamp authority answered with the status %1</source>
+        <translation>时间戳机构以状态码 %1 应答</translation>
+    </message>
+    <message>
+        <source>The head is kept without a time stamp; ask again later</source>
+        <translation>链头已保存，但没有时间戳；请稍后再请求</translation>
+    </message>
+    <message>
+        <source>the clock of the station was wrong: the head of entry %1 is dated %2, its time stamp %3</source>
+        <translation>工作站的时钟不准：第 %1 条的链头记为 %2，而时间戳为 %3</translation>
+    </message>
+    <message>
+        <source>%1 time {stamp was|stamps were} not checked: no certificate of the authority is known</source>
+        <translation>%1 个时间戳未核对：不知道该机构的证书</translation>
+    </message>
+    <message>
+        <source>%1 {head has|heads have} no time stamp; the first is of entry %2</source>
+        <translation>%1 个链头没有时间戳，第一个是第 %2 条的</translation>
+    </message>
+    <message>
+        <source>time stamp</source>
+        <translation>时间戳</translation>
+    </message>
+    <message>
+        <source>Ask again, or ask whoever runs the time stamp authority</source>
+        <translation>请再试一次，或询问时间戳机构的管理者</translation>
+    </message>
+    <message>
+        <source>the answer contains no time stamp</source>
+        <translation>应答中没有时间戳</translation>
+    </message>
+    <message>
+        <source>the authority gave no time stamp</source>
+        <translation>该机构没有给出时间戳</translation>
+    </message>
+    <message>
+        <source>the authority gave no time stamp: %1</source>
+        <translation>该机构没有给出时间戳：%1</translation>
+    </message>
+    <message>
+        <source>the time stamp has no time</source>
+        <translation>时间戳中没有时间</translation>
+    </message>
+    <message>
+        <source>the time stamp answers another question</source>
+        <translation>时间戳回答的是另一次请求</translation>
+    </message>
+    <message>
+        <source>the time stamp is of another text</source>
+        <translation>时间戳属于另一段文字</translation>
+    </message>
+    <message>
+        <source>the time stamp is signed by an authority that this centre does not trust</source>
+        <translation>时间戳由本中心不信任的机构签名</translation>
+    </message>
+    <message>
+        <source>the signature of the time stamp is not genuine</source>
+        <translation>时间戳的签名不真实</translation>
+    </message>
+    <message>
+        <source>the answer is no time stamp</source>
+        <translation>应答不是时间戳</translation>
+    </message>
+    <message>
+        <source>contains no certificate</source>
+        <translation>其中没有证书</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -26350,6 +26446,10 @@ Leave it empty to remove it.</source>
         <source>It was added to the witness file of this station: %1</source>
         <translation>已添加到本站的见证文件：%1</translation>
     </message>
+    <message>
+        <source>It has no time stamp. %1</source>
+        <translation>它没有时间戳。%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::HeadsPage</name>
@@ -26524,6 +26624,42 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.</source>
         <translation>公钥为 64 位（0 至 9、a 至 f）；此处有 %1 个字符。</translation>
+    </message>
+    <message>
+        <source>No authority confirms when heads were made: only the clocks of the stations say so.</source>
+        <translation>没有机构证实链头的生成时间：只有工作站的时钟为证。</translation>
+    </message>
+    <message>
+        <source>Each head that is kept gets a time stamp (RFC 3161) from %1. Only a hash is sent there.</source>
+        <translation>每个保存的链头都会从 %1 获得时间戳（RFC 3161），只向那里发送一个散列值。</translation>
+    </message>
+    <message>
+        <source>Certificate of the authority’s root</source>
+        <translation>时间戳机构的根证书</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt *.cer)</source>
+        <translation>证书 (*.pem *.crt *.cer)</translation>
+    </message>
+    <message>
+        <source>Adding the head to the witness file</source>
+        <translation>正在把链头加入见证文件</translation>
+    </message>
+    <message>
+        <source>The head was added without a time stamp: %1</source>
+        <translation>链头已加入，但没有时间戳：%1</translation>
+    </message>
+    <message>
+        <source>Time stamp &amp;authority</source>
+        <translation>时间戳机构(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Set with its certificate…</source>
+        <translation>与证书一起设定(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>No &amp;time stamps</source>
+        <translation>不用时间戳(&amp;T)</translation>
     </message>
 </context>
 <context>

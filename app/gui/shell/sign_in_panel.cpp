@@ -88,7 +88,11 @@ void HeadNotice::retranslate() {
         tr("This station keeps no heads. Copy the head or write it down and keep it away from the record: it "
            "shows later whether the trail was truncated or rewritten."));
   }
-  setLook(where_, "caution", !head_.trouble.str().empty());
+  if (!head_.noStamp.empty()) {
+    where_->setText(where_->text() + QLatin1Char('\n') +
+                    tr("It has no time stamp. %1").arg(toQString(head_.noStamp)));
+  }
+  setLook(where_, "caution", !head_.trouble.str().empty() || !head_.noStamp.empty());
   copy_->setText(tr("&Copy the head"));
 }
 

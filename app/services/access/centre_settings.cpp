@@ -162,6 +162,7 @@ template std::string centreSetting<kBrowserAddress>(Connection&);
 template std::string centreSetting<kMailServer>(Connection&);
 template bool centreSetting<kLearningRecords>(Connection&);
 template std::string centreSetting<kLearningRecordStore>(Connection&);
+template std::string centreSetting<kStampAuthority>(Connection&);
 template std::string centreSetting<kLanguage>(Connection&);
 template std::string centreSetting<kCentreCode>(Connection&);
 

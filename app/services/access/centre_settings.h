@@ -107,6 +107,9 @@ inline constexpr CentreSetting kLearningRecords{
     "torsio xapi set"};
 inline constexpr CentreSetting kLearningRecordStore = setting::words(
     "learning_record_store", 4000, Text::verbatim("Store of the learning records"), "torsio xapi set");
+inline constexpr CentreSetting kStampAuthority =
+    setting::words("stamp_authority", 40'000, Text::verbatim("Authority that stamps heads of the trail"),
+                   "torsio audit authority");
 inline constexpr CentreSetting kLanguage =
     setting::words("language", 10, Text::verbatim("Language at sign-in"), "the first run");
 
@@ -121,7 +124,8 @@ inline constexpr std::array kCentreSettings{&kTwoPeople,       &kMinimumWatched_
                                             &kSoundAtLimit,    &kKioskCodes,
                                             &kBrowserAddress,  &kMailServer,
                                             &kLearningRecords, &kLearningRecordStore,
-                                            &kLanguage,        &kCentreCode};
+                                            &kStampAuthority,  &kLanguage,
+                                            &kCentreCode};
 
 template <SettingKind Kind>
 using SettingValue = std::tuple_element_t<static_cast<std::size_t>(Kind),

@@ -11,6 +11,7 @@
 
 #include "app/services/access/audit_service.h"
 #include "app/services/maintenance/signing_key.h"
+#include "app/services/maintenance/stamped_heads.h"
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
@@ -24,7 +25,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kHeadWord = "torsio-head";
 constexpr const char* kNone = "-";
 
 using Head = AnchoredHead;
@@ -44,6 +44,9 @@ bool isWhole(const std::string& line) {
     const auto made = replacementOf(line);
     return made && isSignature(made->signatureOfFresh);
   }
+  if (isStampLine(line)) {
+    return isWholeStamp(line);
+  }
   try {
     const Head head = readHead(line);
     return !head.isSigned() || isSignature(head.signature);
@@ -59,7 +62,8 @@ std::string cutOffEnd(const std::string& kept) {
   const auto begins = [&end](std::string_view word) {
     return end.starts_with(word) || word.starts_with(end);
   };
-  const bool ours = begins(kHeadWord) || begins(kReplacedWord);  // leave anything else alone
+  const bool ours =
+      begins(kHeadWord) || begins(kReplacedWord) || begins(kStampWord);  // leave anything else alone
   return !ours || isWhole(end) ? std::string() : end;
 }
 
@@ -122,6 +126,9 @@ KeptLines sorted(const std::vector<std::string>& lines) {
       }
       (made->isGenuine() ? kept.replacements : kept.forged).push_back(*std::move(made));
       continue;
+    }
+    if (isStampLine(line)) {
+      continue;  // judgeHeads()
     }
     kept.heads.push_back(readHead(line));
     if (kept.firstKey.empty() && kept.heads.back().publicKey != kNone) {

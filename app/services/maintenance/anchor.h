@@ -52,6 +52,7 @@ struct AnchoredHead {
 };
 /// Throws Error (kBadData) if the line is not a head.
 [[nodiscard]] AnchoredHead readHead(const std::string& line);
+inline constexpr const char* kHeadWord = "torsio-head";  ///< first word of such a line
 /// Appends a line to a witness file, creating it if missing; all or nothing. Removes an incomplete last line.
 /// Throws Error (kFileUnwritable), also for a file that holds anything but such lines and for a link.
 void appendToWitness(const std::filesystem::path& witness, const std::string& head);

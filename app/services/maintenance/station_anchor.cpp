@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/maintenance/station_anchor.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include <QSettings>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr const char* kWitness = "witness";
 constexpr const char* kKey = "key";
+constexpr std::chrono::seconds kLeavingPatience{4};
 
 /// A separate file in the account's settings.
 QSettings settings() {
@@ -66,18 +68,26 @@ std::optional<StationSignature> signedByStation(const std::string& text) {
   return StationSignature{publicOf(key), signedWith(key, text)};
 }
 
-LeftHead witnessHead(Connection& connection, std::int64_t now_us) {
+LeftHead witnessHead(Connection& connection, std::int64_t now_us, std::chrono::milliseconds patience) {
   const StationAnchor anchor = stationAnchor();
   LeftHead head{.line = anchoredHead(connection, anchor.key, now_us), .witness = anchor.witness};
-  if (!head.witness.empty()) {
-    appendToWitness(head.witness, head.line);
+  if (head.witness.empty()) {
+    return head;
+  }
+  appendToWitness(head.witness, head.line);  // first: a head without a stamp is better than none
+  if (const std::optional<StampAuthority> authority = stampAuthority(connection)) {
+    try {
+      appendToWitness(head.witness, stampedBy(*authority, head.line, patience));
+    } catch (const Error& error) {
+      head.noStamp = Text::tr("%1: %2", error.whereText(), error.happenedText());
+    }
   }
   return head;
 }
 
 LeftHead headOnLeaving(Connection& connection, std::int64_t now_us) {
   try {
-    return witnessHead(connection, now_us);
+    return witnessHead(connection, now_us, kLeavingPatience);
   } catch (const Error& error) {
     return {.line = anchoredHead(connection, {}, now_us),
             .trouble = Text::tr("%1: %2", error.whereText(), error.happenedText())};
@@ -155,6 +165,9 @@ void useKey(SessionContext& session, const fs::path& file) {
 StationHeads stationHeads(SessionContext& session) {
   session.require(Operation::kAuditView);
   StationHeads heads{.anchor = stationAnchor()};
+  if (const std::optional<StampAuthority> authority = stampAuthority(session.connection())) {
+    heads.authority = authority->address;
+  }
   const fs::path record = recordFile(session);
   try {
     if (!heads.anchor.key.empty()) {
@@ -162,7 +175,9 @@ StationHeads stationHeads(SessionContext& session) {
     }
     std::error_code ignored;
     if (fs::exists(heads.anchor.witness, ignored)) {
-      heads.kept = static_cast<std::int64_t>(headsOf(heads.anchor.witness).size());
+      const std::vector<std::string> lines = headsOf(heads.anchor.witness);
+      heads.kept = std::count_if(lines.begin(), lines.end(),
+                                 [](const std::string& line) { return !isStampLine(line); });
     }
   } catch (const Error& error) {
     heads.trouble = Text::tr("%1: %2", error.whereText(), error.happenedText());
@@ -179,13 +194,13 @@ std::string headNow(SessionContext& session) {
   return anchoredHead(session.connection(), stationAnchor().key, session.now_us());
 }
 
-void keepHeadNow(SessionContext& session) {
+Text keepHeadNow(SessionContext& session) {
   session.require(Operation::kAuditView);
   if (stationAnchor().witness.empty()) {
     throw Error(ErrorCode::kUsage, Text::tr("this station keeps no heads"), "",
                 Text::tr("Choose a witness file first"));
   }
-  witnessHead(session.connection(), session.now_us());
+  return witnessHead(session.connection(), session.now_us()).noStamp;
 }
 
 void chooseWitness(SessionContext& session, const fs::path& file) {
@@ -216,14 +231,14 @@ void chooseStationKey(SessionContext& session, const fs::path& file) {
   useKey(session, file);
 }
 
-std::vector<AuditFinding> verifyHeads(SessionContext& session, const std::vector<std::string>& lines,
-                                      const std::string& publicKey) {
+HeadsVerdict verifyHeads(SessionContext& session, const std::vector<std::string>& lines,
+                         const std::string& publicKey) {
   session.require(Operation::kAuditView);
   const std::string key = publicKey.empty() ? publicPart(stationAnchor().key) : publicKey;
-  std::vector<AuditFinding> findings = compareWithHeads(session.connection(), lines, key);
+  HeadsVerdict verdict = judgeHeads(session.connection(), lines, key, {});
   session.note(AuditAction::kAuditVerify, AuditObject::kAuditEntry, {},
-               {{"heads", lines.size()}, {"findings", findings.size()}});
-  return findings;
+               {{"heads", lines.size()}, {"findings", verdict.findings.size()}});
+  return verdict;
 }
 
 }  // namespace torsio

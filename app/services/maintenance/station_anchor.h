@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "assessment/domain/people/audit_entry.h"
+#include "app/services/maintenance/stamped_heads.h"
 #include "sim/core/text.h"
 
 namespace torsio {
@@ -42,12 +43,14 @@ struct LeftHead {
   std::string line{};               ///< from anchoredHead()
   std::filesystem::path witness{};  ///< file of this station that it was appended to; empty: none
   Text trouble{};  ///< why it was not signed or not appended despite the settings; "": no problem
+  Text noStamp{};  ///< why it has no time stamp although the centre names an authority; "": no problem
 };
-/// Signs the record's head with this station's key and appends it to its witness file, as far as they are
-/// configured. Throws Error, DbError.
-LeftHead witnessHead(Connection& connection, std::int64_t now_us);
-/// Like witnessHead(), but reports an unusable key or witness file in the result, and then does not sign the
-/// head. Throws DbError.
+/// Signs the record's head with this station's key and appends it to its witness file, and then a time stamp
+/// of it, waiting at most `patience`: as far as they are configured. Throws Error, DbError.
+LeftHead witnessHead(Connection& connection, std::int64_t now_us,
+                     std::chrono::milliseconds patience = kStampPatience);
+/// Like witnessHead(), but waits less, for somebody wants to leave, and reports an unusable key or witness
+/// file in the result, and then does not sign the head. Throws DbError.
 [[nodiscard]] LeftHead headOnLeaving(Connection& connection, std::int64_t now_us);
 
 class SessionContext;
@@ -60,6 +63,7 @@ struct StationHeads {
   std::int64_t kept = 0;         ///< lines of the witness file
   bool witnessOnDisk = false;    ///< on the record's disk: a stolen disk would contain both
   bool keyBesideRecord = false;  ///< in the record's folder
+  std::string authority{};       ///< address that heads are stamped by; empty: none
 };
 
 /// Requires the right to see the audit trail.
@@ -67,9 +71,10 @@ struct StationHeads {
 /// Returns the current head as one line, signed if this station has a key. Writes nothing. Requires the right
 /// to see the audit trail. Throws Error, DbError.
 [[nodiscard]] std::string headNow(SessionContext& session);
-/// Appends the current head to this station's witness file. Requires the right to see the audit trail. Throws
+/// Appends the current head to this station's witness file, with a time stamp if the centre names an
+/// authority. Requires the right to see the audit trail. Returns why it has no stamp; "": no problem. Throws
 /// Error (kUsage: no witness file is set), DbError.
-void keepHeadNow(SessionContext& session);
+Text keepHeadNow(SessionContext& session);
 
 /// Sets the file in which this station stores heads and writes the first one; empty: none. Requires the right
 /// to change settings; audited. Throws Error.
@@ -82,10 +87,9 @@ void makeStationKey(SessionContext& session, const std::filesystem::path& file);
 /// Error.
 void chooseStationKey(SessionContext& session, const std::filesystem::path& file);
 
-/// Compares the record with lines stored elsewhere like compareWithHeads(); an empty `publicKey` means this
+/// Compares the record with lines stored elsewhere like judgeHeads(); an empty `publicKey` means this
 /// station's key, if any. Requires the right to see the audit trail; audited.
-[[nodiscard]] std::vector<AuditFinding> verifyHeads(SessionContext& session,
-                                                    const std::vector<std::string>& lines,
-                                                    const std::string& publicKey);
+[[nodiscard]] HeadsVerdict verifyHeads(SessionContext& session, const std::vector<std::string>& lines,
+                                       const std::string& publicKey);
 
 }  // namespace torsio

@@ -89,6 +89,10 @@ HeadsPage::HeadsPage(ShellContext& shell)
       witnessText_(named(sentence(this, false), "witnessText")),
       witness_(namedButton(this, "chooseWitness")),
       noWitness_(namedButton(this, "noWitness")),
+      stampText_(named(sentence(this, false), "stampText")),
+      address_(named(new QLineEdit(this), "stampAddress")),
+      stamps_(namedButton(this, "chooseAuthority")),
+      noStamps_(namedButton(this, "noAuthority")),
       now_(new Card(QString(), this)),
       nowText_(sentence(this, false)),
       line_(lineField(this, "head", kHeadLines)),
@@ -110,13 +114,16 @@ HeadsPage::HeadsPage(ShellContext& shell)
   connect(useKey_, &QPushButton::clicked, this, &HeadsPage::askOtherKey);
   connect(witness_, &QPushButton::clicked, this, &HeadsPage::askWitness);
   connect(noWitness_, &QPushButton::clicked, this, [this] { keepIn({}); });
+  connect(stamps_, &QPushButton::clicked, this, &HeadsPage::askCertificate);
+  connect(noStamps_, &QPushButton::clicked, this, [this] { stampBy({}, {}); });
+  connect(address_, &QLineEdit::textChanged, this, &HeadsPage::showButtons);
   connect(copy_, &QPushButton::clicked, this, &HeadsPage::copyHead);
   connect(print_, &QPushButton::clicked, this, &HeadsPage::printHead);
   connect(add_, &QPushButton::clicked, this, &HeadsPage::addHead);
   connect(load_, &QPushButton::clicked, this, &HeadsPage::loadWitness);
   connect(verify_, &QPushButton::clicked, this, &HeadsPage::verify);
   connect(lines_, &QPlainTextEdit::textChanged, this, [this] {
-    findings_.reset();
+    verdictOfHeads_.reset();
     unreadable_.reset();
     showVerdict();
     showButtons();
@@ -136,7 +143,7 @@ void HeadsPage::layOut() {
   }
   column->addStretch(1);
 
-  for (QLabel* text : {keyText_, witnessText_}) {
+  for (QLabel* text : {keyText_, witnessText_, stampText_}) {
     text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   }
   station_->content()->addWidget(keyText_);
@@ -144,6 +151,14 @@ void HeadsPage::layOut() {
   station_->content()->addSpacing(kSpace);
   station_->content()->addWidget(witnessText_);
   addRow(station_, {witness_, noWitness_});
+  station_->content()->addSpacing(kSpace);
+  station_->content()->addWidget(stampText_);
+  QHBoxLayout* stamps = rowOf();
+  addressLabel_ = addField(stamps, address_);
+  stamps->setStretchFactor(address_, 1);
+  stamps->addWidget(stamps_);
+  stamps->addWidget(noStamps_);
+  station_->content()->addLayout(stamps);
 
   now_->content()->addWidget(nowText_);
   now_->content()->addWidget(line_);
@@ -187,7 +202,7 @@ void HeadsPage::addChecks() {
 }
 
 void HeadsPage::enter(const QVariant&) {
-  findings_.reset();
+  verdictOfHeads_.reset();
   showVerdict();
   read();
 }
@@ -242,6 +257,11 @@ void HeadsPage::showStation() {
   }
   witnessText_->setText(witness);
   setLook(witnessText_, "caution", !kept || heads_.witnessOnDisk || !heads_.trouble.str().empty());
+  stampText_->setText(
+      heads_.authority.empty()
+          ? tr("No authority confirms when heads were made: only the clocks of the stations say so.")
+          : tr("Each head that is kept gets a time stamp (RFC 3161) from %1. Only a hash is sent there.")
+                .arg(toQString(heads_.authority)));
   line_->setPlainText(toQString(head_));
   showButtons();
 }
@@ -251,6 +271,9 @@ void HeadsPage::showButtons() {
   for (QPushButton* button : {makeKey_, useKey_, witness_}) {
     button->setEnabled(settings);
   }
+  address_->setEnabled(settings);
+  stamps_->setEnabled(settings && !address_->text().trimmed().isEmpty());
+  noStamps_->setEnabled(settings && !heads_.authority.empty());
   noWitness_->setEnabled(settings && !heads_.anchor.witness.empty());
   add_->setEnabled(!heads_.anchor.witness.empty());
   copy_->setEnabled(!head_.empty());
@@ -299,12 +322,33 @@ void HeadsPage::askWitness() {
   }
 }
 
-void HeadsPage::addHead() {
+void HeadsPage::stampBy(const QString& address, const std::filesystem::path& certificate) {
   attempt(shell(), [&] {
-    keepHeadNow(shell().session());
-    shell().notify(tr("The head was added to the witness file"));
+    setStampAuthority(shell().session(), {address.toStdString(),
+                                          address.isEmpty() ? std::string() : certificatesOf(certificate)});
+    address_->clear();
   });
   read();
+}
+
+void HeadsPage::askCertificate() {
+  const QString file = askFileToOpen(this, tr("Certificate of the authority\u2019s root"),
+                                     tr("Certificates (*.pem *.crt *.cer)"));
+  if (!file.isEmpty()) {
+    stampBy(address_->text().trimmed(), toPath(file));
+  }
+}
+
+void HeadsPage::addHead() {
+  shell().run(
+      this, tr("Adding the head to the witness file"),
+      [](SessionContext& session, const ProgressCallback&) { return keepHeadNow(session); },
+      [this](const Text& noStamp) {
+        shell().notify(noStamp.empty()
+                           ? tr("The head was added to the witness file")
+                           : tr("The head was added without a time stamp: %1").arg(toQString(noStamp)));
+        read();
+      });
 }
 
 void HeadsPage::copyHead() {
@@ -341,9 +385,8 @@ void HeadsPage::loadWitness() {
 }
 
 void HeadsPage::verify() {
-  const auto show = [this](std::optional<std::vector<AuditFinding>> findings,
-                           std::optional<Error> unreadable) {
-    findings_ = std::move(findings);
+  const auto show = [this](std::optional<HeadsVerdict> verdict, std::optional<Error> unreadable) {
+    verdictOfHeads_ = std::move(verdict);
     unreadable_ = std::move(unreadable);
     checks_->touch(lines_);
     showVerdict();
@@ -354,7 +397,7 @@ void HeadsPage::verify() {
       this, tr("Comparing the record with saved heads"),
       [lines, key = public_->text().trimmed().toStdString()](
           SessionContext& session, const ProgressCallback&) { return verifyHeads(session, lines, key); },
-      [show](std::vector<AuditFinding> findings) { show(std::move(findings), std::nullopt); },
+      [show](HeadsVerdict verdict) { show(std::move(verdict), std::nullopt); },
       [show, lines](const Error& error) {
         const std::string& where = error.where();
         const bool aboutLines =
@@ -369,19 +412,23 @@ void HeadsPage::verify() {
 }
 
 void HeadsPage::showVerdict() {
-  verdict_->setVisible(findings_.has_value());
-  if (!findings_) {
+  verdict_->setVisible(verdictOfHeads_.has_value());
+  if (!verdictOfHeads_) {
     return;
   }
-  const bool sound = findings_->empty();
+  const std::vector<AuditFinding>& findings = verdictOfHeads_->findings;
+  const bool sound = findings.empty();
   QStringList lines{sound ? tr("\u2713 The audit trail matches these heads, and nothing has been removed.")
                           : tr("\u26A0 %n finding(s). Do not report from this record before they are "
                                "explained.",
-                               nullptr, static_cast<int>(findings_->size()))};
-  for (std::size_t i = 0; i < std::min(findings_->size(), kShownFindings); ++i) {
-    const AuditFinding& finding = (*findings_)[i];
+                               nullptr, static_cast<int>(findings.size()))};
+  for (std::size_t i = 0; i < std::min(findings.size(), kShownFindings); ++i) {
+    const AuditFinding& finding = findings[i];
     lines << tr("\u2022 entry %1: %2")
                  .arg(locale().toString(static_cast<qlonglong>(finding.sequence)), toQString(finding.what));
+  }
+  for (const Text& note : verdictOfHeads_->notes) {
+    lines << QStringLiteral("\u2022 ") + toQString(note);
   }
   verdict_->setText(lines.join(QLatin1Char('\n')));
   setLook(verdict_, "good", sound);
@@ -397,6 +444,10 @@ void HeadsPage::retranslate() {
   useKey_->setText(tr("&Use another key\u2026"));
   witness_->setText(tr("Choose the &witness file\u2026"));
   noWitness_->setText(tr("Keep &no heads"));
+  nameField(addressLabel_, tr("Time stamp &authority"));
+  address_->setPlaceholderText(QStringLiteral("https://"));
+  stamps_->setText(tr("&Set with its certificate\u2026"));
+  noStamps_->setText(tr("No &time stamps"));
   now_->setTitle(tr("Current head"));
   nowText_->setText(
       tr("Length, hash and time of the trail in one line. Keep it where nobody who can change the record can "

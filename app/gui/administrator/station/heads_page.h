@@ -34,6 +34,8 @@ class HeadsPage : public Page {
   void makeKey(const std::filesystem::path& file);
   void useKey(const std::filesystem::path& file);
   void keepIn(const std::filesystem::path& witness);
+  /// Names the time stamp authority of the centre, with the file of its root; an empty address: none.
+  void stampBy(const QString& address, const std::filesystem::path& certificate);
   /// Compares the record with the lines of the field.
   void verify();
 
@@ -47,6 +49,7 @@ class HeadsPage : public Page {
   void askKey();
   void askOtherKey();
   void askWitness();
+  void askCertificate();
   void addHead();
   void loadWitness();
   void copyHead();
@@ -54,7 +57,7 @@ class HeadsPage : public Page {
 
   StationHeads heads_;
   std::string head_;
-  std::optional<std::vector<AuditFinding>> findings_;  ///< empty: not compared yet
+  std::optional<HeadsVerdict> verdictOfHeads_;  ///< empty: not compared yet
   PageHeading* heading_;
   QPushButton* back_;
   Card* station_;
@@ -64,6 +67,11 @@ class HeadsPage : public Page {
   QLabel* witnessText_;
   QPushButton* witness_;
   QPushButton* noWitness_;
+  QLabel* stampText_;
+  QLabel* addressLabel_ = nullptr;
+  QLineEdit* address_;  ///< of the time stamp authority
+  QPushButton* stamps_;
+  QPushButton* noStamps_;
   Card* now_;
   QLabel* nowText_;
   QPlainTextEdit* line_;

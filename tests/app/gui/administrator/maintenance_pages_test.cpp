@@ -108,8 +108,10 @@ TEST_F(HeadsPages, AStationWithoutAKeySaysSoCreatesOneAndReplacesIt) {
   EXPECT_TRUE(child<QLabel>(heads, "witnessText").text().contains(QStringLiteral("same disk as the record")));
   EXPECT_TRUE(child<QPlainTextEdit>(heads, "head").toPlainText().contains(toQString(first)));
   click(child<QPushButton>(heads, "addHead"));
+  context().waitForJobs();
   heads.makeKey(in("second"));
   click(child<QPushButton>(heads, "addHead"));
+  context().waitForJobs();
 
   EXPECT_EQ(stationAnchor().key, in("second"));
   EXPECT_TRUE(fs::exists(in("key"))) << "older heads are checked with it";
