@@ -15,7 +15,7 @@ torsio_packages=(
   libsdl2-dev libspnav-dev
   libopenigtlink-dev # trackers on the real arm, and Slicer
   libxlsxwriter-dev libreadstat-dev libmicrohttpd-dev
-  libcurl4-gnutls-dev ca-certificates # mail
+  libcurl4-gnutls-dev ca-certificates # mail, and the answers of time stamp authorities
   libqpdf-dev # tags and outline of the report
   libqrencode-dev # the link on an invitation card, for a phone
   libgnutls28-dev # the certificate that a review desk signs for itself; libmicrohttpd encrypts by it

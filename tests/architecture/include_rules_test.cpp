@@ -215,7 +215,7 @@ const std::map<std::string, std::set<std::string>>& privateLibraries() {
       {"microhttpd", {"app/web"}},
       {"zlib", {"app/connectors/foreign", "app/web", "sim/imaging"}},
       {"CLI/", {"app/cli", "app/gui/program"}},
-      {"curl/", {"app/connectors/mail"}},
+      {"curl/", {"app/connectors/mail", "app/services/base"}},
       {"qpdf/", {"app/outputs/pdf"}},
       {"xlsxwriter", {"app/outputs/tables"}},
       {"readstat", {"app/outputs/tables"}},

@@ -1,84 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/base/web_answer.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <optional>
+#include <memory>
+#include <utility>
 
-#include <QDeadlineTimer>
-#include <QSslSocket>
-#include <QUrl>
+#include <curl/curl.h>
+
+#include "sim/core/contracts.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr int kHttpPort = 80;
-constexpr int kHttpsPort = 443;
+/// An answer as it arrives: headers and body count together.
+struct Arriving {
+  std::string body{};
+  std::size_t left_bytes = 0;
 
-/// Splits status and body; empty if this is no whole answer.
-std::optional<WebAnswer> answerIn(const QByteArray& heard) {
-  const qsizetype end = heard.indexOf("\r\n\r\n");
-  const bool http = heard.startsWith("HTTP/1.") && heard.size() > 12 && heard[8] == ' ';
-  if (end < 0 || !http) {
-    return std::nullopt;
-  }
-  WebAnswer answer{heard.mid(9, 3).toInt(), heard.mid(end + 4).toStdString()};
-  for (const QByteArray& line : heard.left(end).split('\n')) {
-    const qsizetype colon = line.indexOf(':');
-    if (colon < 0 || line.left(colon).trimmed().toLower() != "content-length") {
-      continue;
+  /// Returns what libcurl takes for an error where there is no room.
+  std::size_t take(const char* bytes, std::size_t count, bool isBody) {
+    if (count > left_bytes) {
+      return 0;
     }
-    bool number = false;
-    const qulonglong length = line.mid(colon + 1).trimmed().toULongLong(&number);
-    if (!number || answer.body.size() < length) {
-      return std::nullopt;
+    left_bytes -= count;
+    if (isBody) {
+      body.append(bytes, count);
     }
-    answer.body.resize(length);
+    return count;
   }
-  return answer;
+};
+
+std::size_t takeHeader(const char* bytes, std::size_t size, std::size_t count, void* arriving) {
+  return static_cast<Arriving*>(arriving)->take(bytes, size * count, false);
+}
+
+std::size_t takeBody(const char* bytes, std::size_t size, std::size_t count, void* arriving) {
+  return static_cast<Arriving*>(arriving)->take(bytes, size * count, true);
 }
 
 }  // namespace
 
-// Not QNetworkAccessManager: its thread reads a header that never ends for as long as somebody sends it.
 WebAnswer postedTo(const std::string& address, const std::string& contentType, const std::string& body,
                    std::chrono::milliseconds patience, std::size_t most_bytes) {
-  const QUrl url(QString::fromStdString(address), QUrl::StrictMode);
-  const bool secure = url.scheme() == QLatin1String("https");
-  const QDeadlineTimer deadline(patience);
-  const auto left_ms = [&deadline] { return static_cast<int>(std::max<qint64>(1, deadline.remainingTime())); };
-  QSslSocket socket;
-  const auto none = [&socket] { return WebAnswer{0, socket.errorString().toStdString()}; };
-  const auto port = static_cast<quint16>(url.port(secure ? kHttpsPort : kHttpPort));
-  if (secure) {
-    socket.connectToHostEncrypted(url.host(), port);
-  } else {
-    socket.connectToHost(url.host(), port);
+  static const CURLcode ready = curl_global_init(CURL_GLOBAL_DEFAULT);
+  TORSIO_EXPECTS(ready == CURLE_OK);
+  const std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl(curl_easy_init(), &curl_easy_cleanup);
+  TORSIO_EXPECTS(curl != nullptr);
+  const std::unique_ptr<curl_slist, decltype(&curl_slist_free_all)> headers(
+      curl_slist_append(nullptr, ("Content-Type: " + contentType).c_str()), &curl_slist_free_all);
+  Arriving arriving{.left_bytes = most_bytes};
+  const auto set = [&curl](CURLoption option, auto value) { curl_easy_setopt(curl.get(), option, value); };
+  set(CURLOPT_URL, address.c_str());
+  set(CURLOPT_PROTOCOLS_STR, "http,https");
+  set(CURLOPT_NOSIGNAL, 1L);
+  set(CURLOPT_TIMEOUT_MS, static_cast<long>(patience.count()));
+  set(CURLOPT_HTTPHEADER, headers.get());
+  set(CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(body.size()));
+  set(CURLOPT_POSTFIELDS, body.data());
+  set(CURLOPT_HEADERFUNCTION, &takeHeader);
+  set(CURLOPT_HEADERDATA, &arriving);
+  set(CURLOPT_WRITEFUNCTION, &takeBody);
+  set(CURLOPT_WRITEDATA, &arriving);
+  const CURLcode code = curl_easy_perform(curl.get());
+  if (code == CURLE_WRITE_ERROR) {
+    return {0, "it is too long"};
   }
-  if (!(secure ? socket.waitForEncrypted(left_ms()) : socket.waitForConnected(left_ms()))) {
-    return none();
+  if (code != CURLE_OK) {
+    return {0, curl_easy_strerror(code)};
   }
-  // 1.0: the server ends the connection after an answer in one piece.
-  QByteArray request = "POST " + url.toEncoded(QUrl::RemoveScheme | QUrl::RemoveAuthority | QUrl::RemoveFragment);
-  if (url.path().isEmpty()) {
-    request += '/';
-  }
-  request += " HTTP/1.0\r\nHost: " + url.authority(QUrl::FullyEncoded).toLatin1() +
-             "\r\nContent-Type: " + QByteArray::fromStdString(contentType) +
-             "\r\nContent-Length: " + QByteArray::number(static_cast<qulonglong>(body.size())) +
-             "\r\nConnection: close\r\n\r\n" + QByteArray::fromStdString(body);
-  socket.setReadBufferSize(static_cast<qint64>(most_bytes));
-  socket.write(request);
-  QByteArray heard;
-  while (socket.bytesAvailable() > 0 || socket.waitForReadyRead(left_ms())) {
-    heard += socket.read(static_cast<qint64>(most_bytes));
-    if (static_cast<std::size_t>(heard.size()) > most_bytes || deadline.hasExpired()) {
-      socket.abort();
-      return {0, deadline.hasExpired() ? "it took too long" : "it is too long"};
-    }
-  }
-  return answerIn(heard).value_or(none());
+  long status = 0;
+  curl_easy_getinfo(curl.get(), CURLINFO_RESPONSE_CODE, &status);
+  return {static_cast<int>(status), std::move(arriving.body)};
 }
 
 }  // namespace torsio

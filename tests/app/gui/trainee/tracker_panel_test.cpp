@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/connectors/tracker/tracker_choice.h"
+#include "app/gui/trainee/debrief_page.h"
 #include "app/services/recording/kept_digests.h"
 #include "app/services/training/attempts.h"
 #include "assessment/attempt/foreign_measures.h"
@@ -108,7 +109,7 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   station.train(2 * kRealTime_us);
 
   EXPECT_EQ(station.pageId, PageId::kDebrief);
-  ASSERT_TRUE(testing::eventually([&] { return station.debrief().debrief().realArm.has_value(); }));
+  ASSERT_TRUE(testing::eventually([&] { return dynamic_cast<DebriefPage&>(*station.page).debrief().realArm.has_value(); }));
   const QString told = station.allText();
   EXPECT_TRUE(told.contains(QStringLiteral("The instrument was out of view 1 time, for 0.04 s in all")))
       << told.toStdString();
