@@ -12,7 +12,8 @@ std::chrono::milliseconds LateAnswers::delayFor(std::size_t waiting) noexcept {
   constexpr std::size_t kFew = 2;
   constexpr std::chrono::milliseconds kEach{3'000};
   constexpr std::chrono::milliseconds kLongest{45'000};
-  return waiting <= kFew ? std::chrono::milliseconds(0) : std::min(kEach * static_cast<int>(waiting), kLongest);
+  return waiting <= kFew ? std::chrono::milliseconds(0)
+                         : std::min(kEach * static_cast<int>(waiting), kLongest);
 }
 
 void LateAnswers::keep(SteadyTime due, std::function<void()> give) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/services/base/web_answer.h"
 
+#include <curl/curl.h>
 #include <memory>
 #include <utility>
-
-#include <curl/curl.h>
 
 #include "sim/core/contracts.h"
 

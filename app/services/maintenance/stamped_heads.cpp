@@ -29,9 +29,9 @@ namespace torsio {
 
 namespace {
 
-constexpr std::size_t kMaxAnswer_bytes = 65'536;  // a stamp with its chain has 2,000 to 10,000
+constexpr std::size_t kMaxAnswer_bytes = 65'536;           // a stamp with its chain has 2,000 to 10,000
 constexpr std::uintmax_t kMaxCertificates_bytes = 30'000;  // the setting holds them
-constexpr std::size_t kShownHash = 16;  // digits
+constexpr std::size_t kShownHash = 16;                     // digits
 constexpr std::int64_t kClocksDiffer_us = 5 * kMinute_us;
 
 /// A parsed line.
@@ -51,8 +51,8 @@ std::optional<Stamp> readStamp(const std::string& line) {
   if (!words || word != kStampWord || version != "1" || words >> rest) {
     return std::nullopt;
   }
-  const auto bytes =
-      QByteArray::fromBase64Encoding(QByteArray::fromStdString(answer), QByteArray::AbortOnBase64DecodingErrors);
+  const auto bytes = QByteArray::fromBase64Encoding(QByteArray::fromStdString(answer),
+                                                    QByteArray::AbortOnBase64DecodingErrors);
   if (!bytes || answer.size() % 4 != 0) {
     return std::nullopt;
   }
@@ -130,11 +130,11 @@ class StampCheck {
 
 void addProven(HeadsVerdict& verdict) {
   const auto tell = [&verdict](const ProvenTime& one) {
-    verdict.notes.push_back(
-        one.authority.empty()
-            ? Text::tr("The trail demonstrably existed up to entry %1 at %2", one.length, formatUtc(one.utc_us))
-            : Text::tr("The trail demonstrably existed up to entry %1 at %2, says %3", one.length,
-                       formatUtc(one.utc_us), one.authority));
+    verdict.notes.push_back(one.authority.empty()
+                                ? Text::tr("The trail demonstrably existed up to entry %1 at %2", one.length,
+                                           formatUtc(one.utc_us))
+                                : Text::tr("The trail demonstrably existed up to entry %1 at %2, says %3",
+                                           one.length, formatUtc(one.utc_us), one.authority));
   };
   if (verdict.proven.empty()) {
     return;
@@ -193,11 +193,13 @@ void setStampAuthority(SessionContext& session, const StampAuthority& authority)
 std::string stampedBy(const StampAuthority& authority, const std::string& head,
                       std::chrono::milliseconds patience) {
   const std::string query = stampQuery(head);
-  const WebAnswer answer = postedTo(authority.address, "application/timestamp-query", query, patience, kMaxAnswer_bytes);
+  const WebAnswer answer =
+      postedTo(authority.address, "application/timestamp-query", query, patience, kMaxAnswer_bytes);
   if (answer.status != 200) {
     throw Error(ErrorCode::kFileUnreadable,
-                answer.status == 0 ? Text::tr("the time stamp authority gave no answer: %1", plainLine(answer.body))
-                                   : Text::tr("the time stamp authority answered with the status %1", answer.status),
+                answer.status == 0
+                    ? Text::tr("the time stamp authority gave no answer: %1", plainLine(answer.body))
+                    : Text::tr("the time stamp authority answered with the status %1", answer.status),
                 authority.address, Text::tr("The head is kept without a time stamp; ask again later"));
   }
   (void)stampIn(answer.body, query, authority.certificates);
@@ -255,8 +257,9 @@ HeadsVerdict judgeHeads(Connection& connection, const std::vector<std::string>& 
   }
   addProven(verdict);
   if (check.unchecked() > 0) {
-    verdict.notes.push_back(Text::tr(
-        "%1 time {stamp was|stamps were} not checked: no certificate of the authority is known", check.unchecked()));
+    verdict.notes.push_back(
+        Text::tr("%1 time {stamp was|stamps were} not checked: no certificate of the authority is known",
+                 check.unchecked()));
   } else if (!missing.empty()) {
     verdict.notes.push_back(Text::tr("%1 {head has|heads have} no time stamp; the first is of entry %2",
                                      missing.size(), missing.front()));

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <climits>
 #include <ctime>
 #include <memory>
-
 #include <openssl/asn1.h>
 #include <openssl/err.h>
 #include <openssl/evp.h>
@@ -14,6 +12,8 @@
 #include <openssl/rand.h>
 #include <openssl/ts.h>
 #include <openssl/x509_vfy.h>
+
+#include <climits>
 
 #include "sim/core/error.h"
 #include "sim/core/plain_text.h"
@@ -67,13 +67,13 @@ Request requestFor(const std::string& text) {
   Request request(TS_REQ_new());
   const Owned<TS_MSG_IMPRINT, TS_MSG_IMPRINT_free> imprint(TS_MSG_IMPRINT_new());
   const Owned<X509_ALGOR, X509_ALGOR_free> algorithm(X509_ALGOR_new());
-  const bool made =
-      request && imprint && algorithm &&
-      X509_ALGOR_set0(algorithm.get(), OBJ_nid2obj(NID_sha256), V_ASN1_NULL, nullptr) == 1 &&
-      TS_MSG_IMPRINT_set_algo(imprint.get(), algorithm.get()) == 1 &&
-      TS_MSG_IMPRINT_set_msg(imprint.get(), digest.data(), kHash_bytes) == 1 &&
-      TS_REQ_set_version(request.get(), 1) == 1 &&
-      TS_REQ_set_msg_imprint(request.get(), imprint.get()) == 1 && TS_REQ_set_cert_req(request.get(), 1) == 1;
+  const bool made = request && imprint && algorithm &&
+                    X509_ALGOR_set0(algorithm.get(), OBJ_nid2obj(NID_sha256), V_ASN1_NULL, nullptr) == 1 &&
+                    TS_MSG_IMPRINT_set_algo(imprint.get(), algorithm.get()) == 1 &&
+                    TS_MSG_IMPRINT_set_msg(imprint.get(), digest.data(), kHash_bytes) == 1 &&
+                    TS_REQ_set_version(request.get(), 1) == 1 &&
+                    TS_REQ_set_msg_imprint(request.get(), imprint.get()) == 1 &&
+                    TS_REQ_set_cert_req(request.get(), 1) == 1;
   if (!made) {
     throw ContractError("OpenSSL made no question for a time stamp");
   }
@@ -107,7 +107,8 @@ Response responseOf(const std::string& answer) {
 std::string utf8Of(const ASN1_STRING* words) {
   unsigned char* bytes = nullptr;
   const int size = words == nullptr ? -1 : ASN1_STRING_to_UTF8(&bytes, words);
-  std::string text = size < 0 ? std::string() : std::string(reinterpret_cast<char*>(bytes), static_cast<std::size_t>(size));
+  std::string text =
+      size < 0 ? std::string() : std::string(reinterpret_cast<char*>(bytes), static_cast<std::size_t>(size));
   OPENSSL_free(bytes);
   return plainLine(text, kShown);
 }
@@ -147,8 +148,7 @@ std::int64_t timeOf(TS_RESP* response) {
 }
 
 std::string signerOf(TS_RESP* response) {
-  const Owned<STACK_OF(X509), freeList> signers(
-      PKCS7_get0_signers(TS_RESP_get_token(response), nullptr, 0));
+  const Owned<STACK_OF(X509), freeList> signers(PKCS7_get0_signers(TS_RESP_get_token(response), nullptr, 0));
   if (!signers || sk_X509_num(signers.get()) == 0) {
     return {};
   }

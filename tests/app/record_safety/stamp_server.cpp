@@ -31,18 +31,19 @@ void shell(const std::string& command) {
 void makeAuthority(const fs::path& folder) {
   fs::create_directories(folder);
   std::ofstream(folder / "tsa.ext") << "extendedKeyUsage = critical,timeStamping\n";
-  std::ofstream(folder / "tsa.cnf") << "[tsa]\ndefault_tsa = one\n[one]\nserial = " << (folder / "serial").string()
-                                    << "\nsigner_cert = " << (folder / "tsa.pem").string()
-                                    << "\nsigner_key = " << (folder / "tsa.key").string()
-                                    << "\ncerts = " << (folder / "ca.pem").string()
-                                    << "\ndefault_policy = 1.2.3.4.1\ndigests = sha256\nsigner_digest = sha256\n"
-                                       "accuracy = secs:1\nordering = no\ntsa_name = no\ness_cert_id_chain = no\n";
+  std::ofstream(folder / "tsa.cnf")
+      << "[tsa]\ndefault_tsa = one\n[one]\nserial = " << (folder / "serial").string()
+      << "\nsigner_cert = " << (folder / "tsa.pem").string()
+      << "\nsigner_key = " << (folder / "tsa.key").string() << "\ncerts = " << (folder / "ca.pem").string()
+      << "\ndefault_policy = 1.2.3.4.1\ndigests = sha256\nsigner_digest = sha256\n"
+         "accuracy = secs:1\nordering = no\ntsa_name = no\ness_cert_id_chain = no\n";
   std::ofstream(folder / "serial") << "01\n";
   const std::string go = "cd " + folder.string() + " && openssl ";
   shell(go + "req -x509 -newkey rsa:2048 -nodes -days 2 -subj '/CN=Stamps root' -keyout ca.key -out ca.pem");
   shell(go + "req -newkey rsa:2048 -nodes -subj '/CN=Stamps of the test' -keyout tsa.key -out tsa.csr");
-  shell(go +
-        "x509 -req -days 2 -in tsa.csr -CA ca.pem -CAkey ca.key -CAcreateserial -extfile tsa.ext -out tsa.pem");
+  shell(
+      go +
+      "x509 -req -days 2 -in tsa.csr -CA ca.pem -CAkey ca.key -CAcreateserial -extfile tsa.ext -out tsa.pem");
 }
 
 }  // namespace
@@ -87,7 +88,8 @@ bool StampServer::send(int socket, const std::string& bytes) {
     if (::poll(&line, 1, kLook_ms) <= 0) {
       continue;
     }
-    const ssize_t count = ::send(socket, bytes.data() + done, bytes.size() - done, MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t count =
+        ::send(socket, bytes.data() + done, bytes.size() - done, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count <= 0) {
       return false;
     }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Time stamps (RFC 3161) of heads, by an authority that runs `openssl ts`: whatever it answers, heads are kept.
+// Time stamps (RFC 3161) of heads, by an authority that runs `openssl ts`: whatever it answers, heads are
+// kept.
 #include "app/services/maintenance/stamped_heads.h"
 
 #include <chrono>
 #include <fstream>
 
+#include <QByteArray>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <QByteArray>
 
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/time_stamp.h"
@@ -57,7 +57,9 @@ class StampedHeads : public ::testing::Test {
   [[nodiscard]] std::string database() const { return " --database " + file("record.sqlite"); }
   [[nodiscard]] std::string signIn() const { return " --login office --password-fd 3 3<" + file("password"); }
   [[nodiscard]] ProgramRun run(const std::string& arguments) const { return runTorsio(arguments, folder_); }
-  [[nodiscard]] ProgramRun head() const { return run("audit head" + database() + " --witness " + file("heads")); }
+  [[nodiscard]] ProgramRun head() const {
+    return run("audit head" + database() + " --witness " + file("heads"));
+  }
   [[nodiscard]] ProgramRun verified(const std::string& more = "") const {
     return run("audit verify" + database() + " --witness " + file("heads") + more);
   }
@@ -89,9 +91,11 @@ TEST_F(StampedHeads, SayFromWhenOnTheTrailExistedAndOpensslSaysTheSame) {
   ASSERT_EQ(lines.size(), 4U);
   std::ofstream(file("head"), std::ios::binary) << lines[0];
   std::ofstream(file("stamp"), std::ios::binary)
-      << QByteArray::fromBase64(QByteArray::fromStdString(lines[1].substr(lines[1].rfind(' ') + 1))).toStdString();
-  const ProgramRun theirs = runProgram("openssl", "ts -verify -data " + file("head") + " -in " + file("stamp") +
-                                                      " -CAfile " + server_.root(), folder_);
+      << QByteArray::fromBase64(QByteArray::fromStdString(lines[1].substr(lines[1].rfind(' ') + 1)))
+             .toStdString();
+  const ProgramRun theirs = runProgram(
+      "openssl", "ts -verify -data " + file("head") + " -in " + file("stamp") + " -CAfile " + server_.root(),
+      folder_);
   EXPECT_EQ(theirs.code, 0) << theirs.out << theirs.err;
 }
 
@@ -132,11 +136,10 @@ TEST_F(StampedHeads, ABrokenStrangeOrMissingStampIsNamed) {
 
 TEST_F(StampedHeads, AWrongClockIsRevealed) {
   nameAuthority();
-  const std::string future =
-      [&] {
-        Connection connection = openRecord(file("record.sqlite"), OpenMode::kReadOnly);
-        return anchoredHead(connection, {}, utcNow_us() + 400 * kDay_us);
-      }();
+  const std::string future = [&] {
+    Connection connection = openRecord(file("record.sqlite"), OpenMode::kReadOnly);
+    return anchoredHead(connection, {}, utcNow_us() + 400 * kDay_us);
+  }();
   write({future, stampedBy(authority(), future)});
 
   const ProgramRun early = verified();
@@ -178,10 +181,9 @@ TEST_F(StampedHeads, WhateverTheAuthorityAnswersIsToldInTimeAndLosesNothing) {
     } catch (const Error& error) {
       told = error.what();
     }
-    const double took_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    std::cout << "  " << static_cast<int>(fault) << ": " << took_s << " s, "
-              << server_.sent_bytes() - before << " bytes: " << told << "\n";
+    const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    std::cout << "  " << static_cast<int>(fault) << ": " << took_s << " s, " << server_.sent_bytes() - before
+              << " bytes: " << told << "\n";
     EXPECT_FALSE(told.empty());
     EXPECT_NE(told.find(said), std::string::npos) << told;
     EXPECT_EQ(told.find('\x1b'), std::string::npos);
@@ -202,8 +204,9 @@ TEST_F(StampedHeads, AnAuthorityIsNamedByWhoMayChangeSettingsAndOnlyWithACertifi
   EXPECT_EQ(run(set + " --address http://stamps.example.org --certificate " + server_.root()).code,
             static_cast<int>(ErrorCode::kUsage))
       << "nobody signed in";
-  EXPECT_EQ(run(set + signIn() + " --address http://stamps.example.org --certificate " + file("password")).code,
-            static_cast<int>(ErrorCode::kBadData));
+  EXPECT_EQ(
+      run(set + signIn() + " --address http://stamps.example.org --certificate " + file("password")).code,
+      static_cast<int>(ErrorCode::kBadData));
   EXPECT_EQ(run(set + signIn() + " --address http://stamps.example.org --certificate /dev/zero").code,
             static_cast<int>(ErrorCode::kFileUnreadable));
   EXPECT_EQ(run(set + signIn() + " --address ftp://x --certificate " + server_.root()).code,

@@ -109,7 +109,8 @@ TEST(TrackerPanel, RecordsTheInstrumentInAPhaseOnTheRealArm) {
   station.train(2 * kRealTime_us);
 
   EXPECT_EQ(station.pageId, PageId::kDebrief);
-  ASSERT_TRUE(testing::eventually([&] { return dynamic_cast<DebriefPage&>(*station.page).debrief().realArm.has_value(); }));
+  ASSERT_TRUE(testing::eventually(
+      [&] { return dynamic_cast<DebriefPage&>(*station.page).debrief().realArm.has_value(); }));
   const QString told = station.allText();
   EXPECT_TRUE(told.contains(QStringLiteral("The instrument was out of view 1 time, for 0.04 s in all")))
       << told.toStdString();
