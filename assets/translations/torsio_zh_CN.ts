@@ -26650,8 +26650,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>链头已加入，但没有时间戳：%1</translation>
     </message>
     <message>
-        <source>Time stamp &amp;authority</source>
-        <translation>时间戳机构(&amp;A)</translation>
+        <source>Time stamp a&amp;uthority</source>
+        <translation>时间戳机构(&amp;U)</translation>
     </message>
     <message>
         <source>&amp;Set with its certificate…</source>
