@@ -342,7 +342,7 @@ def test_session_ends(browser, url, desk):
 
 
 def test_idle_lock(browser, url, desk):
-    desk.idle_s = 2
+    desk.idle_s = 4
     open_case(browser, url)
     browser.keys("5", "Tab", "Tab", "Tab", "Tab", "half a sentence")
     browser.says(".notice", "Press any key to stay")
@@ -357,7 +357,7 @@ def test_idle_lock(browser, url, desk):
 
 
 def test_idle_lock_without_network(browser, url, desk):
-    desk.idle_s = 2
+    desk.idle_s = 4
     open_case(browser, url)
     desk.away = True
     browser.keys("5", "ArrowDown", "6")
