@@ -373,12 +373,12 @@ void WebDesk::queue(const std::shared_ptr<Job>& job) {
   }
 }
 
-// Hashing takes a while, and one thread does it. First come those who are signed in, then browsers from which
-// the name has signed in before and addresses without many wrong passwords, then the others; of each, the
-// newest and the oldest by turns: a right password does not wait for a heap of wrong ones. Which names have
-// an account plays no part.
+// Hashing takes a while, and one thread does it. First come those who are signed in and browsers from
+// which the name has signed in before, then addresses without many wrong passwords, then the others; of each,
+// the newest and the oldest by turns: a right password does not wait for a heap of wrong ones. Which names
+// have an account plays no part.
 void WebDesk::queueToHash(const std::shared_ptr<Job>& job) {
-  const bool open = job->match.route->access == RouteAccess::kOpen;
+  const bool open = job->match.route->access == RouteAccess::kOpen && !isKnown(*job);
   const bool many = open && sentManyWrong(*job);
   const auto begin = [this, job, open, many](SessionContext* context) {
     if (open && !many && sentManyWrong(*job)) {
@@ -393,13 +393,14 @@ void WebDesk::queueToHash(const std::shared_ptr<Job>& job) {
 }
 
 bool WebDesk::sentManyWrong(const Job& job) {
-  if (wrongTries_.waitOf(clientOf(job.request), deskNow()).count() == 0) {
-    return false;
-  }
+  return wrongTries_.waitOf(clientOf(job.request), deskNow()).count() > 0;
+}
+
+bool WebDesk::isKnown(const Job& job) const {
   const auto body = nlohmann::json::parse(job.request.body, nullptr, false);
   const auto login = body.is_object() ? body.find("login") : body.end();
-  return login == body.end() || !login->is_string() ||
-         !knownBrowsers_.knows(job.request.cookie(kKnownCookie), login->get<std::string>());
+  return login != body.end() && login->is_string() &&
+         knownBrowsers_.knows(job.request.cookie(kKnownCookie), login->get<std::string>());
 }
 
 void WebDesk::work(const std::shared_ptr<Job>& job, SessionContext* context) {

@@ -107,6 +107,8 @@ class WebDesk {
   void queueToHash(const std::shared_ptr<Job>& job);
   /// Returns whether many wrong passwords came from the address of this request.
   [[nodiscard]] bool sentManyWrong(const Job& job);
+  /// Returns whether the name in this request has signed in from its browser before.
+  [[nodiscard]] bool isKnown(const Job& job) const;
   /// Looks for new calls while pages wait for them.
   void lookOut();
   [[nodiscard]] HttpResponse failure(const std::exception_ptr& thrown, const Route& route,
