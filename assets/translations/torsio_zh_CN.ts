@@ -21008,7 +21008,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Choose the file with the columns recording, rater and score</source>
-        <translation>请选择含有 recording、rater 和 score 三列的文件</translation>
+        <translation>请选择含有 recording（录制）、rater 和 score 三列的文件</translation>
     </message>
     <message>
         <source>this is a Parquet file</source>
@@ -21051,12 +21051,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请选择 Parquet 文件，或指明此文件的实际形式</translation>
     </message>
     <message>
-        <source>the file has %1 rows, more than 50 million</source>
+        <source>the file has %1 {row|rows}, more than 50 million</source>
         <translation>文件有 %1 行，超过五千万行</translation>
     </message>
     <message>
         <source>Split it into a file for each recording</source>
-        <translation>请拆分为每份记录一个文件</translation>
+        <translation>请拆分为每份录制一个文件</translation>
     </message>
     <message>
         <source>Use one of its columns: %1</source>
@@ -21132,11 +21132,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>there is no recording of the simulator</source>
-        <translation>没有模拟器的记录</translation>
+        <translation>没有模拟器的录制</translation>
     </message>
     <message>
         <source>Choose another form: LeRobot has no place for other equipment&apos;s recordings</source>
-        <translation>请选择其他形式：LeRobot 无法容纳其他设备的记录</translation>
+        <translation>请选择其他形式：LeRobot 无法容纳其他设备的录制</translation>
     </message>
     <message>
         <source>the poses would be %1 apart: %2 is plausible</source>
@@ -21160,7 +21160,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Confirmed at the import of recordings</source>
-        <translation>导入记录时已确认</translation>
+        <translation>导入录制时已确认</translation>
     </message>
     <message>
         <source>The unit of the measured markers was confirmed by whoever compared: it was not checked.</source>
@@ -21452,7 +21452,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>count of gaps: more than 20 ms and two and a half samples without a pose, or more than 0.2 s with the same pose bit for bit</source>
-        <translation>间断次数：超过 20 毫秒且超过两个半采样没有位姿，或同一位姿逐位不变超过 0.2 秒</translation>
+        <translation>间断次数：超过 20 ms 且超过两个半采样没有位姿，或同一位姿逐位不变超过 0.2 秒</translation>
     </message>
     <message>
         <source>Time out of view</source>
@@ -21472,7 +21472,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Share of the recording in which the instrument was lost; above 5 % path and idle time are not measured.</source>
-        <translation>记录中器械丢失的时间占比；超过 5 % 时不测量路径和静止时间。</translation>
+        <translation>录制中器械丢失的时间占比；超过 5 % 时不测量路径和静止时间。</translation>
     </message>
     <message>
         <source>sum of the gaps / time</source>
@@ -26000,7 +26000,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Each recording of the simulator is an episode; recordings of other equipment have another rate and are left out.</source>
-        <translation>模拟器的每份记录是一个片段；其他设备的记录频率不同，不包括在内。</translation>
+        <translation>模拟器的每份录制是一个片段；其他设备的录制频率不同，不包括在内。</translation>
     </message>
 </context>
 <context>

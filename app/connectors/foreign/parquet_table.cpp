@@ -162,7 +162,7 @@ class ParquetTable::Reader {
       refuseDamagedFile();
     }
     if (rows_ < 0 || rows_ > kMaxRows) {
-      refuseFile(Text::tr("the file has %1 rows, more than 50 million", rows_),
+      refuseFile(Text::tr("the file has %1 {row|rows}, more than 50 million", rows_),
                  Text::tr("Split it into a file for each recording"));
     }
   }

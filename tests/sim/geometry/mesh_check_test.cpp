@@ -303,7 +303,7 @@ INSTANTIATE_TEST_SUITE_P(
         UnitCase{190000.0, 0.001, "the file seems to be in micrometres. Add --organ-unit um"},
         UnitCase{190.0, 1.0, "the file seems to be in millimetres. Add --organ-unit mm"},
         UnitCase{0.0002, 0.001,
-                 "M09 largest side 0.0002 mm is not that of an organ (30 mm to 2000 mm). Scale the mesh"}));
+                 "M09 largest side 0.0002 mm is not that of an organ (30 to 2000 mm). Scale the mesh"}));
 
 TriangleMesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {{a, b, c}, {{0, 1, 2}}};

@@ -294,7 +294,7 @@ void expectNumbersAreTraceable(ReportsPage& reports, ShellContext& shell) {
     EXPECT_EQ(numbers.visibleRows(), 3 * (1 + 10 + 3 + 30) + 3 + 2 * 10 + 2 + 20)
         << "at three occasions the score, ten marks, and as much for each of three criteria; the residual; "
            "each mark beside the mean of the others; how many marks, and whether the trainee withdrew; "
-           "level, failures, error rates and odds at the required exercise";
+           "level, failures, excused runs, error rates and odds at the required exercise";
     dialog.reject();
   });
   Q_EMIT preview.anchorClicked(link);
