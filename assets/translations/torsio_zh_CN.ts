@@ -21452,7 +21452,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>count of gaps: more than 20 ms and two and a half samples without a pose, or more than 0.2 s with the same pose bit for bit</source>
-        <translation>间断次数：超过 20 ms 且超过两个半采样没有位姿，或同一位姿逐位不变超过 0.2 秒</translation>
+        <translation>间断次数：超过 20 ms 且超过两个半采样没有位姿，或同一位姿逐位不变超过 0.2 s</translation>
     </message>
     <message>
         <source>Time out of view</source>
@@ -26650,8 +26650,8 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>链头已加入，但没有时间戳：%1</translation>
     </message>
     <message>
-        <source>Time stamp a&amp;uthority</source>
-        <translation>时间戳机构(&amp;U)</translation>
+        <source>Time stamp authorit&amp;y</source>
+        <translation>时间戳机构(&amp;Y)</translation>
     </message>
     <message>
         <source>&amp;Set with its certificate…</source>

@@ -444,7 +444,7 @@ void HeadsPage::retranslate() {
   useKey_->setText(tr("&Use another key\u2026"));
   witness_->setText(tr("Choose the &witness file\u2026"));
   noWitness_->setText(tr("Keep &no heads"));
-  nameField(addressLabel_, tr("Time stamp a&uthority"));
+  nameField(addressLabel_, tr("Time stamp authorit&y"));
   stamps_->setText(tr("&Set with its certificate\u2026"));
   noStamps_->setText(tr("No &time stamps"));
   now_->setTitle(tr("Current head"));
