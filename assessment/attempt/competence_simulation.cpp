@@ -38,7 +38,8 @@ struct SimulatedRun {
   std::int64_t cutOff = 0;
   double force_N = 2.0;
   bool interrupted = false;
-  friend auto operator<=>(const SimulatedRun&, const SimulatedRun&) = default;
+  friend auto operator<=>(const SimulatedRun&,
+                          const SimulatedRun&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Judges a run by the rule that judges recordings.

@@ -32,7 +32,7 @@ struct Bound {
   int to;  ///< threshold that the mark of `other` does not exceed
 
   // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 reads a pointer into <=>
-  friend auto operator<=>(const Bound&, const Bound&) = default;
+  friend auto operator<=>(const Bound&, const Bound&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Bounds from every pair of marks of one person, keeping only the tightest.

@@ -249,12 +249,6 @@ void appendToWitness(const fs::path& witness, const std::string& head) {
   }
 }
 
-std::vector<AuditFinding> compareWithHeads(const std::string& locator, const std::vector<std::string>& lines,
-                                           const std::string& publicKey) {
-  Connection connection = openRecord(locator, OpenMode::kReadOnly);
-  return compareWithHeads(connection, lines, publicKey);
-}
-
 std::vector<AuditFinding> compareWithHeads(Connection& connection, const std::vector<std::string>& lines,
                                            const std::string& publicKey) {
   const KeptLines kept = sorted(lines);

@@ -64,9 +64,6 @@ void appendToWitness(const std::filesystem::path& witness, const std::string& he
 [[nodiscard]] std::vector<AuditFinding> compareWithHeads(Connection& connection,
                                                          const std::vector<std::string>& lines,
                                                          const std::string& publicKey);
-[[nodiscard]] std::vector<AuditFinding> compareWithHeads(const std::string& locator,
-                                                         const std::vector<std::string>& lines,
-                                                         const std::string& publicKey);
 /// Returns the lines of a witness file without an incomplete last one. Throws Error: kFileMissing; kBadData
 /// if it is empty.
 [[nodiscard]] std::vector<std::string> headsOf(const std::filesystem::path& witness);

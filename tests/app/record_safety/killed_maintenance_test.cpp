@@ -21,6 +21,7 @@
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/file_io.h"
 #include "tests/db/sample_record.h"
+#include "tests/support/compared_heads.h"
 
 namespace torsio {
 namespace {

@@ -24,6 +24,7 @@
 #include "tests/app/record_safety/killed_maintenance.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
+#include "tests/support/compared_heads.h"
 
 namespace torsio {
 namespace {

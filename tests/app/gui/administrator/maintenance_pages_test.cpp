@@ -22,6 +22,7 @@
 #include "db/repository/system/audit_verification.h"
 #include "tests/app/gui/support/hands.h"
 #include "tests/app/gui/support/maintenance_window.h"
+#include "tests/support/compared_heads.h"
 
 namespace torsio::gui {
 namespace {
