@@ -20,14 +20,23 @@ foreach(part torsio doc)
     set(package torsio-doc)
   endif()
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${part})
-  install(FILES ${PROJECT_BINARY_DIR}/package/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${part})
+  install(FILES ${PROJECT_BINARY_DIR}/package/changelog.gz ${PROJECT_BINARY_DIR}/package/NEWS.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${part})
 endforeach()
 # Without the time and the name of the file inside, so that two builds are equal.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/package)
-execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${PROJECT_BINARY_DIR}/package/changelog.gz)
+string(TIMESTAMP torsio_built "%a, %d %b %Y %H:%M:%S +0000" UTC)  # of SOURCE_DATE_EPOCH
+file(WRITE ${PROJECT_BINARY_DIR}/package/changelog "torsio (${PROJECT_VERSION}) bookworm; urgency=medium
+
+  * What changed is in NEWS.gz.
+
+ -- ${TORSIO_MAINTAINER}  ${torsio_built}
+")
+execute_process(COMMAND gzip -9nf ${PROJECT_BINARY_DIR}/package/changelog)
+execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${PROJECT_BINARY_DIR}/package/NEWS.gz)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME torsio)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "training and assessment of surgical twist skills")
 set(CPACK_PACKAGE_VENDOR "The Torsio contributors")
 set(CPACK_PACKAGE_CONTACT "${TORSIO_MAINTAINER}")
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/package)
@@ -44,16 +53,15 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_TORSIO_PACKAGE_NAME torsio)
-set(CPACK_COMPONENT_TORSIO_DESCRIPTION "training and assessment of surgical twist skills
- Trainees grip and twist a virtual stomach, forearm or small intestine with a
- haptic device or a mouse. Every run is recorded and can be replayed bit for
- bit. Physicians score the recordings without knowing whose they are. The
- evaluation, the training study and the report of a cohort are computed from
- their marks, and every number can be traced back to a recording.
- .
- This package has the window, the command line and the review desk in a
- browser. The record is a SQLite file, or a PostgreSQL server for several
- stations.")
+set(CPACK_COMPONENT_TORSIO_DESCRIPTION "Trainees grip and twist a virtual stomach, forearm or small intestine with a
+haptic device or a mouse. Every run is recorded and can be replayed bit for
+bit. Physicians score the recordings without knowing whose they are. The
+evaluation, the training study and the report of a cohort are computed from
+their marks, and every number can be traced back to a recording.
+
+This package has the window, the command line and the review desk in a
+browser. The record is a SQLite file, or a PostgreSQL server for several
+stations.")
 set(CPACK_DEBIAN_TORSIO_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TORSIO_PACKAGE_DEPENDS "libqt6sql6-sqlite, libqt6sql6-psql, qml6-module-qtquick, qml6-module-qtqml, qml6-module-qtqml-workerscript, qml6-module-qtquick-window, qml6-module-quick3d, libgl1-mesa-dri, libglx-mesa0, fonts-noto-core, fonts-noto-cjk, fonts-dejavu-core, ca-certificates, adduser")
 set(CPACK_DEBIAN_TORSIO_PACKAGE_SUGGESTS "torsio-doc, postgresql")
@@ -63,10 +71,9 @@ set(CPACK_DEBIAN_TORSIO_PACKAGE_CONTROL_EXTRA
 set(CPACK_DEBIAN_DOC_PACKAGE_NAME torsio-doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
-set(CPACK_COMPONENT_DOC_DESCRIPTION "training and assessment of surgical twist skills (guides)
- Guides for trainees, physicians and administrators, the description of the
- model, the assessment and the record, and everything that whoever runs the
- computers needs.
- .
- This package has the documents of torsio.")
+set(CPACK_COMPONENT_DOC_DESCRIPTION "Guides for trainees, physicians and administrators, the description of the
+model, the assessment and the record, and what the people who run the
+computers need.
+
+This package has the documents of torsio.")
 include(CPack)
