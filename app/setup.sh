@@ -9,7 +9,7 @@ torsio_packages=(
   g++ cmake ninja-build pkg-config
   qt6-base-dev qt6-tools-dev qt6-l10n-tools libqt6opengl6-dev qt6-charts-dev qt6-svg-dev qt6-declarative-dev qt6-quick3d-dev qt6-shadertools-dev
   qml6-module-qtquick qml6-module-qtqml qml6-module-qtqml-workerscript qml6-module-qtquick-window qml6-module-quick3d
-  libqt6sql6-sqlite libqt6sql6-psql libgl1-mesa-dri libglx-mesa0 fonts-noto-core fonts-noto-cjk fonts-dejavu-core
+  libqt6sql6-sqlite libqt6sql6-psql libsqlite3-dev libgl1-mesa-dri libglx-mesa0 fonts-noto-core fonts-noto-cjk fonts-dejavu-core
   libeigen3-dev libfcl-dev libassimp-dev zlib1g-dev libboost-dev
   libdcmtk-dev # CT series: plain, deflated, RLE, JPEG lossless, JPEG-LS
   libsdl2-dev libspnav-dev

@@ -206,6 +206,7 @@ const std::map<std::string, std::set<std::string>>& privateLibraries() {
       {"zstd", {"app/connectors/foreign", "sim/record"}},
       {"QSql", {"db/connection"}},
       {"QtSql", {"db/connection"}},
+      {"sqlite3", {"db/connection"}},
       {"QtCharts", {"app/outputs/charts", "app/outputs/pdf", "app/gui"}},
       {"sodium",
        {"sim/core", "db/repository/base", "db/repository/people", "app/services/access",

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <sqlite3.h>
+
 #include "db/connection/connection.h"
 #include "db/migrations/migrations.h"
 #include "sim/core/error.h"
@@ -38,6 +40,12 @@ TEST_F(SqliteFileTest, RefusesAMissingFileUnlessItMayBeCreated) {
 
   EXPECT_EQ(opening(folder_.path() / "nowhere" / "record.sqlite", OpenMode::kCreate).code,
             ErrorCode::kFileMissing);
+}
+
+// SQLite's count of its memory is guarded by one lock, for which all threads of a desk would wait.
+TEST_F(SqliteFileTest, CountsNoMemory) {
+  const auto connection = openRecord(file().string(), OpenMode::kCreate);
+  EXPECT_EQ(sqlite3_memory_used(), 0);
 }
 
 TEST_F(SqliteFileTest, RefusesAFolderInPlaceOfAFile) {
