@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <list>
+#include <sqlite3.h>
 #include <utility>
 
 #include <QCoreApplication>
@@ -11,8 +12,6 @@
 #include <QSqlQuery>
 #include <QStringList>
 #include <QVariant>
-
-#include <sqlite3.h>
 
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
@@ -53,8 +52,8 @@ QString serverOptions(const Locator& locator, int busyTimeout_ms) {
 constexpr std::size_t kMaxKept = 64;
 constexpr int kMaxRowsKept = 32;  // a query holds the rows of its last run
 
-/// Keeps SQLite from counting its memory: one lock for all threads' allocations, and half the time of a busy desk.
-/// Does nothing once the library is in use.
+/// Keeps SQLite from counting its memory: one lock for all threads' allocations, and half the time of a busy
+/// desk. Does nothing once the library is in use.
 void countNoMemory() {
   static const int result = sqlite3_config(SQLITE_CONFIG_MEMSTATUS, 0);
   (void)result;

@@ -2,7 +2,6 @@
 // Unusable SQLite files. Not applicable to servers.
 #include <filesystem>
 #include <fstream>
-
 #include <sqlite3.h>
 
 #include "db/connection/connection.h"

@@ -18,7 +18,10 @@ class JobPanel : public QFrame {
   Q_OBJECT
 
  public:
-  explicit JobPanel(QWidget* parent = nullptr);
+  /// What is around it. In a header it has one line less and shortens what does not fit.
+  enum class Place { kCard, kHeader };
+
+  explicit JobPanel(QWidget* parent, Place place = Place::kCard);
 
   void begin(const QString& title);
   void move(const QString& step, double fraction, double remaining_s);
@@ -28,6 +31,7 @@ class JobPanel : public QFrame {
   void cancelled();
 
  private:
+  void fitInto(Place place);
   void retranslate();
   QLabel* title_;
   QLabel* step_;

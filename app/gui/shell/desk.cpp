@@ -41,6 +41,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kReadWaiting_ms = 20'000;
+constexpr int kJobStretch = 3;  // of the free room in the header
 
 QToolButton* headerButton(QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -195,7 +196,11 @@ QWidget* Desk::createHeader() {
   row->addWidget(title_);
   row->addSpacing(kSpace);
   row->addWidget(practiceSign_);
+  // In the header, so that the page neither shrinks nor moves under the pointer.
+  job_ = new JobPanel(header, JobPanel::Place::kHeader);
+  row->addStrut(job_->sizeHint().height());
   row->addStretch(1);
+  row->addWidget(job_, kJobStretch);
   row->addWidget(centre_);
   row->addSpacing(kSpace);
   language_ = headerButton(header);
@@ -236,10 +241,8 @@ QWidget* Desk::createBody() {
   auto* column = bareLayout<QVBoxLayout>(body, 0);
   problem_ = new ProblemPanel(body);
   problem_->floatAtTop();
-  job_ = new JobPanel(body);
   stack_ = new QStackedWidget(body);
   column->addWidget(stack_, 1);
-  column->addWidget(job_);  // at the bottom, so that its "Cancel" does not take another button's place
   toast_ = new Toast(body);
   return body;
 }
@@ -250,11 +253,15 @@ void Desk::connectContext() {
   connect(&context_, &ShellContext::noticed, toast_, &Toast::say);
   connect(&context_, &ShellContext::problemMet, problem_, &ProblemPanel::tell);
   connect(&context_, &ShellContext::themeChanged, this, &Desk::applyColours);
-  connect(&context_, &ShellContext::jobStarted, job_, &JobPanel::begin);
+  connect(&context_, &ShellContext::jobStarted, this, [this](const QString& title) {
+    centre_->hide();  // its place is needed
+    job_->begin(title);
+  });
   connect(&context_, &ShellContext::jobMoved, job_, &JobPanel::move);
   connect(&context_, &ShellContext::jobEnded, this, [this] {
     if (!context_.working()) {
       job_->end();
+      centre_->show();
     }
   });
   connect(job_, &JobPanel::cancelled, this, [this] { context_.cancelJobs(); });
