@@ -21,6 +21,7 @@
 #include "app/connectors/built_in.h"
 #include "app/outputs/charts/graphics_application.h"
 #include "app/services/base/build_info.h"
+#include "app/services/base/configuration.h"
 #include "sim/core/error.h"
 
 namespace torsio::cli {
@@ -80,6 +81,7 @@ void buildProgram(CLI::App& program) {
   addCompare(program);
   addCompareGroups(program);
   addCompetence(program);
+  addConfig(program);
   addDb(program);
   addDemo(program);
   addDevice(program);
@@ -152,6 +154,20 @@ int parse(CLI::App& program, std::vector<std::string> words) {
   }
 }
 
+/// These help to find a fault in the configuration of the computer, so they do without it.
+constexpr std::array kWithoutConfiguration{"config", "doctor", "help", "--help", "-h", "--version", "manual"};
+
+void configure(const std::string& firstWord) {
+  try {
+    loadConfiguration();
+  } catch (const Error&) {
+    if (std::find(kWithoutConfiguration.begin(), kWithoutConfiguration.end(), firstWord) ==
+        kWithoutConfiguration.end()) {
+      throw;
+    }
+  }
+}
+
 constexpr const char* kPurpose = "Training and assessment of surgical twist skills";
 
 }  // namespace
@@ -160,8 +176,12 @@ int runCommandLine(int argc, char** argv, std::initializer_list<ProgramAddition>
   const PlainOutput out(std::cout, false);
   const PlainOutput errors(std::cerr, true);
   try {
+    configure(argc > 1 ? argv[1] : "");
     CLI::App program(kPurpose);
     buildProgram(program);
+    // Settings and data of an account are the same for commands and windows.
+    QCoreApplication::setApplicationName(QStringLiteral("torsio"));
+    QCoreApplication::setOrganizationName(QStringLiteral("torsio"));
     // Qt draws reports without a display; the database drivers are Qt plug-ins.
     const auto application =
         argc > 1 && isCommand(program, argv[1]) && QCoreApplication::instance() == nullptr

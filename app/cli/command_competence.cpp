@@ -31,7 +31,7 @@ using Json = nlohmann::ordered_json;
 
 struct CompetenceArguments {
   CompetenceDesign design;
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   MaintenanceOptions maintenance;
   std::string exercise;
   std::string expertCohort;
@@ -69,7 +69,7 @@ Json designJson(const CompetenceDesign& design) {
 
 /// Signs in; rights are checked by the services, as in the window.
 MaintenanceDesk deskOf(const CompetenceArguments& arguments) {
-  return {arguments.maintenance.maintainer(), arguments.database};
+  return {arguments.maintenance.maintainer(), arguments.database.locator()};
 }
 
 void plan(const CompetenceArguments& arguments) {
@@ -155,8 +155,7 @@ void addNumbers(CLI::App& command, const std::shared_ptr<CompetenceArguments>& a
 }
 
 void addDesk(CLI::App& command, const std::shared_ptr<CompetenceArguments>& arguments) {
-  addDatabaseArgument(command, "--database", arguments->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(command, arguments->database);
   addSignIn(command, arguments->maintenance, "--login")->required();
 }
 

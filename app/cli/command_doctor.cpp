@@ -61,7 +61,7 @@ void addDoctor(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "doctor", "Checks that this computer has what Torsio needs, and says how to fix what is missing");
   addDatabaseArgument(*command, "--database", arguments->installation.locator,
-                      "SQLite file or postgresql://... address; default: the record of the window");
+                      "SQLite file or postgresql://... address; default: the record of this station");
   command->add_option("--certificate", arguments->installation.certificate,
                       "Certificate of the browser desk (PEM), to check when it expires");
   command->add_flag("--strict", arguments->strict, "Exit with code 13 for warnings as well");

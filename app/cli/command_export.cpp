@@ -23,7 +23,7 @@ namespace torsio::cli {
 namespace {
 
 struct ExportArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   std::string cohort;
   std::string campaign;
   std::string out;
@@ -78,7 +78,7 @@ using Write = ExchangeFiles (*)(SessionContext& session, const ExchangeData& dat
                                 const ExportArguments& given);
 
 void run(const ExportArguments& given, Write write) {
-  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database.locator());
   ExchangeRequest request = given.request;
   request.pseudonymised = request.pseudonymised || !given.keyFile.empty();
   request.key = keyOf(given.keyFile);
@@ -108,7 +108,7 @@ ExchangeFiles writeSet(SessionContext& session, const ExchangeData& data, const 
 }
 
 void writeGrades(const ExportArguments& given) {
-  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database.locator());
   ExchangeRequest request = given.request;
   nameRequest(desk.session(), given.cohort, {}, request);
   TrialDigests digests(assetsFolder());
@@ -118,8 +118,7 @@ void writeGrades(const ExportArguments& given) {
 }
 
 void addCommon(CLI::App& command, ExportArguments& arguments, const char* out) {
-  addDatabaseArgument(command, "--database", arguments.database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(command, arguments.database);
   command.add_option("--cohort", arguments.cohort, "Name of the cohort; default: the oldest");
   command.add_option("--out", arguments.out, out)->required();
   command.add_option("--reason", arguments.request.reason, "Reason, for the audit trail");

@@ -22,7 +22,7 @@ namespace torsio::cli {
 namespace {
 
 struct ImportArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   std::string layout;
   std::string map;
   std::string folder;
@@ -53,7 +53,7 @@ void runImport(const ImportArguments& given) {
     refuseUsage("a data set of Torsio is a folder; other formats need a map", given.layout,
                 "Give --from FOLDER with --as torsio, --map FILE otherwise");
   }
-  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database.locator());
   auto line = std::make_unique<ProgressLine>();
   const ProgressCallback show = [&line](const Progress& progress) { line->show(progress); };
   if (own) {
@@ -74,8 +74,7 @@ void runImport(const ImportArguments& given) {
 void addDatasetImport(CLI::App& dataset) {
   auto incoming = std::make_shared<ImportArguments>();
   CLI::App* in = dataset.add_subcommand("import", "A data set of Torsio, or recordings of other equipment");
-  addDatabaseArgument(*in, "--database", incoming->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(*in, incoming->database);
   in->add_option("--as", incoming->layout, "torsio, jigsaws, rosma, perktutor, csv or parquet")->required();
   in->add_option("--from", incoming->folder, "torsio: folder of a data set that was exported whole");
   in->add_option("--map", incoming->map, "Other formats: a map of what the files do not contain (JSON)");

@@ -44,12 +44,13 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, const std::st
 }
 
 struct ReportArguments {
+  DatabaseOption database;
   TraceRequest trace;
   bool json = false;
 };
 
 struct CohortArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   ReportNames names;
   ReportIdentity identity = ReportIdentity::kCoded;
   std::string language = "en";
@@ -90,7 +91,7 @@ nlohmann::ordered_json writtenFiles(SessionContext& session, const ReportRequest
 }
 
 void writeCohort(const CohortArguments& given) {
-  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database.locator());
   ReportRequest request = reportNamed(desk.session(), given.names);
   request.identity = given.identity;
   TrialDigests digests(assetsFolder());
@@ -119,8 +120,7 @@ void addReportNames(CLI::App& command, ReportNames& names) {
 void addCohort(CLI::App& report) {
   auto arguments = std::make_shared<CohortArguments>();
   CLI::App* command = report.add_subcommand("cohort", "Writes the report of a cohort");
-  addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(*command, arguments->database);
   addReportNames(*command, arguments->names);
   command->add_option("--out", arguments->out, "PDF to write")->required();
   command->add_option("--csv", arguments->csv, "Also write the table of numbers to this file");
@@ -136,7 +136,7 @@ void addCohort(CLI::App& report) {
 }
 
 void replicate(const CohortArguments& given) {
-  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database.locator());
   const ReportRequest named = reportNamed(desk.session(), given.names);
   TrialDigests digests(assetsFolder());
   const ExchangeData data = exchangeData(
@@ -187,8 +187,7 @@ void addReplicate(CLI::App& report) {
   auto folder = std::make_shared<std::string>();
   CLI::App* command = report.add_subcommand(
       "replicate", "Writes or checks a folder from which R recomputes the report's numbers");
-  addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(*command, arguments->database);
   addReportNames(*command, arguments->names);
   CLI::Option* out = command->add_option("--out", arguments->out, "New folder to write");
   command
@@ -208,7 +207,7 @@ void addReplicate(CLI::App& report) {
 }
 
 struct FreezeArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   ReportNames names;
   std::string name;
   std::string whyIncomplete;
@@ -217,7 +216,7 @@ struct FreezeArguments {
 
 void freeze(const FreezeArguments& given) {
   const Maintainer maintainer = given.maintenance.maintainer();
-  MaintenanceDesk desk(maintainer, given.database);
+  MaintenanceDesk desk(maintainer, given.database.locator());
   const ReportRequest of = reportNamed(desk.session(), given.names);
   if (!given.whyIncomplete.empty()) {
     desk.handOver(maintainer, {.act = DutyAct::kFreezeInterim,
@@ -238,8 +237,7 @@ void addFreeze(CLI::App& report) {
   auto arguments = std::make_shared<FreezeArguments>();
   CLI::App* command =
       report.add_subcommand("freeze", "Freezes the data of a cohort under a name, signed with your password");
-  addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(*command, arguments->database);
   command->add_option("--cohort", arguments->names.cohort, "Name of the cohort")->required();
   command->add_option("--evaluation", arguments->names.campaign,
                       "Name of the evaluation of models; default: the oldest with marks");
@@ -252,7 +250,7 @@ void addFreeze(CLI::App& report) {
 }
 
 struct StatementArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   std::string cohort;
   StudyItem item = StudyItem::kEnd;
   std::string statement;
@@ -261,7 +259,7 @@ struct StatementArguments {
 };
 
 void setStatement(const StatementArguments& given) {
-  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database.locator());
   const CohortId cohort = reportNamed(desk.session(), {.cohort = given.cohort}).cohortId;
   StudyStatements all = studyStatements(desk.session(), cohort);
   if (given.item != StudyItem::kEnd) {
@@ -293,8 +291,7 @@ void addStatement(CLI::App& report) {
   auto arguments = std::make_shared<StatementArguments>();
   CLI::App* command = report.add_subcommand(
       "statement", "Shows or changes what a study says about itself: registration, ethics approval ...");
-  addDatabaseArgument(*command, "--database", arguments->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(*command, arguments->database);
   command->add_option("--cohort", arguments->cohort, "Name of the cohort; default: the oldest");
   std::map<std::string, StudyItem> items;
   for (const Term<StudyItem>& item : kStudyItems) {
@@ -312,7 +309,6 @@ void addStatement(CLI::App& report) {
 
 void addReport(CLI::App& program) {
   auto arguments = std::make_shared<ReportArguments>();
-  arguments->trace.record = "torsio.sqlite";
   CLI::App* report = program.add_subcommand("report", "The cohort report");
   report->require_subcommand(1);
   addCohort(*report);
@@ -321,9 +317,7 @@ void addReport(CLI::App& program) {
   addStatement(*report);
   CLI::App* command = report->add_subcommand(
       "trace", "Traces a number to its marks, criteria, scoring sheet, recording and program");
-  addDatabaseArgument(*command, "--database", arguments->trace.record,
-                      "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(*command, arguments->database);
   command->add_option("--cohort", arguments->trace.cohort, "Name of the cohort; default: the oldest");
   command->add_option("--evaluation", arguments->trace.campaign,
                       "Name of the evaluation of models; default: the oldest with marks");
@@ -333,6 +327,7 @@ void addReport(CLI::App& program) {
                    "The first seven cells of a row of cohort.csv, from section to statistic")
       ->required();
   command->callback([arguments] {
+    arguments->trace.record = arguments->database.locator();
     const TraceStep step = traceCell(arguments->trace);
     if (arguments->json) {
       printJson(jsonOf(step));

@@ -27,6 +27,7 @@
 #include "app/services/access/session_context.h"
 #include "app/services/access/station_name.h"
 #include "app/services/base/assets.h"
+#include "app/services/base/configuration.h"
 #include "app/services/maintenance/interrupted_move.h"
 #include "app/web/http_server.h"
 #include "app/web/own_certificate.h"
@@ -221,6 +222,13 @@ void dropWarningsOfQt() {
   });
 }
 
+/// Adds an option whose default may be set in the configuration of the computer.
+void addConfigured(CLI::App& command, const std::string& name, const ConfiguredKey& key, std::string& value,
+                   const std::string& what) {
+  value = configured(key).value_or(value);
+  command.add_option(name, value, what + "; default: " + std::string(key.name) + " of torsio.conf");
+}
+
 void serve(const ServeArguments& arguments) {
   dropWarningsOfQt();
   const web::HttpAddress address = web::addressOf(arguments.listen);
@@ -278,11 +286,14 @@ void addServe(CLI::App& program) {
   auto arguments = std::make_shared<ServeArguments>();
   CLI::App* command = program.add_subcommand("serve", "Opens the review desk to browsers");
   addDatabaseOption(*command, arguments->database);
-  addDefaulted(*command, "--listen", arguments->listen, "Address and port");
-  command->add_option("--certificate", arguments->certificate, "PEM file: the certificate with its chain");
-  command->add_option("--key", arguments->key, "PEM file: the key of the certificate");
-  command->add_option("--public-url", arguments->publicUrl,
-                      "Address for browsers through a proxy, https://...");
+  addConfigured(*command, "--listen", kConfiguredListen, arguments->listen,
+                "Address and port (without either 127.0.0.1:8443)");
+  addConfigured(*command, "--certificate", kConfiguredCertificate, arguments->certificate,
+                "PEM file: the certificate with its chain");
+  addConfigured(*command, "--key", kConfiguredCertificateKey, arguments->key,
+                "PEM file: the key of the certificate");
+  addConfigured(*command, "--public-url", kConfiguredPublicUrl, arguments->publicUrl,
+                "Address for browsers through a proxy, https://...");
   command->add_option("--host", arguments->hosts,
                       "Further name by which browsers may call the desk; *.example.org: any one below");
   command->add_option("--own-certificate", arguments->ownCertificate, "Folder for a self-signed certificate");

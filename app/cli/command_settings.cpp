@@ -16,7 +16,7 @@ namespace torsio::cli {
 namespace {
 
 struct SettingsArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   MaintenanceOptions maintenance;
   std::string name;
   std::string value;
@@ -24,7 +24,7 @@ struct SettingsArguments {
 };
 
 void listSettings(const SettingsArguments& given) {
-  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database.locator());
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const CentreSetting* setting : kCentreSettings) {
     if (setting->kind == SettingKind::kWords) {
@@ -47,7 +47,7 @@ void listSettings(const SettingsArguments& given) {
 
 void setSetting(const SettingsArguments& given) {
   const Maintainer maintainer = given.maintenance.maintainer();
-  MaintenanceDesk desk(maintainer, given.database);
+  MaintenanceDesk desk(maintainer, given.database.locator());
   if (given.name == kTwoPeople.name) {
     desk.handOver(
         maintainer,
@@ -66,9 +66,7 @@ void addSettings(CLI::App& program) {
   settings->require_subcommand(1);
   const auto add = [&](const char* name, const char* what) {
     CLI::App* command = settings->add_subcommand(name, what);
-    addDatabaseArgument(*command, "--database", arguments->database,
-                        "SQLite file or postgresql://... address")
-        ->capture_default_str();
+    addDatabaseOption(*command, arguments->database);
     addMaintenanceOptions(*command, arguments->maintenance);
     return command;
   };

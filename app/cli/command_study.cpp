@@ -32,7 +32,7 @@ namespace torsio::cli {
 namespace {
 
 struct StudyArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   std::string cohort;
   std::string campaign;
   std::string out;
@@ -104,7 +104,7 @@ void print(const SiteManifest& manifest) {
 void exportPackage(const StudyArguments& given) {
   MaintenanceDesk desk(
       given.simulatedOnly() ? given.maintenance.ownerOrMaintainer() : given.maintenance.maintainer(),
-      given.database);
+      given.database.locator());
   const ReportRequest named =
       reportNamed(desk.session(), {.cohort = given.cohort, .campaign = given.campaign});
   std::optional<ProgressLine> line(std::in_place);
@@ -220,14 +220,14 @@ void poolPackage(const StudyArguments& given) {
   const ProgressCallback show = [&line](const Progress& progress) { line->show(progress); };
   const CheckedPackage checked = checkSitePackage(given.package, given.publicKey, show);
   requireSimulated(given, checked.manifest);
-  NewRecord made(given.database);
+  NewRecord made(given.database.locator());
   PoolOutcome outcome;
   {
     MaintenanceDesk desk(
         given.simulatedOnly() ? given.maintenance.ownerOrMaintainer() : given.maintenance.maintainer(),
-        openRecord(given.database, OpenMode::kCreate,
+        openRecord(given.database.locator(), OpenMode::kCreate,
                    {.softwareVersion = softwareVersion(), .station = stationName()}),
-        given.database);
+        given.database.locator());
     outcome = poolSite(desk.session(), given.package, checked, show);
   }
   made.keep();
@@ -246,7 +246,7 @@ void poolPackage(const StudyArguments& given) {
 }
 
 void listCentres(const StudyArguments& given) {
-  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.ownerOrMaintainer(), given.database.locator());
   const std::vector<SiteState> states = siteStates(desk.session());
   if (given.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -303,8 +303,7 @@ void addStudy(CLI::App& program) {
 
   CLI::App* out =
       study->add_subcommand("export", "What this centre gives to whoever pools the trial, signed");
-  addDatabaseArgument(*out, "--database", arguments->database, "SQLite file or postgresql://... address")
-      ->capture_default_str();
+  addDatabaseOption(*out, arguments->database);
   out->add_option("--out", arguments->out, "Package to write (*.torsio-site)")->required();
   out->add_option("--cohort", arguments->cohort, "Name of the cohort; default: the oldest");
   out->add_option("--evaluation", arguments->campaign,
@@ -317,9 +316,7 @@ void addStudy(CLI::App& program) {
 
   CLI::App* in = study->add_subcommand("pool", "Takes the package of a centre into a pooled record");
   in->add_option("package", arguments->package, "Package of a centre (*.torsio-site)")->required();
-  addDatabaseArgument(*in, "--database", arguments->database,
-                      "Pooled record, made if missing: SQLite file or postgresql://... address")
-      ->required();
+  addDatabaseOption(*in, arguments->database)->required()->description("Pooled record, made if missing");
   in->add_option("--public-key", arguments->publicKey, "Key that the package must be signed with");
   addMaintenanceOptions(*in, arguments->maintenance);
   addJson(*in, *arguments);
@@ -332,7 +329,7 @@ void addStudy(CLI::App& program) {
   check->callback([arguments] { checkPackage(*arguments); });
 
   CLI::App* list = study->add_subcommand("centres", "Which centre has delivered what and when");
-  addDatabaseArgument(*list, "--database", arguments->database, "Pooled record")->capture_default_str();
+  addDatabaseOption(*list, arguments->database);
   addSignIn(*list, arguments->maintenance, "--login");
   addJson(*list, *arguments);
   list->callback([arguments] { listCentres(*arguments); });

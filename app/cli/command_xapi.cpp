@@ -18,7 +18,7 @@ namespace torsio::cli {
 namespace {
 
 struct XapiArguments {
-  std::string database = "torsio.sqlite";
+  DatabaseOption database;
   LrsSettings settings;
   bool on = false;
   bool off = false;
@@ -62,12 +62,12 @@ void printStatus(const LearningRecordsView& view, bool json) {
 }
 
 void status(const XapiArguments& given) {
-  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database.locator());
   printStatus(learningRecords(desk.session()), given.json);
 }
 
 void set(const XapiArguments& given) {
-  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database.locator());
   LrsSettings settings = lrsSettings(desk.session());
   settings.endpoint = given.settings.endpoint.empty() ? settings.endpoint : given.settings.endpoint;
   settings.homePage = given.settings.homePage.empty() ? settings.homePage : given.settings.homePage;
@@ -91,7 +91,7 @@ void setKey(const XapiArguments& given) {
 void send(const XapiArguments& given) {
   MaintenanceOptions maintenance = given.maintenance;
   maintenance.asSystem = maintenance.login.empty();
-  MaintenanceDesk desk(maintenance.maintainer(), given.database);
+  MaintenanceDesk desk(maintenance.maintainer(), given.database.locator());
   const LrsDelivery done = sendLearningRecords(desk.session());
   if (given.json) {
     printJson(nlohmann::ordered_json{{"delivered", done.delivered},
@@ -111,7 +111,7 @@ void send(const XapiArguments& given) {
 }
 
 void retry(const XapiArguments& given) {
-  MaintenanceDesk desk(given.maintenance.maintainer(), given.database);
+  MaintenanceDesk desk(given.maintenance.maintainer(), given.database.locator());
   const std::int64_t count =
       given.drop ? dropLearningRecords(desk.session()) : retryLearningRecords(desk.session());
   std::cout << count << (given.drop ? " given up\n" : " will be tried again\n");
@@ -125,9 +125,7 @@ void addXapi(CLI::App& program) {
   xapi->require_subcommand(1);
   const auto add = [&](const char* name, const char* what, bool signIn) {
     CLI::App* command = xapi->add_subcommand(name, what);
-    addDatabaseArgument(*command, "--database", arguments->database,
-                        "SQLite file or postgresql://... address")
-        ->capture_default_str();
+    addDatabaseOption(*command, arguments->database);
     CLI::Option* login = addSignIn(*command, arguments->maintenance, "--login");
     if (signIn) {
       login->required();

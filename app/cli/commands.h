@@ -17,6 +17,7 @@ void addBench(CLI::App& program);
 void addCompare(CLI::App& program);
 void addCompareGroups(CLI::App& program);
 void addCompetence(CLI::App& program);
+void addConfig(CLI::App& program);
 void addDb(CLI::App& program);
 void addDemo(CLI::App& program);
 void addDevice(CLI::App& program);

@@ -10,6 +10,7 @@
 
 #include "app/cli/terminal.h"
 #include "app/services/access/first_run.h"
+#include "app/services/access/station_record.h"
 #include "app/services/base/assets.h"
 #include "db/connection/locator.h"
 #include "sim/core/error.h"
@@ -79,10 +80,15 @@ Maintainer MaintenanceOptions::ownerOrMaintainer() const {
 
 namespace {
 
-constexpr const char* kWhat = "SQLite file or postgresql://user@host:port/database?sslmode=verify-full";
+constexpr const char* kWhat =
+    "SQLite file or postgresql://user@host:port/database?sslmode=verify-full; default: the record of this "
+    "station";
 
-/// Empty: no password. The command reports other faults of the address.
+/// Empty: an address without a password. The command reports other faults of the address.
 std::string withoutPassword(const std::string& address) {
+  if (address.empty()) {
+    return "an empty word is not an address";
+  }
   try {
     if (!saysPassword(address)) {
       return {};
@@ -101,15 +107,16 @@ CLI::Option* checked(CLI::Option* option) {
 }  // namespace
 
 std::string DatabaseOption::locator() const {
+  const std::string own = address.empty() ? stationRecord().locator : address;
   if (!askPassword) {
-    return address;
+    return own;
   }
   if (!asked_.empty()) {
     return asked_;
   }
-  Locator server = parseLocator(address);
+  Locator server = parseLocator(own);
   if (server.engine != Engine::kPostgresql) {
-    refuseUsage("a file has no password of a server", address, "Leave --ask-server-password out");
+    refuseUsage("a file has no password of a server", own, "Leave --ask-server-password out");
   }
   server.password = typedSecret("Password of the server at " + server.shown() + ": ");
   asked_ = addressOf(server);
@@ -119,7 +126,7 @@ std::string DatabaseOption::locator() const {
 CLI::Option* addDatabaseOption(CLI::App& command, DatabaseOption& option) {
   command.add_flag("--ask-server-password", option.askPassword,
                    "Asks at the terminal for the password of the server");
-  return checked(command.add_option("--database", option.address, kWhat))->capture_default_str();
+  return checked(command.add_option("--database", option.address, kWhat));
 }
 
 CLI::Option* addDatabaseArgument(CLI::App& command, const std::string& name, std::string& address,

@@ -57,10 +57,11 @@ void addSecondPerson(CLI::App& command, MaintenanceOptions& options);
 
 /// The --database option as typed.
 struct DatabaseOption {
-  std::string address = "torsio.sqlite";
+  std::string address{};  ///< empty: not given
   bool askPassword = false;
 
-  /// Returns the locator; asks for the server's password at the terminal, once, if requested by the option.
+  /// Returns the locator, without an address that of stationRecord(); asks for the server's password at the
+  /// terminal, once, if requested by the option.
   [[nodiscard]] std::string locator() const;
 
  private:

@@ -2,40 +2,20 @@
 #include "app/cli/usage_errors.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
 #include "app/cli/options.h"
+#include "app/services/base/nearest_name.h"
 
 namespace torsio::cli {
 
 namespace {
 
-constexpr std::size_t kLettersForOneSlip = 3;
 constexpr std::string_view kNotConverted = "Could not convert: ";  // words of the parser
 
 bool isOption(const std::string& word) {
   return word.size() > 1 && word[0] == '-';
-}
-
-/// Letters to insert, remove, replace or exchange with their neighbour until both are equal.
-std::size_t slipsBetween(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> before;
-  std::vector<std::size_t> last(b.size() + 1);
-  std::iota(last.begin(), last.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::vector<std::size_t> row(b.size() + 1, i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        row[j] = std::min(row[j], before[j - 2] + 1);
-      }
-    }
-    before = std::exchange(last, std::move(row));
-  }
-  return last.back();
 }
 
 std::vector<std::string> commandsOf(const CLI::App& program) {
@@ -46,14 +26,6 @@ std::vector<std::string> commandsOf(const CLI::App& program) {
     }
   }
   return names;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) {
-    all.append(all.empty() ? "" : ", ").append(word);
-  }
-  return all;
 }
 
 const CLI::App* commandNamed(const CLI::App& program, const std::string& name) {
@@ -96,18 +68,6 @@ std::vector<std::string> optionsOf(const CLI::App& command) {
 }
 
 }  // namespace
-
-std::string nearestOf(const std::vector<std::string>& names, const std::string& word) {
-  std::string nearest;
-  std::size_t fewest = std::max<std::size_t>(1, word.size() / kLettersForOneSlip) + 1;
-  for (const std::string& name : names) {
-    if (const std::size_t slips = slipsBetween(name, word); slips < fewest) {
-      fewest = slips;
-      nearest = name;
-    }
-  }
-  return nearest;
-}
 
 std::vector<std::string> withHelpAsOption(std::vector<std::string> words) {
   if (!words.empty() && words.front() == "help") {

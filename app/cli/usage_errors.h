@@ -20,7 +20,4 @@ void requireKnownCommands(const CLI::App& program, const std::vector<std::string
 /// Describes what the parser refused, with the option that was probably meant. Call after program.parse().
 [[nodiscard]] std::string describedParseError(const CLI::App& program, const CLI::ParseError& error);
 
-/// Returns the name nearest to a misspelt word; empty: none is near.
-[[nodiscard]] std::string nearestOf(const std::vector<std::string>& names, const std::string& word);
-
 }  // namespace torsio::cli

@@ -21586,6 +21586,138 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>contains no certificate</source>
         <translation>其中没有证书</translation>
     </message>
+    <message>
+        <source>the name of the station</source>
+        <translation>工作站的名称</translation>
+    </message>
+    <message>
+        <source>Leave it out, and name the file with it: passfile = /etc/torsio/pgpass</source>
+        <translation>请去掉密码，并写明存放密码的文件：passfile = /etc/torsio/pgpass</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; depends on the folder in which Torsio starts</source>
+        <translation>“%1”取决于 Torsio 启动时所在的文件夹</translation>
+    </message>
+    <message>
+        <source>Write a path that begins with /</source>
+        <translation>请写以 / 开头的路径</translation>
+    </message>
+    <message>
+        <source>set in %1</source>
+        <translation>由 %1 设定</translation>
+    </message>
+    <message>
+        <source>chosen in the window</source>
+        <translation>在窗口中选择</translation>
+    </message>
+    <message>
+        <source>where nothing else is said</source>
+        <translation>未另行指定时的位置</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 或 %2</translation>
+    </message>
+    <message>
+        <source>a path that begins with /</source>
+        <translation>以 / 开头的路径</translation>
+    </message>
+    <message>
+        <source>Write one of: %1</source>
+        <translation>请写其中之一：%1</translation>
+    </message>
+    <message>
+        <source>Did you mean %1?</source>
+        <translation>是否指 %1？</translation>
+    </message>
+    <message>
+        <source>this is not &quot;key = value&quot;: %1</source>
+        <translation>这不是“键 = 值”的形式：%1</translation>
+    </message>
+    <message>
+        <source>Write the line as key = value, or put # before it</source>
+        <translation>请把该行写成“键 = 值”，或在行首加 #</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no key of the configuration</source>
+        <translation>“%1”不是配置中的键</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is already set in line %2</source>
+        <translation>“%1”已在第 %2 行设定</translation>
+    </message>
+    <message>
+        <source>Remove one of the two lines</source>
+        <translation>请删除其中一行</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no value</source>
+        <translation>“%1”没有值</translation>
+    </message>
+    <message>
+        <source>Write the value, or put # before the line</source>
+        <translation>请写上值，或在行首加 #</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be %2</source>
+        <translation>“%1”不能是 %2</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>请写 %1</translation>
+    </message>
+    <message>
+        <source>%1 is set for this computer</source>
+        <translation>%1已由本机配置设定</translation>
+    </message>
+    <message>
+        <source>Ask whoever looks after this computer to change it there</source>
+        <translation>请本机的管理人员在该处更改</translation>
+    </message>
+    <message>
+        <source>made once, kept in %1</source>
+        <translation>首次启动时生成，保存在 %1</translation>
+    </message>
+    <message>
+        <source>of the computer: no window started yet</source>
+        <translation>取自计算机名：尚未打开过窗口</translation>
+    </message>
+    <message>
+        <source>nobody chose one: the first that is connected</source>
+        <translation>无人选择：使用最先连接的设备</translation>
+    </message>
+    <message>
+        <source>chosen at this station</source>
+        <translation>在本工作站选择</translation>
+    </message>
+    <message>
+        <source>each user&apos;s choice</source>
+        <translation>由每位用户自行选择</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>未设定</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>无法读取 %1</translation>
+    </message>
+    <message>
+        <source>Check that the file exists and that this account may read it</source>
+        <translation>请检查文件是否存在，以及此账户是否有权读取</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>配置</translation>
+    </message>
+    <message>
+        <source>this computer has none; each account has its own settings</source>
+        <translation>本机没有配置文件；每个账户使用各自的设置</translation>
+    </message>
+    <message>
+        <source>%1 can be used</source>
+        <translation>%1 可用</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -26264,6 +26396,10 @@ Leave it empty to remove it.</source>
         <source>Repeat p&amp;assword</source>
         <translation>重复密码(&amp;A)</translation>
     </message>
+    <message>
+        <source>Set for this computer in %1.</source>
+        <translation>已由本机配置设定：%1。</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::FoldLine</name>
@@ -27344,6 +27480,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>
             <numerusform>数据库最终拒绝了本工作站的 %Ln 条记录。请告知维护人员</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Now have the record changed in %1</source>
+        <translation>请让人在 %1 中更改记录的位置</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/assets/icons/application.svg DESTINATION ${C
 install(FILES ${torsio_system}/torsio-haptics.rules DESTINATION lib/udev/rules.d RENAME 60-torsio-haptics.rules COMPONENT torsio)
 install(FILES ${torsio_system}/torsio-serve.service DESTINATION lib/systemd/system COMPONENT torsio)
 install(FILES ${torsio_system}/torsio-limits.conf DESTINATION /etc/security/limits.d RENAME torsio.conf COMPONENT torsio)
+install(FILES ${torsio_system}/torsio.conf DESTINATION /etc/torsio COMPONENT torsio)
 install(FILES ${torsio_system}/torsio-serve.default DESTINATION /etc/default RENAME torsio-serve COMPONENT torsio)
 foreach(part torsio doc)
   set(package torsio)

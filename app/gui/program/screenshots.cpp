@@ -187,7 +187,7 @@ void takePanels(Photographer& photographer) {
     return windowOf(std::move(panel));
   });
   photographer.take(QStringLiteral("first-run"), [](ThemeKind, Language language) {
-    auto panel = std::make_unique<FirstRunPanel>(QStringLiteral("/var/lib/torsio/torsio.sqlite"));
+    auto panel = std::make_unique<FirstRunPanel>(QStringLiteral("/var/lib/torsio/torsio.sqlite"), Text());
     panel->setLanguage(language);
     return windowOf(std::move(panel));
   });

@@ -10,7 +10,6 @@
 #include <QCoreApplication>
 #include <QPalette>
 #include <QScreen>
-#include <QStandardPaths>
 
 #include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/base/language.h"
@@ -27,9 +26,10 @@
 #include "app/outputs/charts/typeface.h"
 #include "app/services/access/first_run.h"
 #include "app/services/access/station_name.h"
+#include "app/services/access/station_record.h"
 #include "app/services/base/assets.h"
 #include "app/services/base/build_info.h"
-#include "app/services/recording/unstored_trials.h"
+#include "app/services/base/configuration.h"
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_import.h"
@@ -176,8 +176,7 @@ bool systemIsDark() {
 }
 
 TrialRecording ownTrialFiles() {
-  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  return trialFiles((data + QStringLiteral("/trials")).toStdString());
+  return trialFiles(dataFolder() / "trials");
 }
 
 /// Takes one picture, measures the frame rate, or runs the simulator alone with an organ of the user's
@@ -211,12 +210,18 @@ void runShell(const WindowOptions& options) {
   setup.assets = options.picture.scene.assets;
   (void)makeStationName();  // else the name of the computer
   setup.station = stationName();
-  setup.locator = toQString(options.database.empty() ? defaultDatabase() : options.database);
+  if (const StationRecord record = stationRecord();
+      options.database.empty() && record.origin == RecordOrigin::kConfigured) {
+    setup.locator = toQString(record.locator);
+    setup.recordSetBy = configuration().placeOf(kConfiguredRecord);
+  } else {
+    setup.locator = toQString(options.database.empty() ? usualRecord() : options.database);
+  }
   setup.remember = options.database.empty();
   setup.groups = allPages;
   setup.theme = options.theme;
   setup.systemIsDark = systemIsDark();
-  setup.kiosk = options.kiosk;
+  setup.kiosk = options.kiosk || configured(kConfiguredKiosk) == "yes";
   MainWindow window(setup);
   if (setup.kiosk) {
     window.showFullScreen();

@@ -46,8 +46,9 @@ QLabel* noteBelow(QVBoxLayout* column, QWidget* parent) {
 
 }  // namespace
 
-FirstRunPanel::FirstRunPanel(const QString& defaultFile, QWidget* parent)
+FirstRunPanel::FirstRunPanel(const QString& place, Text setBy, QWidget* parent)
     : QWidget(parent),
+      setBy_(std::move(setBy)),
       background_(new Background(this)),
       steps_(new QStackedWidget(this)),
       job_(new JobPanel(this)) {
@@ -80,7 +81,7 @@ FirstRunPanel::FirstRunPanel(const QString& defaultFile, QWidget* parent)
   row->addStretch(1);
   row->addWidget(next_);
   column->addLayout(row);
-  path_->setText(defaultFile);
+  showPlace(place);
   connect(back_, &QPushButton::clicked, this, [this] { go(steps_->currentIndex() - 1); });
   connect(next_, &QPushButton::clicked, this, &FirstRunPanel::next);
   go(kCentre);
@@ -218,10 +219,19 @@ QWidget* FirstRunPanel::createAccountsStep() {
   return widget;
 }
 
+void FirstRunPanel::showPlace(const QString& place) {
+  const bool server = place.contains(QLatin1String("://"));
+  (server ? server_ : file_)->setChecked(true);
+  (server ? address_ : path_)->setText(place);
+  file_->setEnabled(setBy_.empty() || !server);
+  server_->setEnabled(setBy_.empty() || server);
+}
+
 void FirstRunPanel::showEngine() {
-  path_->setEnabled(file_->isChecked());
-  choose_->setEnabled(file_->isChecked());
-  address_->setEnabled(!file_->isChecked());
+  const bool chooses = setBy_.empty();
+  path_->setEnabled(chooses && file_->isChecked());
+  choose_->setEnabled(chooses && file_->isChecked());
+  address_->setEnabled(chooses && !file_->isChecked());
 }
 
 QString FirstRunPanel::locator() const {
@@ -428,6 +438,10 @@ void FirstRunPanel::retranslateDatabase() {
   serverNote_->setText(
       tr("For several stations. Keep the password in the server account's password file (.pgpass), not "
          "in this line."));
+  if (!setBy_.empty()) {
+    (server_->isChecked() ? serverNote_ : fileNote_)
+        ->setText(tr("Set for this computer in %1.").arg(toQString(setBy_)));
+  }
   address_->setAccessibleName(tr("Address of the server"));
   test_->setText(tr("&Test the database"));
 }

@@ -9,6 +9,7 @@
 #include "app/gui/base/language.h"
 #include "app/gui/shell/simulated_desks.h"
 #include "app/services/access/first_run.h"
+#include "sim/core/text.h"
 
 class QCheckBox;
 class QComboBox;
@@ -37,8 +38,9 @@ class FirstRunPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// `defaultFile`: location of an embedded database.
-  explicit FirstRunPanel(const QString& defaultFile, QWidget* parent = nullptr);
+  /// `place`: file or address of the database. `setBy`: file and line that set it for this computer; empty:
+  /// it may be changed.
+  FirstRunPanel(const QString& place, Text setBy, QWidget* parent = nullptr);
   ~FirstRunPanel() override;
 
   [[nodiscard]] JobPanel& job() noexcept { return *job_; }
@@ -83,10 +85,12 @@ class FirstRunPanel : public QWidget {
   [[nodiscard]] QString locator() const;
   void chooseFile();
   void testDatabase();
+  void showPlace(const QString& place);
   void showEngine();
   void retranslate();
   void retranslateDatabase();
 
+  Text setBy_;
   Background* background_;
   QStackedWidget* steps_;
   JobPanel* job_;

@@ -18,7 +18,7 @@ Founding::Founding(Background& background, OpenRecord& record, const ShellSetup&
       background_(background),
       record_(record),
       setup_(setup),
-      panel_(new FirstRunPanel(setup.locator, window)) {
+      panel_(new FirstRunPanel(setup.locator, setup.recordSetBy, window)) {
   connect(panel_, &FirstRunPanel::chosen, this, &Founding::begin);
   connect(&panel_->job(), &JobPanel::cancelled, this, [this] { cancelled_.store(true); });
 }

@@ -226,7 +226,7 @@ void MainWindow::show(QWidget* panel) {
 }
 
 void MainWindow::start() {
-  if (const QString chosen = preferences_.database(); !chosen.isEmpty()) {
+  if (const QString chosen = preferences_.database(); !chosen.isEmpty() && setup_.recordSetBy.empty()) {
     record_.setLocator(chosen);
   }
   openDatabase();
@@ -269,6 +269,9 @@ void MainWindow::openDatabase() {
     }
     preferences_.keep(true);
     record_.open();
+    if (!setup_.recordSetBy.empty()) {
+      preferences_.setDatabase(record_.locator());  // from now on it must be there
+    }
     const CentreSign sign = centreSign(record_.session()->connectionWithoutRight());
     centre_ = toQString(sign.name);
     cardsOpen_ = setup_.kiosk && centreSetting<kKioskCodes>(record_.session()->connectionWithoutRight());
@@ -307,6 +310,10 @@ void MainWindow::changeRecord(const RecordChange& change) {
     if (!change.locator.isEmpty()) {
       record_.setLocator(change.locator);
       preferences_.setDatabase(change.locator);
+      if (!setup_.recordSetBy.empty()) {
+        sentence +=
+            QStringLiteral(". ") + tr("Now have the record changed in %1").arg(toQString(setup_.recordSetBy));
+      }
     }
   } catch (...) {
     sentence = problemSentence(std::current_exception());

@@ -4,6 +4,10 @@
 #include <QApplication>
 #include <QSettings>
 
+#include "app/gui/base/translated_text.h"
+#include "app/services/access/station_record.h"
+#include "app/services/base/configuration.h"
+
 namespace torsio::gui {
 
 namespace {
@@ -19,6 +23,12 @@ QVariant Preferences::read(const QString& key) const {
   return remember_ ? QSettings().value(key) : QVariant();
 }
 
+/// Returns what was chosen; for the station what the computer's configuration says, if nothing was.
+QString Preferences::chosenOr(const ConfiguredKey& key, const QString& userId, const char* name) const {
+  const QString chosen = read(keyFor(userId, name)).toString();
+  return chosen.isEmpty() && userId.isEmpty() && remember_ ? toQString(configured(key).value_or("")) : chosen;
+}
+
 void Preferences::write(const QString& key, const QVariant& value) const {
   if (remember_ && keep_) {
     QSettings().setValue(key, value);
@@ -26,7 +36,7 @@ void Preferences::write(const QString& key, const QVariant& value) const {
 }
 
 std::optional<Language> Preferences::language(const QString& userId) const {
-  return languageOf(read(keyFor(userId, "language")).toString());
+  return languageOf(chosenOr(kConfiguredLanguage, userId, "language"));
 }
 
 void Preferences::setLanguage(const QString& userId, Language language) {
@@ -34,7 +44,7 @@ void Preferences::setLanguage(const QString& userId, Language language) {
 }
 
 std::optional<ThemeKind> Preferences::themeKind(const QString& userId) const {
-  const QString name = read(keyFor(userId, "theme")).toString();
+  const QString name = chosenOr(kConfiguredTheme, userId, "theme");
   if (name == QLatin1String("dark")) {
     return ThemeKind::kDark;
   }
@@ -57,11 +67,13 @@ void Preferences::setPage(const QString& userId, const QString& text) {
 }
 
 QString Preferences::database() const {
-  return read(QStringLiteral("station/database")).toString();
+  return remember_ ? toQString(chosenRecord()) : QString();
 }
 
 void Preferences::setDatabase(const QString& locator) {
-  write(QStringLiteral("station/database"), locator);
+  if (remember_ && keep_) {
+    chooseRecord(locator.toStdString());
+  }
 }
 
 QVariant Preferences::layout(const QString& name) const {

@@ -10,6 +10,10 @@
 #include "app/gui/base/language.h"
 #include "app/gui/widgets/theme.h"
 
+namespace torsio {
+struct ConfiguredKey;
+}
+
 namespace torsio::gui {
 
 /// Settings of this station and, by opaque user id, of its users: language, theme, layout, and the database.
@@ -41,6 +45,7 @@ class Preferences {
 
  private:
   [[nodiscard]] QVariant read(const QString& key) const;
+  [[nodiscard]] QString chosenOr(const ConfiguredKey& key, const QString& userId, const char* name) const;
   void write(const QString& key, const QVariant& value) const;
   bool remember_;
   bool keep_ = true;

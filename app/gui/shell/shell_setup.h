@@ -15,6 +15,7 @@
 #include "app/services/access/idle_guard.h"
 #include "app/services/base/progress.h"
 #include "app/services/recording/station_writer.h"
+#include "sim/core/text.h"
 
 namespace torsio::gui {
 
@@ -22,7 +23,8 @@ namespace torsio::gui {
 struct ShellSetup {
   std::filesystem::path assets;
   std::string station;
-  QString locator;  ///< of the database; overridden by the station's choice in the first run
+  QString locator;   ///< of the database; overridden by the station's choice, unless it is set
+  Text recordSetBy;  ///< file and line that set the database for this computer; empty: the station chooses
   std::function<std::vector<PageGroup>()> groups = [] { return std::vector<PageGroup>(); };
   std::optional<ThemeKind> theme;  ///< from the command line; empty: the user's, else the role's
   bool systemIsDark = false;

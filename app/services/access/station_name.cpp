@@ -9,6 +9,7 @@
 #include <QSysInfo>
 
 #include "app/services/access/start_password.h"
+#include "app/services/base/configuration.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -50,6 +51,9 @@ bool storeName(bool keep) {
 }  // namespace
 
 StationSign stationSign() {
+  if (const auto set = configured(kConfiguredStation)) {
+    return {.name = *set, .computer = computerName(), .settings = configuration().file(), .made = true};
+  }
   const QSettings stored = stationSettings();
   StationSign sign{.name = stored.value(kStationName).toString().toStdString(),
                    .computer = computerName(),
@@ -70,6 +74,7 @@ bool makeStationName() {
 }
 
 void renewStationName() {
+  requireNotConfigured(kConfiguredStation, Text::tr("the name of the station"));
   if (!storeName(false)) {
     throw Error(ErrorCode::kFileUnwritable, Text::tr("the settings of this station cannot be written"),
                 stationSign().settings.string(), Text::tr("Check the rights of the folder"));

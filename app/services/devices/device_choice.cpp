@@ -8,6 +8,7 @@
 
 #include <QSettings>
 
+#include "app/services/base/configuration.h"
 #include "assessment/results/number_format.h"
 #include "sim/core/error.h"
 #include "sim/device/drivers/device_list.h"
@@ -84,7 +85,8 @@ const DeviceDriver& chosenDriver(const DeviceChoice& choice) {
 
 DeviceChoice rememberedDevice() {
   const QSettings settings = stationSettings();
-  return {.driver = settings.value(kDriverKey).toString().toStdString(),
+  const std::string chosen = settings.value(kDriverKey).toString().toStdString();
+  return {.driver = chosen.empty() ? configured(kConfiguredDevice).value_or("") : chosen,
           .name = settings.value(kNameKey).toString().toStdString()};
 }
 

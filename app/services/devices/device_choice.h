@@ -24,7 +24,8 @@ struct DeviceChoice {
 /// by this station; else the first one available, or the first in the list. May take seconds. Throws
 /// Error{kBadParameter} for an unknown driver.
 [[nodiscard]] const DeviceDriver& chosenDriver(const DeviceChoice& choice);
-/// Reads the choice remembered by this station (settings of the account that runs Torsio); empty: none.
+/// Reads the choice remembered by this station (settings of the account that runs Torsio), else that of the
+/// computer's configuration; empty: none.
 [[nodiscard]] DeviceChoice rememberedDevice();
 /// Stores driver and name for this station; an empty driver forgets them. Throws like chosenDriver().
 void rememberDevice(const DeviceChoice& choice);

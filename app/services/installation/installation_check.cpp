@@ -10,9 +10,10 @@
 #include <memory>
 #include <thread>
 
+#include "app/services/access/station_record.h"
 #include "app/services/base/build_info.h"
+#include "app/services/base/configuration.h"
 #include "app/services/installation/installation_checks.h"
-#include "app/services/recording/unstored_trials.h"
 #include "sim/core/error.h"
 
 namespace torsio {
@@ -25,6 +26,7 @@ struct CheckLabel {
 };
 constexpr auto kLabels = std::to_array<CheckLabel>({
     {"program", Text::tr("Program")},
+    {"configuration", Text::tr("Configuration")},
     {"record", Text::tr("Record")},
     {"schema", Text::tr("Schema of the record")},
     {"trail_clock", Text::tr("Times in the audit trail")},
@@ -144,10 +146,18 @@ Text summaryOf(const std::vector<InstallationCheck>& checks) {
 std::vector<InstallationCheck> checkInstallation(const Installation& installation) {
   Installation of = installation;
   of.named = !of.locator.empty();
-  if (!of.named) {
-    of.locator = defaultDatabasePath().string();
+  if (of.certificate.empty()) {
+    of.certificate = configured(kConfiguredCertificate).value_or("");
   }
-  std::vector<InstallationCheck> checks = {good("program", Text::tr("Torsio %1", softwareVersion()))};
+  if (!of.named) {
+    try {
+      of.locator = stationRecord().locator;
+    } catch (const Error&) {
+      of.locator = chosenRecord();  // the check of the configuration tells why
+    }
+  }
+  std::vector<InstallationCheck> checks = {good("program", Text::tr("Torsio %1", softwareVersion())),
+                                           made("configuration", configurationCheck)};
   std::vector<InstallationCheck> record = timedRecordChecks(of);
   std::move(record.begin(), record.end(), std::back_inserter(checks));
   for (const char* name : {"schema", "trail_clock", "fleet", "copies", "backup"}) {

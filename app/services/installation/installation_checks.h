@@ -36,6 +36,7 @@ inline constexpr double kDiskFull_gb = 0.5;
 }
 
 // Of this computer (machine_checks.cpp).
+[[nodiscard]] InstallationCheck configurationCheck();
 [[nodiscard]] InstallationCheck displayCheck();
 [[nodiscard]] InstallationCheck graphicsCheck();
 [[nodiscard]] InstallationCheck deviceCheck();

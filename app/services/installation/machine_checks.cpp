@@ -12,6 +12,7 @@
 
 #include "app/services/devices/device_choice.h"
 #include "app/services/devices/device_readiness.h"
+#include "app/services/installation/computer_settings.h"
 #include "app/services/installation/installation_checks.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/station_anchor.h"
@@ -64,6 +65,15 @@ InstallationCheck graphicsCheck() {
 #else
   return {"graphics", CheckState::kSkipped, Text::tr("not checked on this system"), {}};
 #endif
+}
+
+InstallationCheck configurationCheck() {
+  const std::filesystem::path file = configurationFile();
+  if (file.empty()) {
+    return good("configuration", Text::tr("this computer has none; each account has its own settings"));
+  }
+  requireUsable(Configuration::read(file));
+  return good("configuration", Text::tr("%1 can be used", file.string()));
 }
 
 InstallationCheck deviceCheck() {

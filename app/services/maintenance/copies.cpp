@@ -7,10 +7,9 @@
 #include <system_error>
 #include <utility>
 
-#include <QStandardPaths>
-
 #include "app/services/access/centre_settings.h"
 #include "app/services/access/station_name.h"
+#include "app/services/access/station_record.h"
 #include "db/connection/connection.h"
 #include "db/connection/locator.h"
 #include "db/migrations/file_in_the_making.h"
@@ -29,8 +28,7 @@ namespace {
 /// Returns whether this is Torsio's default folder for records.
 bool isOwnFolder(const fs::path& folder) {
   std::error_code missing;
-  return fs::equivalent(
-      folder, QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString(), missing);
+  return fs::equivalent(folder, dataFolder(), missing);
 }
 
 }  // namespace

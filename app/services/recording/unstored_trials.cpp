@@ -11,10 +11,10 @@
 #include <system_error>
 #include <utility>
 
-#include <QStandardPaths>
 #include <nlohmann/json.hpp>
 
 #include "app/services/access/session_context.h"
+#include "app/services/access/station_record.h"
 #include "assessment/domain/ids.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
@@ -97,8 +97,7 @@ std::optional<UnstoredTrial> readFor(const std::string& database, const fs::path
 }  // namespace
 
 fs::path unstoredFolder() {
-  return fs::path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
-         "unstored";
+  return dataFolder() / "unstored";
 }
 
 std::unique_ptr<TrialSink> recordingSink(const std::string& locator, const TrialContext& context,
@@ -129,18 +128,6 @@ UnstoredTrials unstoredTrials(const std::string& locator, const fs::path& folder
     return std::pair(a.trial.header.startedUtc_us, a.file) < std::pair(b.trial.header.startedUtc_us, b.file);
   });
   return found;
-}
-
-std::filesystem::path defaultDatabasePath() {
-  return std::filesystem::path(
-             QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
-         "torsio.sqlite";
-}
-
-std::string defaultDatabase() {
-  const std::filesystem::path file = defaultDatabasePath();
-  ensureFolder(file.parent_path());
-  return file.string();
 }
 
 TrialStore::TrialStore(const std::string& locator)

@@ -51,12 +51,6 @@ inline constexpr std::int64_t kQuietFile_us = 10'000'000;
 /// within the last kQuietFile_us. A missing folder counts as empty.
 [[nodiscard]] UnstoredTrials unstoredTrials(const std::string& locator, const std::filesystem::path& folder);
 
-/// Returns defaultDatabase() without creating its folder.
-[[nodiscard]] std::filesystem::path defaultDatabasePath();
-/// Returns the default database of this station: torsio.sqlite in the user's data folder, which is created if
-/// missing. Needs a QCoreApplication (its name determines the folder). Throws Error{kFileUnwritable}.
-[[nodiscard]] std::string defaultDatabase();
-
 /// Recorded trials of one database, for the window. Belongs to the thread that created it.
 class TrialStore {
  public:

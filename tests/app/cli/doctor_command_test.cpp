@@ -113,9 +113,9 @@ TEST_F(Doctor, DoesNotWaitForAServerThatIsSilent) {
       "postgresql://station@127.0.0.1:" + std::to_string(silent.serverPort()) + "/torsio?sslmode=disable";
   const std::vector<InstallationCheck> checks = checkInstallation(of_);
   ASSERT_GT(checks.size(), 15U);
-  EXPECT_EQ(checks[1].name, "record");
-  EXPECT_EQ(checks[1].state, CheckState::kFailed);
-  EXPECT_EQ(checks[2].state, CheckState::kSkipped);
+  EXPECT_EQ(checks[2].name, "record");
+  EXPECT_EQ(checks[2].state, CheckState::kFailed);
+  EXPECT_EQ(checks[3].state, CheckState::kSkipped);
 }
 
 TEST_F(Doctor, RefusesARecordOfANewerSchema) {
@@ -141,8 +141,9 @@ TEST_F(Doctor, CreatesNoFolderAndSurvivesAHomeThatCannotBeWritten) {
   EXPECT_EQ(run.code, 0) << run.err;
   const nlohmann::json said = nlohmann::json::parse(run.out, nullptr, false);
   ASSERT_TRUE(said.is_object()) << run.out << run.err;
-  EXPECT_EQ(said["checks"][1]["name"], "record");
-  EXPECT_EQ(said["checks"][1]["state"], "warning");
+  EXPECT_EQ(said["checks"][1]["name"], "configuration");
+  EXPECT_EQ(said["checks"][2]["name"], "record");
+  EXPECT_EQ(said["checks"][2]["state"], "warning");
   EXPECT_FALSE(std::filesystem::exists(home)) << "it changes nothing";
 }
 

@@ -16,7 +16,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
@@ -24,6 +23,7 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "app/services/access/station_record.h"
 #include "sim/core/error.h"
 
 namespace torsio::gui {
@@ -49,8 +49,7 @@ QHBoxLayout* fieldWithButton(QLineEdit* field, QPushButton* button) {
 }  // namespace
 
 DeskPlace ReviewDeskDialog::ownPlace() {
-  return {toPath(QCoreApplication::applicationFilePath()),
-          toPath(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)) / "review-desk"};
+  return {toPath(QCoreApplication::applicationFilePath()), dataFolder() / "review-desk"};
 }
 
 ReviewDeskDialog::ReviewDeskDialog(ShellContext& shell, DeskPlace place, QWidget* parent)

@@ -62,11 +62,11 @@ class UnwrittenFirstRun : public ::testing::Test {
   }
 
   [[nodiscard]] QString file() const { return folder_.filePath(QStringLiteral("torsio.sqlite")); }
-  void open() {
+  void open(const Text& recordSetBy = "") {
     ShellSetup setup = testing::windowSetup(folder_.path().toStdString());
     setup.remember = true;
+    setup.recordSetBy = recordSetBy;
     window_ = testing::openWindow(setup);
-    ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
   }
   /// Returns every file of the folder with its hash.
   [[nodiscard]] std::map<std::string, std::string> written() const {
@@ -129,6 +129,32 @@ class UnwrittenFirstRun : public ::testing::Test {
                                              "XDG_STATE_HOME"};
   std::map<const char*, QByteArray> before_;
 };
+
+TEST_F(UnwrittenFirstRun, ARecordThatIsSetForTheComputerIsShownAndNobodyElseChoosesIt) {
+  open(Text::verbatim("torsio.conf, line 3"));
+  goTo(2, [] {});
+  EXPECT_TRUE(says(*window_, QStringLiteral("Set for this computer in torsio.conf, line 3.")));
+  auto* path = named<QLineEdit>(*window_, QStringLiteral("Database file"));
+  EXPECT_EQ(path->text(), file());
+  EXPECT_FALSE(path->isEnabled());
+  EXPECT_FALSE(named<QLineEdit>(*window_, QStringLiteral("Address of the server"))->isEnabled());
+  press(*window_, QStringLiteral("Next"));
+  press(*window_, QStringLiteral("Set up"));
+  testing::waitFor(window_->background());
+  EXPECT_EQ(Preferences(true).database(), file());
+
+  Preferences(true).setDatabase(folder_.filePath(QStringLiteral("another.sqlite")));
+  window_.reset();
+  open(Text::verbatim("torsio.conf, line 3"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"))
+      << "what was chosen earlier plays no part";
+
+  window_.reset();
+  fs::remove(file().toStdString());
+  open(Text::verbatim("torsio.conf, line 3"));
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("trouble"))
+      << "a record that vanished is not begun anew";
+}
 
 TEST_F(UnwrittenFirstRun, LeavesNoFileAndNoSettingOnAnyPageNorAfterClosing) {
   for (int step = 0; step < 4; ++step) {

@@ -395,7 +395,7 @@ TEST(LanguageSwitch, ReachesEverySentenceOfTheSignIn) {
 }
 
 TEST(LanguageSwitch, ReachesEverySentenceOfTheFirstRun) {
-  FirstRunPanel panel(QStringLiteral("/tmp/a.sqlite"));
+  FirstRunPanel panel(QStringLiteral("/tmp/a.sqlite"), Text());
   switchReaches(panel);
 }
 
