@@ -13,6 +13,7 @@
 
 #include "app/services/base/this_computer.h"
 #include "sim/core/error.h"
+#include "sim/core/plain_text.h"
 
 namespace torsio {
 
@@ -84,8 +85,10 @@ std::string written(const MailMessage& message, const std::string& id, std::int6
 
 namespace {
 
-constexpr std::size_t kMaxAnswer_bytes = 64 * 1024;
-constexpr int kFirstRefusal = 300;  // reply codes from here on
+constexpr std::size_t kMaxAnswers_bytes = 64 * 1024;  // to all commands of one message
+constexpr std::size_t kAnswerShown = 300;             // characters
+constexpr long kMessagePatience = 4;                  // times that for one answer
+constexpr int kFirstRefusal = 300;                    // reply codes from here on
 
 /// A conversation with a mail server: libcurl keeps the connection between messages.
 class MailTalk {
@@ -102,6 +105,7 @@ class MailTalk {
     set(CURLOPT_NOPROXY, "*");
     set(CURLOPT_NOSIGNAL, 1L);
     set(CURLOPT_CONNECTTIMEOUT, long{server.patience_s});
+    set(CURLOPT_TIMEOUT, kMessagePatience * server.patience_s);
     set(CURLOPT_SERVER_RESPONSE_TIMEOUT, long{server.patience_s});
     set(CURLOPT_LOW_SPEED_LIMIT, 1L);
     set(CURLOPT_LOW_SPEED_TIME, long{server.patience_s});
@@ -139,7 +143,7 @@ class MailTalk {
     set(CURLOPT_UPLOAD, 1L);
     set(CURLOPT_MAIL_FROM, message.from.c_str());
     set(CURLOPT_MAIL_RCPT, recipients.get());
-    return perform(true) ? Text() : Text(answer_);
+    return perform(true) ? Text() : Text(said());
   }
 
   /// Whether a whole message was sent and has not been answered.
@@ -154,12 +158,16 @@ class MailTalk {
   /// A line of the server ("250-STARTTLS"). Lines of one answer are joined under one number.
   static std::size_t hear(char* bytes, std::size_t size, std::size_t count, void* self) {
     auto& talk = *static_cast<MailTalk*>(self);
+    if (size * count > talk.left_bytes_) {
+      return 0;
+    }
+    talk.left_bytes_ -= size * count;
     const std::string line = QByteArray(bytes, static_cast<qsizetype>(size * count)).trimmed().toStdString();
     if (line.starts_with("221")) {  // answer to QUIT, which libcurl sends after a refusal
       return size * count;
     }
     const std::string words = line.substr(std::min<std::size_t>(line.size(), 4));
-    if (!talk.moreToHear_ || talk.answer_.size() > kMaxAnswer_bytes) {
+    if (!talk.moreToHear_) {
       talk.answer_ = line.substr(0, 3);
     }
     talk.answer_ += " " + words;
@@ -179,6 +187,7 @@ class MailTalk {
   /// False: the server refuses the message. Throws Error for whatever else goes wrong.
   bool perform(bool ofMessage = false) {
     failure_[0] = '\0';
+    left_bytes_ = kMaxAnswers_bytes;
     const CURLcode code = curl_easy_perform(curl_.get());
     const std::string why = failure_;
     const bool refused = std::atoi(answer_.c_str()) >= kFirstRefusal && !handedOver_;
@@ -206,7 +215,7 @@ class MailTalk {
           return false;
         }
         if (refused) {
-          refuseServer(Text::tr("the mail server refuses: %1", answer_), Text::tr("Check its settings"));
+          refuseServer(Text::tr("the mail server refuses: %1", said()), Text::tr("Check its settings"));
         }
         [[fallthrough]];
       default:
@@ -215,8 +224,10 @@ class MailTalk {
     }
   }
 
+  /// The last answer, as one line for people.
+  [[nodiscard]] std::string said() const { return plainLine(answer_, kAnswerShown); }
   [[noreturn]] void refuseSignIn() const {
-    refuseServer(Text::tr("the mail server refuses the sign-in: %1", answer_),
+    refuseServer(Text::tr("the mail server refuses the sign-in: %1", said()),
                  Text::tr("Check the sign-in name and the password, or leave both out"));
   }
   [[noreturn]] void refuseServer(const Text& what, const Text& remedy) const {
@@ -224,13 +235,14 @@ class MailTalk {
   }
 
   const MailServer& server_;
-  std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl_;
   char failure_[CURL_ERROR_SIZE] = {};
   std::string answer_;  // the last one of the server
   std::string unsent_;
+  std::size_t left_bytes_ = 0;
   bool moreToHear_ = false;
   bool handedOver_ = false;
   bool signedIn_ = false;
+  std::unique_ptr<CURL, decltype(&curl_easy_cleanup)> curl_;  // ends first: it writes into the others
 };
 
 }  // namespace

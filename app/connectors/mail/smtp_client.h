@@ -43,7 +43,7 @@ struct MailServer {
   MailEncryption encryption = MailEncryption::kStartTls;
   std::string user{};  ///< empty: no sign-in
   std::string password{};
-  int patience_s = 30;                  ///< the longest wait for one answer
+  int patience_s = 30;                  ///< longest wait for an answer; four times that for a message
   std::filesystem::path authorities{};  ///< certificates (PEM) to trust; empty: those of this computer
 };
 
@@ -56,7 +56,8 @@ using MailTaken = std::function<void(std::size_t index)>;
 /// Sends messages by SMTP (RFC 5321; PLAIN or LOGIN), reusing the connection until a message is refused. The
 /// certificate and its name are checked, and only the greeting precedes encryption. Returns one entry per
 /// message: empty when the server took it, otherwise its refusal; a refusal does not hold up the next
-/// message. When the connection is lost, the remaining entries say so. `taken` is called as soon as a message
+/// message. When the connection is lost, or the answers to a message are longer than
+/// 64 KiB, the remaining entries say so. `taken` is called as soon as a message
 /// is accepted. Throws Error before anything is sent: {kBadParameter} for an invalid address, or a server
 /// elsewhere without encryption; {kFileUnreadable} when the server does not answer, cannot be trusted, offers
 /// no encryption, or refuses the sign-in. Exceptions of `taken` and `progress` pass through. A worker thread.

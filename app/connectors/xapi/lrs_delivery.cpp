@@ -17,6 +17,7 @@
 #include "app/connectors/xapi/learning_statement.h"
 #include "app/connectors/xapi/lrs_settings.h"
 #include "app/services/base/stored_sentence.h"
+#include "app/services/base/web_answer.h"
 #include "db/connection/connection.h"
 #include "db/connection/db_error.h"
 #include "db/repository/base/learning_events.h"
@@ -56,13 +57,13 @@ struct Outcome {
 };
 
 /// The answer as one line that tells the user what to do.
-std::string wordsOf(const LrsAnswer& answer) {
+std::string wordsOf(const WebAnswer& answer) {
   std::string words = answer.status == 0 ? "" : "HTTP " + std::to_string(answer.status) + " ";
   return words + plainLine(answer.body, kAnswerShown);
 }
 
 /// A store answers with the ids that it took; a proxy's error page does not.
-bool took(const LrsAnswer& answer, const std::string& id) {
+bool took(const WebAnswer& answer, const std::string& id) {
   const nlohmann::json ids = nlohmann::json::parse(answer.body, nullptr, false);
   return ids.is_array() && ids.size() == 1 && ids[0].is_string() &&
          QString::fromStdString(ids[0].get<std::string>())
@@ -70,32 +71,32 @@ bool took(const LrsAnswer& answer, const std::string& id) {
 }
 
 /// Meaning of an answer other than "accepted" and "known".
-Outcome refused(const LrsAnswer& answer) {
+Outcome refused(const WebAnswer& answer) {
   switch (answer.status) {
     case 400:
     case 413:
     case 422:
-      return {Fate::kRefused, wordsOf(answer), answer.after};
+      return {Fate::kRefused, wordsOf(answer), answer.retryAfter};
     case 401:
     case 403:
     case 407:
-      return {Fate::kLaterAndStop, Text::tr("the key is refused: %1", wordsOf(answer)), answer.after};
+      return {Fate::kLaterAndStop, Text::tr("the key is refused: %1", wordsOf(answer)), answer.retryAfter};
     case 402:
       return {Fate::kLaterAndStop,
-              Text::tr("the account at the store is closed or full: %1", wordsOf(answer)), answer.after};
+              Text::tr("the account at the store is closed or full: %1", wordsOf(answer)), answer.retryAfter};
     case 404:
     case 405:
     case 410:
       return {Fate::kLaterAndStop, Text::tr("no learning record store at this address: %1", wordsOf(answer)),
-              answer.after};
+              answer.retryAfter};
     default:
-      return {Fate::kLaterAndStop, wordsOf(answer), answer.after};
+      return {Fate::kLaterAndStop, wordsOf(answer), answer.retryAfter};
   }
 }
 
 /// The store already has this id: checks that it is the same statement.
 Outcome afterConflict(LrsClient& store, const std::string& id, const std::string& statement) {
-  const LrsAnswer known = store.get(id);
+  const WebAnswer known = store.get(id);
   if (known.status == 200) {
     return sameStatement(statement, known.body)
                ? Outcome{Fate::kDelivered, Text::tr("the store had it already"), {}}
@@ -108,7 +109,7 @@ Outcome afterConflict(LrsClient& store, const std::string& id, const std::string
 }
 
 Outcome send(LrsClient& store, const std::string& id, const std::string& statement) {
-  LrsAnswer answer = store.post(statement);
+  WebAnswer answer = store.post(statement);
   if (answer.status == kBadRequest && store.changeVersion()) {
     answer = store.post(statement);
   }

@@ -7,15 +7,10 @@
 #include <system_error>
 #include <utility>
 
-#include <QEventLoop>
+#include <QByteArray>
 #include <QFileInfo>
-#include <QNetworkAccessManager>
-#include <QNetworkReply>
-#include <QNetworkRequest>
 #include <QSettings>
-#include <QTimer>
 #include <QUrl>
-#include <QUrlQuery>
 #include <nlohmann/json.hpp>
 
 #include "app/outputs/tables/pseudonyms.h"
@@ -138,102 +133,49 @@ void setStationLrsKey(const LrsKey& key) {
 
 namespace {
 
-constexpr int kLook_ms = 100;
-constexpr qint64 kMaxAnswer_bytes = 1 << 20;
+constexpr std::size_t kMaxAnswer_bytes = 1 << 20;
 /// Versions that this client speaks, the preferred one first, with the beginning of those they stand for.
-constexpr std::array<const char*, 2> kVersions{"1.0.3", "2.0.0"};
+constexpr std::array<std::string_view, 2> kVersions{"1.0.3", "2.0.0"};
 constexpr std::size_t kSameVersion = 4;  // "1.0." and "2.0."
 
 }  // namespace
 
-struct LrsClient::Talk {
-  QUrl statements;
-  LrsKey key;
-  std::chrono::milliseconds patience;
-  const std::atomic<bool>* stop;
-  QNetworkAccessManager network{};
-  QByteArray version = kVersions.front();
-  bool asked = false;  // for its versions
-
-  [[nodiscard]] QNetworkRequest request(const QUrl& url) const {
-    QNetworkRequest request(url);
-    request.setHeader(QNetworkRequest::ContentTypeHeader, QStringLiteral("application/json"));
-    request.setRawHeader("X-Experience-API-Version", version);
-    request.setRawHeader("Authorization",
-                         "Basic " + QByteArray::fromStdString(key.user + ":" + key.secret).toBase64());
-    request.setAttribute(QNetworkRequest::RedirectPolicyAttribute, QNetworkRequest::ManualRedirectPolicy);
-    request.setAttribute(QNetworkRequest::AuthenticationReuseAttribute, QNetworkRequest::Manual);
-    request.setTransferTimeout(static_cast<int>(patience.count()));
-    return request;
-  }
-
-  /// Waits for the reply in a local event loop.
-  [[nodiscard]] LrsAnswer heard(std::unique_ptr<QNetworkReply> reply) const {
-    QEventLoop loop;
-    QTimer look;
-    const auto giveUp = [&] { reply->abort(); };
-    QObject::connect(reply.get(), &QNetworkReply::finished, &loop, &QEventLoop::quit);
-    QObject::connect(reply.get(), &QNetworkReply::readyRead, &loop, [&] {
-      if (reply->bytesAvailable() > kMaxAnswer_bytes) {
-        giveUp();
-      }
-    });
-    QObject::connect(&look, &QTimer::timeout, &loop, [&] {
-      if (stop != nullptr && stop->load()) {
-        giveUp();
-      }
-    });
-    QTimer::singleShot(patience, &loop,
-                       giveUp);  // deadline for slow responses: the idle timeout resets on every byte
-    look.start(kLook_ms);
-    if (!reply->isFinished()) {
-      loop.exec();
-    }
-    LrsAnswer answer;
-    const bool whole = reply->error() == QNetworkReply::NoError ||
-                       reply->error() >= QNetworkReply::ContentAccessDenied;  // an HTTP error response
-    if (whole) {
-      answer.status = reply->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
-    }
-    answer.body = answer.status == 0 ? reply->errorString().toStdString() : reply->readAll().toStdString();
-    answer.after = reply->rawHeader("Retry-After").toStdString();
-    return answer;
-  }
-};
-
 LrsClient::LrsClient(const std::string& endpoint, LrsKey key, std::chrono::milliseconds patience,
                      const std::atomic<bool>* stop)
-    : talk_(std::make_unique<Talk>()) {
-  talk_->statements = QUrl(QString::fromStdString(endpoint + (endpoint.ends_with('/') ? "" : "/")) +
-                           QStringLiteral("statements"));
-  talk_->key = std::move(key);
-  talk_->patience = patience;
-  talk_->stop = stop;
+    : endpoint_(QUrl(QString::fromStdString(endpoint + (endpoint.ends_with('/') ? "" : "/")))
+                    .toEncoded()
+                    .toStdString()),
+      key_(std::move(key)),
+      patience_(patience),
+      stop_(stop),
+      version_(kVersions.front()) {}
+
+WebAnswer LrsClient::ask(const std::string& place, std::optional<std::string> body) const {
+  const QByteArray who = QByteArray::fromStdString(key_.user + ":" + key_.secret).toBase64();
+  return askWeb(
+      {.address = endpoint_ + place,
+       .headers = {"Content-Type: application/json", "X-Experience-API-Version: " + std::string(version_),
+                   "Authorization: Basic " + who.toStdString()},
+       .body = std::move(body),
+       .patience = patience_,
+       .most_bytes = kMaxAnswer_bytes,
+       .stop = stop_});
 }
 
-LrsClient::~LrsClient() = default;
-
-LrsAnswer LrsClient::post(const std::string& statement) {
-  return talk_->heard(std::unique_ptr<QNetworkReply>(
-      talk_->network.post(talk_->request(talk_->statements), QByteArray::fromStdString(statement))));
+WebAnswer LrsClient::post(const std::string& statement) const {
+  return ask("statements", statement);
 }
 
-LrsAnswer LrsClient::get(const std::string& id) {
-  QUrl url = talk_->statements;
-  QUrlQuery query;
-  query.addQueryItem(QStringLiteral("statementId"), QString::fromStdString(id));
-  url.setQuery(query);
-  return talk_->heard(std::unique_ptr<QNetworkReply>(talk_->network.get(talk_->request(url))));
+WebAnswer LrsClient::get(const std::string& id) const {
+  return ask("statements?statementId=" + QUrl::toPercentEncoding(QString::fromStdString(id)).toStdString(),
+             std::nullopt);
 }
 
 bool LrsClient::changeVersion() {
-  if (std::exchange(talk_->asked, true)) {
+  if (std::exchange(asked_, true)) {
     return false;
   }
-  QUrl about = talk_->statements;
-  about.setPath(about.path().chopped(QStringLiteral("statements").size()) + QStringLiteral("about"));
-  const LrsAnswer answer =
-      talk_->heard(std::unique_ptr<QNetworkReply>(talk_->network.get(talk_->request(about))));
+  const WebAnswer answer = ask("about", std::nullopt);
   const nlohmann::json said = nlohmann::json::parse(answer.body, nullptr, false);
   const auto known = said.is_object() ? said.find("version") : said.end();
   if (answer.status != 200 || known == said.end() || !known->is_array()) {
@@ -243,8 +185,7 @@ bool LrsClient::changeVersion() {
     for (const nlohmann::json& theirs : *known) {
       if (theirs.is_string() &&
           theirs.get_ref<const std::string&>().starts_with(mine.substr(0, kSameVersion))) {
-        const QByteArray chosen(mine.data(), static_cast<qsizetype>(mine.size()));
-        return std::exchange(talk_->version, chosen) != chosen;
+        return std::exchange(version_, mine) != mine;
       }
     }
   }

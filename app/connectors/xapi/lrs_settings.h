@@ -4,11 +4,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/services/access/session_context.h"
+#include "app/services/base/web_answer.h"
 
 namespace torsio {
 
@@ -48,37 +49,34 @@ struct LrsKey {
 /// {kFileUnwritable}.
 void setStationLrsKey(const LrsKey& key);
 
-/// Answer of a learning record store.
-struct LrsAnswer {
-  int status = 0;       ///< HTTP status; 0: no answer, for the reason in `body`
-  std::string body{};   ///< at most a megabyte
-  std::string after{};  ///< Retry-After header; empty: none
-};
-
 /// Client of a store of xAPI 1.0.3 or 2.0 (IEEE 9274.1.1): it speaks 1.0.3 until the store says that it knows
-/// only the other (changeVersion()). Checks certificates and follows no redirects. Used by the thread that
-/// created it, which needs no event loop.
+/// only the other (changeVersion()). Asks as askWeb() does; an answer of more than a megabyte is none. One
+/// thread at a time.
 class LrsClient {
  public:
-  /// `stop` (may be null; outlives the client): once another thread sets it, a request is aborted within a
-  /// tenth of a second.
+  /// `patience`: longest wait for an answer, its last byte included. `stop`: see WebRequest; outlives the
+  /// client.
   LrsClient(const std::string& endpoint, LrsKey key,
             std::chrono::milliseconds patience = std::chrono::seconds(30),
             const std::atomic<bool>* stop = nullptr);
-  ~LrsClient();
-  LrsClient(const LrsClient&) = delete;
-  LrsClient& operator=(const LrsClient&) = delete;
 
   /// Sends a statement.
-  [[nodiscard]] LrsAnswer post(const std::string& statement);
+  [[nodiscard]] WebAnswer post(const std::string& statement) const;
   /// Requests the statement with this id.
-  [[nodiscard]] LrsAnswer get(const std::string& id);
+  [[nodiscard]] WebAnswer get(const std::string& id) const;
   /// Asks the store, once, for its versions. Returns true if the client speaks another one from now on.
   [[nodiscard]] bool changeVersion();
 
  private:
-  struct Talk;
-  std::unique_ptr<Talk> talk_;
+  /// `place`: below the endpoint.
+  [[nodiscard]] WebAnswer ask(const std::string& place, std::optional<std::string> body) const;
+
+  std::string endpoint_;  // ends with a slash
+  LrsKey key_;
+  std::chrono::milliseconds patience_;
+  const std::atomic<bool>* stop_;
+  std::string_view version_;
+  bool asked_ = false;  // for its versions
 };
 
 }  // namespace torsio

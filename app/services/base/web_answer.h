@@ -1,23 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace torsio {
 
-/// What a web server answered.
-struct WebAnswer {
-  int status = 0;      ///< HTTP status; 0: no answer, for the reason in `body`
-  std::string body{};  ///< bytes
+/// What a web server is asked for.
+struct WebRequest {
+  std::string address{};                 ///< http:// or https://
+  std::vector<std::string> headers{};    ///< "Name: value", without line ends
+  std::optional<std::string> body{};     ///< sent by POST; none: GET
+  std::chrono::milliseconds patience{};  ///< longest wait for all of the answer
+  std::size_t most_bytes = 0;            ///< most bytes of its headers and body together
+  /// Once another thread sets it, the wait ends within about a second. May be null; outlives the call.
+  const std::atomic<bool>* stop = nullptr;
 };
 
-/// Sends `body` to an http:// or https:// address by POST and returns the answer. Certificates are checked,
-/// redirects not followed. Waits at most `patience` in all, and takes at most `most_bytes` of headers and
-/// body together: what is later or longer is no answer. Any thread; needs no event loop.
-[[nodiscard]] WebAnswer postedTo(const std::string& address, const std::string& contentType,
-                                 const std::string& body, std::chrono::milliseconds patience,
-                                 std::size_t most_bytes);
+/// What a web server answered.
+struct WebAnswer {
+  int status = 0;            ///< HTTP status; 0: no answer, for the reason in `body`
+  std::string body{};        ///< bytes as they came: nothing is unpacked
+  std::string retryAfter{};  ///< that header; empty: none
+};
+
+/// Asks a web server outside: the one way in which Torsio does. Checks certificates, follows no redirects,
+/// speaks nothing but HTTP, and goes through no proxy to this computer. What is later or longer than the
+/// request allows is no answer. Any thread; needs no event loop.
+[[nodiscard]] WebAnswer askWeb(const WebRequest& request);
 
 }  // namespace torsio

@@ -193,8 +193,11 @@ void setStampAuthority(SessionContext& session, const StampAuthority& authority)
 std::string stampedBy(const StampAuthority& authority, const std::string& head,
                       std::chrono::milliseconds patience) {
   const std::string query = stampQuery(head);
-  const WebAnswer answer =
-      postedTo(authority.address, "application/timestamp-query", query, patience, kMaxAnswer_bytes);
+  const WebAnswer answer = askWeb({.address = authority.address,
+                                   .headers = {"Content-Type: application/timestamp-query"},
+                                   .body = query,
+                                   .patience = patience,
+                                   .most_bytes = kMaxAnswer_bytes});
   if (answer.status != 200) {
     throw Error(ErrorCode::kFileUnreadable,
                 answer.status == 0
