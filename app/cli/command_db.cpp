@@ -11,12 +11,15 @@
 #include "app/cli/options.h"
 #include "app/cli/progress_line.h"
 #include "app/services/access/moved_record.h"
+#include "app/services/base/configuration.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/interrupted_move.h"
+#include "app/services/maintenance/kept_backups.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/record_restore.h"
+#include "app/services/maintenance/server_dump.h"
 #include "app/services/maintenance/server_move.h"
 #include "app/services/maintenance/station_anchor.h"
 #include "assessment/domain/people/audit_entry.h"
@@ -30,10 +33,14 @@ namespace torsio::cli {
 
 namespace {
 
+constexpr const char* kUsualKeep = "7,5,12";
+
 struct DbArguments {
   DatabaseOption database;
   MaintenanceOptions maintenance;
   std::string file;
+  std::string folder;
+  std::string keep;
   std::string target;
   std::string role = "torsio_station";
   std::string reason;
@@ -68,23 +75,47 @@ void requireSound(const DatabaseCheck& check, const std::string& remedy) {
 void printCopies(const DbArguments& arguments) {
   for (const ListedCopy& listed : copiesOf(arguments.database.locator())) {
     const RecordCopy& copy = listed.copy;
-    std::cout << "  " << labelOf(copy.kind).english() << " at " << copy.station << ": " << copy.place
-              << ", made " << formatUtc(copy.madeUtc_us) << ", to be deleted by "
+    std::cout << "  " << labelOf(copy.kind).english() << (copy.station.empty() ? "" : " at " + copy.station)
+              << ": " << copy.place << ", made " << formatUtc(copy.madeUtc_us) << ", to be deleted by "
               << formatUtc(listed.dueUtc_us) << "\n";
   }
 }
 
+/// Returns the folder of backups that was named or is configured. Throws Error{kUsage} if neither.
+std::string backupFolder(const std::string& named) {
+  const std::string folder = named.empty() ? configured(kConfiguredBackupFolder).value_or("") : named;
+  if (folder.empty()) {
+    refuseUsage("it is not clear which backup is meant", "",
+                "Name a file or a folder, or set backup.folder in /etc/torsio/torsio.conf");
+  }
+  return folder;
+}
+
 void backUp(const DbArguments& arguments) {
   const std::string locator = arguments.database.locator();
-  requireOwnBackups(locator);
+  if (!arguments.file.empty() && !arguments.folder.empty()) {
+    refuseUsage("a backup goes to one place", arguments.file, "Leave out FILE or --into");
+  }
+  const std::string folder = arguments.file.empty() ? backupFolder(arguments.folder) : "";
+  const KeepRule rule = keepRule(
+      arguments.keep.empty() ? configured(kConfiguredBackupKeep).value_or(kUsualKeep) : arguments.keep);
   sweepLeftovers(locator);
   MaintenanceDesk desk(arguments.maintenance.maintainer(), locator);
-  const BackupContent content = backUpDatabase(desk.session(), arguments.file, {},
-                                               arguments.replace ? Replace::kBackup : Replace::kNothing);
-  std::cout << "Backup written and checked: " << arguments.file << "\n";
-  printContent(content);
+  KeptBackup made{.file = arguments.file};
+  if (folder.empty()) {
+    made.content = backUpDatabase(desk.session(), arguments.file, {},
+                                  arguments.replace ? Replace::kBackup : Replace::kNothing);
+  } else {
+    made = keepBackup(desk.session(), folder, rule);
+  }
+  std::cout << "Backup written and checked: " << made.file.string() << "\n";
+  printContent(made.content);
+  for (const std::filesystem::path& removed : made.removed) {
+    std::cout << "  removed, as --keep says: " << removed.string() << "\n";
+  }
   const StationAnchor anchor = stationAnchor();
-  std::cout << "  " << anchoredHead(arguments.file, anchor.key, utcNow_us()) << "\n";
+  std::cout << "  " << anchoredHead(isDump(made.file) ? locator : made.file.string(), anchor.key, utcNow_us())
+            << "\n";
   if (anchor.key.empty()) {
     std::cerr << "torsio: this head is not signed: anybody who can write to the place where it is kept can "
                  "replace it. torsio audit key FILE makes a key, torsio audit station sets it\n";
@@ -101,7 +132,20 @@ void listCopies(const DbArguments& arguments) {
 }
 
 void verify(const DbArguments& arguments) {
-  const BackupCheck check = verifyBackup(arguments.file);
+  const std::string named = backupFolder(arguments.file);
+  const bool folder = std::filesystem::is_directory(named);
+  const std::filesystem::path file = folder ? newestBackup(named) : std::filesystem::path(named);
+  if (folder) {
+    std::cout << file.string() << "\n";
+  }
+  if (isDump(file)) {
+    readDump(file);
+    std::cout
+        << "The backup of a server can be read from end to end. To check its audit trail, restore it into an "
+           "empty database (pg_restore) and run torsio audit verify there.\n";
+    return;
+  }
+  const BackupCheck check = verifyBackup(file);
   requireSound(check.database, "Do not rely on this backup; make a new one");
   std::cout << "The backup is sound: read from end to end, "
             << Text::verbatim("%1 {entry of the audit trail fits|entries of the audit trail fit}.",
@@ -202,7 +246,13 @@ void addDb(CLI::App& program) {
   db->require_subcommand(1);
 
   CLI::App* command = db->add_subcommand("backup", "Copies a database in use into one checked file");
-  command->add_option("FILE", arguments->file, "The backup to write")->required();
+  command->add_option("FILE", arguments->file, "The backup to write");
+  command->add_option(
+      "--into", arguments->folder,
+      "Folder of backups instead: one more, named by its time; default: backup.folder of torsio.conf");
+  command->add_option("--keep", arguments->keep,
+                      "Newest backups of so many days, weeks and months that stay in that folder; default: "
+                      "backup.keep of torsio.conf, or 7,5,12");
   command->add_flag("--replace", arguments->replace,
                     "Replaces an older backup of that name, but never a record");
   addDatabaseOption(*command, arguments->database);
@@ -210,7 +260,8 @@ void addDb(CLI::App& program) {
   command->callback([arguments] { backUp(*arguments); });
 
   command = db->add_subcommand("verify", "Test restore of a backup: reads all of it and its audit trail");
-  command->add_option("FILE", arguments->file, "The backup")->required();
+  command->add_option("FILE", arguments->file,
+                      "The backup, or a folder: its newest; default: backup.folder of torsio.conf");
   command->callback([arguments] { verify(*arguments); });
 
   command = db->add_subcommand("restore", "Replaces a database that nobody has open by a backup");

@@ -3577,10 +3577,6 @@
         <translation>请使用 obj、stl、ply、off、glb、gltf 或 dae</translation>
     </message>
     <message>
-        <source>Use pg_dump --format=custom --file=FILE on the server</source>
-        <translation>请在服务器上使用 pg_dump --format=custom --file=FILE</translation>
-    </message>
-    <message>
         <source>Use pg_restore on the server</source>
         <translation>请在服务器上使用 pg_restore</translation>
     </message>
@@ -19987,10 +19983,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>请用同一台时间服务器校准所有工作站的时钟</translation>
     </message>
     <message>
-        <source>a record on a server is backed up by the server&apos;s own tools (pg_dump)</source>
-        <translation>服务器上的记录库由服务器自己的工具备份（pg_dump）</translation>
-    </message>
-    <message>
         <source>Make one: torsio db backup, or the page Maintenance</source>
         <translation>请备份：torsio db backup，或在“维护”页面</translation>
     </message>
@@ -21717,6 +21709,50 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>%1 can be used</source>
         <translation>%1 可用</translation>
+    </message>
+    <message>
+        <source>no backup by torsio db backup is known</source>
+        <translation>没有由 torsio db backup 生成的备份记录</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not say how many days, weeks and months of backups stay</source>
+        <translation>“%1”未说明保留多少天、多少周、多少个月的备份</translation>
+    </message>
+    <message>
+        <source>Write three numbers, the first at least 1: 7,5,12</source>
+        <translation>请写三个数字，第一个至少为 1：7,5,12</translation>
+    </message>
+    <message>
+        <source>there is no backup in this folder</source>
+        <translation>此文件夹中没有备份</translation>
+    </message>
+    <message>
+        <source>Make one with torsio db backup --into FOLDER</source>
+        <translation>请用 torsio db backup --into FOLDER 生成一个备份</translation>
+    </message>
+    <message>
+        <source>this computer has no %1</source>
+        <translation>本机没有 %1</translation>
+    </message>
+    <message>
+        <source>Install the package postgresql-client</source>
+        <translation>请安装软件包 postgresql-client</translation>
+    </message>
+    <message>
+        <source>the server&apos;s backup failed: %1</source>
+        <translation>服务器备份失败：%1</translation>
+    </message>
+    <message>
+        <source>Use the account that owns the tables, with its password in ~/.pgpass</source>
+        <translation>请使用拥有这些表的账户，并将其密码写入 ~/.pgpass</translation>
+    </message>
+    <message>
+        <source>the backup cannot be read: %1</source>
+        <translation>无法读取备份：%1</translation>
+    </message>
+    <message>
+        <source>Old backup removed</source>
+        <translation>已删除旧备份</translation>
     </message>
 </context>
 <context>

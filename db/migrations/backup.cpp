@@ -195,11 +195,15 @@ void backupSqlite(Connection& connection, const fs::path& target, Replace replac
   }
 }
 
+BackupContent contentOf(Connection& connection) {
+  return {.schemaVersion = checkSchema(connection, embeddedMigrations()).version,
+          .trials = rowsOf(connection, "trial"),
+          .marks = rowsOf(connection, "training_mark") + rowsOf(connection, "evaluation_mark")};
+}
+
 BackupContent checkBackup(const fs::path& backup) {
   Connection connection = openDatabase(backup.string(), OpenMode::kReadOnly);
-  BackupContent content;
-  content.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
-  if (content.schemaVersion == 0) {
+  if (checkSchema(connection, embeddedMigrations()).version == 0) {
     throw Error(ErrorCode::kFileUnreadable, Text::tr("contains no Torsio record"), backup.string(),
                 Text::tr("Choose another file"));
   }
@@ -208,9 +212,7 @@ BackupContent checkBackup(const fs::path& backup) {
     throw Error(ErrorCode::kVerifyFailed, Text::tr("backup is damaged: %1", findings.front()),
                 backup.string(), Text::tr("Use an older backup"));
   }
-  content.trials = rowsOf(connection, "trial");
-  content.marks = rowsOf(connection, "training_mark") + rowsOf(connection, "evaluation_mark");
-  return content;
+  return contentOf(connection);
 }
 
 fs::path restoreSqlite(const fs::path& backup, const fs::path& target,

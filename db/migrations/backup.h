@@ -30,6 +30,9 @@ struct BackupContent {
   std::int64_t marks = 0;
 };
 
+/// Returns the content of an open record.
+[[nodiscard]] BackupContent contentOf(Connection& connection);
+
 /// Reads and checks a backup without changing it. Throws Error (kFileMissing, kFileUnreadable, kNewerSchema,
 /// kVerifyFailed).
 [[nodiscard]] BackupContent checkBackup(const std::filesystem::path& backup);

@@ -11,7 +11,8 @@ install(FILES ${torsio_system}/torsio-mime.xml DESTINATION ${CMAKE_INSTALL_DATAD
 install(FILES ${PROJECT_SOURCE_DIR}/assets/icons/application.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps
   RENAME torsio.svg COMPONENT torsio)
 install(FILES ${torsio_system}/torsio-haptics.rules DESTINATION lib/udev/rules.d RENAME 60-torsio-haptics.rules COMPONENT torsio)
-install(FILES ${torsio_system}/torsio-serve.service DESTINATION lib/systemd/system COMPONENT torsio)
+install(FILES ${torsio_system}/torsio-serve.service ${torsio_system}/torsio-backup.service ${torsio_system}/torsio-backup.timer
+  ${torsio_system}/torsio-drill.service ${torsio_system}/torsio-drill.timer DESTINATION lib/systemd/system COMPONENT torsio)
 install(FILES ${torsio_system}/torsio-limits.conf DESTINATION /etc/security/limits.d RENAME torsio.conf COMPONENT torsio)
 install(FILES ${torsio_system}/torsio.conf DESTINATION /etc/torsio COMPONENT torsio)
 install(FILES ${torsio_system}/torsio-serve.default DESTINATION /etc/default RENAME torsio-serve COMPONENT torsio)
@@ -65,7 +66,7 @@ browser. The record is a SQLite file, or a PostgreSQL server for several
 stations.")
 set(CPACK_DEBIAN_TORSIO_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TORSIO_PACKAGE_DEPENDS "libqt6sql6-sqlite, libqt6sql6-psql, qml6-module-qtquick, qml6-module-qtqml, qml6-module-qtqml-workerscript, qml6-module-qtquick-window, qml6-module-quick3d, libgl1-mesa-dri, libglx-mesa0, fonts-noto-core, fonts-noto-cjk, fonts-dejavu-core, ca-certificates, adduser")
-set(CPACK_DEBIAN_TORSIO_PACKAGE_SUGGESTS "torsio-doc, postgresql")
+set(CPACK_DEBIAN_TORSIO_PACKAGE_SUGGESTS "torsio-doc, postgresql, postgresql-client")
 set(CPACK_DEBIAN_TORSIO_PACKAGE_CONTROL_EXTRA
   "${CMAKE_CURRENT_LIST_DIR}/postinst;${CMAKE_CURRENT_LIST_DIR}/prerm;${CMAKE_CURRENT_LIST_DIR}/postrm;${CMAKE_CURRENT_LIST_DIR}/conffiles")
 

@@ -19,7 +19,8 @@ const QString kChosen = QStringLiteral("station/database");
 
 /// The window's settings of this account, whatever the name of the application.
 QSettings windowSettings() {
-  return QSettings(QStringLiteral("torsio"), QStringLiteral("torsio"));  // NOLINT(modernize-return-braced-init-list)
+  return QSettings(QStringLiteral("torsio"),
+                   QStringLiteral("torsio"));  // NOLINT(modernize-return-braced-init-list)
 }
 
 std::filesystem::path usualFile() {
@@ -41,14 +42,13 @@ StationRecord stationRecord() {
 
 void requireRecordOfAll(const std::string& locator, const Text& place) {
   if (saysPassword(locator)) {
-    throw Error(ErrorCode::kUsage,
-                Text::tr("a password in an address is seen by every user of this machine"), place,
-                Text::tr("Leave it out, and name the file with it: passfile = /etc/torsio/pgpass"));
+    throw Error(ErrorCode::kUsage, Text::tr("a password in an address is seen by every user of this machine"),
+                place, Text::tr("Leave it out, and name the file with it: passfile = /etc/torsio/pgpass"));
   }
   const Locator where = parseLocator(locator);
   if (where.engine == Engine::kSqlite && !std::filesystem::path(where.file).is_absolute()) {
-    throw Error(ErrorCode::kBadData, Text::tr("\"%1\" depends on the folder in which Torsio starts", locator), place,
-                Text::tr("Write a path that begins with /"));
+    throw Error(ErrorCode::kBadData, Text::tr("\"%1\" depends on the folder in which Torsio starts", locator),
+                place, Text::tr("Write a path that begins with /"));
   }
 }
 

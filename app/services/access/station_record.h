@@ -25,8 +25,8 @@ struct StationRecord {
 /// Throws like requireRecordOfAll(), for what the configuration says.
 [[nodiscard]] StationRecord stationRecord();
 
-/// Throws Error that names `place` if a locator for all accounts of a computer, which can read it, holds a password,
-/// is a relative path, or is none.
+/// Throws Error that names `place` if a locator for all accounts of a computer, which can read it, holds a
+/// password, is a relative path, or is none.
 void requireRecordOfAll(const std::string& locator, const Text& place);
 
 /// Returns "set in FILE, line N", "chosen in the window" or "where nothing else is said".
@@ -36,8 +36,8 @@ void requireRecordOfAll(const std::string& locator, const Text& place);
 [[nodiscard]] std::string chosenRecord();
 void chooseRecord(const std::string& locator);
 
-/// Returns the folder for the data of this account, which may be missing. Needs a QCoreApplication; the names of
-/// application and organization determine the folder, so all programs of Torsio have the same.
+/// Returns the folder for the data of this account, which may be missing. Needs a QCoreApplication; the names
+/// of application and organization determine the folder, so all programs of Torsio have the same.
 [[nodiscard]] std::filesystem::path dataFolder();
 
 /// Returns torsio.sqlite in dataFolder(), which is created if missing. Throws Error{kFileUnwritable}.

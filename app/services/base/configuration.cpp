@@ -49,7 +49,8 @@ Text wantedInsteadOf(const std::string& value, ConfiguredKind kind) {
     case ConfiguredKind::kThemeName:
       return either("light", "dark");
     case ConfiguredKind::kPath:
-      return std::filesystem::path(value).is_absolute() ? Text() : Text(Text::tr("a path that begins with /"));
+      return std::filesystem::path(value).is_absolute() ? Text()
+                                                        : Text(Text::tr("a path that begins with /"));
     case ConfiguredKind::kWords:
       break;
   }
@@ -124,8 +125,8 @@ Configuration Configuration::read(const std::filesystem::path& file) {
 }
 
 const Configuration::Line* Configuration::find(const ConfiguredKey& key) const noexcept {
-  const auto found = std::find_if(lines_.begin(), lines_.end(),
-                                  [&key](const Line& line) { return line.key == key.name; });
+  const auto found =
+      std::find_if(lines_.begin(), lines_.end(), [&key](const Line& line) { return line.key == key.name; });
   return found == lines_.end() ? nullptr : &*found;
 }
 
@@ -150,7 +151,8 @@ std::filesystem::path configurationFile() {
 void loadConfiguration() {
   const std::filesystem::path file = configurationFile();
   ofThisComputer() = file.empty() ? Configuration() : Configuration::read(file);
-  if (const auto passwords = configured(kConfiguredPassfile); passwords && !qEnvironmentVariableIsSet(kPasswords)) {
+  if (const auto passwords = configured(kConfiguredPassfile);
+      passwords && !qEnvironmentVariableIsSet(kPasswords)) {
     qputenv(kPasswords, QByteArray::fromStdString(*passwords));
   }
 }

@@ -16,11 +16,11 @@ namespace torsio {
 
 /// What may stand behind a key.
 enum class ConfiguredKind : std::uint8_t {
-  kWords,     ///< anything but nothing
-  kYesNo,     ///< "yes" or "no"
+  kWords,         ///< anything but nothing
+  kYesNo,         ///< "yes" or "no"
   kLanguageCode,  ///< "en" or "zh_CN"
   kThemeName,     ///< "light" or "dark"
-  kPath,      ///< an absolute path
+  kPath,          ///< an absolute path
 };
 
 /// Whether people may choose otherwise at the station.
@@ -44,14 +44,17 @@ inline constexpr ConfiguredKey kConfiguredPassfile{"passfile", ConfiguredKind::k
                                                    Text::verbatim("File with the password for the server")};
 inline constexpr ConfiguredKey kConfiguredStation{"station", ConfiguredKind::kWords, ConfiguredForce::kRules,
                                                   Text::verbatim("Name of the station")};
-inline constexpr ConfiguredKey kConfiguredKiosk{"kiosk", ConfiguredKind::kYesNo, ConfiguredForce::kRules,
-                                                Text::verbatim("The window fills the screen of a training station")};
-inline constexpr ConfiguredKey kConfiguredDevice{"device", ConfiguredKind::kWords, ConfiguredForce::kInitial,
-                                                 Text::verbatim("Haptic device, as torsio device list names it")};
+inline constexpr ConfiguredKey kConfiguredKiosk{
+    "kiosk", ConfiguredKind::kYesNo, ConfiguredForce::kRules,
+    Text::verbatim("The window fills the screen of a training station")};
+inline constexpr ConfiguredKey kConfiguredDevice{
+    "device", ConfiguredKind::kWords, ConfiguredForce::kInitial,
+    Text::verbatim("Haptic device, as torsio device list names it")};
 inline constexpr ConfiguredKey kConfiguredLanguage{"language", ConfiguredKind::kLanguageCode,
-                                                   ConfiguredForce::kInitial, Text::verbatim("Language: en or zh_CN")};
-inline constexpr ConfiguredKey kConfiguredTheme{"theme", ConfiguredKind::kThemeName, ConfiguredForce::kInitial,
-                                                Text::verbatim("Colours: light or dark")};
+                                                   ConfiguredForce::kInitial,
+                                                   Text::verbatim("Language: en or zh_CN")};
+inline constexpr ConfiguredKey kConfiguredTheme{
+    "theme", ConfiguredKind::kThemeName, ConfiguredForce::kInitial, Text::verbatim("Colours: light or dark")};
 inline constexpr ConfiguredKey kConfiguredListen{
     "serve.listen", ConfiguredKind::kWords, ConfiguredForce::kRules,
     Text::verbatim("Review desk: address and port at which it listens")};
@@ -65,14 +68,22 @@ inline constexpr ConfiguredKey kConfiguredPublicUrl{
     "serve.public-url", ConfiguredKind::kWords, ConfiguredForce::kRules,
     Text::verbatim("Review desk: address for browsers through a proxy")};
 
+inline constexpr ConfiguredKey kConfiguredBackupFolder{"backup.folder", ConfiguredKind::kPath,
+                                                       ConfiguredForce::kRules,
+                                                       Text::verbatim("Backups: folder into which they go")};
+inline constexpr ConfiguredKey kConfiguredBackupKeep{
+    "backup.keep", ConfiguredKind::kWords, ConfiguredForce::kRules,
+    Text::verbatim("Backups: newest of so many days, weeks and months that stay; 7,5,12")};
+
 inline constexpr std::array kConfiguredKeys{
-    &kConfiguredRecord,   &kConfiguredPassfile, &kConfiguredStation,     &kConfiguredKiosk,
-    &kConfiguredDevice,   &kConfiguredLanguage, &kConfiguredTheme,       &kConfiguredListen,
-    &kConfiguredCertificate, &kConfiguredCertificateKey, &kConfiguredPublicUrl};
+    &kConfiguredRecord,      &kConfiguredPassfile,       &kConfiguredStation,   &kConfiguredKiosk,
+    &kConfiguredDevice,      &kConfiguredLanguage,       &kConfiguredTheme,     &kConfiguredListen,
+    &kConfiguredCertificate, &kConfiguredCertificateKey, &kConfiguredPublicUrl, &kConfiguredBackupFolder,
+    &kConfiguredBackupKeep};
 
 /// The configuration of a computer: one file that its window, commands and review desk read at their start.
-/// Lines are "key = value"; what follows # is a comment; a key stands once. Looks that a user chose are not in
-/// it but in the user's own settings. Immutable.
+/// Lines are "key = value"; what follows # is a comment; a key stands once. Looks that a user chose are not
+/// in it but in the user's own settings. Immutable.
 class Configuration {
  public:
   /// A computer without a configuration.

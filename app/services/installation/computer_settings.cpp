@@ -8,6 +8,7 @@
 #include "app/services/access/station_name.h"
 #include "app/services/access/station_record.h"
 #include "app/services/devices/device_choice.h"
+#include "app/services/maintenance/kept_backups.h"
 #include "db/connection/locator.h"
 #include "sim/core/error.h"
 
@@ -64,8 +65,8 @@ std::vector<ComputerSetting> computerSettings() {
   std::vector<ComputerSetting> all;
   for (const ConfiguredKey* key : kConfiguredKeys) {
     const auto value = configured(*key);
-    const bool chosen = key == &kConfiguredDevice && !rememberedDevice().driver.empty() &&
-                        rememberedDevice().driver != value;
+    const bool chosen =
+        key == &kConfiguredDevice && !rememberedDevice().driver.empty() && rememberedDevice().driver != value;
     all.push_back(value && !chosen
                       ? ComputerSetting{key, *value, Text::tr("set in %1", configuration().placeOf(*key))}
                       : unconfigured(*key));
@@ -76,6 +77,7 @@ std::vector<ComputerSetting> computerSettings() {
 void requireUsable(const Configuration& configuration) {
   check(configuration, kConfiguredRecord, [](const std::string& record) { requireRecordOfAll(record, ""); });
   check(configuration, kConfiguredDevice, [](const std::string& id) { (void)chosenDriver({.driver = id}); });
+  check(configuration, kConfiguredBackupKeep, [](const std::string& keep) { (void)keepRule(keep); });
   for (const ConfiguredKey* file :
        {&kConfiguredPassfile, &kConfiguredCertificate, &kConfiguredCertificateKey}) {
     check(configuration, *file, requireReadable);

@@ -16,12 +16,12 @@ struct ComputerSetting {
   Text origin{};        ///< who decided, and where that is written
 };
 
-/// Returns all keys of configuration() in their order, also those that it does not set. What the centre chose is
-/// in the record instead. Throws like stationRecord().
+/// Returns all keys of configuration() in their order, also those that it does not set. What the centre chose
+/// is in the record instead. Throws like stationRecord().
 [[nodiscard]] std::vector<ComputerSetting> computerSettings();
 
-/// Throws Error{kBadData} that names file and line where a value cannot be used: a record whose address is not
-/// one, a device that Torsio does not know, a file that cannot be read. Opens no record.
+/// Throws Error{kBadData} that names file and line where a value cannot be used: a record whose address is
+/// not one, a device that Torsio does not know, a file that cannot be read. Opens no record.
 void requireUsable(const Configuration& configuration);
 
 }  // namespace torsio

@@ -33,12 +33,6 @@ InstallationCheck trailClockCheck(Connection& connection, std::int64_t now_us) {
 
 InstallationCheck backupCheck(const std::string& locator, const std::vector<ListedCopy>& copies,
                               std::int64_t now_us) {
-  if (isOnServer(locator)) {
-    return {"backup",
-            CheckState::kSkipped,
-            Text::tr("a record on a server is backed up by the server's own tools (pg_dump)"),
-            {}};
-  }
   std::int64_t newest_us = 0;
   for (const ListedCopy& one : copies) {
     if (one.copy.kind == CopyKind::kBackup) {
@@ -46,6 +40,9 @@ InstallationCheck backupCheck(const std::string& locator, const std::vector<List
     }
   }
   const Text remedy = Text::tr("Make one: torsio db backup, or the page Maintenance");
+  if (newest_us == 0 && isOnServer(locator)) {  // its own tools may make them
+    return {"backup", CheckState::kWarning, Text::tr("no backup by torsio db backup is known"), remedy};
+  }
   if (newest_us == 0) {
     return {"backup", CheckState::kFailed, Text::tr("no backup is known"), remedy};
   }

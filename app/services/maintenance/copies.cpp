@@ -143,7 +143,9 @@ std::vector<RecordCopy> strays(Connection& connection, const std::string& locato
   std::erase_if(found, [&known](const RecordCopy& stray) {
     std::error_code ignored;
     return std::any_of(known.begin(), known.end(), [&](const RecordCopy& copy) {
-      return copy.station == stray.station &&
+      return (copy.station == stray.station ||
+              copy.station.empty()) &&  // a change of schema knows no station
+
              (copy.place == stray.place || fs::equivalent(copy.place, stray.place, ignored));
     });
   });

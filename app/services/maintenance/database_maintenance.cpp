@@ -13,6 +13,7 @@
 #include "app/services/access/moved_record.h"
 #include "app/services/base/build_info.h"
 #include "app/services/maintenance/copies.h"
+#include "app/services/maintenance/server_dump.h"
 #include "assessment/domain/people/audit_entry.h"
 #include "assessment/results/number_format.h"
 #include "db/connection/connection.h"
@@ -161,10 +162,6 @@ void sweepLeftovers(const std::string& locator) {
   }
 }
 
-void requireOwnBackups(const std::string& locator) {
-  requireSqlite(locator, Text::tr("Use pg_dump --format=custom --file=FILE on the server"));
-}
-
 void requireOwnRestore(const std::string& locator) {
   requireSqlite(locator, Text::tr("Use pg_restore on the server"));
 }
@@ -224,9 +221,6 @@ DatabaseCheck checkDatabase(const std::string& locator) {
 BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
                              const ProgressCallback& progress, Replace replace) {
   session.require(Operation::kDatabaseBackup);
-  if (session.connection().engine() != Engine::kSqlite) {
-    requireOwnBackups(session.key().locator);
-  }
   // Audited before copying, so that the backup contains the entry.
   requireReplaceable(target, replace);
   Transaction together(session.connection());
@@ -234,6 +228,11 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
   session.note(AuditAction::kDatabaseBackup, AuditObject::kDatabase, target.filename().string());
   together.commit();
   tellProgress(progress, Text::tr("Copying the record while others work"), 0.0);
+  if (session.connection().engine() != Engine::kSqlite) {
+    const BackupContent content = contentOf(session.connection());
+    dumpServer(session.key().locator, target);
+    return content;
+  }
   backupSqlite(session.connection(), target, replace);
   tellProgress(progress, Text::tr("Reading the backup from end to end"), 0.6);
   return checkBackup(target);

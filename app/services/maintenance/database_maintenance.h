@@ -37,8 +37,7 @@ struct BackupCheck {
   DatabaseCheck database{};
 };
 
-/// Throws Error (kUsage) for a PostgreSQL address, naming the server's own backup tools.
-void requireOwnBackups(const std::string& locator);
+/// Throws Error (kUsage) for a PostgreSQL address, naming the server's own tools.
 void requireOwnRestore(const std::string& locator);
 
 /// Test restore: reads the whole backup in a separate copy, including its audit trail; the file is not
@@ -56,8 +55,8 @@ void sweepLeftovers(const std::string& locator);
 
 /// Backs up the database into one file while others work; the file is checked before it gets its name, and
 /// contains the audit entry. Replaces an older backup of that name by default, because the dialog has asked.
-/// kDatabaseBackup. Throws Error: kUsage for PostgreSQL (use pg_dump), kFileUnwritable if `target` exists and
-/// may not be replaced.
+/// For a server as dumpServer(). kDatabaseBackup. Throws Error: kFileUnwritable if `target` exists and may
+/// not be replaced; like dumpServer().
 BackupContent backUpDatabase(SessionContext& session, const std::filesystem::path& target,
                              const ProgressCallback& progress = {}, Replace replace = Replace::kBackup);
 /// Checks the session's database. kDatabaseBackup; audited with the result.

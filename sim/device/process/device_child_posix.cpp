@@ -21,6 +21,7 @@
 
 #include "sim/core/deadline.h"
 #include "sim/core/error.h"
+#include "sim/core/helper_program.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration)
 
@@ -29,15 +30,6 @@ namespace torsio {
 namespace {
 
 using std::chrono::steady_clock;
-
-std::string deviceProgram() {
-  if (const char* const named = std::getenv("TORSIO_DEVICE_PROGRAM"); named != nullptr && *named != '\0') {
-    return named;
-  }
-  std::error_code failed;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
-  return (self.parent_path() / "torsio-device").string();
-}
 
 std::string outputFile() {
   const char* const named = std::getenv("TORSIO_DEVICE_OUTPUT");
@@ -114,7 +106,7 @@ DeviceChild::~DeviceChild() {
 }
 
 void DeviceChild::start(int memory, int parentEnd) {
-  const std::string program = deviceProgram();
+  const std::string program = helperProgram("TORSIO_DEVICE_PROGRAM", "torsio-device");
   const std::string output = outputFile();
   // Away from the numbers that the child wants them under, which dup2 would otherwise close.
   const OpenFile memoryCopy(fcntl(memory, F_DUPFD_CLOEXEC, 10));

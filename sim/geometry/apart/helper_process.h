@@ -56,9 +56,6 @@ struct HelperEnd {
   double peak_MB = 0.0;
 };
 
-/// Returns the path of a helper: what `variable` of the environment names, else `name` beside this program.
-[[nodiscard]] std::string helperProgram(const char* variable, const std::string& name);
-
 /// Runs a helper, whose first word is its path, to its end or to that of its time. It has no files but its
 /// answer, the pipe of news and the standard three, which lead nowhere. `news`, if any, is called with the
 /// bytes that it writes there, from this thread, and every few milliseconds with none; when it throws, the

@@ -4,9 +4,7 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <fcntl.h>
-#include <filesystem>
 #include <optional>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -153,15 +151,6 @@ std::span<const char> HelperAnswer::bytes() {
   place_ = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, number_, 0);
   return place_ == MAP_FAILED ? std::span<const char>{}
                               : std::span<const char>(static_cast<const char*>(place_), size_);
-}
-
-std::string helperProgram(const char* variable, const std::string& name) {
-  if (const char* const named = std::getenv(variable); named != nullptr && *named != '\0') {
-    return named;
-  }
-  std::error_code failed;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
-  return (self.parent_path() / name).string();
 }
 
 HelperEnd runHelper(const std::vector<std::string>& words, const HelperAnswer& answer,

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "sim/core/error.h"
+#include "sim/core/helper_program.h"
 #include "sim/geometry/apart/mesh_mail.h"
 #include "sim/geometry/apart/mesh_process.h"
 

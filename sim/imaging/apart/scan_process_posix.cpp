@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/core/error.h"
+#include "sim/core/helper_program.h"
 #include "sim/imaging/apart/scan_mail.h"
 #include "sim/imaging/apart/scan_process.h"
 

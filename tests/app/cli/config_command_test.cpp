@@ -21,9 +21,9 @@ class ConfigCommand : public ::testing::Test {
   void write(const std::string& text) const { writeFileAtomically(file(), text); }
   [[nodiscard]] fs::path file() const { return folder_ / "torsio.conf"; }
   [[nodiscard]] ProgramRun run(const std::string& arguments) const {
-    return runTorsio(arguments, folder_,
-                     "-u XDG_DATA_HOME -u XDG_CONFIG_HOME HOME=" + folder_.string() +
-                         " TORSIO_CONFIG=" + file().string());
+    return runTorsio(
+        arguments, folder_,
+        "-u XDG_DATA_HOME -u XDG_CONFIG_HOME HOME=" + folder_.string() + " TORSIO_CONFIG=" + file().string());
   }
   const fs::path folder_ = emptyFolder("config");
 };
@@ -65,7 +65,8 @@ TEST_F(ConfigCommand, AFaultStopsWhatWouldUseItAndNothingElse) {
   }
   EXPECT_EQ(run("--version").code, 0);
   EXPECT_EQ(run("help doctor").code, 0);
-  EXPECT_NE(run("doctor").out.find("failed  configuration: " + file().string() + ", line 1"), std::string::npos);
+  EXPECT_NE(run("doctor").out.find("failed  configuration: " + file().string() + ", line 1"),
+            std::string::npos);
 }
 
 TEST_F(ConfigCommand, ShowsEachKeyItsValueAndWhereItComesFrom) {

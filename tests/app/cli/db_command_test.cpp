@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // torsio db and torsio audit through the real program, on a database with rows in every table.
+#include <chrono>
 #include <cstdlib>
+#include <set>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -110,11 +113,80 @@ TEST_F(DbCommandTest, RejectsADamagedAndAMissingBackup) {
   EXPECT_EQ(run("db").code, static_cast<int>(ErrorCode::kUsage));
 }
 
-TEST_F(DbCommandTest, RefersToServerToolsForPostgresql) {
+TEST_F(DbCommandTest, BacksAServerUpIntoAFileThatRestoresTheWholeRecord) {
+  if (parseLocator(locator()).engine != Engine::kPostgresql) {
+    GTEST_SKIP() << "needs a server";
+  }
+  const std::string address = withoutPassword(locator());
+  const std::string server = "'" + address + "'";
+  ASSERT_EQ(run("db copy --as-system " + file("record.sqlite") + " " + server).code, 0);
+
+  const ProgramRun backup = run("db backup --as-system " + file("backup.dump") + " --database " + server);
+
+  EXPECT_EQ(backup.code, 0) << backup.err;
+  EXPECT_NE(backup.out.find("1 run, 2 marks"), std::string::npos) << backup.out;
+  EXPECT_EQ(run("db verify " + file("backup.dump")).code, 0);
+  const std::string whole = readFile(file("backup.dump"));
+  writeFileAtomically(file("half.dump"), whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(run("db verify " + file("half.dump")).code, kVerifyFailed);
+
+  Locator target = parseLocator(address);
+  const std::string schema = target.schema;
+  target.schema.clear();
+  const std::string psql = "'" + addressOf(target) + "'";
+  ASSERT_EQ(std::system(
+                ("psql -q -c 'DROP SCHEMA \"" + schema + "\" CASCADE' " + psql + " >/dev/null 2>&1").c_str()),
+            0);
+  ASSERT_NE(run("db check --database " + server).code, 0) << "there is nothing now";
+  ASSERT_EQ(std::system(("pg_restore --dbname=" + psql + " " + file("backup.dump")).c_str()), 0);
+  const ProgramRun check = run("db check --database " + server);
+  EXPECT_EQ(check.code, 0) << check.err << check.out;
+}
+
+TEST_F(DbCommandTest, AFailedBackupOfAServerLeavesNothingBehind) {
   const ProgramRun backup =
-      run("db backup --as-system x.dump --database postgresql://torsio@127.0.0.1:1/none");
-  EXPECT_EQ(backup.code, static_cast<int>(ErrorCode::kUsage));
-  EXPECT_NE(backup.err.find("pg_dump"), std::string::npos) << backup.err;
+      run("db backup --as-system " + file("x.dump") + " --database postgresql://torsio@127.0.0.1:1/none");
+  EXPECT_EQ(backup.code, static_cast<int>(ErrorCode::kDatabase)) << backup.err;
+  EXPECT_FALSE(fs::exists(file("x.dump")));
+}
+
+TEST_F(DbCommandTest, KeepsBackupsByTheRuleAndRemovesOnlyItsOwn) {
+  const std::string words =
+      "db backup --as-system --keep 1,0,0 --into " + file("backups") + " --database " + file("record.sqlite");
+  const auto kept = [this] {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(file("backups"))) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  };
+  ASSERT_EQ(run(words).code, 0);
+  const std::set<std::string> first = kept();
+  ASSERT_EQ(first.size(), 1U);
+  const std::string foreign = "torsio-2020-01-01T000000Z.sqlite";
+  fs::copy_file(file("record.sqlite"), fs::path(file("backups")) / foreign);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // names tell seconds
+
+  const ProgramRun second = run(words);
+
+  EXPECT_EQ(second.code, 0) << second.err;
+  EXPECT_NE(second.out.find("removed, as --keep says: "), std::string::npos) << second.out;
+  EXPECT_NE(second.out.find(*first.begin()), std::string::npos) << second.out;
+  EXPECT_EQ(kept().size(), 2U);
+  EXPECT_TRUE(kept().contains(foreign)) << "not a backup that the record knows";
+  EXPECT_FALSE(kept().contains(*first.begin()));
+  const ProgramRun verified = run("db verify " + file("backups"));
+  EXPECT_EQ(verified.code, 0) << verified.err;
+  EXPECT_EQ(verified.out.find(foreign), std::string::npos) << "the newest";
+  EXPECT_EQ(run("db copies --database " + file("record.sqlite")).out.find(*first.begin()), std::string::npos);
+  EXPECT_EQ(run("audit verify --database " + file("record.sqlite")).code, 0);
+  EXPECT_EQ(
+      run("db backup --as-system --keep 0,1 --into " + file("b") + " --database " + file("record.sqlite"))
+          .code,
+      static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_EQ(run("db backup --as-system --database " + file("record.sqlite")).code,
+            static_cast<int>(ErrorCode::kUsage))
+      << "where to?";
 }
 
 TEST_F(DbCommandTest, CopiesACentreThereAndBackAndRefusesAUsedTarget) {

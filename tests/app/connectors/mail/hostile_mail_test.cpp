@@ -130,7 +130,8 @@ std::vector<Hostile> hostileServers() {
       {"a refusal that commands the terminal",
        [](auto& guest) {
          welcome(guest);
-         answerAll(guest, std::string("550 \x1b[2J\x07 \xff\xfe \u202egnp.exe\u2066 \u200b a") + '\0' + "b\r\n");
+         answerAll(guest,
+                   std::string("550 \x1b[2J\x07 \xff\xfe \u202egnp.exe\u2066 \u200b a") + '\0' + "b\r\n");
        },
        "550 \uFFFD[2J\uFFFD \uFFFD\uFFFD \uFFFDgnp.exe"},
       {"no encryption",
@@ -178,11 +179,11 @@ TEST(HostileMail, WhateverTheServerAnswersIsToldInTimeWithLittleMemory) {
     const Cost cost;
     try {
       for (const Text& refusal : sendMail({.host = "127.0.0.1",
-                                           .port = server.port(),
-                                           .encryption = one.encryption,
-                                           .user = one.encryption == MailEncryption::kNone ? "" : "office",
-                                           .password = "a good one",
-                                           .patience_s = kPatience_s},
+                                 .port = server.port(),
+                                 .encryption = one.encryption,
+                                 .user = one.encryption == MailEncryption::kNone ? "" : "office",
+                                 .password = "a good one",
+                                 .patience_s = kPatience_s},
                                           {&message, 1}, kAny_us, {}, [&](std::size_t) { taken = true; })) {
         told += refusal.str();
       }

@@ -31,7 +31,8 @@ struct Hostile {
   const char* said;
 };
 
-/// Half a megabyte that begins like a gzip stream (RFC 1952): it must come as it is, whatever it would grow to.
+/// Half a megabyte that begins like a gzip stream (RFC 1952): it must come as it is, whatever it would grow
+/// to.
 std::string packed() {
   return std::string("\x1f\x8b\x08\x00\x00\x00\x00\x00\x00\x03", 10) + std::string(kMegabyte / 2, '\x55');
 }
@@ -47,8 +48,8 @@ std::vector<Hostile> hostileStores() {
     return "HTTP/1.1 " + head + "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
   };
   return {
-      {"one header without end", [=](auto& guest) { forever(guest, ok + "X: ", std::string(kMegabyte, 'x')); },
-       0, "too long"},
+      {"one header without end",
+       [=](auto& guest) { forever(guest, ok + "X: ", std::string(kMegabyte, 'x')); }, 0, "too long"},
       {"headers without end",
        [=](auto& guest) {
          std::string many;
@@ -60,8 +61,8 @@ std::vector<Hostile> hostileStores() {
        0, ""},
       {"answers of status 100 without end",
        [=](auto& guest) { forever(guest, "", "HTTP/1.1 100 Continue\r\n\r\n"); }, 0, ""},
-      {"a body without end",
-       [=](auto& guest) { forever(guest, ok + "\r\n", std::string(kMegabyte, '[')); }, 0, "too long"},
+      {"a body without end", [=](auto& guest) { forever(guest, ok + "\r\n", std::string(kMegabyte, '[')); },
+       0, "too long"},
       {"chunks without end",
        [=](auto& guest) {
          forever(guest, ok + "Transfer-Encoding: chunked\r\n\r\n",
@@ -69,20 +70,24 @@ std::vector<Hostile> hostileStores() {
        },
        0, "too long"},
       {"a body of a petabyte, promised",
-       [=](auto& guest) { guest.say(ok + "Content-Length: 1000000000000000\r\n\r\n[") && !guest.hear("\n").empty(); },
+       [=](auto& guest) {
+         guest.say(ok + "Content-Length: 1000000000000000\r\n\r\n[") && !guest.hear("\n").empty();
+       },
        0, ""},
       {"a body of less than nothing", [=](auto& guest) { guest.say(ok + "Content-Length: -1\r\n\r\n[]"); }, 0,
        ""},
       {"a byte every tenth of a second",
-       [=](auto& guest) { guest.trickle(whole("200 OK", std::string(600, ' ')), std::chrono::milliseconds(100)); },
+       [=](auto& guest) {
+         guest.trickle(whole("200 OK", std::string(600, ' ')), std::chrono::milliseconds(100));
+       },
        0, ""},
       {"silence", [](auto& guest) { (void)guest.hear("never"); }, 0, ""},
       {"a redirect to itself",
        [=](auto& guest) { guest.say(whole("302 Found\r\nLocation: /xapi/statements", "")); }, 302, ""},
       {"a redirect to a file",
        [=](auto& guest) { guest.say(whole("307 Elsewhere\r\nLocation: file:///etc/passwd", "")); }, 307, ""},
-      {"a gzip bomb",
-       [=](auto& guest) { guest.say(whole("200 OK\r\nContent-Encoding: gzip", packed())); }, 200, ""},
+      {"a gzip bomb", [=](auto& guest) { guest.say(whole("200 OK\r\nContent-Encoding: gzip", packed())); },
+       200, ""},
       {"an end in the middle", [=](auto& guest) { guest.say(ok + "Content-Length: 90\r\n\r\n[\"1"); }, 0, ""},
       {"an end in the header", [=](auto& guest) { guest.say(ok + "Content-Le"); }, 200, ""},
       {"an end at once", [](auto& /*guest*/) {}, 0, ""},
@@ -108,8 +113,8 @@ TEST(HostileStore, WhateverItAnswersIsGivenUpInTimeWithLittleMemory) {
 
     const auto answer = client.post(R"({"id": "1"})");
 
-    std::cout << "  " << one.name << ": " << cost << ", " << server.sent_bytes() << " bytes sent: "
-              << answer.status << " " << (answer.status == 0 ? answer.body : "") << "\n";
+    std::cout << "  " << one.name << ": " << cost << ", " << server.sent_bytes()
+              << " bytes sent: " << answer.status << " " << (answer.status == 0 ? answer.body : "") << "\n";
     EXPECT_EQ(answer.status, one.status) << answer.body.substr(0, 200);
     EXPECT_LE(answer.body.size(), kMegabyte);
     if (std::string(one.name) == "a gzip bomb") {

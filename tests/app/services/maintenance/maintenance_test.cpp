@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <fstream>
 #include <functional>
+#include <random>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +16,7 @@
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/maintenance/interrupted_move.h"
+#include "app/services/maintenance/kept_backups.h"
 #include "app/services/maintenance/maintenance_desk.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/maintenance/record_restore.h"
@@ -224,6 +229,58 @@ TEST_F(MaintenanceTest, ABackupContainsItsAuditEntryAndPassesItsTestRestore) {
   Connection copy = openDatabase(in("backup.sqlite").string(), OpenMode::kReadOnly);
   EXPECT_EQ(AuditRepository(copy).entries().at(0).action, "database.backup");
   EXPECT_TRUE(checkDatabase(office).sound());
+}
+
+TEST(KeptBackups, TheNewestOfEachDayWeekAndMonthStay) {
+  using namespace std::chrono;
+  const sys_days last = sys_days(2026y / November / 30);  // a Monday
+  std::vector<std::int64_t> made_us;
+  std::vector<sys_days> days;
+  for (int back = 0; back < 500; ++back) {
+    for (const auto time : {hours(1), hours(13)}) {
+      days.push_back(last - std::chrono::days(back));
+      made_us.push_back(duration_cast<microseconds>((days.back() + time).time_since_epoch()).count());
+    }
+  }
+  const std::vector<std::size_t> gone = outdated({.days = 7, .weeks = 5, .months = 12}, made_us);
+  std::set<sys_days> kept;
+  for (std::size_t i = 0; i < made_us.size(); ++i) {
+    if (std::find(gone.begin(), gone.end(), i) == gone.end()) {
+      EXPECT_EQ(i % 2, 1U) << "of a day, the later one";
+      kept.insert(days[i]);
+    }
+  }
+  std::set<sys_days> wanted;
+  for (int back = 0; back < 7; ++back) {
+    wanted.insert(last - std::chrono::days(back));
+  }
+  for (const sys_days sunday :
+       {2026y / November / 29, 2026y / November / 22, 2026y / November / 15, 2026y / November / 8}) {
+    wanted.insert(sunday);  // and this Monday, the newest of its week
+  }
+  for (int back = 1; back < 12; ++back) {
+    const year_month month = 2026y / November - months(back);
+    wanted.insert(sys_days(month / std::chrono::last));
+  }
+  EXPECT_EQ(kept, wanted);
+}
+
+TEST(KeptBackups, TheNewestStaysWhateverTheRuleAndTheOrder) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::int64_t> made_us;
+    for (int i = 0; i < 1 + round % 40; ++i) {
+      made_us.push_back(static_cast<std::int64_t>(random()) * 30'000);
+    }
+    const KeepRule rule{.days = 1 + static_cast<int>(random() % 3),
+                        .weeks = static_cast<int>(random() % 3),
+                        .months = static_cast<int>(random() % 3)};
+    const std::vector<std::size_t> gone = outdated(rule, made_us);
+    const auto newest =
+        static_cast<std::size_t>(std::max_element(made_us.begin(), made_us.end()) - made_us.begin());
+    EXPECT_EQ(std::count(gone.begin(), gone.end(), newest), 0);
+    EXPECT_LE(made_us.size() - gone.size(), static_cast<std::size_t>(rule.days + rule.weeks + rule.months));
+  }
 }
 
 TEST_F(MaintenanceTest, ARestoreStatesWhatWillBeLostBeforeAnythingIsDone) {
