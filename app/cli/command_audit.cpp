@@ -144,8 +144,9 @@ void printHead(const AuditArguments& arguments) {
 }
 
 void setAuthority(const AuditArguments& arguments) {
-  if (arguments.maintenance.login.empty()) {
-    if (arguments.off || !arguments.address.empty()) {
+  const bool changes = arguments.off || !arguments.address.empty();
+  if (!changes || arguments.maintenance.login.empty()) {
+    if (changes) {
       refuseUsage("only somebody who may change settings names an authority", "--login", "Add --login");
     }
     const std::optional<StampAuthority> known = stampAuthority(arguments.database.locator());

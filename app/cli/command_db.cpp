@@ -205,7 +205,7 @@ void copy(const DbArguments& arguments) {
     report = copyDatabase(
         desk.session(), arguments.target, [&line](const Progress& progress) { line.show(progress); },
         CopyUse::kMove);
-    noteMoved(desk.session(), parseLocator(arguments.target).shown());
+    noteMoved(desk.session());
   }
   for (const TableDigest& table : report.tables) {
     if (table.rows > 0) {

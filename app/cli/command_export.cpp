@@ -65,8 +65,14 @@ void print(const ExchangeFiles& done, const std::vector<Text>& sentences, bool j
     for (const Text& sentence : sentences) {
       what["pseudonymised"].push_back(sentence.str());
     }
+    for (const Text& note : done.notes) {
+      what["notes"].push_back(note.str());
+    }
     printJson(what);
     return;
+  }
+  for (const Text& note : done.notes) {
+    say(note);
   }
   for (const std::filesystem::path& file : done.files) {
     std::cout << file.string() << "\n";

@@ -58,6 +58,7 @@ struct ServeArguments {
   std::int64_t endsWith = 0;
   std::int64_t waitForDatabase_s = 300;
   bool quiet = false;
+  bool metrics = false;
 };
 
 /// Names and marks are transmitted: beyond this machine only encrypted, by this server or a proxy in front of
@@ -257,6 +258,7 @@ void serve(const ServeArguments& arguments) {
                      .hosts = namesOf(arguments, tls.certificate),
                      .accessLog = arguments.quiet ? web::LogLine() : writeLog,
                      .log = writeLog,
+                     .openMetrics = arguments.metrics,
                      .strictTransport = !arguments.certificate.empty() || !arguments.publicUrl.empty()});
   web::HttpLimits limits;
   if (!arguments.publicUrl.empty()) {
@@ -303,6 +305,10 @@ void addServe(CLI::App& program) {
   addDefaulted(*command, "--wait-for-database", arguments->waitForDatabase_s,
                "Seconds to wait at start for a database server that cannot be reached",
                CLI::NonNegativeNumber);
+  arguments->metrics = configured(kConfiguredMetrics) == "yes";
+  command->add_flag("--metrics", arguments->metrics,
+                    "Everybody who reaches the desk may read /metrics, not only this computer; default: "
+                    "serve.metrics of torsio.conf");
   command->add_flag("--quiet", arguments->quiet, "Switches the access log off");
   command->callback([arguments] { serve(*arguments); });
 }

@@ -101,6 +101,11 @@ std::size_t DeskWorkers::waiting(int rank) {
                                                 [rank](const Waiting& one) { return one.rank == rank; }));
 }
 
+std::size_t DeskWorkers::waiting() {
+  const std::lock_guard lock(mutex_);
+  return waiting_.size();
+}
+
 bool DeskWorkers::isIdle() {
   const std::lock_guard lock(mutex_);
   return waiting_.empty() && busy_ == 0;

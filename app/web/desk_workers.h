@@ -43,6 +43,8 @@ class DeskWorkers {
   [[nodiscard]] bool take(Work work, int rank = 0, std::function<void()> givenUp = {});
   /// Returns how many works of this rank are queued.
   [[nodiscard]] std::size_t waiting(int rank);
+  /// Of all ranks.
+  [[nodiscard]] std::size_t waiting();
   /// True if nothing is running or queued.
   [[nodiscard]] bool isIdle();
 

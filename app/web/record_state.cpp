@@ -53,6 +53,11 @@ void RecordState::reached(Time now) {
   }
 }
 
+bool RecordState::isAway() {
+  const std::lock_guard lock(mutex_);
+  return away_;
+}
+
 void RecordState::logCause(const std::string& cause, Time now) {
   const std::lock_guard lock(mutex_);
   logOnce(cause, now);

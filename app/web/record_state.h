@@ -24,6 +24,8 @@ class RecordState {
   [[nodiscard]] bool mayTry(Time now);
   void failed(const std::string& cause, Time now);
   void reached(Time now);
+  /// Returns whether the record could not be reached when it was last tried.
+  [[nodiscard]] bool isAway();
   /// Logs the cause of a failed request, once a minute for the same cause.
   void logCause(const std::string& cause, Time now);
 

@@ -86,6 +86,8 @@ struct Route {
   bool waits = false;
   Hashing hashing = Hashing::kNever;
   bool isOfHealth = false;  ///< answers whatever name the desk is called by: it tells nothing
+  /// Of kAlways: answers at once, without the record.
+  HttpResponse (*atOnce)(WebDesk& desk, const HttpRequest& request) = nullptr;
 };
 /// HTTP: no content.
 inline constexpr int kNothingNew = 204;

@@ -189,11 +189,27 @@ HttpResponse answerTexts(Call& call) {
 }  // namespace
 
 std::vector<Route> healthRoutes() {
-  const auto good = [](Call& /*call*/) { return jsonAnswer({{"status", "ok"}}); };
-  const auto route = [&](const char* path, RouteAccess access) {
-    return Route{.method = "GET", .path = path, .access = access, .answer = good, .isOfHealth = true};
-  };
-  return {route("/healthz", RouteAccess::kAlways), route("/readyz", RouteAccess::kOpen)};
+  return {{.method = "GET",
+           .path = "/healthz",
+           .access = RouteAccess::kAlways,
+           .isOfHealth = true,
+           .atOnce =
+               [](WebDesk&, const HttpRequest&) {
+                 return jsonAnswer({{"status", "ok"}});
+               }},
+          {.method = "GET",
+           .path = "/readyz",
+           .access = RouteAccess::kOpen,
+           .answer =
+               [](Call&) {
+                 return jsonAnswer({{"status", "ok"}});
+               },
+           .isOfHealth = true},
+          {.method = "GET",
+           .path = "/metrics",
+           .access = RouteAccess::kAlways,
+           .isOfHealth = true,
+           .atOnce = [](WebDesk& desk, const HttpRequest& request) { return desk.metrics(request); }}};
 }
 
 std::vector<Route> signInRoutes() {

@@ -21,9 +21,9 @@ bool WaitingPages::hold(std::uint64_t seen, SteadyTime until, Again again) {
   return true;
 }
 
-bool WaitingPages::empty() {
+std::size_t WaitingPages::size() {
   const std::lock_guard lock(mutex_);
-  return held_.empty();
+  return held_.size();
 }
 
 void WaitingPages::tell() {

@@ -21,7 +21,8 @@ class WaitingPages {
   /// Holds a request until news later than `seen`, or until `until`. False: there is some already, or end()
   /// was called.
   [[nodiscard]] bool hold(std::uint64_t seen, SteadyTime until, Again again);
-  [[nodiscard]] bool empty();
+  [[nodiscard]] bool empty() { return size() == 0; }
+  [[nodiscard]] std::size_t size();
   /// Runs all requests again.
   void tell();
   /// Runs those whose time is over.

@@ -262,6 +262,18 @@ bool WebDesk::isAlive() {
   return Clock::now().time_since_epoch() - Clock::duration(lastBeat_) < kLongestBeat;
 }
 
+HttpResponse WebDesk::metrics(const HttpRequest& request) {
+  if (!settings_.openMetrics && !HttpAddress{clientOf(request), 0}.isLoopback()) {
+    return refused(404, wordingFor(request));
+  }
+  const DeskGauges now{.sessions = sessions_.list(deskNow()).size(),
+                       .waitingPages = waiting_.size(),
+                       .queued = workers_.waiting() + hashing_.waiting() + heavy_.waiting(),
+                       .passwords = hashing_.waiting(),
+                       .recordAnswers = !record_.isAway()};
+  return {.type = "application/openmetrics-text; version=1.0.0; charset=utf-8", .body = metrics_.text(now)};
+}
+
 const Wording& WebDesk::wordingFor(const HttpRequest& request) const {
   const auto asked = languages_.find(request.header("x-torsio-language"));
   if (asked != languages_.end()) {
@@ -328,8 +340,9 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
                                                      : match.route->method + " " + match.route->path](
                           HttpResponse response, const char* page = nullptr) {
     addSecurityHeaders(response, settings_.strictTransport);
+    const auto took = std::chrono::steady_clock::now() - begun;
+    metrics_.answered(page == nullptr ? what : page, response.status, took);
     if (settings_.accessLog) {
-      const auto took = std::chrono::steady_clock::now() - begun;
       settings_.accessLog(
           (page == nullptr ? what : page) + (" " + std::to_string(response.status) + " ") +
           std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(took).count()) + " ms");
@@ -353,7 +366,7 @@ void WebDesk::handle(HttpRequest request, HttpServer::Reply reply) {
   }
   const Route& route = *match.route;
   if (route.access == RouteAccess::kAlways) {
-    return finish(jsonAnswer({{"status", "ok"}}));
+    return finish(route.atOnce(*this, request));
   }
   queue(std::make_shared<Job>(Job{.request = std::move(request),
                                   .match = std::move(match),

@@ -16,6 +16,7 @@
 
 #include "app/outputs/wording/wording.h"
 #include "app/web/case_picture.h"
+#include "app/web/desk_metrics.h"
 #include "app/web/desk_workers.h"
 #include "app/web/http_server.h"
 #include "app/web/late_answers.h"
@@ -46,6 +47,8 @@ struct DeskSettings {
   /// Receives a line when the record is lost or back, and one for each cause of an answer above 499, without
   /// names or values.
   LogLine log{};
+  /// Everybody who reaches the desk may read /metrics; else only this machine.
+  bool openMetrics = false;
   /// Browsers are told to use only https for a year: for a certificate that they trust.
   bool strictTransport = false;
 };
@@ -76,6 +79,8 @@ class WebDesk {
   [[nodiscard]] std::string clientOf(const HttpRequest& request) const;
   /// Returns whether the threads of the desk still take work; call it every second or so, for a watchdog.
   [[nodiscard]] bool isAlive();
+  /// Answers a monitoring system (DeskMetrics), or that there is no such page.
+  [[nodiscard]] HttpResponse metrics(const HttpRequest& request);
   /// Makes the picture of a case likely to be opened next, if the picture thread is idle.
   void prepare(const Actor& actor, const AssignmentId& assignmentId);
   [[nodiscard]] const PageFiles& pages() const noexcept { return pages_; }
@@ -125,6 +130,7 @@ class WebDesk {
   std::map<std::string, Wording> languages_;
   std::atomic<std::chrono::steady_clock::rep> lastBeat_;
   RecordState record_;
+  DeskMetrics metrics_;
   WaitingPages waiting_;
   LateAnswers late_;
   std::mutex lookoutMutex_;

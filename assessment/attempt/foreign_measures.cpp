@@ -143,7 +143,7 @@ Outcome<TrialMetrics> measureForeign(const TrialHeader& header, std::span<const 
   }
   if (static_cast<double>(seen_us) < kLeastSeen * static_cast<double>(whole_us)) {
     return Result::undefined(Text::tr("the instrument was seen for %1 % of the time only",
-                                      std::to_string(100 * seen_us / whole_us)));
+                                      std::to_string((100 * seen_us + whole_us / 2) / whole_us)));
   }
   metrics->set(Quantity::kTime, static_cast<double>(whole_us) / kMicrosecondsPerSecond);
   metrics->set(Quantity::kTipPath, path_m);

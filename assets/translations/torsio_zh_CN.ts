@@ -21754,6 +21754,26 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <source>Old backup removed</source>
         <translation>已删除旧备份</translation>
     </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 等另外 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 {trainee with a score is|trainees with a score are} not in the file from ILIAS: %2</source>
+        <translation>有 %1 名有分数的学员不在 ILIAS 文件中：%2</translation>
+    </message>
+    <message>
+        <source>%1 {login|logins} of the file {belongs|belong} to no trainee: %2</source>
+        <translation>文件中有 %1 个登录名不属于任何学员：%2</translation>
+    </message>
+    <message>
+        <source>two people are needed, and %1 is one</source>
+        <translation>需要两个人，而 %1 只是一个人</translation>
+    </message>
+    <message>
+        <source>Name another administrator</source>
+        <translation>请指定另一位管理员</translation>
+    </message>
 </context>
 <context>
     <name>TwistCoach</name>
@@ -27687,6 +27707,22 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>Check this c&amp;omputer</source>
         <translation>检查本计算机(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Take the move back</source>
+        <translation>撤回迁移</translation>
+    </message>
+    <message>
+        <source>Why does this record become the living one again? What was added at the other place since then stays there.</source>
+        <translation>为什么让此记录重新成为现用记录？此后在另一处新增的内容仍留在那里。</translation>
+    </message>
+    <message>
+        <source>This record is the living one again</source>
+        <translation>此记录重新成为现用记录</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke the move back…</source>
+        <translation>撤回迁移(&amp;K)…</translation>
     </message>
 </context>
 <context>

@@ -120,11 +120,8 @@ void AwayBanner::reset() {
 void AwayBanner::follow(const StationWriter& line, bool running) {
   const bool answers = line.answers();
   if (answers) {
-    if (const Text notice = line.notice(); notice.empty()) {
-      hide();
-    } else {
-      showLine(toQString(notice));
-    }
+    hide();
+    Q_EMIT moved(line.notice());
   } else {
     QString said = running
                        ? tr("The database does not answer. Your run continues; it is kept on this computer "

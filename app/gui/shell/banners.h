@@ -9,6 +9,7 @@
 
 #include "app/services/access/boot_clock.h"
 #include "app/services/access/idle_guard.h"
+#include "sim/core/text.h"
 
 namespace torsio {
 class StationWriter;
@@ -63,8 +64,8 @@ class IdleWarning : public FloatingLine {
   IdleGuard guard_;
 };
 
-/// Shows a database outage and its consequences for the present work, or that the record has moved; requests
-/// the deferred tasks when the database answers again. GUI thread.
+/// Shows a database outage and its consequences for the present work; tells whether the record has moved;
+/// requests the deferred tasks when the database answers again. GUI thread.
 class AwayBanner : public FloatingLine {
   Q_OBJECT
 
@@ -83,6 +84,8 @@ class AwayBanner : public FloatingLine {
   /// The database has permanently rejected this number of the station's entries.
   void refused(int entries);
   void settleWanted();
+  /// At each check: where the record has moved; empty: it is the living one.
+  void moved(const Text& notice);
 
  private:
   std::function<bool()> reconnect_;

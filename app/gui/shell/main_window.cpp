@@ -51,6 +51,7 @@ MainWindow::MainWindow(const ShellSetup& setup)
       record_(setup_),
       mayClose_(!setup.kiosk),
       away_(new AwayBanner([this] { return reconnect(); }, this)),
+      moved_(new QLabel(this)),
       stack_(new QStackedWidget(this)) {
   pressButtonsByEnter(*this);
   // After it, so that the key that presses a button counts as activity: later filters are called first.
@@ -70,6 +71,14 @@ MainWindow::MainWindow(const ShellSetup& setup)
       lock();
     }
   });
+  moved_->setObjectName(QStringLiteral("movedRecord"));
+  moved_->setWordWrap(true);
+  moved_->setTextFormat(Qt::PlainText);
+  moved_->hide();
+  connect(away_, &AwayBanner::moved, this, [this](const Text& notice) {
+    moved_->setText(toQString(notice));
+    moved_->setVisible(!notice.empty());
+  });
   connect(away_, &AwayBanner::refused, this, [this](int entries) {
     if (desk_ != nullptr) {
       desk_->context().notify(
@@ -80,7 +89,7 @@ MainWindow::MainWindow(const ShellSetup& setup)
   SceneView::prepareWindow(*this);
   appearance_.apply({});
   createPanels();
-  for (QWidget* part : std::initializer_list<QWidget*>{&simulated_->bar(), stack_}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{&simulated_->bar(), moved_, stack_}) {
     column->addWidget(part);
   }
   createKeys();

@@ -112,6 +112,7 @@ class MainWindow : public QWidget {
   bool cardsOpen_ = false;  ///< the kiosk accepts cards (centre setting at opening)
   IdleWarning* idle_ = nullptr;
   AwayBanner* away_;
+  QLabel* moved_;  ///< where the record went: a line of its own, because it stays
   QStackedWidget* stack_;
   TroublePanel* trouble_ = nullptr;
   Founding* founding_ = nullptr;

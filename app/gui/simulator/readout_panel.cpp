@@ -161,6 +161,11 @@ void ReadoutPanel::showTiming(const LiveState& state, double framesPerSecond) {
   setIfNew(frames_, framesPerSecond > 0.0 ? tr("%1 /s").arg(locale.toString(framesPerSecond, 'f', 0)) : none);
 }
 
+bool ReadoutPanel::pressesTooDeep(const LiveState& state) {
+  return state.phase != ExercisePhase::kTwisting && state.response.depth_m > kTooDeep_m &&
+         norm(state.response.force_N) > 0.0;
+}
+
 void ReadoutPanel::show(const LiveState& state, double framesPerSecond) {
   shown_ = state;
   rate_ = framesPerSecond;
@@ -170,7 +175,7 @@ void ReadoutPanel::show(const LiveState& state, double framesPerSecond) {
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.response.force_N));
   showPhase(state.phase);
-  if (state.phase != ExercisePhase::kTwisting && state.response.depth_m > kTooDeep_m) {
+  if (pressesTooDeep(state)) {
     setIfNew(phase_, tr("You are pressing too deep: draw back"));
   }
   showTiming(state, framesPerSecond);

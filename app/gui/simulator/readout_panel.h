@@ -41,6 +41,8 @@ class ReadoutPanel : public QWidget {
   /// Explains in a sentence why the organ was released: the hand opened, the jaw slipped, the tissue would
   /// have folded.
   [[nodiscard]] static QString releaseText(const LiveState& state);
+  /// Returns whether the instrument presses the free organ further in than it should.
+  [[nodiscard]] static bool pressesTooDeep(const LiveState& state);
 
  private:
   void showPhase(ExercisePhase phase);

@@ -272,11 +272,10 @@ void RunPanel::follow(const LiveState& state) {
   wasOver_ = over;
   const bool folded = state.phase == ExercisePhase::kReleased && state.times.folded_us >= 0 &&
                       state.times.folded_us == state.times.released_us;
-  const bool deep = state.phase != ExercisePhase::kTwisting && state.response.depth_m > kTooDeep_m;
-  warning_->setText(over     ? tr("Above the limit: ease off")
-                    : deep   ? tr("You are pressing too deep: draw back")
-                    : folded ? ReadoutPanel::releaseText(state)
-                             : QString());
+  warning_->setText(over                                  ? tr("Above the limit: ease off")
+                    : ReadoutPanel::pressesTooDeep(state) ? tr("You are pressing too deep: draw back")
+                    : folded                              ? ReadoutPanel::releaseText(state)
+                                                          : QString());
   turning_ = state.phase == ExercisePhase::kTwisting;
   if (!run_->graded()) {
     const QString untwisting = detorsion_->cue();

@@ -238,6 +238,7 @@ QLabel#idleWarning { background: %caution; color: %window; padding: 8px 16px; bo
 QFrame#visit { background: %raised; border-bottom: 1px solid %line; }
 QLabel#databaseAway { background: %raised; color: %caution; border: 1px solid %caution; border-radius: 6px; padding: 8px 16px;
   font-weight: 600; }
+QLabel#movedRecord { background: %raised; color: %caution; border-bottom: 1px solid %caution; padding: 6px 24px; font-weight: 600; }
 QLabel#toast { background: %text; color: %window; border-radius: 6px; padding: 10px 16px; }
 QPushButton[primary="true"] { background: %accent; color: %onAccent; border-color: %accent; font-weight: 600; }
 QPushButton[primary="true"]:hover { border-color: %text; }

@@ -12,6 +12,7 @@
 #include "app/outputs/report/report_names.h"
 #include "app/services/base/build_info.h"
 #include "app/services/base/csv_table.h"
+#include "app/services/base/nearest_name.h"
 #include "app/services/study/curriculum_content.h"
 #include "assessment/attempt/trial_listing.h"
 #include "assessment/domain/people/person.h"
@@ -307,6 +308,33 @@ ExchangeFiles exportDataset(SessionContext& session, const ExchangeData& data, c
                std::move(files));
 }
 
+namespace {
+
+/// Returns the first names and how many there are besides: "T-01, T-02 and 3 more".
+Text fewOf(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 10;
+  const std::vector<std::string> first(
+      names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(kMost, names.size())));
+  return names.size() <= kMost ? Text(joined(first))
+                               : Text(Text::tr("%1 and %2 more", joined(first), names.size() - kMost));
+}
+
+std::vector<Text> leftOut(const IliasGrades& filled) {
+  std::vector<Text> notes;
+  if (!filled.absent.empty()) {
+    notes.push_back(
+        Text::tr("%1 {trainee with a score is|trainees with a score are} not in the file from ILIAS: %2",
+                 std::ssize(filled.absent), fewOf(filled.absent)));
+  }
+  if (!filled.strangers.empty()) {
+    notes.push_back(Text::tr("%1 {login|logins} of the file {belongs|belong} to no trainee: %2",
+                             std::ssize(filled.strangers), fewOf(filled.strangers)));
+  }
+  return notes;
+}
+
+}  // namespace
+
 ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& request, TrialDigests& digests,
                               const GradebookRequest& wanted, const std::filesystem::path& file) {
   session.require(Operation::kReportExportNamed);
@@ -314,6 +342,7 @@ ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& re
       session,
       reportInputs(session, {request.cohortId, {}, request.frozenId, ReportIdentity::kCoded}, digests));
   std::string text;
+  std::vector<Text> notes;
   switch (wanted.form) {
     case GradebookForm::kMoodle:
       text = moodleGrades(grades);
@@ -321,19 +350,24 @@ ExchangeFiles exportGradebook(SessionContext& session, const ExchangeRequest& re
     case GradebookForm::kCanvas:
       text = canvasGrades(grades);
       break;
-    case GradebookForm::kIlias:
+    case GradebookForm::kIlias: {
       if (wanted.status.empty()) {
         throw Error(ErrorCode::kBadParameter, Text::tr("ILIAS knows people by numbers of its own"),
                     file.string(),
                     Text::tr("Give the status file of the exercise, downloaded from ILIAS as CSV"));
       }
-      text = iliasGrades(grades, occasionAt(grades, wanted.occasion), readFile(wanted.status),
-                         wanted.status.string());
+      IliasGrades filled = iliasGrades(grades, occasionAt(grades, wanted.occasion), readFile(wanted.status),
+                                       wanted.status.string());
+      text = std::move(filled.text);
+      notes = leftOut(filled);
       break;
+    }
   }
   writeFileAtomically(file, text);
-  return noted(session, request, std::string("gradebook, ") + nameOf(wanted.form), std::ssize(grades.people),
-               true, {}, {file});
+  ExchangeFiles written = noted(session, request, std::string("gradebook, ") + nameOf(wanted.form),
+                                std::ssize(grades.people), true, {}, {file});
+  written.notes = std::move(notes);
+  return written;
 }
 
 }  // namespace torsio

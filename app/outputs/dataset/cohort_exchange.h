@@ -45,7 +45,8 @@ struct ExchangeData {
 struct ExchangeFiles {
   std::vector<std::filesystem::path> files;
   std::uint64_t bytes = 0;
-  std::string contentHash;  ///< BLAKE2b-256 of all files in order
+  std::string contentHash;    ///< BLAKE2b-256 of all files in order
+  std::vector<Text> notes{};  ///< what did not go into them, a sentence each
 };
 
 /// Looks up ids by name; empty names: the oldest cohort, the oldest evaluation with marks.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -91,7 +92,7 @@ std::string canvasGrades(const Grades& grades) {
   return text;
 }
 
-std::string iliasGrades(const Grades& grades, std::size_t occasion, const std::string& status,
+IliasGrades iliasGrades(const Grades& grades, std::size_t occasion, const std::string& status,
                         const std::string& name) {
   std::vector<CsvRecord> records = csvRecords(status, name, guessSeparator(status));
   constexpr std::array<std::string_view, 4> kNeeded{"update", "usr_id", "login", "mark"};
@@ -111,12 +112,15 @@ std::string iliasGrades(const Grades& grades, std::size_t occasion, const std::s
   }
   const std::size_t columns = records.front().values.size();
   const std::map<std::string, const GradedPerson*> people = byLogin(grades);
-  std::string text = csvLine(records.front().values);
-  bool any = false;
+  IliasGrades filled{.text = csvLine(records.front().values)};
+  std::set<const GradedPerson*> present;
   for (auto record = records.begin() + 1; record != records.end(); ++record) {
     record->values.resize(columns);
     const std::string& login = record->values[at[2]];
-    if (const auto found = people.find(login); found != people.end()) {
+    const auto found = people.find(login);
+    if (found == people.end()) {
+      filled.strangers.push_back(login);
+    } else {
       if (found->second == nullptr) {
         throw Error(ErrorCode::kBadData, Text::tr("several trainees could have the login %1", login),
                     name + ", line " + std::to_string(record->line),
@@ -126,16 +130,21 @@ std::string iliasGrades(const Grades& grades, std::size_t occasion, const std::s
       if (!score.empty()) {
         record->values[at[0]] = "1";
         record->values[at[3]] = score;
-        any = true;
+        present.insert(found->second);
       }
     }
-    text += csvLine(record->values);
+    filled.text += csvLine(record->values);
   }
-  if (!any) {
+  if (present.empty()) {
     throw Error(ErrorCode::kBadData, Text::tr("no login of the file belongs to somebody with a score"), name,
                 Text::tr("Enter the logins of ILIAS as staff numbers in the roster"));
   }
-  return text;
+  for (const GradedPerson& person : grades.people) {
+    if (!person.scores.at(occasion).empty() && !present.contains(&person)) {
+      filled.absent.push_back(person.code);
+    }
+  }
+  return filled;
 }
 
 }  // namespace torsio

@@ -41,11 +41,18 @@ enum class GradebookForm {
 [[nodiscard]] std::string moodleGrades(const Grades& grades);
 [[nodiscard]] std::string canvasGrades(const Grades& grades);
 
+/// A status file of ILIAS with marks, and who went without.
+struct IliasGrades {
+  std::string text{};
+  std::vector<std::string> strangers{};  ///< logins of the file that belong to no trainee
+  std::vector<std::string> absent{};     ///< codes of trainees with a score who are not in the file
+};
+
 /// Returns `status`, the status file of an ILIAS exercise (.csv), with the marks of one occasion: a person is
 /// found by the login, which equals the staff number, the mail address (or its part before the @) or the
 /// code. Other lines stay as they are. `name`: of the file, for messages. Throws Error{kBadData} for other
 /// columns, a login that fits several people, and if nobody is found.
-[[nodiscard]] std::string iliasGrades(const Grades& grades, std::size_t occasion, const std::string& status,
+[[nodiscard]] IliasGrades iliasGrades(const Grades& grades, std::size_t occasion, const std::string& status,
                                       const std::string& name);
 
 }  // namespace torsio

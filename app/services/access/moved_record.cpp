@@ -86,9 +86,10 @@ Text moveNotice(Connection& connection) {
   return {};
 }
 
-void noteMoved(SessionContext& session, const std::string& place) {
+void noteMoved(SessionContext& session) {
   session.require(Operation::kDatabaseRestore);
-  finishMove(session.connection(), place, session.now_us());
+  finishMove(session.connection(), parseLocator(begunMove(session.connection()).locator).shown(),
+             session.now_us());
 }
 
 void takeBackMove(SessionContext& session, const std::string& reason) {

@@ -37,9 +37,9 @@ void clearMoving(Connection& connection, std::int64_t utc_us);
 /// exports, the trail and erasing people stay possible.
 [[nodiscard]] bool addsToTheRecord(Operation operation);
 
-/// Notes that the record was moved to `place`; from now on the services refuse what would add to it, at every
-/// station. kDatabaseRestore.
-void noteMoved(SessionContext& session, const std::string& place);
+/// Ends a move that noteMoving() began, when the copy is whole: the services go on refusing what would add to
+/// the record, at every station. kDatabaseRestore.
+void noteMoved(SessionContext& session);
 /// Makes a moved record the living one again; audited. kDatabaseRestore. Throws Error{kBadParameter} without
 /// a reason, {kBadData} if it was not moved.
 void takeBackMove(SessionContext& session, const std::string& reason);

@@ -68,6 +68,9 @@ inline constexpr ConfiguredKey kConfiguredPublicUrl{
     "serve.public-url", ConfiguredKind::kWords, ConfiguredForce::kRules,
     Text::verbatim("Review desk: address for browsers through a proxy")};
 
+inline constexpr ConfiguredKey kConfiguredMetrics{
+    "serve.metrics", ConfiguredKind::kYesNo, ConfiguredForce::kRules,
+    Text::verbatim("Review desk: everybody who reaches it may read /metrics")};
 inline constexpr ConfiguredKey kConfiguredBackupFolder{"backup.folder", ConfiguredKind::kPath,
                                                        ConfiguredForce::kRules,
                                                        Text::verbatim("Backups: folder into which they go")};
@@ -76,10 +79,10 @@ inline constexpr ConfiguredKey kConfiguredBackupKeep{
     Text::verbatim("Backups: newest of so many days, weeks and months that stay; 7,5,12")};
 
 inline constexpr std::array kConfiguredKeys{
-    &kConfiguredRecord,      &kConfiguredPassfile,       &kConfiguredStation,   &kConfiguredKiosk,
-    &kConfiguredDevice,      &kConfiguredLanguage,       &kConfiguredTheme,     &kConfiguredListen,
-    &kConfiguredCertificate, &kConfiguredCertificateKey, &kConfiguredPublicUrl, &kConfiguredBackupFolder,
-    &kConfiguredBackupKeep};
+    &kConfiguredRecord,       &kConfiguredPassfile,       &kConfiguredStation,   &kConfiguredKiosk,
+    &kConfiguredDevice,       &kConfiguredLanguage,       &kConfiguredTheme,     &kConfiguredListen,
+    &kConfiguredCertificate,  &kConfiguredCertificateKey, &kConfiguredPublicUrl, &kConfiguredMetrics,
+    &kConfiguredBackupFolder, &kConfiguredBackupKeep};
 
 /// The configuration of a computer: one file that its window, commands and review desk read at their start.
 /// Lines are "key = value"; what follows # is a comment; a key stands once. Looks that a user chose are not

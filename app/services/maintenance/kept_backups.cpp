@@ -148,7 +148,7 @@ fs::path newestBackup(const fs::path& folder) {
     }
   }
   if (newest.second.empty()) {
-    throw Error(ErrorCode::kFileMissing, Text::tr("there is no backup in this folder"), folder.string(),
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("there is no backup in this folder"), folder.string(),
                 Text::tr("Make one with torsio db backup --into FOLDER"));
   }
   return newest.second;

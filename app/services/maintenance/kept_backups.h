@@ -43,7 +43,7 @@ struct KeptBackup {
 /// backUpDatabase(); then nothing is removed.
 KeptBackup keepBackup(SessionContext& session, const std::filesystem::path& folder, const KeepRule& rule);
 
-/// Returns the newest file of such a name in a folder. Throws Error{kFileMissing} if there is none.
+/// Returns the newest file of such a name in a folder. Throws Error{kFileUnreadable} if there is none.
 [[nodiscard]] std::filesystem::path newestBackup(const std::filesystem::path& folder);
 
 }  // namespace torsio

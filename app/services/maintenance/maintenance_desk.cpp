@@ -91,6 +91,10 @@ void MaintenanceDesk::handOver(const Maintainer& maintainer, const DutyWish& wis
   if (maintainer.secondLogin.empty()) {
     return;
   }
+  if (maintainer.secondLogin == maintainer.login) {
+    throw Error(ErrorCode::kPermission, Text::tr("two people are needed, and %1 is one", maintainer.login),
+                "", Text::tr("Name another administrator"));
+  }
   if (!isRequested(session(), wish)) {
     (void)askSecondPerson(session(), wish);
   }

@@ -172,12 +172,7 @@ std::string hashOfFile(const fs::path& file) {
   return digest.hex();
 }
 
-DutyWish wishOf(const fs::path& backup, const std::string& hash) {
-  return {.act = DutyAct::kRestore,
-          .subject = hash,
-          .shown = backup.filename().string(),
-          .reason = "restore from the command line"};
-}
+constexpr const char* kReasonOfCommand = "restore from the command line";
 
 void requireSoundBackup(const BackupCheck& check, const fs::path& backup) {
   if (!check.database.sound()) {
@@ -312,6 +307,16 @@ RestorePlan planRestore(SessionContext& session, const fs::path& backup, const P
   return plan;
 }
 
+DutyWish wishFor(const RestorePlan& plan, const std::string& reason) {
+  const std::string centres = plan.otherCentre
+                                  ? " \xC2\xB7 " + plan.backupCentre + " \xE2\x86\x92 " + plan.presentCentre
+                                  : std::string();
+  return {.act = DutyAct::kRestore,
+          .subject = plan.backupHash,
+          .shown = plan.backup.filename().string() + centres,
+          .reason = reason};
+}
+
 bool mayRestoreNow(SessionContext& session, const RestorePlan& plan) {
   session.require(Operation::kDatabaseRestore);
   return secondPersonIsThere(session, DutyAct::kRestore, plan.backupHash, alwaysTwo(session, plan));
@@ -388,7 +393,7 @@ Restored restoreRecord(const Maintainer& maintainer, const fs::path& backup, con
       restored.plan = planRestore(desk.session(), backup);
       restored.plan->otherCentreMeant = otherCentreMeant;
       requireMeant(desk.session(), *restored.plan);
-      desk.handOver(maintainer, wishOf(backup, restored.plan->backupHash));
+      desk.handOver(maintainer, wishFor(*restored.plan, kReasonOfCommand));
       prepared = prepareRestore(desk.session(), *restored.plan);
     }
     restored.before = prepared->takeOver();
@@ -400,7 +405,8 @@ Restored restoreRecord(const Maintainer& maintainer, const fs::path& backup, con
                          openRecord(copy.string(), OpenMode::kReadWrite,
                                     {.softwareVersion = softwareVersion(), .backup = false}),
                          fs::exists(file) ? file : backup.string());
-    desk.handOver(maintainer, wishOf(backup, hashOfFile(backup)));
+    desk.handOver(maintainer,
+                  wishFor({.backup = backup, .backupHash = hashOfFile(backup)}, kReasonOfCommand));
     noteRestore(desk.session(), backup);
   });
   if (!restored.before.empty()) {

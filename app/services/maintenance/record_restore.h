@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/services/access/session_context.h"
+#include "app/services/access/two_people.h"
 #include "app/services/base/progress.h"
 #include "db/migrations/backup.h"
 #include "sim/core/text.h"
@@ -48,6 +49,9 @@ struct RestorePlan {
 /// `progress` throws.
 [[nodiscard]] RestorePlan planRestore(SessionContext& session, const std::filesystem::path& backup,
                                       const ProgressCallback& progress = {});
+
+/// Returns what a second person is asked for: the file, and both centres if it belongs to another one.
+[[nodiscard]] DutyWish wishFor(const RestorePlan& plan, const std::string& reason);
 
 /// Returns whether prepareRestore() can proceed: somebody else has requested this restore, or nobody needs
 /// to. kDatabaseRestore.

@@ -83,6 +83,10 @@ void dumpServer(const std::string& locator, const fs::path& target) {
 }
 
 bool isDump(const fs::path& file) {
+  std::error_code missing;
+  if (!fs::is_regular_file(file, missing)) {
+    return false;  // a pipe would be waited for
+  }
   std::array<char, kMagic.size()> begin{};
   std::ifstream in(file, std::ios::binary);
   return in.read(begin.data(), begin.size()) && std::string_view(begin.data(), begin.size()) == kMagic;

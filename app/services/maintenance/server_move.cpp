@@ -168,7 +168,7 @@ std::string switchToServer(SessionContext& session, const ServerAddress& address
   const SessionContext server(there, session.ids(), session.key(), [&session] { return session.now_us(); });
   server.note(AuditAction::kDatabaseSwitch, AuditObject::kDatabase, parseLocator(locator).shown(),
               {{"tables", copied.tables.size()}, {"rows", copied.rows}});
-  noteMoved(session, parseLocator(locator).shown());
+  noteMoved(session);
   return locator;
 }
 

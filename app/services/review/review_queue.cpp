@@ -75,8 +75,9 @@ std::vector<QueueLine> allLines(SessionContext& session, const std::optional<dou
     line.state = entry.state;
     line.submittedUtc_us = entry.submittedUtc_us;
     if (line.state != SheetState::kSubmitted) {
-      line.overdue =
-          (line.shown.dueUtc_us && *line.shown.dueUtc_us < now_us) || (line.call && !line.call->open);
+      const bool canBeScored = !line.shown.live || line.call.has_value();
+      line.overdue = canBeScored && ((line.shown.dueUtc_us && *line.shown.dueUtc_us < now_us) ||
+                                     (line.call && !line.call->open));
       const double length_min = static_cast<double>(line.shown.length_us.value_or(0)) / kMinute_us;
       line.estimate_min =
           line.shown.live ? kLiveCase_min : pace_min.value_or(length_min + kMinuteForTheSheet);

@@ -229,11 +229,13 @@ TEST_F(SignedMaintenance, ARestoredRecordKnowsLaterCopies) {
 TEST_F(SignedMaintenance, ARestoreNeedsTwoPeopleIfTheCentreRequiresThem) {
   ASSERT_EQ(run("db backup " + file("b.sqlite") + as("office")).code, 0);
 
+  const auto requests = numberFromRecord("SELECT count(*) FROM duty_request");
   const ProgramRun alone = run("db restore " + file("b.sqlite") + as("office"));
   EXPECT_EQ(alone.code, kPermission);
   EXPECT_NE(alone.err.find("two people"), std::string::npos) << alone.err;
   const std::string with = " --with-password-fd 4 4<" + file("password") + " --with ";
   EXPECT_EQ(run("db restore " + file("b.sqlite") + as("office") + with + "office").code, kPermission);
+  EXPECT_EQ(numberFromRecord("SELECT count(*) FROM duty_request"), requests) << "nothing was asked for";
   EXPECT_EQ(run("db restore " + file("b.sqlite") + as("office") + with + "rater").code, kPermission);
 
   const ProgramRun both = run("db restore " + file("b.sqlite") + as("office") + with + "second");
@@ -479,7 +481,7 @@ TEST(PrivateFiles, AMaintenanceCommandClosesARecordAndCopiesReadableByOthers) {
 
 TEST(PrivateFiles, TorsiosOwnFolderIsClosedAndAChosenOneIsNot) {
   const fs::path home = emptyFolder("own-folder");
-  const fs::path own = home / "torsio";
+  const fs::path own = home / "torsio/torsio";  // as in the window
   fs::create_directories(own);
   fs::permissions(own, fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec);
   const std::string database = " --database " + (own / "torsio.sqlite").string();

@@ -212,9 +212,10 @@ TEST_F(StampedHeads, AnAuthorityIsNamedByWhoMayChangeSettingsAndOnlyWithACertifi
   EXPECT_EQ(run(set + signIn() + " --address ftp://x --certificate " + server_.root()).code,
             static_cast<int>(ErrorCode::kBadParameter));
   EXPECT_EQ(run(set).out, "Time stamps: none\n");
-
+  EXPECT_EQ(run(set + signIn()).out, "Time stamps: none\n") << "without a choice it shows";
   nameAuthority();
-  EXPECT_EQ(run(set).out, "Time stamps: from " + server_.address() + "\n");
+  EXPECT_EQ(run(set + signIn()).out, "Time stamps: from " + server_.address() + "\n");
+  EXPECT_EQ(run(set).out, "Time stamps: from " + server_.address() + "\n") << "it is still there";
   EXPECT_EQ(run(set + signIn() + " --off").code, 0);
   EXPECT_EQ(run(set).out, "Time stamps: none\n");
   EXPECT_EQ(head().code, 0);

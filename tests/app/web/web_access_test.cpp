@@ -219,8 +219,8 @@ TEST_F(WebAccess, APasswordChangeOrADisabledAccountEndsASession) {
 
 /// Routes that answer each role; all others must be refused to everybody.
 const std::map<std::string, std::set<std::string>>& answersOf() {
-  static const std::set<std::string> kOfAll = {"GET /healthz", "GET /readyz", "GET /api/texts", "GET /api/me",
-                                               "GET /api/sessions"};
+  static const std::set<std::string> kOfAll = {"GET /healthz",   "GET /readyz", "GET /metrics",
+                                               "GET /api/texts", "GET /api/me", "GET /api/sessions"};
   static const std::map<std::string, std::set<std::string>> kAnswers = {
       {"all", kOfAll},
       {"rater",

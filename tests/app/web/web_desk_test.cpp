@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <regex>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -576,6 +578,48 @@ TEST(WebDesk, NoRequestCausesAnInternalError) {
     EXPECT_NE(answer.status, 0);
   }
   EXPECT_EQ(client.get("/api/me").status, 200);
+}
+
+TEST(WebDesk, TellsAMonitoringSystemCountsAndTimesAndNothingOfPeople) {
+  const Served served;
+  WebClient client = served.client();
+  ASSERT_TRUE(client.signIn("physician1", kWebPassword));
+  ASSERT_EQ(client.get("/api/queue").status, 200);
+  ASSERT_EQ(client.get("/api/queue").status, 200);
+  ASSERT_EQ(client.get("/api/cases/none").status, 403);
+
+  const WebAnswer answer = client.get("/metrics");
+
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(answer.headers.at("content-type"), "application/openmetrics-text; version=1.0.0; charset=utf-8");
+  for (const char* line :
+       {"torsio_answers_total{route=\"GET /api/queue\",status=\"200\"} 2\n",
+        "torsio_answers_total{route=\"GET /api/cases/*\",status=\"403\"} 1\n",
+        "torsio_answer_seconds_bucket{route=\"GET /api/queue\",le=\"+Inf\"} 2\n",
+        "torsio_answer_seconds_count{route=\"GET /api/queue\"} 2\n", "\ntorsio_record_up 1\n",
+        "\ntorsio_sessions 1\n", "\ntorsio_queued_passwords 0\n"}) {
+    EXPECT_NE(answer.body.find(line), std::string::npos) << line << answer.body;
+  }
+  EXPECT_TRUE(answer.body.ends_with("\n# EOF\n"));
+  EXPECT_EQ(answer.body.find("physician"), std::string::npos);
+  const std::regex line(
+      "# (TYPE [a-z_]+ (info|counter|gauge|histogram)|HELP [a-z_]+ .+|EOF)|[a-z_]+(\\{[^}]*\\})? [0-9.e+-]+");
+  std::istringstream lines(answer.body);
+  for (std::string one; std::getline(lines, one);) {
+    EXPECT_TRUE(std::regex_match(one, line)) << one;
+  }
+}
+
+TEST(WebDesk, TellsItsMetricsToOtherComputersOnlyIfItIsToldTo) {
+  const Served served;
+  for (const bool open : {false, true}) {
+    web::WebDesk desk(
+        {.locator = served.centre.locator(), .assets = assetsFolder(), .workers = 1, .openMetrics = open});
+    int status = 0;
+    desk.handle({.method = "GET", .path = "/metrics", .address = "203.0.113.7"},
+                [&status](const web::HttpResponse& response) { status = response.status; });
+    EXPECT_EQ(status, open ? 200 : 404);
+  }
 }
 
 }  // namespace

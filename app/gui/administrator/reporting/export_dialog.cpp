@@ -417,6 +417,10 @@ void ExportDialog::writeTo(const std::filesystem::path& place, const std::filesy
       [this, place](const ExchangeFiles& written) {
         done_->setText(tr("Written: %1 (%n files). Hash: %2", nullptr, static_cast<int>(written.files.size()))
                            .arg(toQString(place.string()), toQString(written.contentHash)));
+        setLook(done_, "caution", !written.notes.empty());
+        if (!written.notes.empty()) {
+          done_->setText(done_->text() + QLatin1Char('\n') + translatedLines(written.notes));
+        }
       });
 }
 

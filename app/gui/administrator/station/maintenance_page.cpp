@@ -24,6 +24,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
+#include "app/services/access/moved_record.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/station_anchor.h"
 
@@ -59,6 +60,7 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
       moveText_(sentence(this, false)),
       restoreButton_(new QPushButton(this)),
       moveButton_(new QPushButton(this)),
+      takeBackButton_(named(new QPushButton(this), "takeBackMove")),
       queue_(new RetentionQueue(shell, this)) {
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
@@ -71,6 +73,7 @@ MaintenancePage::MaintenancePage(ShellContext& shell)
   connect(removeButton_, &QPushButton::clicked, this, &MaintenancePage::askRemoveDemonstration);
   connect(restoreButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kRestore); });
   connect(moveButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMove); });
+  connect(takeBackButton_, &QPushButton::clicked, this, &MaintenancePage::askTakeBack);
   retranslate();
 }
 
@@ -97,7 +100,7 @@ QWidget* MaintenancePage::cards() {
   fill(backup_, {backupText_}, {backupButton_, testButton_});
   fill(record_, {recordText_, diskText_, disk_}, {checkButton_, computerButton_});
   fill(simulated_, {simulatedText_}, {removeButton_});
-  fill(move_, {moveText_}, {restoreButton_, moveButton_});
+  fill(move_, {moveText_}, {restoreButton_, moveButton_, takeBackButton_});
   int place = 0;
   for (Card* card : {backup_, record_, simulated_, move_}) {
     grid->addWidget(card, 0, place);
@@ -176,8 +179,13 @@ void MaintenancePage::showButtons() {
   removeButton_->setEnabled(demonstration_.people > 0 && shell().may(Operation::kPersonErase));
   restoreButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
   moveButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
+  const Text notice = moveNotice(shell().session().connectionWithoutRight());
+  takeBackButton_->setVisible(!notice.empty());
+  takeBackButton_->setEnabled(shell().may(Operation::kDatabaseRestore));
+  moveButton_->setVisible(notice.empty());
   moveText_->setText(
-      file
+      !notice.empty() ? toQString(notice)
+      : file
           ? tr("A backup takes the place of this record, or the record goes to a database server for several "
                "stations. Both ask first and show what they will do.")
           : tr("This record is on a database server. Its administrator backs it up and restores it with the "
@@ -247,6 +255,20 @@ void MaintenancePage::checkComputer() {
       });
 }
 
+void MaintenancePage::askTakeBack() {
+  const std::optional<std::string> reason = askReason(this, tr("Take the move back"),
+                                                      tr("Why does this record become the living one again? "
+                                                         "What was added at the other place since then stays "
+                                                         "there."));
+  if (reason) {
+    attempt(shell(), [&] {
+      takeBackMove(shell().session(), *reason);
+      read();
+      shell().notify(tr("This record is the living one again"));
+    });
+  }
+}
+
 bool MaintenancePage::removeDemonstration(const std::string& reason) {
   return attempt(shell(), [&] {
     const DemonstrationSize gone = removeDemonstrationData(shell().session(), reason);
@@ -297,6 +319,7 @@ void MaintenancePage::retranslate() {
   move_->setTitle(tr("Restore or move"));
   restoreButton_->setText(tr("Re&store\u2026"));
   moveButton_->setText(tr("Mo&ve to PostgreSQL\u2026"));
+  takeBackButton_->setText(tr("Ta&ke the move back\u2026"));
   queue_->retranslate();
   showRecord();
   showButtons();

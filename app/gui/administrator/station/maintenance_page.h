@@ -44,6 +44,7 @@ class MaintenancePage : public Page {
   void askBackUp();
   void askTest();
   void askRemoveDemonstration();
+  void askTakeBack();
 
   std::optional<DatabaseCheck> check_;
   DemonstrationSize demonstration_;
@@ -65,6 +66,7 @@ class MaintenancePage : public Page {
   QLabel* moveText_;
   QPushButton* restoreButton_;
   QPushButton* moveButton_;
+  QPushButton* takeBackButton_;
   RetentionQueue* queue_;
 };
 

@@ -203,11 +203,7 @@ void RestorePage::askSecond() {
   const std::optional<std::string> reason =
       askReason(this, tr("Restore a backup"), tr("Why is it restored? Another administrator confirms it."));
   if (reason) {
-    (void)offerToAsk(this, shell(),
-                     {.act = DutyAct::kRestore,
-                      .subject = plan_->backupHash,
-                      .shown = plan_->backup.filename().string(),
-                      .reason = *reason});
+    (void)offerToAsk(this, shell(), wishFor(*plan_, *reason));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "app/gui/administrator/station/restore_page.h"
 #include "app/gui/base/translated_text.h"
 #include "app/gui/widgets/child.h"
+#include "app/services/access/moved_record.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/station_anchor.h"
 #include "db/connection/connection.h"
@@ -239,6 +240,19 @@ TEST_F(MaintenancePages, TheBackupOfAnotherCentreIsNamedAndNeedsItsNameToRestore
   EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
   child<QLineEdit>(page, "word").setText(QStringLiteral("Harbour clinic"));
   EXPECT_TRUE(child<QPushButton>(page, "restoreButton").isEnabled());
+}
+
+TEST_F(MaintenancePages, AMovedRecordSaysSoAndOffersToTakeTheMoveBack) {
+  EXPECT_FALSE(child<QPushButton>(maintenancePage(), "takeBackMove").isVisible());
+  {
+    Connection connection = openRecord(record(), OpenMode::kReadWrite);
+    finishMove(connection, "postgresql://server/torsio", 1);
+  }
+
+  MaintenancePage& page = maintenancePage();
+
+  EXPECT_TRUE(child<QPushButton>(page, "takeBackMove").isVisible());
+  EXPECT_TRUE(says(QStringLiteral("has moved to postgresql://server/torsio")));
 }
 
 TEST_F(MaintenancePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {

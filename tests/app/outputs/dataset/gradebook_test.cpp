@@ -63,12 +63,16 @@ TEST(Gradebook, OfIliasFillsInTheStatusFileOfTheExercise) {
       "plag_comment\n0;311;ada.green;Green;Ada;notgraded;;;;;\n"
       "0;312;1002;Li;Wei;passed;5;\"late; ill\";;;\n0;313;nobody;No;Body;notgraded;;;;;\n";
 
-  EXPECT_EQ(iliasGrades(grades(), 1, status, "status.csv"),
-            std::string(kStatusHead) + "1,311,ada.green,Green,Ada,notgraded,7.25,,,,\r\n" +
-                "1,312,1002,Li,Wei,passed,8,\"late; ill\",,,\r\n" +
-                "0,313,nobody,No,Body,notgraded,,,,,\r\n");
+  Grades more = grades();
+  more.people.push_back({.code = "T-09", .scores = {"1", "2"}});
+  const IliasGrades filled = iliasGrades(more, 1, status, "status.csv");
+  EXPECT_EQ(filled.strangers, std::vector<std::string>{"nobody"});
+  EXPECT_EQ(filled.absent, std::vector<std::string>{"T-09"});
+  EXPECT_EQ(filled.text, std::string(kStatusHead) + "1,311,ada.green,Green,Ada,notgraded,7.25,,,,\r\n" +
+                             "1,312,1002,Li,Wei,passed,8,\"late; ill\",,,\r\n" +
+                             "0,313,nobody,No,Body,notgraded,,,,,\r\n");
   // A score that may not be shown leaves the line as it is.
-  EXPECT_THAT(iliasGrades(grades(), 0, status, "status.csv"), HasSubstr("0,312,1002,Li,Wei,passed,5,"));
+  EXPECT_THAT(iliasGrades(grades(), 0, status, "status.csv").text, HasSubstr("0,312,1002,Li,Wei,passed,5,"));
 }
 
 TEST(Gradebook, OfIliasSaysWhatDoesNotFit) {

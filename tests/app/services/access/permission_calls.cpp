@@ -402,7 +402,7 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kTrialViewAssigned, "recordingName", [](W w, Path) { (void)recordingName(w, kNoSuch); }},
       {O::kTrialViewAssigned, "blindedTask", [](W w, Path) { (void)blindedTask(w, kNoSuch); }},
       {O::kMarkSubmit, "reportViewing", [](W w, Path) { (void)reportViewing(w, kNoSuch, {}); }},
-      {O::kDatabaseRestore, "noteMoved", [](W w, Path) { noteMoved(w, ""); }},
+      {O::kDatabaseRestore, "noteMoved", [](W w, Path) { noteMoved(w); }},
       {O::kDatabaseRestore, "takeBackMove", [](W w, Path) { takeBackMove(w, "why"); }},
       {O::kEvaluationSubmit, "beginWatching", [](W w, Path) { beginWatching(w, ""); }},
       {O::kEvaluationSubmit, "watchedInBrowser", [](W w, Path) { (void)watchedInBrowser(w, "", {}, {}); }},

@@ -149,12 +149,14 @@ TEST_F(MaintenanceTest, AMovedRecordTakesNothingNewUntilTheMoveIsTakenBack) {
   SessionContext rater = sessionOf("rater");
   const auto adds = [&] { office.require(Operation::kPersonEdit); };
   const auto marks = [&] { rater.require(Operation::kMarkSubmit); };
-  noteMoved(office, "postgresql://server/torsio");
+  noteMoving(office, "postgresql://server/torsio");
+  noteMoved(office);
 
   for (const std::function<void()>& act : {std::function<void()>(adds), std::function<void()>(marks)}) {
     const auto refused = refusalFrom(act);
     EXPECT_EQ(refused.code, ErrorCode::kDatabase);
-    EXPECT_NE(refused.text.find("this record has moved to postgresql://server/torsio"), std::string::npos)
+    EXPECT_NE(refused.text.find("this record has moved to postgresql://server:5432/torsio"),
+              std::string::npos)
         << refused.text;
   }
   EXPECT_NO_THROW(office.require(Operation::kPersonViewCoded));
@@ -229,6 +231,16 @@ TEST_F(MaintenanceTest, ABackupContainsItsAuditEntryAndPassesItsTestRestore) {
   Connection copy = openDatabase(in("backup.sqlite").string(), OpenMode::kReadOnly);
   EXPECT_EQ(AuditRepository(copy).entries().at(0).action, "database.backup");
   EXPECT_TRUE(checkDatabase(office).sound());
+}
+
+TEST(RestoreWish, TheSecondPersonReadsWhoseBackupReplacesWhoseRecord) {
+  RestorePlan plan{.backup = "/srv/b.sqlite",
+                   .backupHash = "h",
+                   .presentCentre = "City hospital",
+                   .backupCentre = "Harbour clinic"};
+  EXPECT_EQ(wishFor(plan, "why").shown, "b.sqlite");
+  plan.otherCentre = true;
+  EXPECT_EQ(wishFor(plan, "why").shown, "b.sqlite \xC2\xB7 Harbour clinic \xE2\x86\x92 City hospital");
 }
 
 TEST(KeptBackups, TheNewestOfEachDayWeekAndMonthStay) {
