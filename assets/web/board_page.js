@@ -27,6 +27,7 @@ export class BoardPage {
     return this.scored ? t('Who has scored what') : t("Today's sessions");
   }
   async load() {
+    this.gone = false;
     const { cohorts, first } = await api.get('/api/cohorts');
     this.cohorts = cohorts;
     const choice = h('select', {
@@ -49,16 +50,23 @@ export class BoardPage {
     else this.place.replaceChildren(h('p', {}, t('There is no cohort yet.')));
   }
   async #read() {
-    clearTimeout(this.#timer);
     const path = `/api/cohorts/${encodeURIComponent(this.cohort)}`;
     if (this.scored) {
       this.#showScored(await api.get(`${path}/scored`));
-    } else {
+      return;
+    }
+    clearTimeout(this.#timer);
+    try {
       const board = await api.get(`${path}/board`);
       this.#showBoard(board);
       if (!this.element.matches(':hover')) this.#showWaiting(); // moves nothing under the pointer
       await this.#showCalls(path, board.occasions);
-      this.#timer = setTimeout(() => this.#read().catch(() => {}), kAgain_ms);
+    } catch (error) {
+      if (error.needsSignIn || error.status === 403) this.gone = true; // the page is loaded again after signing in
+      throw error;
+    } finally {
+      clearTimeout(this.#timer);
+      if (!this.gone) this.#timer = setTimeout(() => this.#read().catch(() => {}), kAgain_ms);
     }
   }
   #showWaiting() {
@@ -80,6 +88,7 @@ export class BoardPage {
     return Boolean(this.calls?.goesOn);
   }
   left() {
+    this.gone = true;
     clearTimeout(this.#timer);
     this.#endCalls();
   }

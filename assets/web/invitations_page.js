@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Invitation links: create, confirm, print, send, revoke. A link is shown once, while this page is open.
 import { api } from './api.js';
+import { copyText } from './copying.js';
 import { button, field, h, say, show } from './dom.js';
 import { dayText, figure } from './numbers.js';
 import { problemText } from './problem.js';
@@ -42,7 +43,7 @@ export class InvitationsPage {
     show(this.byMail.row, mail);
     this.element.replaceChildren(
       h('h1', { class: 'unprinted' }, this.title),
-      h('p', { class: 'quiet unprinted' }, t('A personal link to set a password in a browser. It works once and for a week; any earlier link stops working.')),
+      h('p', { class: 'quiet unprinted' }, t('A personal link to set a password in a browser. It works once and expires after a week; any earlier link stops working.')),
       this.cards,
       ...(waiting.length > 0 ? [this.#waiting(waiting)] : []),
       h('section', { class: 'card stack unprinted' },
@@ -142,7 +143,7 @@ export class InvitationsPage {
         h('p', { class: 'quiet' }, t('Each is for one person. Send each code by a different channel from the link, which another administrator hands over.')),
         area.row,
         h('div', { class: 'actions' },
-          button(t('Copy'), () => this.#copy(area.input)),
+          button(t('Copy'), () => this.#copy(area)),
           button(t('Print the cards'), () => window.print(), { class: 'primary' }))),
       h('ul', { class: 'handed' }, cards.map((one) => this.#card(centre, one))));
     this.cards.querySelector('textarea').focus();
@@ -159,11 +160,6 @@ export class InvitationsPage {
         one.mail === '' ? t('Sent by mail') : t('Not sent: %1', one.mail)));
   }
   async #copy(area) {
-    try {
-      await navigator.clipboard.writeText(area.value);
-      this.frame.notify(t('Copied'));
-    } catch {
-      area.select(); // without clipboard access: select the text for copying by key
-    }
+    if (await copyText(area)) this.frame.notify(t('Copied'));
   }
 }

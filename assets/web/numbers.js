@@ -38,6 +38,11 @@ export function joinedSentences(sentences) {
   return sentences.filter((one) => one !== '').join(' ').replace(/([\u3002\uff01\uff1f]) /g, '$1');
 }
 
+/// Formats the time of day: "10:32".
+export function hourText(time_ms) {
+  return new Date(time_ms).toLocaleTimeString(locale(), { timeStyle: 'short' });
+}
+
 /// Formats a date as in the window: "5 Jan 2026", in Chinese "2026/1/5".
 export function dayText(utc_us) {
   return new Date(utc_us / 1000).toLocaleDateString(locale(), { dateStyle: language() === 'en' ? 'medium' : 'short' });

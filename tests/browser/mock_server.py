@@ -52,9 +52,10 @@ def shipped_rubric(say=lambda text: text):
 
 
 def translations():
-    """English -> Chinese, from the project's translation file."""
+    """English -> Chinese, from the project's translation file; as on the server, those of the class Text."""
     found = {}
-    for message in xml.etree.ElementTree.parse(TRANSLATIONS).iter("message"):
+    [texts] = [one for one in xml.etree.ElementTree.parse(TRANSLATIONS).iter("context") if one.findtext("name") == "Text"]
+    for message in texts.iter("message"):
         translation = message.find("translation")
         if translation.text and translation.get("type") != "obsolete":
             found[message.findtext("source").replace("&", "")] = re.sub(r"\(&.\)|&", "", translation.text)
@@ -113,11 +114,12 @@ class Desk:
             "c3": Case("9C", self.rubric, picture=False),
             "c4": Case("4B", self.rubric, live=True),
         }
-        self.passwords = {"rater": PASSWORD, "new.rater": PASSWORD}
+        self.passwords = {"rater": PASSWORD, "new.rater": PASSWORD, "office": PASSWORD}
         self.must_change = {"new.rater"}
         self.sessions = {}
         self.idle_s = 300
         self.refusing = False  # answers 503 to each change
+        self.silent = False    # takes requests and does not answer
         self.away = False      # closes each connection without an answer
         self.loses_answers = False  # executes requests, then closes the connection
         self.asks_password = True
@@ -127,6 +129,8 @@ class Desk:
         self.files = {}
         self.called = set()    # handles of live cases whose trainee is at the arm
         self.ever_called = set()
+        self.calls = []        # as the administrator sees them
+        self.missing = 0       # sheets on the board of the day
 
     def call(self, handle):
         """An administrator calls a live case."""
@@ -209,6 +213,8 @@ class Desk:
 
     @staticmethod
     def user(login):
+        if login == "office":
+            return {"login": login, "roles": ["administrator"], "pages": ["board", "people"]}
         return {"login": login, "roles": ["rater"], "pages": ["queue"]}
 
     def join(self, body, who):
@@ -282,7 +288,28 @@ class Desk:
         token = next(token for login, token in self.sessions.values() if login == who)
         return {"token": token, "user": self.user(who), "idle_s": self.idle_s}
 
+    def call_trainee(self, label, open_=True):
+        """A call as the administrator's board shows it: ten sheets, none is in."""
+        self.calls.append({"call": label, "open": open_, "label": label, "trainee": "TR-4100", "occasion": "before", "room": "Skills lab",
+                           "asked": 10, "submitted": 0, "missing": [f"P{number}" for number in range(10)]})
+
+    def sheet_arrives(self):
+        """Of the newest call."""
+        self.calls[-1]["submitted"] += 1
+        self.calls[-1]["missing"].pop(0)
+        self.missing -= 1
+
+    def board(self, _body, _who):
+        row = {"trainee": "TR-4100", "group": "", "phase": "", "done": False, "withdrawn": False, "left_us": 0, "station": "",
+               "occasion": "before", "sheets_missing": self.missing, "deviations": 0, "planned_utc_us": None, "overdue": False}
+        return {"name": "Spring", "occasions": [{"code": "pre", "label": "before"}], "alerts": [], "rows": [row], "stations": []}
+
     ROUTES = [
+        ("GET", r"/api/cohorts", True, lambda _self, _body, _who: {"cohorts": [{"cohort": "k1", "name": "Spring"}], "first": 0}),
+        ("GET", r"/api/cohorts/k1/board", True, board),
+        ("GET", r"/api/cohorts/k1/calls", True, lambda self, _body, _who: {"calls": self.calls}),
+        ("POST", r"/api/cohorts/k1/calls/4B/remind", True, lambda _self, _body, _who: {"text": "Please submit your sheet of case 4B"}),
+        ("GET", r"/api/invitations", True, lambda _self, _body, _who: {"people": [], "waiting": [], "mail": False}),
         ("POST", r"/api/sign-in", False, sign_in),
         ("POST", r"/api/password", False, password),
         ("POST", r"/api/join", False, join),
@@ -330,6 +357,8 @@ class Handler(BaseHTTPRequestHandler):
 
     def handle_any(self):
         body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
+        while self.desk.silent and self.path.startswith("/api/"):
+            time.sleep(0.05)
         if self.desk.away and self.path.startswith("/api/"):
             self.close_connection = True
             self.connection.close()
