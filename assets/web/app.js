@@ -5,7 +5,7 @@ import { BoardPage } from './board_page.js';
 import { CallWatch } from './calls.js';
 import { CalibrationPage } from './calibration_page.js';
 import { CasePage } from './case_page.js';
-import { button, h, say, show } from './dom.js';
+import { bringIntoView, button, h, say, show } from './dom.js';
 import { draftsUnderway, stopDrafts } from './drafts_underway.js';
 import { DiscrepancyPage } from './discrepancy_page.js';
 import { EvaluationPage } from './evaluation_page.js';
@@ -228,9 +228,15 @@ function showWays() {
       ['#sessions', t('Your sessions')]]
     : [];
   const present = pageOf(window.location.hash)?.hash;
-  ways.replaceChildren(...known.map(([hash, title]) =>
-    h('a', { href: hash, 'aria-current': hash === present ? 'page' : null }, title)));
   show(ways, known.length > 0);
+  const listed = JSON.stringify([known, present]);
+  if (listed !== ways.listed) { // links are not moved under a finger
+    ways.listed = listed;
+    ways.replaceChildren(...known.map(([hash, title]) =>
+      h('a', { href: hash, 'aria-current': hash === present ? 'page' : null }, title)));
+    const active = ways.querySelector('[aria-current]');
+    if (active) bringIntoView(active, ways);
+  }
   say(moved, user?.record_notice ?? '');
 }
 

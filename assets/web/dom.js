@@ -36,6 +36,13 @@ export function show(element, visible) {
   element.hidden = !visible;
 }
 
+/// Scrolls a box, and not the page, so that an element inside is in its middle.
+export function bringIntoView(element, box) {
+  const at = element.getBoundingClientRect();
+  const seen = box.getBoundingClientRect();
+  box.scrollBy(at.left - seen.left + (at.width - seen.width) / 2, at.top - seen.top + (at.height - seen.height) / 2);
+}
+
 /// Sets the text only if it differs: otherwise a screen reader would repeat it.
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;

@@ -2,7 +2,7 @@
 // Live sheets: the called trainees in the order of the calls, and the sheet of one of them.
 import { api } from './api.js';
 import { CasePage } from './case_page.js';
-import { button, h, say, show } from './dom.js';
+import { bringIntoView, button, h, say, show } from './dom.js';
 import { problemText } from './problem.js';
 import { Stopwatch } from './stopwatch.js';
 import { t } from './texts.js';
@@ -10,7 +10,11 @@ import { t } from './texts.js';
 function stateText(line) {
   if (line.state === 'submitted') return t('submitted');
   if (line.state === 'draft') return line.open ? t('draft, called now') : t('draft, late');
-  return line.open ? t('called now') : t('late');
+  return line.open ? t('called now') : t('late, not begun');
+}
+
+function lineText(line) {
+  return `${t('Case %1', line.label)} · ${stateText(line)}`;
 }
 
 export class LivePage {
@@ -49,15 +53,12 @@ export class LivePage {
     this.#showLines();
     this.#nobody();
     await this.#follow();
-    if (this.sheet) return;
-    const { lines } = this.live;
-    const first = lines.find((line) => line.state !== 'submitted') ?? lines.at(-1);
-    if (first) await this.#open(first.case);
   }
   /// Called with each change of the calls.
   async callsChanged(live) {
     this.live = live;
     this.#showLines();
+    if (!this.sheet) this.#nobody();
     await this.#follow();
   }
   async #follow() {
@@ -81,20 +82,34 @@ export class LivePage {
       : t('Case %1 is called now. What you have begun here is kept: submit it, or choose the case from the list and come back later.', called.label);
   }
 
+  /// A late sheet is opened by hand alone: whoever waits for the next trainee must not score into it.
   #nobody() {
-    this.place.replaceChildren(h('div', { class: 'card' }, h('h2', {}, t('Nobody is called yet')),
-      h('p', {}, t('The sheet opens by itself when an administrator calls a case.'))));
+    const late = this.live.lines.filter((line) => line.state !== 'submitted' && !line.open);
+    const called = this.live.lines.some((line) => line.open);
+    const now = JSON.stringify([called, late]);
+    if (this.place.firstChild === this.waiting && now === this.waitingFor) return; // nor are these buttons
+    this.waitingFor = now;
+    this.waiting = h('div', { class: 'card stack' }, h('h2', {}, called ? t('Nobody else is called now') : t('Nobody is called now')),
+      h('p', {}, t('The sheet opens by itself when an administrator calls a case.')),
+      ...(late.length === 0 ? [] : [
+        h('p', { class: 'caution' }, t('These sheets are late. Choose one to fill it in:')),
+        h('div', { class: 'actions late' }, late.map((line) => button(lineText(line), () => this.#choose(line.case)))),
+      ]));
+    this.place.replaceChildren(this.waiting);
   }
   #showLines() {
     const lines = this.live.lines.filter((line) => this.#older || !line.older);
     const hidden = this.live.lines.filter((line) => line.older).length;
     const shown = this.sheet?.handle;
-    const texts = lines.map((line) => `${t('Case %1', line.label)}, ${stateText(line)}`);
+    const texts = lines.map(lineText);
     const now = JSON.stringify([texts, shown]);
     if (now !== this.listed) { // buttons are not rebuilt under a finger
       this.listed = now;
       this.order.replaceChildren(...lines.map((line, i) => h('li', {},
         button(texts[i], () => this.#choose(line.case), { 'aria-current': line.case === shown ? 'true' : null }))));
+      const wanted = lines.findLastIndex((line) => line.open && line.state !== 'submitted');
+      const line = this.order.children[wanted] ?? this.order.querySelector('[aria-current]');
+      if (line) bringIntoView(line, this.order);
     }
     show(this.olderButton, hidden > 0);
     say(this.olderButton, this.#older ? t('Hide earlier ones') : t('Show earlier ones (%1)', hidden));
@@ -137,6 +152,7 @@ export class LivePage {
   async #sealed() {
     const before = this.sheet;
     this.sheet = null;
+    this.#followed = '';
     before?.left();
     this.watch.reset();
     try {

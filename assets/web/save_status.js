@@ -3,9 +3,12 @@
 import { h, say } from './dom.js';
 import { t } from './texts.js';
 
+const kSilent_ms = 5000;
+
 export class SaveStatus {
   element = h('span', { class: 'saved' });
   #troubled = false;
+  #timer = null;
 
   /// Shows another text until the next change.
   say(text) {
@@ -13,10 +16,8 @@ export class SaveStatus {
   }
   /// `keeper`: DraftKeeper. Screen readers announce trouble and its end, not every change.
   show({ state, problem }) {
-    const troubled = !['idle', 'saving', 'saved'].includes(state);
-    this.element.setAttribute('aria-live', troubled || this.#troubled ? 'polite' : 'off');
-    this.element.classList.toggle('caution', troubled);
-    this.#troubled = troubled;
+    clearTimeout(this.#timer);
+    if (state === 'saving') this.#timer = setTimeout(() => this.#tell(t('The server does not answer; marks are kept here'), true), kSilent_ms);
     const texts = {
       idle: '',
       saving: t('Saving…'),
@@ -26,6 +27,12 @@ export class SaveStatus {
       conflict: t('Not saved: the sheet was changed elsewhere'),
       refused: t('Not saved: %1', problem?.message ?? ''),
     };
-    say(this.element, texts[state]);
+    this.#tell(texts[state], !['idle', 'saving', 'saved'].includes(state));
+  }
+  #tell(text, troubled) {
+    this.element.setAttribute('aria-live', troubled || this.#troubled ? 'polite' : 'off');
+    this.element.classList.toggle('caution', troubled);
+    this.#troubled = troubled;
+    say(this.element, text);
   }
 }

@@ -99,6 +99,174 @@ def test_a_called_sheet_opens_by_itself(browser, url, desk):
     browser.says(".order", "submitted")
 
 
+def submit_live(browser, desk, handle):
+    desk.asks_password = False
+    browser.keys("7", "Tab", "7", "Tab", "7", "Tab", "7")
+    saved(browser, desk, [70, 70, 70, 70], handle)
+    browser.keys("Control+Enter", "Control+Enter")
+    browser.until("sealed", lambda: desk.cases[handle].state == "submitted")
+
+
+def test_a_late_sheet_does_not_open_by_itself(browser, url, desk):
+    desk.cases["c5"] = mock_server.Case("5D", desk.rubric, live=True)
+    desk.cases["c6"] = mock_server.Case("6E", desk.rubric, live=True)
+    desk.call("c5")
+    desk.called.discard("c5")  # its trainee has left the arm
+    desk.call("c4")
+    sign_in(browser, url)
+    browser.says(".live-sheet", "Case 4B")
+    submit_live(browser, desk, "c4")
+    browser.says(".live-sheet", "Nobody else is called now")
+    browser.says(".live-sheet .late", "Case 5D · late, not begun")
+    browser.keys("9")
+    check("nothing can be scored", not browser.run("return document.querySelector('.live-sheet .strip')"))
+    desk.called.clear()
+    browser.says(".live-sheet", "Nobody is called now")
+    desk.call("c6")
+    browser.says(".live-sheet", "Case 6E")
+    submit_live(browser, desk, "c6")
+    browser.click(".live-sheet .late button")
+    browser.says(".live-sheet h1", "Case 5D")
+    submit_live(browser, desk, "c5")
+    browser.until("none is late", lambda: not browser.run("return document.querySelector('.live-sheet .late')"))
+    check("the one that waited is empty no more", marks(desk, "c5")[0] == 70)
+
+
+def test_the_called_case_is_in_sight(browser, url, desk):
+    for number in range(12):
+        handle = f"d{number:02}"
+        desk.cases[handle] = mock_server.Case(f"{number:02}D", desk.rubric, live=True)
+        desk.call(handle)
+        desk.called.discard(handle)
+    desk.call("d11")
+    sign_in(browser, url)
+    browser.says(".live-sheet", "Case 11D")
+    for width in (320, 390, 1366):
+        browser.resize(width, 640)
+        browser.reload()
+        browser.says(".live-sheet", "Case 11D")
+        gap = browser.run("const line = document.querySelector('.order [aria-current]').getBoundingClientRect();"
+                          "const all = document.querySelector('.order').getBoundingClientRect();"
+                          "return Math.max(all.left - line.left, line.right - all.right, line.bottom - innerHeight)")
+        check(f"the open case is in sight at {width}: {gap}", gap <= 0)
+    browser.resize(1280, 800)
+
+
+def test_nothing_moves_under_a_finger(browser, url, desk):
+    """Whatever is said about saving: the sheet keeps its place, in the live page and in a case."""
+    desk.call("c4")
+    sign_in(browser, url)
+    browser.says(".live-sheet", "Case 4B")
+    browser.keys("7")
+    texts = ["", "Saved", "Saving…", "Not saved yet, trying again", "Draft found and opened", "Not saved yet: sign in again",
+             "The server does not answer; marks are kept here"]
+    for page in ("#live", "#case/c1"):
+        browser.run("location.hash = arguments[0]", page)
+        browser.there(".strip")
+        for width in (320, 390, 600, 820, 1000, 1024, 1180, 1280, 1366, 1500, 1920, 3840):
+            browser.resize(width, 768)
+            places = browser.run("return arguments[0].map((text) => { document.querySelector('.saved').textContent = text;"
+                                 "return document.querySelector('.strip').getBoundingClientRect().top; })", texts)
+            check(f"{page} at {width}: {places}", len(set(places)) == 1)
+    browser.resize(1280, 800)
+
+
+def test_a_server_that_does_not_answer_is_named(browser, url, desk):
+    desk.call("c4")
+    sign_in(browser, url)
+    browser.says(".live-sheet", "Case 4B")
+    begun = time.monotonic()
+    desk.silent = True
+    browser.keys("7")
+    browser.says(".saved", "Saving…")
+    browser.says(".saved", "The server does not answer; marks are kept here")
+    check("after five seconds", 4 < time.monotonic() - begun < 9)
+    desk.silent = False
+    saved(browser, desk, [70, None, None, None], "c4")
+
+
+def open_board(browser, url):
+    browser.open(url)
+    browser.there("[name=login]")
+    browser.keys("office", "Tab", mock_server.PASSWORD, "Enter")
+    browser.there(".call-form")
+
+
+def test_the_caller_sees_that_the_desk_is_away(browser, url, desk):
+    desk.call_trainee("4B")
+    open_board(browser, url)
+    browser.says(".called", "● Called")
+    for trouble in ("away", "silent"):
+        setattr(desk, trouble, True)
+        browser.says(".calls", "No connection since ")
+        check("with the time", re.search(r"since \d\d:\d\d; what you see may be old", browser.text(".calls")))
+        setattr(desk, trouble, False)
+        browser.until("it is back", lambda: "No connection" not in browser.text(".calls"))
+
+
+def test_a_reminder_without_a_clipboard(browser, url, desk):
+    desk.call_trainee("4B", open_=False)
+    open_board(browser, url)
+    browser.run("navigator.clipboard.writeText = () => Promise.reject(new DOMException('refused', 'NotAllowedError'))")
+    browser.click(".called button")
+    browser.until("the text is selected", lambda: browser.run("return String(getSelection())") == "Please submit your sheet of case 4B"
+                  or browser.run("const e = document.activeElement; return e.value?.slice(e.selectionStart, e.selectionEnd)")
+                  == "Please submit your sheet of case 4B")
+    browser.says(".calls", "Copy this into a message to these raters")
+    desk.calls.clear()
+    browser.until("it is gone with the call", lambda: "Copy this" not in browser.text(".calls"))
+    desk.call_trainee("4B", open_=False)
+    browser.run("navigator.clipboard.writeText = (text) => { window.copied = text; return Promise.resolve(); }")
+    browser.click(".called button")
+    browser.says(".notice", "Copied: paste it into a message to these raters.")
+    check("the text is copied", browser.run("return window.copied") == "Please submit your sheet of case 4B")
+
+
+def test_sheets_of_an_open_call_are_not_missing(browser, url, desk):
+    desk.call_trainee("4B")
+    desk.missing = 10
+    open_board(browser, url)
+    browser.says(".called", "0 of 10 sheets in")
+    check("none is missing yet", "missing" not in browser.text(".called") and "P0" not in browser.text(".called"))
+    begun = time.monotonic()
+    desk.sheet_arrives()
+    browser.says(".called", "1 of 10 sheets in; still to come: P1, P2")
+    browser.says("main", "sheets due and missing: 9")
+    check("the board does not lag", time.monotonic() - begun < 5)
+    desk.calls[-1]["open"] = False
+    browser.says(".called", "1 of 10 sheets in; missing: P1, P2")
+
+
+def test_a_call_with_a_sheet_is_not_withdrawn(browser, url, desk):
+    desk.call_trainee("4B")
+    open_board(browser, url)
+    browser.there(".cancel-call:enabled")
+    desk.sheet_arrives()
+    browser.there(".cancel-call:disabled")
+    browser.says(".called", "A sheet is in: if it was the wrong person, end the call and report a deviation.")
+
+
+def test_the_board_goes_on_after_an_outage(browser, url, desk):
+    open_board(browser, url)
+    desk.away = True
+    time.sleep(11)  # it is read every ten seconds
+    desk.missing = 7
+    desk.away = False
+    browser.says("main", "sheets due and missing: 7")
+
+
+def test_the_open_page_is_in_sight_among_the_tabs(browser, url, desk):
+    browser.resize(390, 844)
+    open_board(browser, url)
+    browser.run("location.hash = '#invitations'")
+    browser.says("h1", "Invitations")
+    gap = browser.run("const at = document.querySelector('.ways [aria-current]').getBoundingClientRect();"
+                      "const all = document.querySelector('.ways').getBoundingClientRect();"
+                      "return Math.max(all.left - at.left, at.right - all.right)")
+    check(f"the tab is in sight: {gap}", gap <= 0)
+    browser.resize(1280, 800)
+
+
 def test_a_call_waits_for_a_begun_sheet(browser, url, desk):
     for handle in ("c5", "c6"):
         desk.cases[handle] = mock_server.Case("5D" if handle == "c5" else "6E", desk.rubric, live=True)
@@ -536,6 +704,21 @@ def test_chinese(browser, url, desk):
     known = r"Torsio|English|Made-up Centre|rater|ab12cd34|Ctrl|Enter|Shift|Backspace|Home|End|Tab|Esc|WebGL|see"
     left = [word for word in re.findall(r"[A-Za-z][A-Za-z' ]{2,}", re.sub(known, "", shown))]
     check(f"no English is left: {left}", not left)
+
+
+def test_live_states_in_chinese(browser, url, desk):
+    desk.cases["c5"] = mock_server.Case("5D", desk.rubric, live=True)
+    desk.cases["c4"].state = "submitted"
+    desk.call("c4")
+    desk.call("c5")
+    browser.open(url)
+    browser.run("localStorage.setItem('torsio.language', 'zh_CN')")
+    sign_in(browser, url)
+    browser.there(".live-sheet .strip")
+    browser.keys("7")
+    browser.says(".order", "5D · 草稿 · 呼叫中")
+    browser.says(".order", "4B · 已提交")
+    browser.run("localStorage.clear()")
 
 
 def test_small_and_large(browser, url, desk):
