@@ -12684,7 +12684,7 @@ audit trail %3</source>
     </message>
     <message>
         <source>submitted</source>
-        <translation>提交时间</translation>
+        <translation>已提交</translation>
     </message>
     <message>
         <source>seen live</source>
@@ -15203,10 +15203,6 @@ audit trail %3</source>
         <translation>您的全部训练记录，可打印或保存。生成成绩单会记入审计记录。</translation>
     </message>
     <message>
-        <source>For your eyes only: overall marks of cases that everyone has submitted. The mean of the others does not hold your own mark.</source>
-        <translation>仅供您本人查看：所有人均已提交的案例的总分。他人均分不含您自己的评分。</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>开始</translation>
     </message>
@@ -15489,10 +15485,6 @@ audit trail %3</source>
     <message>
         <source>The part of the link after the #</source>
         <translation>链接中 # 之后的内容</translation>
-    </message>
-    <message>
-        <source>Where you are signed in with a browser. End what you do not know, then change your password.</source>
-        <translation>您在哪些浏览器中登录。请结束您不认识的会话，然后修改密码。</translation>
     </message>
     <message>
         <source>Who has scored what</source>
@@ -16697,10 +16689,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>%1, asked for by %2: %3</source>
         <translation>%1，由 %2 申请：%3</translation>
-    </message>
-    <message>
-        <source>A personal link to set a password in a browser. It works once and for a week; any earlier link stops working.</source>
-        <translation>个人专用链接，用于在浏览器中设置密码。链接一周内可用一次；此前生成的链接随即作废。</translation>
     </message>
     <message>
         <source>Another administrator asks for these invitations and has handed over a code for each. The administrator who confirms one hands over the link.</source>
@@ -19063,10 +19051,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>现在登录的人很多，您的登录正在排队，请稍候</translation>
     </message>
     <message>
-        <source>Nobody is called yet</source>
-        <translation>尚未呼叫任何人</translation>
-    </message>
-    <message>
         <source>On the real arm: %1 called and not submitted, %2 still to be called</source>
         <translation>实物手臂：已呼叫未提交 %1 例，尚待呼叫 %2 例</translation>
     </message>
@@ -19140,11 +19124,11 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>draft, called now</source>
-        <translation>草稿，呼叫中</translation>
+        <translation>草稿 · 呼叫中</translation>
     </message>
     <message>
         <source>draft, late</source>
-        <translation>草稿，逾期</translation>
+        <translation>草稿 · 逾期</translation>
     </message>
     <message>
         <source>for</source>
@@ -21773,6 +21757,66 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Name another administrator</source>
         <translation>请指定另一位管理员</translation>
+    </message>
+    <message>
+        <source>submitted at</source>
+        <translation>提交时间</translation>
+    </message>
+    <message>
+        <source>A personal link to set a password in a browser. It works once and expires after a week; any earlier link stops working.</source>
+        <translation>个人专用链接，用于在浏览器中设置密码。链接仅可使用一次，一周后失效；此前生成的链接随即作废。</translation>
+    </message>
+    <message>
+        <source>A run</source>
+        <translation>一次操作</translation>
+    </message>
+    <message>
+        <source>A sheet is in: if it was the wrong person, end the call and report a deviation.</source>
+        <translation>已有评分表提交：如果叫错了人，请结束呼叫并登记方案偏离。</translation>
+    </message>
+    <message>
+        <source>Copy this into a message to these raters</source>
+        <translation>请将此文本复制到发给这些评分者的消息中</translation>
+    </message>
+    <message>
+        <source>For your eyes only: overall marks of cases that everyone has submitted. The mean of the others does not include your own mark.</source>
+        <translation>仅供您本人查看：所有人均已提交的案例的总分。他人均分不含您自己的评分。</translation>
+    </message>
+    <message>
+        <source>No connection since %1; what you see may be old.</source>
+        <translation>自 %1 起连接中断，您看到的内容可能已过时。</translation>
+    </message>
+    <message>
+        <source>Nobody else is called now</source>
+        <translation>目前没有呼叫其他人</translation>
+    </message>
+    <message>
+        <source>Nobody is called now</source>
+        <translation>目前没有呼叫任何人</translation>
+    </message>
+    <message>
+        <source>The server does not answer; marks are kept here</source>
+        <translation>服务器没有应答，评分保留在此处</translation>
+    </message>
+    <message>
+        <source>These sheets are late. Choose one to fill it in:</source>
+        <translation>以下评分表已逾期，请选择一份填写：</translation>
+    </message>
+    <message>
+        <source>Where you are signed in with a browser. End any session you don&apos;t recognise, then change your password.</source>
+        <translation>您在哪些浏览器中登录。请结束您不认识的会话，然后修改密码。</translation>
+    </message>
+    <message>
+        <source>Your sheet</source>
+        <translation>您的评分表</translation>
+    </message>
+    <message>
+        <source>late, not begun</source>
+        <translation>逾期 · 未开始</translation>
+    </message>
+    <message>
+        <source>still to come: %1</source>
+        <translation>待交：%1</translation>
     </message>
 </context>
 <context>
@@ -27108,10 +27152,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>登录邀请</translation>
     </message>
     <message>
-        <source>Links and codes are shown only now. Each is for one person; a link works once and for a week. Send each code by a different channel from the link, which another administrator hands over.</source>
-        <translation>链接和代码只在此时显示。每项只供一人使用，链接限用一次，一周内有效。代码应通过与链接不同的途径交给本人，链接由另一位管理员转交。</translation>
-    </message>
-    <message>
         <source>invitations.pdf</source>
         <translation>登录邀请.pdf</translation>
     </message>
@@ -27134,6 +27174,10 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>For %1:</source>
         <translation>致 %1：</translation>
+    </message>
+    <message>
+        <source>Links and codes are shown only now. Each is for one person; a link works once and expires after a week. Send each code by a different channel from the link, which another administrator hands over.</source>
+        <translation>链接和代码只在此时显示。每项只供一人使用，链接仅可使用一次，一周后失效。代码应通过与链接不同的途径交给本人，链接由另一位管理员转交。</translation>
     </message>
 </context>
 <context>
@@ -27340,7 +27384,7 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>%1.  Case %2, %3</source>
-        <translation>%1.  案例 %2，%3</translation>
+        <translation>%1.  案例 %2 · %3</translation>
     </message>
     <message>
         <source>Hide earlier ones</source>
@@ -27432,11 +27476,11 @@ Its public part, to be kept where heads are checked: %2</source>
     </message>
     <message>
         <source>draft, called now</source>
-        <translation>草稿，呼叫中</translation>
+        <translation>草稿 · 呼叫中</translation>
     </message>
     <message>
         <source>draft, late</source>
-        <translation>草稿，逾期</translation>
+        <translation>草稿 · 逾期</translation>
     </message>
     <message>
         <source>called now</source>

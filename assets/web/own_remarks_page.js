@@ -30,7 +30,7 @@ export class OwnRemarksPage {
 
   #draw({ trials }) {
     const cards = trials.map((trial) => h('section', { class: 'card stack' },
-      h('h2', {}, h('a', { href: `#run/${encodeURIComponent(trial.run)}` }, `${trial.title || t('Run')}, ${dayText(trial.started_utc_us)}`)),
+      h('h2', {}, h('a', { href: `#run/${encodeURIComponent(trial.run)}` }, `${trial.title || t('A run')}, ${dayText(trial.started_utc_us)}`)),
       ...trial.remarks.map((remark) => this.#remark(remark))));
     this.element.replaceChildren(h('h1', {}, t('Remarks')),
       h('p', { class: 'quiet' }, t("Physicians' remarks on moments of your runs. Their names are not shown.")),

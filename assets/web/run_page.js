@@ -18,7 +18,7 @@ export class RunPage {
     this.path = `/api/own/runs/${encodeURIComponent(handle)}`;
   }
   get title() {
-    return this.run ? this.run.title : t('Run');
+    return this.run ? this.run.title : t('A run');
   }
   async load() {
     this.run = await api.get(this.path, { patience_ms: kPatience_ms });
@@ -27,7 +27,7 @@ export class RunPage {
     const facts = [dayText(run.started_utc_us), t('%1 long', clockTenths(1e6 * run.duration_s))];
     if (!run.force_felt) facts.push(t('without felt force'));
     this.element.replaceChildren(
-      h('div', { class: 'case-head' }, h('h1', {}, run.title || t('Run')), h('span', { class: 'quiet facts' }, facts.join('  \u00b7  '))),
+      h('div', { class: 'case-head' }, h('h1', {}, run.title || t('A run')), h('span', { class: 'quiet facts' }, facts.join('  \u00b7  '))),
       h('div', { class: 'halves' }, h('div', { class: 'left' }, this.player.element),
         h('div', { class: 'right scrolls', tabindex: '0' }, this.#debriefing(), this.#twists(), this.#bookmarks(), this.#verdict())));
     this.#openRecording();

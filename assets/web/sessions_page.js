@@ -38,7 +38,7 @@ export class SessionsPage {
       h('h1', {}, this.title),
       h('p', { class: 'quiet' }, this.all
         ? t('Everybody who is signed in with a browser. Ending a session keeps every draft; the person can sign in again.')
-        : t('Where you are signed in with a browser. End what you do not know, then change your password.')),
+        : t("Where you are signed in with a browser. End any session you don't recognise, then change your password.")),
       h('div', { class: 'card wide-table', tabindex: '0' }, h('table', { class: 'sessions' },
         h('thead', {}, h('tr', {}, heads.map((head) => (head ? h('th', { scope: 'col' }, head) : h('td', {}))))),
         h('tbody', {}, sessions.map((one) => this.#line(one))))));

@@ -19,7 +19,7 @@ export class SeverityPage {
   async load() {
     const own = await api.get('/api/severity');
     this.element.replaceChildren(h('h1', {}, t('My severity')),
-      h('p', { class: 'quiet' }, t('For your eyes only: overall marks of cases that everyone has submitted. The mean of the others does not hold your own mark.')),
+      h('p', { class: 'quiet' }, t('For your eyes only: overall marks of cases that everyone has submitted. The mean of the others does not include your own mark.')),
       this.#figure(own), this.#cases(own),
       own.sealed > 0
         ? h('p', { class: 'quiet' }, t('Cases whose panel waits until you have submitted all your own sheets of the occasion: %1.', figure(own.sealed)))

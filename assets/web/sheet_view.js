@@ -30,7 +30,7 @@ export class SheetView {
     }, 'textarea');
     this.comment = input;
     const wayOut = `Esc: ${t('Out of the sheet, to the button that submits')}`;
-    this.element = h('section', { class: 'sheet', 'aria-label': t('Sheet'), 'aria-description': wayOut },
+    this.element = h('section', { class: 'sheet', 'aria-label': t('Your sheet'), 'aria-description': wayOut },
       h('div', { class: 'rows' }, this.rows.filter((row) => !overall.includes(row)).map((row) => row.element)),
       h('div', { class: 'last-rows' }, overall.map((row) => row.element), this.scoresOnly ? null : commentRow));
     this.element.addEventListener('keydown', (event) => this.#wander(event));

@@ -238,7 +238,7 @@ class CellTracer::Walk {
     const SubmittedMark* mark = &found->second;
     steps.push_back({Text::tr("mark"), mark->id});
     steps.push_back({Text::tr("version"), std::to_string(mark->version)});
-    steps.push_back({Text::tr("submitted"), formatUtc(mark->submittedUtc_us)});
+    steps.push_back({Text::tr("submitted at"), formatUtc(mark->submittedUtc_us)});
     if (!mark->assignmentId.empty()) {
       addSheet(*mark, steps);
     }

@@ -170,8 +170,9 @@ InvitationsDialog::InvitationsDialog(std::vector<InvitationCardText> cards, std:
                                      QWidget* parent)
     : ShownOnceDialog(
           tr("Invitations"),
-          tr("Links and codes are shown only now. Each is for one person; a link works once and for a week. "
-             "Send each code by a different channel from the link, which another administrator hands over."),
+          tr("Links and codes are shown only now. Each is for one person; a link works once and expires "
+             "after a week. Send each code by a different channel from the link, which another "
+             "administrator hands over."),
           tr("invitations.pdf"), parent),
       cards_(std::move(cards)),
       centre_(std::move(centre)) {
