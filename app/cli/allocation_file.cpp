@@ -15,7 +15,6 @@
 #include "app/services/maintenance/signing_key.h"
 #include "app/services/maintenance/station_anchor.h"
 #include "sim/core/error.h"
-#include "sim/core/file_io.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio::cli {
@@ -35,11 +34,7 @@ Value choice(JsonFields& fields, const char* name) {
 }
 
 Input parsed(const std::string& file) {
-  try {
-    return Input::parse(readFile(file));
-  } catch (const Input::parse_error& error) {
-    refuse("this is not JSON: " + std::string(error.what()), file, Text::verbatim("Correct the file"));
-  }
+  return Input::parse(jsonTextIn(file));
 }
 
 /// A value of the wrong type is an error in the file, not a bug.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,6 +18,15 @@ namespace torsio {
 // For .cpp files only, wherever a data file of Torsio's own is read: sim/scene (scenes, materials,
 // instruments), app/services/study (curricula, rubrics), app/cli (plans of an allocation). Includes nlohmann,
 // and so never goes into a public header.
+
+/// Returns the text of a JSON file, checked by requireSoundJson(). Throws Error: kFileMissing,
+/// kFileUnreadable, kBadData.
+[[nodiscard]] std::string jsonTextIn(const std::filesystem::path& file);
+/// Throws Error{kBadData} for a text that is not JSON, or costs or hides more than any file of Torsio's: more
+/// than 16 MiB, 64 brackets within each other, a text of more than 64 KiB, a character that plainText() does
+/// not let through (ends of lines may have a return). Takes no memory for what it reads. `name`: file for
+/// messages.
+void requireSoundJson(const std::string& text, const std::string& name);
 
 /// One JSON object of a data file, read field by field. Every refusal names file and field; finish() refuses
 /// unknown fields, so that a misspelt one never passes silently.

@@ -6,7 +6,6 @@
 
 #include "sim/core/angle.h"
 #include "sim/core/error.h"
-#include "sim/core/file_io.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/detorsion_file.h"
 #include "sim/scene/json_fields.h"
@@ -24,12 +23,7 @@ constexpr int kMaxSprings = 30;
 constexpr double kShortestFoundation = 0.05;  // organ lengths: below it a turn does not leave the grasp
 
 nlohmann::json readJson(const fs::path& file) {
-  try {
-    return nlohmann::json::parse(readFile(file));
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(ErrorCode::kBadData, Text::tr("is not valid JSON (%1)", error.what()), file.string(),
-                Text::tr("Correct the file."));
-  }
+  return nlohmann::json::parse(jsonTextIn(file));
 }
 
 /// A direction; its length does not matter, but it has one.

@@ -17,10 +17,10 @@
 #include "app/services/base/identifiers.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/file_io.h"
 #include "sim/core/foreign_recording.h"
 #include "sim/core/plausible.h"
 #include "sim/core/time_units.h"
+#include "sim/scene/json_fields.h"
 
 namespace torsio {
 
@@ -418,13 +418,10 @@ std::string rotationName(RotationForm form) {
 }
 
 ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
-  const std::string text = readFile(file);
-  const auto json = nlohmann::json::parse(text, nullptr, false);
+  const std::string text = jsonTextIn(file);
+  const auto json = nlohmann::json::parse(text);
   ForeignMap out;
   out.name = file.filename().string();
-  if (json.is_discarded()) {
-    refuse(Text::tr("the map is not JSON"), out.name, Text::tr("Check its quotes, commas and brackets"));
-  }
   Digest digest;
   digest.update(text);
   out.contentHash = digest.hex();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -22,9 +23,9 @@
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
-#include "sim/core/file_io.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_file.h"
+#include "sim/scene/json_fields.h"
 
 namespace torsio {
 
@@ -160,9 +161,9 @@ class StudyReader {
   explicit StudyReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   LandedStudy read() {
-    const std::string text = readFile(folder_ / kDatasetStudyFile);
-    const Study json = Study::parse(text, nullptr, false);
-    if (json.is_discarded() || !json.is_object() || json.value("format", "") != kStudyFormat) {
+    const std::string text = jsonTextIn(folder_ / kDatasetStudyFile);
+    const Study json = Study::parse(text);
+    if (!json.is_object() || json.value("format", "") != kStudyFormat) {
       refuse(Text::tr("not a study of a data set of Torsio"), (folder_ / kDatasetStudyFile).string(),
              Text::tr("Export the data set anew, with --whole"));
     }
@@ -197,7 +198,7 @@ class StudyReader {
     if (!std::filesystem::exists(file)) {
       return;
     }
-    const Study seal = Study::parse(readFile(file), nullptr, false);
+    const Study seal = Study::parse(jsonTextIn(file));
     const std::string key = seal.is_object() ? seal.value("public_key", "") : std::string();
     const std::string signature = seal.is_object() ? seal.value("signature", "") : std::string();
     if (!isPublicKey(key) || !isSignature(signature) || !genuine(sealedText(text), signature, key)) {
@@ -234,7 +235,7 @@ class StudyReader {
     if (json.contains("curriculum")) {
       study_.curriculum = {textIn(json.at("curriculum"), "name"),
                            textIn(json.at("curriculum"), "description"),
-                           readFile(folder_ / "curriculum.json")};
+                           jsonTextIn(folder_ / "curriculum.json")};
     }
     const Study& scale = json.at("scale");
     study_.scale = {scale.at("lowest").get<std::int64_t>(), scale.at("highest").get<std::int64_t>(),
@@ -277,6 +278,20 @@ class StudyReader {
     return {json.value("module", ""), json.value("arm", ""), json.value("phase", std::size_t{0})};
   }
 
+  /// A recording that the study names, in the folder of the data set: no name leads out of it.
+  [[nodiscard]] std::filesystem::path fileIn(const Study& json) const {
+    std::error_code broken;  // a name too long, a circle of links
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(folder_, broken);
+    const std::filesystem::path file =
+        std::filesystem::weakly_canonical(folder / textIn(json, "file"), broken);
+    if (broken ||
+        std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first != folder.end()) {
+      refuse(Text::tr("the study names a file outside its data set"), textIn(json, "file"),
+             Text::tr("Export the data set anew, with --whole"));
+    }
+    return file;
+  }
+
   void readRest(const Study& json) {
     for (const Study& one : json.at("marks")) {
       study_.marks.push_back({.person = knownIn(one, "trainee", known_),
@@ -296,7 +311,7 @@ class StudyReader {
     }
     for (const Study& one : json.at("recordings")) {
       LandedTrial landed;
-      landed.trial = readTrialFile(folder_ / textIn(one, "file"));
+      landed.trial = readTrialFile(fileIn(one));
       if (one.value("content_hash", landed.trial.summary.contentHash) != landed.trial.summary.contentHash) {
         refuse(Text::tr("the study lists another recording under this name"), textIn(one, "file"),
                Text::tr("Export the data set anew, with --whole"));

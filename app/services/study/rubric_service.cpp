@@ -207,12 +207,8 @@ std::string rubricText(const std::string& title, const RubricRevision& revision)
 }
 
 RubricTemplate parseRubric(const std::string& text, const std::string& id) {
-  json source;
-  try {
-    source = json::parse(text);
-  } catch (const json::exception& problem) {
-    refuse(Text::tr("is not JSON: %1", problem.what()), id, Text::tr("Correct the text"));
-  }
+  requireSoundJson(text, id);
+  const json source = json::parse(text);
   JsonFields fields(source, id);
   if (const std::string format = fields.text("format"); format != kRubricFormat) {
     fields.refuse("format", Text::tr("is '%1'", format), Text::tr("This program reads %1.", kRubricFormat));

@@ -213,7 +213,7 @@ TEST_F(SceneFile, RefusesOnePointForSeveralSprings) {
 TEST_F(SceneFile, SaysWhereTheTextIsNoJson) {
   writeFileAtomically(assets_ / "scenes/stomach.json", "{ \"title\": ");
   EXPECT_EQ(refusal().code(), ErrorCode::kBadData);
-  EXPECT_THAT(refusal().what(), AllOf(HasSubstr("stomach.json"), HasSubstr("not valid JSON")));
+  EXPECT_THAT(refusal().what(), AllOf(HasSubstr("stomach.json"), HasSubstr("is not JSON")));
   writeFileAtomically(assets_ / "scenes/stomach.json", "[1, 2]");
   EXPECT_EQ(refusal().code(), ErrorCode::kBadData);
 }
