@@ -4157,10 +4157,6 @@
         <translation>此处无法识别</translation>
     </message>
     <message>
-        <source>is not valid JSON (%1)</source>
-        <translation>不是有效的 JSON（%1）</translation>
-    </message>
-    <message>
         <source>is open in another program</source>
         <translation>已在其他程序中打开</translation>
     </message>
@@ -11073,10 +11069,6 @@
         <translation>这是您用另一个账号提出的申请</translation>
     </message>
     <message>
-        <source>an account of the demonstration confirms nothing</source>
-        <translation>演示账户不能确认任何申请</translation>
-    </message>
-    <message>
         <source>this is your own account</source>
         <translation>这是您自己的账号</translation>
     </message>
@@ -13909,14 +13901,6 @@ audit trail %3</source>
     <message>
         <source>there is no such layout of recordings</source>
         <translation>没有此种录制格式</translation>
-    </message>
-    <message>
-        <source>the map is not JSON</source>
-        <translation>映射文件不是 JSON</translation>
-    </message>
-    <message>
-        <source>Check its quotes, commas and brackets</source>
-        <translation>请检查引号、逗号与括号</translation>
     </message>
     <message>
         <source>the line ends before the score</source>
@@ -21817,6 +21801,34 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>still to come: %1</source>
         <translation>待交：%1</translation>
+    </message>
+    <message>
+        <source>the study names a file outside its data set</source>
+        <translation>研究指向了数据集之外的文件</translation>
+    </message>
+    <message>
+        <source>an account of the demonstration asks for and confirms only what concerns simulated people</source>
+        <translation>演示账户只能申请和确认涉及模拟人员的事项</translation>
+    </message>
+    <message>
+        <source>Sign in with your own account</source>
+        <translation>请用自己的账户登录</translation>
+    </message>
+    <message>
+        <source>holds a text of more than %1 KiB</source>
+        <translation>含有超过 %1 KiB 的文字</translation>
+    </message>
+    <message>
+        <source>has more than %1 brackets within each other</source>
+        <translation>括号嵌套超过 %1 层</translation>
+    </message>
+    <message>
+        <source>is larger than %1 MiB</source>
+        <translation>大于 %1 MiB</translation>
+    </message>
+    <message>
+        <source>Check that it is the right file</source>
+        <translation>请检查文件是否正确</translation>
     </message>
 </context>
 <context>

@@ -675,6 +675,12 @@ TEST_F(ServerRolesTest, WhoeverAsksNeedsTheRightAndIsAnotherRealPerson) {
   connection_->executeVerbatim(asked("real", "u-second", now_us));
   refused("u-simulated", decisionOn("real", "u-simulated"));
   EXPECT_EQ(as("u-office", decisionOn("real", "u-office")).find("ERROR"), std::string::npos);
+  // What concerns simulated people only, they may.
+  addUser("u-puppet", "rater", "NULL");
+  connection_->executeVerbatim("UPDATE app_user SET demonstration = TRUE WHERE id = 'u-puppet'");
+  const std::string simulated =
+      requestOf("u-simulated", "grant_roles", "u-puppet", R"({"roles": ["rater"]})");
+  EXPECT_EQ(as("u-office", decisionOn(simulated, "u-office")).find("ERROR"), std::string::npos);
 
   // The way round: as a simulated person, then as oneself.
   const std::string entered =
@@ -710,6 +716,38 @@ TEST_F(ServerRolesTest, APersonGetsNoSecondAccount) {
   EXPECT_EQ(as("u-office", added("nobody", "NULL")).find("ERROR"), std::string::npos);
   EXPECT_EQ(as("u-office", added("first", "'" + other + "'")).find("ERROR"), std::string::npos);
   EXPECT_TRUE(refused(as("u-office", added("second", "'" + other + "'"))));
+}
+
+TEST_F(ServerRolesTest, ARatersFirstAccountHasNoPasswordBeforeTwoDrawOne) {
+  connection_->executeVerbatim("UPDATE app_user SET person_id = NULL");
+  const std::string rater =
+      selectFirst(*connection_, "SELECT rater_id FROM training_mark LIMIT 1", {}, readText).value_or("");
+  const auto added = [&](const char* password, const char* pin, const char* demonstration) {
+    return as("u-office",
+              "BEGIN; INSERT INTO app_user (id, login, person_id, password_hash, pin_hash,"
+              " must_change_password, state, failed_count, locked_until_utc_us, created_utc_us,"
+              " demonstration) VALUES ('new', 'new', '" +
+                  rater + "', " + password + ", " + pin + ", FALSE, 'active', 0, 0, 0, " + demonstration +
+                  "); COMMIT");
+  };
+  const auto refused = [](const std::string& answer) {
+    return answer.find("row-level security") != std::string::npos;
+  };
+  EXPECT_TRUE(refused(added("'known'", "NULL", "FALSE")));
+  EXPECT_TRUE(refused(added("''", "'known'", "FALSE")));
+  EXPECT_TRUE(refused(added("'known'", "NULL", "TRUE"))) << "simulated in name only";
+  EXPECT_EQ(added("''", "NULL", "FALSE"), "");
+  const std::string set = "UPDATE app_user SET password_hash = 'known' WHERE id = 'new'";
+  EXPECT_TRUE(refused(as("u-office", set)));
+  const std::string request = requestOf("u-second", "reset_password", "new");
+  EXPECT_EQ(
+      as("u-office", "BEGIN; " + decisionOn(request, "u-office") + "; " + set + "; COMMIT").find("ERROR"),
+      std::string::npos);
+
+  connection_->executeVerbatim("DELETE FROM app_user WHERE id = 'new'");
+  connection_->executeVerbatim(
+      "INSERT INTO setting (name, value, changed_utc_us) VALUES ('two_people', 'no', 1)");
+  EXPECT_EQ(added("'known'", "NULL", "FALSE").find("ERROR"), std::string::npos);
 }
 
 TEST_F(ServerRolesTest, OnlyWhoMayEditSettingsWritesThem) {

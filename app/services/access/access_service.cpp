@@ -268,14 +268,18 @@ void signOut(SessionContext& session) {
 UserId addUser(SessionContext& session, const NewUser& user) {
   session.require(Operation::kUserManage);
   requireNoAccount(session, user.personId);
-  if (givesGuardedRole(session, user.demonstration, {}, user.roles)) {
+  const bool opens = !user.startPassword.empty();
+  const UserAccount account{
+      .personId = user.personId, .demonstration = user.demonstration, .roles = user.roles};
+  if (givesGuardedRole(session, user.demonstration, {}, user.roles) ||
+      (opens && passwordNeedsTwo(session, account))) {
     throw SecondPersonNeeded(DutyAct::kGrantRoles, user.login);
   }
   requireLegible(user.login);
   const UserId id = session.ids().newUuid();
   AccessRepository access = repository(session);
   requireUnlikeOthers(access, user.login);
-  const SealedSecret password = access.sealPassword(user.login, user.startPassword);
+  const SealedSecret password = opens ? access.sealPassword(user.login, user.startPassword) : SealedSecret();
   Transaction transaction(session.connection());
   access.addUser({.id = id,
                   .login = user.login,

@@ -63,7 +63,8 @@ enum class SimulatedRole { kTrainee, kPhysician };
 
 /// A user with a start password, which must be changed at the first sign-in. kUserManage. Throws
 /// Error{kBadData} for a person who has an account, SecondPersonNeeded (two_people.h) for roles that need two
-/// people; makeUser() requests the second person.
+/// people, and for a rater's account with a password; makeUser() requests the second person. Nobody can sign
+/// in without a start password.
 struct NewUser {
   std::string login{};
   PersonId personId{};

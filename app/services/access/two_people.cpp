@@ -14,6 +14,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/signature_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 
@@ -96,6 +97,40 @@ std::vector<DutyRequest> openIn(SessionContext& session) {
   return DutyRepository(session.connection()).open(session.now_us() - kRequestLife_us);
 }
 
+/// Returns whether nothing of a real person depends on an act; is_simulated_subject() on a server.
+bool isSimulatedSubject(SessionContext& session, DutyAct act, const std::string& subject) {
+  if (changesAccount(act)) {
+    const std::optional<UserAccount> user = findUser(session, subject);
+    return user && user->demonstration;
+  }
+  if (act == DutyAct::kErase) {
+    const std::optional<Person> person = PeopleRepository(session.connection()).find(subject);
+    return person && person->demonstration;
+  }
+  if (act != DutyAct::kRevealAllocation && act != DutyAct::kFreezeInterim) {
+    return false;
+  }
+  const StudyRepository study(session.connection());
+  for (const Cohort& cohort : study.cohorts()) {
+    if (act == DutyAct::kFreezeInterim && cohort.id.text() == subject) {
+      return cohort.demonstration;
+    }
+    if (act == DutyAct::kRevealAllocation) {
+      for (const LockedDesign& design : study.designs(cohort.id)) {
+        if (design.id.text() == subject) {
+          return design.demonstration;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+Phrase onlySimulated() {
+  return Text::tr(
+      "an account of the demonstration asks for and confirms only what concerns simulated people");
+}
+
 /// Returns why the actor cannot confirm the request; empty if they can.
 Text hindrance(SessionContext& session, const DutyRequest& request) {
   const Actor& actor = session.actor();
@@ -110,8 +145,9 @@ Text hindrance(SessionContext& session, const DutyRequest& request) {
   if (!actor.personId.empty() && asker->personId == actor.personId) {
     return Text::tr("you asked for this yourself, with another account");
   }
-  if (self && self->demonstration && !asker->demonstration) {
-    return Text::tr("an account of the demonstration confirms nothing");
+  if ((asker->demonstration || (self && self->demonstration)) &&
+      !isSimulatedSubject(session, request.act, request.subject)) {
+    return onlySimulated();
   }
   if (changesAccount(request.act) && request.subject == actor.userId.text() &&
       !(self && onlyTakesRoles(request.act, *self, rolesOf(request)))) {
@@ -253,6 +289,11 @@ void requireAskable(SessionContext& session, const DutyWish& wish) {
   if (wish.reason.empty()) {
     refuseParameter(Text::tr("a request needs a reason"), Text::tr("two people"),
                     Text::tr("Say why, for the person who confirms it and for the audit trail"));
+  }
+  const std::optional<UserAccount> self = findUser(session, session.actor().userId);
+  if (self && self->demonstration && !isSimulatedSubject(session, wish.act, wish.subject)) {
+    throw Error(ErrorCode::kPermission, onlySimulated(), Text::tr("two people"),
+                Text::tr("Sign in with your own account"));
   }
   if (changesAccount(wish.act)) {
     if (!findUser(session, wish.subject)) {
@@ -444,15 +485,22 @@ bool mayDropTheRule(SessionContext& session) {
 MadeUser makeUser(SessionContext& session, NewUser user) {
   session.require(Operation::kUserManage);
   const std::vector<std::string> wanted = user.roles;
-  if (!givesGuardedRole(session, user.demonstration, {}, wanted)) {
+  const UserAccount account{.personId = user.personId, .demonstration = user.demonstration, .roles = wanted};
+  const bool grants = givesGuardedRole(session, user.demonstration, {}, wanted);
+  if (!grants && !passwordNeedsTwo(session, account)) {
     return {addUser(session, user), user.startPassword};
   }
-  std::erase_if(user.roles, isGuardedRole);
-  user.startPassword = randomStartPassword();  // never shown
+  if (grants) {
+    std::erase_if(user.roles, isGuardedRole);
+  }
+  user.startPassword.clear();  // the two draw one
   Transaction transaction(session.connection());
   MadeUser made{.id = addUser(session, user), .awaitsSecond = true};
-  made.startPassword = askSecondPerson(
-      session, {.act = DutyAct::kGrantRoles, .subject = made.id, .roles = wanted, .reason = "new account"});
+  made.startPassword =
+      askSecondPerson(session, {.act = grants ? DutyAct::kGrantRoles : DutyAct::kResetPassword,
+                                .subject = made.id,
+                                .roles = wanted,
+                                .reason = "new account"});
   transaction.commit();
   return made;
 }

@@ -112,10 +112,10 @@ UserId requireSecondPerson(SessionContext& session, DutyAct act, const std::stri
 struct MadeUser {
   UserId id{};
   std::string startPassword{};  ///< whole or first half
-  bool awaitsSecond = false;    ///< a second person must confirm the roles and gets the second half
+  bool awaitsSecond = false;    ///< a second person must confirm it and gets the second half
 };
-/// Adds a user according to the centre's rule: if roles need two people, the account gets only the others,
-/// nobody can sign in to it yet, and a request is pending for the rest. kUserManage.
+/// Adds a user according to the centre's rule: if roles need two people, or the person is a rater, the account
+/// gets only the other roles and no password, and a request is pending for the rest. kUserManage.
 MadeUser makeUser(SessionContext& session, NewUser user);
 
 }  // namespace torsio

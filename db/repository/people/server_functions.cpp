@@ -180,14 +180,20 @@ constexpr std::string_view kMayGiveRole =
     " AND d.decided_by = session_user_id() AND d.xmin = pg_current_xact_id_if_assigned()::xid"
     " AND jsonb_exists(r.detail_json::jsonb -> 'roles', given))) END";
 
-/// A person has one account. Another one that is being added is waited for, and seen: at other levels of
-/// isolation it would not be.
+/// A rater's account has no password before two people draw one. A person has one account. Another one that
+/// is being added is waited for, and seen: at other levels of isolation it would not be.
 constexpr std::string_view kMayAddAccount = R"(
 BEGIN
   IF NOT (CASE WHEN session_user_id() IS NULL THEN is_known() ELSE session_may('user.manage') END) THEN
     RETURN FALSE;
   END IF;
   IF person IS NULL THEN RETURN TRUE; END IF;
+  IF simulated AND EXISTS (SELECT 1 FROM person p WHERE p.id = person AND NOT p.demonstration) THEN
+    RETURN FALSE;
+  END IF;
+  IF session_user_id() IS NOT NULL AND NOT one_is_enough() AND NOT simulated
+      AND (password <> '' OR pin IS NOT NULL)
+      AND EXISTS (SELECT 1 FROM rater p WHERE p.person_id = person) THEN RETURN FALSE; END IF;
   IF current_setting('transaction_isolation') <> 'read committed' THEN RETURN FALSE; END IF;
   PERFORM pg_advisory_xact_lock(1414484563, hashtext(person));
   RETURN NOT EXISTS (SELECT 1 FROM app_user u WHERE u.person_id = person);
@@ -395,7 +401,8 @@ constexpr std::array kFunctions{
     ServerFunction{"administrator_is_guarded", "account text", "boolean", "sql STABLE",
                    kAdministratorIsGuarded, false},
     ServerFunction{"may_take_role", "account text, taken text", "boolean", "sql STABLE", kMayTakeRole},
-    ServerFunction{"may_add_account", "person text", "boolean", "plpgsql", kMayAddAccount},
+    ServerFunction{"may_add_account", "person text, password text, pin text, simulated boolean", "boolean",
+                   "plpgsql", kMayAddAccount},
     ServerFunction{"may_give_role", "account text, given text", "boolean", "sql STABLE", kMayGiveRole},
     ServerFunction{"may_change_account",
                    "account text, name text, person text, password text, pin text, simulated boolean,"

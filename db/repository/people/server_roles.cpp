@@ -187,7 +187,7 @@ constexpr std::array kRowPolicies{
     // Accounts, and what needs two people.
     RowPolicy{.table = "app_user",
               .seen = kEverything,
-              .added = "may_add_account(person_id)",
+              .added = "may_add_account(person_id, password_hash, pin_hash, demonstration)",
               .changed = "may_change_account(id, login, person_id, password_hash, pin_hash, demonstration,"
                          " state)"},
     RowPolicy{.table = "user_role",

@@ -208,6 +208,85 @@ TEST_F(TwoPeople, AnAccountOfTheDemonstrationDoesNotCircumventTheSecondPerson) {
   }
 }
 
+TEST_F(TwoPeople, ARatersFirstAccountNeedsTwoWhateverItsRoles) {
+  const std::vector<RaterId> chiefs = centre_.addChiefs(3);
+  std::size_t next = 0;
+  for (const std::vector<std::string>& roles : {std::vector<std::string>{}, {"trainee"}}) {
+    const std::string login = "chief" + std::to_string(next);
+    const NewUser wanted{
+        .login = login, .personId = chiefs[next++], .roles = roles, .startPassword = kStudyPassword};
+    EXPECT_THROW(addUser(asFirst(), wanted), SecondPersonNeeded);
+
+    const MadeUser made = makeUser(asFirst(), wanted);
+
+    EXPECT_TRUE(made.awaitsSecond);
+    for (const std::string& known : {std::string(kStudyPassword), made.startPassword, std::string()}) {
+      EXPECT_EQ(signIn(centre_.as(""), login, known).outcome, SignIn::kWrong);
+    }
+    centre_.passTime_us(10 * kMinute_us);  // the wrong tries
+    const std::string rest = confirmRequest(asSecond(), openRequests(asSecond()).at(0).request.id);
+    EXPECT_EQ(signIn(centre_.as(""), login, made.startPassword + "-" + rest).outcome, SignIn::kMustChange);
+    EXPECT_EQ(user(login).roles, roles);
+  }
+
+  // Where a centre switched the rule off, one is enough.
+  SettingRepository(centre_.connection()).set(kTwoPeople.name, "no", 0);
+  const NewUser alone{
+      .login = "alone", .personId = chiefs[next], .roles = {"rater"}, .startPassword = kStudyPassword};
+  EXPECT_FALSE(makeUser(asFirst(), alone).awaitsSecond);
+  EXPECT_EQ(signIn(centre_.as(""), "alone", kStudyPassword).outcome, SignIn::kMustChange);
+}
+
+// As ServerRolesTest.WhoeverAsksNeedsTheRightAndIsAnotherRealPerson has it on a server.
+TEST_F(TwoPeople, WhoeverIsSimulatedAsksAndConfirmsOnlyWhatConcernsSimulatedPeople) {
+  addAdministrator("puppet");
+  AccessRepository(centre_.connection(), PasswordCost::kTest)
+      .addUser({.id = "u-physician", .login = "physician", .demonstration = true, .roles = {"rater"}},
+               kStudyPassword);
+  const auto asPuppet = [this]() -> SessionContext& {
+    EXPECT_EQ(signIn(centre_.as(""), "puppet", kStudyPassword).outcome, SignIn::kOk);
+    return centre_.session();
+  };
+  const std::vector<TraineeId> people = centre_.addTrainees(1);
+  const DutyWish real{.act = DutyAct::kErase, .subject = people[0], .reason = "asked"};
+  const DutyWish lost{.act = DutyAct::kResetPassword, .subject = user("rater").id, .reason = "lost"};
+  const DutyWish simulated{.act = DutyAct::kGrantRoles,
+                           .subject = "u-physician",
+                           .roles = {"rater", "statistician"},
+                           .reason = "to look"};
+  (void)askSecondPerson(asPuppet(), real);  // while it still is nobody's puppet
+  (void)askSecondPerson(asPuppet(), lost);
+  centre_.connection().executeVerbatim("UPDATE app_user SET demonstration = TRUE WHERE login = 'puppet'");
+
+  // What a simulated person asked for is confirmed by nobody.
+  const auto tryAll = [](SessionContext& session) {
+    for (const OpenRequest& open : openRequests(session)) {
+      if (open.request.act == DutyAct::kResetPassword) {
+        EXPECT_EQ(refusalCode([&] { (void)confirmRequest(session, open.request.id); }),
+                  ErrorCode::kPermission);
+      }
+    }
+  };
+  tryAll(asSecond());
+  EXPECT_THROW(erasePersonRecord(asSecond(), people[0], "asked"), SecondPersonNeeded);
+  // Nor does a simulated person ask for or confirm anything that concerns a real one.
+  for (const DutyWish& wish :
+       {real, lost, DutyWish{.act = DutyAct::kOnePerson, .subject = "two_people", .reason = "why not"}}) {
+    EXPECT_EQ(refusalCode([&] { (void)askSecondPerson(asPuppet(), wish); }), ErrorCode::kPermission);
+  }
+  (void)askSecondPerson(asFirst(),
+                        {.act = DutyAct::kResetPassword, .subject = user("trainee").id, .reason = "lost"});
+  tryAll(asPuppet());
+  // What concerns simulated people only, they may.
+  (void)askSecondPerson(asPuppet(), simulated);
+  for (const OpenRequest& open : openRequests(asSecond())) {
+    if (open.request.act == DutyAct::kGrantRoles) {
+      (void)confirmRequest(asSecond(), open.request.id);
+    }
+  }
+  EXPECT_EQ(user("physician").roles, (std::vector<std::string>{"rater", "statistician"}));
+}
+
 TEST_F(TwoPeople, ErasingNeedsTwoAndUsesUpTheRequest) {
   const std::vector<TraineeId> people = centre_.addTrainees(2);
   EXPECT_THROW(erasePersonRecord(asFirst(), people[0], "asked"), SecondPersonNeeded);
