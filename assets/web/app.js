@@ -48,7 +48,7 @@ const idle = new IdleWatch({
   held: () => (calls.goesOn && page instanceof LivePage) || Boolean(page?.callsGoOn),
   present: () => readUser().catch(() => {}), // if the session was ended elsewhere, the gate closes
 });
-const calls = new CallWatch(followCalls);
+const calls = new CallWatch(followCalls, (since_ms) => page?.callsAway?.(since_ms));
 let user = null;
 let page = null;
 let announced = ''; // the call that was told of last

@@ -10,11 +10,13 @@ const kLongestPause_ms = 4000;
 export class CallWatch {
   live = null;
   #run = 0;
+  #away = false;
   #wake = () => {};
 
-  /// `onChange(live)`: called for the first state and for each change.
-  constructor(onChange) {
-    this.onChange = onChange;
+  /// `onChange(live)`: called for the first state, for each change, and when the server answers again. `onAway(since_ms)`:
+  /// it has stopped answering; null: it answers again.
+  constructor(onChange, onAway) {
+    Object.assign(this, { onChange, onAway });
   }
   get goesOn() {
     return Boolean(this.live?.calls_go_on);
@@ -26,16 +28,21 @@ export class CallWatch {
     let pause_ms = kFirstPause_ms;
     while (run === this.#run) {
       try {
-        const path = this.live ? `/api/live/${this.live.stamp}` : '/api/live';
+        const path = this.live && !this.#away ? `/api/live/${this.live.stamp}` : '/api/live';
         const live = await api.get(path, { patience_ms: kPatience_ms });
         if (run !== this.#run) return;
         pause_ms = kFirstPause_ms;
+        if (this.#away) this.onAway(null);
+        this.#away = false;
         if (live) {
           this.live = live;
           await this.onChange(live);
         }
       } catch (error) {
         if (error.needsSignIn || error.status === 403) return; // start() is called again after signing in
+        if (run !== this.#run) return;
+        if (!this.#away) this.onAway(Date.now());
+        this.#away = true;
         await new Promise((done) => {
           this.#wake = done;
           setTimeout(done, pause_ms);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Live sheets: the called trainees in the order of the calls, and the sheet of one of them.
-import { api } from './api.js';
+import { api, NoConnection } from './api.js';
 import { CasePage } from './case_page.js';
 import { bringIntoView, button, h, say, show } from './dom.js';
+import { hourText, joinedSentences } from './numbers.js';
 import { problemText } from './problem.js';
 import { Stopwatch } from './stopwatch.js';
 import { t } from './texts.js';
@@ -22,6 +23,8 @@ export class LivePage {
   sheet = null; // CasePage of the open sheet
   #followed = '';
   #older = false;
+  #told = ''; // about a call
+  #away = ''; // about the server
 
   constructor(frame) {
     this.frame = frame;
@@ -61,6 +64,15 @@ export class LivePage {
     if (!this.sheet) this.#nobody();
     await this.#follow();
   }
+  /// Called when the server has stopped answering; null: it answers again.
+  callsAway(since_ms) {
+    this.#away = since_ms === null ? '' : t('No connection since %1; what you see may be old.', hourText(since_ms));
+    this.#notify(this.#told);
+  }
+  #notify(told) {
+    this.#told = told;
+    say(this.notice, joinedSentences([this.#away, told]));
+  }
   async #follow() {
     const shown = this.sheet?.handle ?? '';
     try {
@@ -70,9 +82,9 @@ export class LivePage {
         await this.#open(guide.called.case);
         return;
       }
-      say(this.notice, this.#noticeOf(guide));
+      this.#notify(this.#noticeOf(guide));
     } catch (error) {
-      if (!error.needsSignIn) say(this.notice, problemText(error));
+      if (!error.needsSignIn && !(error instanceof NoConnection)) this.#notify(problemText(error)); // callsAway() says the other
     }
   }
   #noticeOf({ called, other_room: otherRoom }) {
@@ -139,7 +151,7 @@ export class LivePage {
     if (this.sheet !== sheet) return;
     this.place.replaceChildren(sheet.element);
     sheet.view.takeFocus();
-    say(this.notice, '');
+    this.#notify('');
     this.#showLines();
   }
   /// The frame as the sheet sees it: what follows a sealed sheet is decided here.

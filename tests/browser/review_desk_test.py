@@ -204,6 +204,21 @@ def test_the_caller_sees_that_the_desk_is_away(browser, url, desk):
         browser.until("it is back", lambda: "No connection" not in browser.text(".calls"))
 
 
+def test_a_waiting_rater_sees_that_the_desk_is_away(browser, url, desk):
+    sign_in(browser, url)
+    browser.there(".cases")
+    browser.run("location.hash = '#live'")
+    browser.says(".live-sheet", "Nobody is called now")
+    desk.away = True
+    browser.says(".live-left", "No connection since ")
+    desk.away = False
+    begun = time.monotonic()
+    browser.until("it is back", lambda: "No connection" not in browser.text(".live-left"))
+    check("at once, not when the next call comes", time.monotonic() - begun < 4.8)
+    desk.call("c4")
+    browser.says(".live-sheet", "Case 4B")
+
+
 def test_a_reminder_without_a_clipboard(browser, url, desk):
     desk.call_trainee("4B", open_=False)
     open_board(browser, url)
