@@ -141,8 +141,8 @@ def test_the_called_case_is_in_sight(browser, url, desk):
     desk.call("d11")
     sign_in(browser, url)
     browser.says(".live-sheet", "Case 11D")
-    for width in (320, 390, 1366):
-        browser.resize(width, 640)
+    for width, height in ((320, 640), (390, 640), (1366, 640), (1366, 550)):
+        browser.resize(width, height)
         browser.reload()
         browser.says(".live-sheet", "Case 11D")
         gap = browser.run("const line = document.querySelector('.order [aria-current]').getBoundingClientRect();"
