@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/outputs/charts/category_labels.h"
 
+#include <algorithm>
+
 #include <QFontMetricsF>
 
-#include "app/outputs/charts/chart_style.h"
 #include "app/outputs/charts/text_fit.h"
 #include "app/outputs/charts/typeface.h"
 
@@ -11,9 +12,9 @@ namespace torsio {
 
 namespace {
 
-constexpr double kAcross_px = 570.0;  // axis of a printed figure; the screen has more room
-constexpr double kAir_px = 8.0;       // left and right of a label, as in Qt
+constexpr double kAir_px = 8.0;  // left and right of a label, as in Qt
 constexpr int kSmallest_px = 8;
+constexpr int kReadable_px = 10;
 constexpr qsizetype kMaxLines = 3;
 constexpr qsizetype kTogether = 6;  // Chinese characters kept on one line
 
@@ -28,11 +29,11 @@ QString htmlOf(const QStringList& lines) {
 
 }  // namespace
 
-CategoryLabels categoryLabels(const QStringList& names, int largest_px) {
+CategoryLabels categoryLabels(const QStringList& names, const ChartStyle& look) {
   // Qt divides the axis by its ticks: one more than there are categories.
-  const double share_px = kAcross_px / static_cast<double>(names.size() + 1) - kAir_px;
+  const double share_px = look.axis_px / static_cast<double>(names.size() + 1) - kAir_px;
   CategoryLabels labels{{}, printedTypeface()};
-  labels.font.setPixelSize(largest_px);
+  labels.font.setPixelSize(look.label_px - 1);
   while (true) {
     const QFontMetricsF metrics(labels.font);
     bool fits = true;
@@ -51,6 +52,10 @@ CategoryLabels categoryLabels(const QStringList& names, int largest_px) {
       labels.font.setStretch(QFont::SemiCondensed);
     }
   }
+}
+
+bool labelsAreReadable(const QStringList& names, const ChartStyle& look) {
+  return categoryLabels(names, look).font.pixelSize() >= std::min(kReadable_px, look.label_px - 1);
 }
 
 }  // namespace torsio

@@ -68,6 +68,14 @@ void countUp(QValueAxis& axis, const AxisRange& range) {
   axis.setRange(step * std::floor(range.low / step), step * std::ceil(range.high / step));
 }
 
+/// Returns the range with room for whole dots at its ends.
+AxisRange widened(AxisRange range) {
+  const double room = 0.02 * (range.high - range.low);
+  range.low -= room;
+  range.high += room;
+  return range;
+}
+
 /// Returns the values of the ticks, ascending.
 std::vector<double> marksOf(const QValueAxis& axis) {
   std::vector<double> marks;
@@ -170,7 +178,7 @@ AxisRange ChartAxes::valueRange() const {
   if (range.low == range.high) {
     range.high = range.low + 1.0;
   }
-  return range;
+  return figure_.kind == FigureKind::kScatter ? widened(range) : range;
 }
 
 /// A value axis formats numbers in the C locale; a category axis uses the style's format.
@@ -259,7 +267,7 @@ QCategoryAxis* ChartAxes::addCategories() {
   for (const Text& category : figure_.categories) {
     categories << say_(category);
   }
-  const auto [names, letters] = categoryLabels(categories, style_.label_px - 1);
+  const auto [names, letters] = categoryLabels(categories, style_);
   for (qsizetype i = 0; i < names.size(); ++i) {
     appendTo(*axis, names[i], static_cast<double>(i + 1));
   }
@@ -287,6 +295,8 @@ QCategoryAxis* ChartAxes::addNumbers() {
   }
   values.setRange(range.low, range.high);
   if (figure_.kind == FigureKind::kScatter) {
+    range = widened(range);
+    values.setRange(range.low, range.high);
     values.setTickCount(6);
     values.applyNiceNumbers();
   } else {

@@ -48,7 +48,8 @@ class RowedChart : public QChart {
       return;
     }
     const QFontMetricsF metrics(legend()->font());
-    const double beside_px = 2.0 * metrics.height();  // a name's marker with the space round it
+    constexpr double kBetween_px = 10.0;
+    const double beside_px = 2.0 * metrics.height() + kBetween_px;  // a name's marker and the space round it
     const double width = size().width() - 2.0 * kEdge_px;
     double widest = 0.0;
     int names = 0;
@@ -68,7 +69,8 @@ class RowedChart : public QChart {
     }
     const int columns = std::max(1, static_cast<int>(width / widest));
     const int rows = (names + columns - 1) / columns;
-    const int height = static_cast<int>(std::ceil(rows * (metrics.height() + 2.0 * kEdge_px))) + kEdge_px;
+    constexpr double kRowGap_px = 12.0;  // that Qt leaves between two rows
+    const int height = static_cast<int>(std::ceil(rows * (metrics.height() + kRowGap_px))) + kEdge_px;
     legend()->detachFromChart();
     legend()->setGeometry(kEdge_px, 0.0, width, height);
     setMargins(QMargins(kEdge_px, kEdge_px + height, kEdge_px, kEdge_px));

@@ -16,9 +16,10 @@ struct ChartStyle {
   QColor ink{0x26, 0x32, 0x38};
   QColor grid{0xDD, 0xE3, 0xE6};
   bool dark = false;
-  int label_px = 13;    ///< print: charts are laid out at 96 pixels per inch and scaled as a whole
-  double hatch = 1.0;   ///< scale of fill patterns: larger for charts many pixels wide
-  double stroke = 1.0;  ///< scale of markers and lines: likewise
+  int label_px = 13;       ///< print: charts are laid out at 96 pixels per inch and scaled as a whole
+  double hatch = 1.0;      ///< scale of fill patterns: larger for charts many pixels wide
+  double stroke = 1.0;     ///< scale of markers and lines: likewise
+  double axis_px = 570.0;  ///< least length of the axis below; as on a page if it is not stated
   /// Formats the tick labels of an axis. If empty: ungrouped, like report tables.
   std::function<QString(double value, int decimals)> number;
 };

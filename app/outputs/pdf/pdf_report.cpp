@@ -14,7 +14,9 @@
 #include <QPdfWriter>
 #include <QStringList>
 
+#include "app/outputs/charts/category_labels.h"
 #include "app/outputs/charts/chart_builder.h"
+#include "app/outputs/charts/chart_style.h"
 #include "app/outputs/charts/relief_item.h"
 #include "app/outputs/pdf/page_flow.h"
 #include "app/outputs/pdf/pdf_structure.h"
@@ -46,20 +48,21 @@ constexpr int kTableDecimals = 4;
 constexpr std::size_t kLongestTwin = 100;  // rows; longer tables would swamp the annex
 constexpr std::size_t kWidestTwin = 12;    // columns that fit on a page
 constexpr double kHalfRatio = 1.45;        // width over height of a figure in a column
-// Labels that can be read in a column: rows of a forest, characters of one, and of all below an axis.
+// Labels of a forest that can be read in a column: rows, and characters of one.
 constexpr qsizetype kNarrowRows = 12;
 constexpr qsizetype kNarrowLabel = 24;
-constexpr qsizetype kNarrowLabels = 56;
+constexpr double kAxisShare = 0.87;   // of a chart's width; the rest is for its numbers and title
 constexpr double kColumnScale = 1.3;  // chart fonts in a column appear at about 7 points
 constexpr double kTitle_pt = 9.5;
 constexpr double kSectionStart_mm =
     45.0;  // a section begins on the page of the previous one if so much is free
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels per inch: chart fonts appear at about 9 points
 constexpr double kNote_pt = 7.5;
-constexpr double kBoard_pt = 9.0;  // of the first page
+constexpr std::array kBoard_pt{9.0, 8.5, 8.0};  // of the first page, the largest that has room
 constexpr double kBoardTitle_pt = 13.0;
 constexpr double kBoardGap_mm = 0.8;
 constexpr double kHeading_mm = 8.0;
+constexpr double kBelowTitle_mm = 1.0;  // of a table
 constexpr double kBehindNotes_mm = 4.0;
 constexpr std::size_t kRowsWithTitle = 2;
 constexpr double kShortTable_mm = 60.0;
@@ -81,18 +84,28 @@ double heightOf(const ReportFigure& figure, double width_mm) {
              : std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
 }
 
-/// Returns whether a figure and its labels can be read in a column.
-bool isNarrow(const ReportFigure& figure, const Wording& say) {
+/// Returns the style of a chart that is so many pixels wide.
+ChartStyle styleFor(double width_px) {
+  ChartStyle style;
+  style.axis_px = kAxisShare * width_px;
+  return style;
+}
+
+/// Returns whether a figure and its labels can be read in a column of this width.
+bool isNarrow(const ReportFigure& figure, const Wording& say, double width_mm) {
   if (figure.kind == FigureKind::kHeatMap || figure.kind == FigureKind::kReliefs || figure.valuesInLabels) {
     return false;
   }
+  QStringList labels;
   qsizetype longest = 0;
   for (const Text& category : figure.categories) {
-    longest = std::max(longest, say(category).size());
+    labels << say(category);
+    longest = std::max(longest, labels.back().size());
   }
-  const auto labels = static_cast<qsizetype>(figure.categories.size());
-  return figure.kind == FigureKind::kForest ? labels <= kNarrowRows && longest <= kNarrowLabel
-                                            : labels * longest <= kNarrowLabels;
+  return figure.kind == FigureKind::kForest
+             ? labels.size() <= kNarrowRows && longest <= kNarrowLabel
+             : labels.isEmpty() ||
+                   labelsAreReadable(labels, styleFor(width_mm * kColumnScale * kChartPixelsPerMm));
 }
 
 /// Lays out a report on pages in one language.
@@ -145,14 +158,27 @@ class Composer {
                  [](const ReportParagraph& one) { return one.reservation; });
     const std::size_t reservations = rest.paragraphs.size() - 1;
     std::size_t shown = reservations;
-    std::vector<ReportParagraph> paragraphs = section.paragraphs;
-    for (const std::vector<Item> items = itemsOf(section); shown > 0 && !fits(section, paragraphs, items);) {
-      paragraphs = withReservations(section.paragraphs, --shown, reservations);
+    std::vector<ReportParagraph> paragraphs;
+    const std::vector<Item> items = itemsOf(section);
+    const auto found = [&](std::size_t fewest) {
+      return std::any_of(kBoard_pt.begin(), kBoard_pt.end(), [&](double points) {
+        board_pt_ = points;
+        shown = reservations;
+        paragraphs = section.paragraphs;
+        while (shown > fewest && !fits(section, paragraphs, items)) {
+          paragraphs = withReservations(section.paragraphs, --shown, reservations);
+        }
+        return fits(section, paragraphs, items);
+      });
+    };
+    if (!found(std::min<std::size_t>(1, reservations))) {  // the most serious one should stand there
+      (void)found(0);
     }
     this->section(section, paragraphs);
+    flow_.newPage();
     if (shown < reservations) {
-      flow_.newPage();
       this->section(rest, rest.paragraphs);
+      flow_.space(4.0);
     }
   }
 
@@ -172,7 +198,7 @@ class Composer {
     flow_.bookmark(say_(section.title), 0);
     flow_.space(gap_mm);
     for (const Text& paragraph : paragraphs) {
-      flow_.text(say_(paragraph), section.onFirstPage ? kBoard_pt : 9.5);
+      flow_.text(say_(paragraph), section.onFirstPage ? board_pt_ : 9.5);
       flow_.space(gap_mm);
     }
     flow_.space(gap_mm);
@@ -264,10 +290,13 @@ class Composer {
         out.push_back(paragraph);
       } else if (seen == shown) {
         out.emplace_back(
-            Text::tr("%1 more {reservation stands|reservations stand} against the answer: all %2 are on the "
-                     "next page, "
-                     "the most serious first.",
-                     reservations - shown, reservations));
+            shown > 0
+                ? Text::tr("%1 more {reservation stands|reservations stand} against the answer: all %2 "
+                           "are on the next page, the most serious first.",
+                           reservations - shown, reservations)
+                : Text::tr("%1 {reservation stands against the answer: it is|reservations stand against "
+                           "the answer: they are} on the next page, the most serious first.",
+                           reservations));
       }
       seen += paragraph.reservation ? 1 : 0;
     }
@@ -277,15 +306,14 @@ class Composer {
   /// Returns whether the first page has room for these paragraphs and `items`.
   [[nodiscard]] bool fits(const ReportSection& section, const std::vector<ReportParagraph>& paragraphs,
                           const std::vector<Item>& items) const {
-    constexpr double kReserve_mm = 3.0;  // that the last table asks for
     double taken_mm = flow_.textHeight_mm(say_(section.title), kBoardTitle_pt, true) + 2.0 * kBoardGap_mm;
     for (const Text& paragraph : paragraphs) {
-      taken_mm += flow_.textHeight_mm(say_(paragraph), kBoard_pt) + kBoardGap_mm;
+      taken_mm += flow_.textHeight_mm(say_(paragraph), board_pt_) + kBoardGap_mm;
     }
     for (const Item& item : items) {
       taken_mm += item.taken_mm;
     }
-    return taken_mm + kReserve_mm <= flow_.room_mm();
+    return taken_mm <= flow_.room_mm();
   }
 
   /// Places items in order; where a figure does not fit on the page, the next table fills the room if it can.
@@ -321,7 +349,7 @@ class Composer {
     std::vector<Item> items;
     const ReportFigure* waiting = nullptr;
     for (const ReportFigure& figure : figures) {
-      if (!isNarrow(figure, say_)) {
+      if (!isNarrow(figure, say_, flow_.columnWidth_mm())) {
         items.push_back(figureItem(figure));
       } else if (waiting == nullptr) {
         waiting = &figure;
@@ -402,7 +430,8 @@ class Composer {
         height_mm,
         [&figure, say = say_, width_mm, height_mm, pixels](QPainter& painter, const QRectF& area, double) {
           QGraphicsScene scene;
-          QGraphicsWidget* chart = buildFigure(figure, {}, say).release();  // the scene takes ownership
+          QGraphicsWidget* chart =
+              buildFigure(figure, styleFor(width_mm * pixels), say).release();  // the scene takes ownership
           scene.addItem(chart);
           chart->resize(width_mm * pixels, height_mm * pixels);
           scene.setSceneRect(chart->geometry());
@@ -422,7 +451,7 @@ class Composer {
     }
     const double whole_mm = kHeading_mm + layout.height_mm() + notes_mm;
     if (whole_mm - kHeading_mm < kShortTable_mm) {
-      begin_mm = whole_mm;
+      begin_mm = whole_mm - kHeading_mm + kBelowTitle_mm;
     }
     const double title_mm = flow_.textHeight_mm(say_(table.title), kTitle_pt, true);
     return {true, begin_mm + kHeading_mm, whole_mm + kHeading_mm,
@@ -430,7 +459,7 @@ class Composer {
             [this, &table, cells = std::move(cells), layout = std::move(layout), begin_mm, notes_mm] {
               flow_.text(say_(table.title), kTitle_pt, true, kAccent, begin_mm);
               flow_.bookmark(say_(table.title), 1);
-              flow_.space(1.0);
+              flow_.space(kBelowTitle_mm);
               flow_.table(cells, layout, notes_mm);
               flow_.space(1.0);
               addNotes(table.notes, table.provenance);
@@ -461,6 +490,7 @@ class Composer {
 
   PageFlow& flow_;
   const Wording& say_;
+  double board_pt_ = kBoard_pt.front();
 };
 
 void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
@@ -470,7 +500,6 @@ void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
   composer.title(model, !board);
   if (board) {
     composer.board(*next++);
-    flow.space(4.0);
   }
   composer.facts(model);
   bool annex = false;

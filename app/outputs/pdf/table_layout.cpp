@@ -120,6 +120,17 @@ std::vector<double> widthsFor(const Demand& demand, double available_mm) {
   return widened(demand.least, demand.wanted, available_mm);
 }
 
+/// Returns widths with which no cell takes more than `lines` lines, or nothing if there is no room for them.
+std::vector<double> widthsOfLines(const Demand& demand, int lines, double available_mm) {
+  constexpr double kUneven = 1.15;  // lines break between words, so none is quite full
+  std::vector<double> widths;
+  for (std::size_t c = 0; c < demand.least.size(); ++c) {
+    const double share = kUneven * (demand.cells[c] - kMargin_mm) / lines + kMargin_mm;
+    widths.push_back(std::max(demand.least[c], std::min(demand.cells[c], share)));
+  }
+  return sum(widths) <= available_mm ? widened(widths, demand.cells, available_mm) : std::vector<double>{};
+}
+
 double heightOf(const std::vector<QString>& cells, const std::vector<double>& widths_mm,
                 const QFontMetricsF& metrics, double unit) {
   constexpr double kAir_mm = 1.3;
@@ -145,20 +156,81 @@ double TableLayout::height_mm() const {
   return header_mm + sum(rows_mm);
 }
 
-TableLayout layOut(const PlainTable& table, double available_mm, QPaintDevice& device, double unit,
-                   const std::function<QFont(double points, bool bold)>& font) {
-  TableLayout layout;
+namespace {
+
+/// Measures cells in one size of letters.
+struct Letters {
+  QFont regular;
+  QFont bold;
+  QFontMetricsF ofCells;
+  QFontMetricsF ofHeader;
   Demand demand;
-  for (const double points : kPoints) {
-    layout.regular = font(points, false);
-    layout.bold = font(points, true);
-    demand =
-        demandOf(table, QFontMetricsF(layout.regular, &device), QFontMetricsF(layout.bold, &device), unit);
-    if (sum(demand.wanted) <= available_mm) {
-      break;
+};
+
+Letters lettersOf(const PlainTable& table, double points, QPaintDevice& device, double unit,
+                  const std::function<QFont(double points, bool bold)>& font) {
+  Letters out{font(points, false),
+              font(points, true),
+              QFontMetricsF(font(points, false), &device),
+              QFontMetricsF(font(points, true), &device),
+              {}};
+  out.demand = demandOf(table, out.ofCells, out.ofHeader, unit);
+  return out;
+}
+
+TableLayout withWidths(const PlainTable& table, const Letters& letters, std::vector<double> widths_mm,
+                       double unit) {
+  TableLayout layout;
+  layout.regular = letters.regular;
+  layout.bold = letters.bold;
+  layout.widths_mm = std::move(widths_mm);
+  layout.header_mm =
+      table.hasHeader() ? heightOf(table.columns, layout.widths_mm, letters.ofHeader, unit) : 0.0;
+  for (const std::vector<QString>& row : table.rows) {
+    layout.rows_mm.push_back(heightOf(row, layout.widths_mm, letters.ofCells, unit));
+  }
+  return layout;
+}
+
+/// Returns the lowest layout: cells of several columns may take few lines where one would take many.
+TableLayout lowest(const PlainTable& table, const Letters& letters, double available_mm, double unit) {
+  TableLayout layout = withWidths(table, letters, widthsFor(letters.demand, available_mm), unit);
+  if (sum(letters.demand.least) > available_mm || sum(letters.demand.cells) <= available_mm) {
+    return layout;
+  }
+  for (const int lines : {2, 3, 4}) {
+    if (std::vector<double> widths = widthsOfLines(letters.demand, lines, available_mm); !widths.empty()) {
+      if (TableLayout other = withWidths(table, letters, std::move(widths), unit);
+          other.height_mm() < layout.height_mm()) {
+        layout = std::move(other);
+      }
     }
   }
-  layout.widths_mm = widthsFor(demand, available_mm);
+  return layout;
+}
+
+}  // namespace
+
+TableLayout layOut(const PlainTable& table, double available_mm, QPaintDevice& device, double unit,
+                   const std::function<QFont(double points, bool bold)>& font) {
+  constexpr double kMuchLower = 0.75;     // for which smaller letters are worth it
+  constexpr double kSmallForLower = 6.5;  // but not smaller
+  TableLayout layout;
+  bool chosen = false;
+  for (const double points : kPoints) {
+    if (chosen && points < kSmallForLower) {
+      break;
+    }
+    const Letters letters = lettersOf(table, points, device, unit, font);
+    if (TableLayout other = lowest(table, letters, available_mm, unit);
+        !chosen || other.height_mm() < kMuchLower * layout.height_mm()) {
+      layout = std::move(other);
+    }
+    chosen = chosen || sum(letters.demand.wanted) <= available_mm;
+    if (chosen && sum(letters.demand.cells) <= available_mm) {
+      break;  // nothing takes more than a line
+    }
+  }
   layout.numeric.assign(table.columns.size(), !table.rows.empty());
   for (const std::vector<QString>& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
@@ -166,13 +238,6 @@ TableLayout layOut(const PlainTable& table, double available_mm, QPaintDevice& d
         layout.numeric[c] = false;
       }
     }
-  }
-  const QFontMetricsF regular(layout.regular, &device);
-  if (table.hasHeader()) {
-    layout.header_mm = heightOf(table.columns, layout.widths_mm, QFontMetricsF(layout.bold, &device), unit);
-  }
-  for (const std::vector<QString>& row : table.rows) {
-    layout.rows_mm.push_back(heightOf(row, layout.widths_mm, regular, unit));
   }
   return layout;
 }

@@ -87,13 +87,14 @@ Wording wordingIn(const std::string& language, Signs signs) {
       QStringLiteral(":/torsio/translations/torsio_%1.qm").arg(QString::fromStdString(language)));
   TORSIO_EXPECTS(loaded);
   return [translator, locale = localeOf(language), signs](const Text& text) {
-    return worded(
+    QString words = worded(
         text,
         [&translator](const std::string& pattern) {
           const QString translated = translator->translate(kContext, pattern.c_str());
           return translated.isEmpty() ? QString::fromStdString(pattern) : translated;
         },
         locale, signs);
+    return words.replace(QStringLiteral("\u3002 "), QStringLiteral("\u3002"));  // no blank after a full stop
   };
 }
 

@@ -210,6 +210,14 @@ TEST(JoinedSentences, AreSeparatedBySpacesInEnglishAndNotInChinese) {
   EXPECT_EQ(joinedSentences({}), QString());
 }
 
+TEST(JoinedSentences, HaveNoBlankBetweenThemInAChineseText) {
+  const Text both = Text::verbatim("%1 %2", Text::tr("No deviation from the protocol was reported."),
+                                   Text::tr("No deviation from the protocol was reported."));
+  const QString words = wordingIn("zh_CN")(both);
+  EXPECT_EQ(words.count(u'\u3002'), 2);
+  EXPECT_FALSE(words.contains(u' ')) << words.toStdString();
+}
+
 TEST(Typeface, IsInstalledWithTheSetupPackages) {
   const QStringList installed = QFontDatabase::families();
 

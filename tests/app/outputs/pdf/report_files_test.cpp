@@ -218,15 +218,26 @@ std::size_t firstPageOfAnnex(QPDF& file, const std::string& annex) {
   return 0;
 }
 
-TEST(PdfReport, HasABodyOfTwelvePagesBeforeTheAnnex) {
+TEST(PdfReport, HasABodyOfTwelvePagesAndChecklistsOfTwo) {
   const ReportModel model = cohortReport(testing::demonstrationCohort());
-  for (const auto& [language, annex] : {std::pair{"en", "Annex"}, std::pair{"zh_CN", "附录"}}) {
+  struct Language {
+    const char* code;
+    const char* annex;
+    const char* checklists;
+    const char* values;
+  };
+  for (const auto& [language, annex, checklists, values] :
+       {Language{"en", "Annex", "Annex: Checklists", "Annex: values of the figures"},
+        Language{"zh_CN", "附录", "附录：清单", "附录：各图的数值"}}) {
     const fs::path file = freshFolder(std::string("body-") + language) / "report.pdf";
     writePdfReport(model, file, wordingIn(language), {}, language);
     ReadPdf pdf(file);
     const std::size_t page = firstPageOfAnnex(pdf.file(), annex);
     EXPECT_GE(page, 8U) << language;
     EXPECT_LE(page, 13U) << language << ": the annex begins on a page of its own";
+    const std::size_t begin = firstPageOfAnnex(pdf.file(), checklists);
+    ASSERT_GT(begin, page) << language;
+    EXPECT_EQ(firstPageOfAnnex(pdf.file(), values) - begin, 2U) << language;
   }
 }
 

@@ -105,7 +105,8 @@ QString withoutKeptWords(QString text) {
   static const QRegularExpression kKept(QStringLiteral(
       "Arm sheet|Pace|Aim|far too slow|quick and steady|criterion|"  // a scoring sheet is in the centre's
                                                                      // language
-      "Bland-Altman|Shapiro-Wilk|Bonferroni|Student|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|"
+      "Bland-Altman|Bell-McCaffrey|Shapiro-Wilk|Bonferroni|Student|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|"
+      "Krippendorff|"
       "Cohen|CONSORT|GRRAS|Cheng|"
       "Hedges|Kruskal-Wallis|Dunn|Holm|"
       "Mann-Whitney|Friedman|Kendall|Rasch|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay "
@@ -287,6 +288,35 @@ TEST(ReportLanguage, ReservationsWithoutRoomOnThePageForTheBoardAreCountedThereA
     EXPECT_TRUE(first.contains(language == "en" ? QStringLiteral("areonthenextpage,themostseriousfirst")
                                                 : QStringLiteral("最重要的在前")))
         << first.toStdString();
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(ReportLanguage, TheFirstPageIsFullOnlyOfTheBoardsAndKeepsItsMostSeriousReservation) {
+  CohortInputs in = everything();
+  for (std::size_t i = 0; i < 12; ++i) {
+    in.trainees[i].withdrew = true;
+  }
+  for (CohortDose& dose : in.doses) {  // a long sentence about the training
+    dose.virtual_min *= in.doses.front().trainee == dose.trainee ? 3.0 : 1.0;
+  }
+  in.markWays = {.live = 900};
+  ReportModel model = cohortReport(std::move(in));
+  const ReportSection board = model.sections.front();
+  model.sections.resize(2);
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "torsio-report-full.pdf";
+  for (const std::string& language : reportLanguages()) {
+    const Wording wording = wordingIn(language);
+    writePdfReport(model, file, wording);
+    EXPECT_EQ(bookmarksOfFirstPage(readFile(file)), 1 + board.figures.size() + board.tables.size())
+        << language << ": with the signatures";
+    const QString first = pageText(file, 1);
+    const auto serious = std::find_if(board.paragraphs.begin(), board.paragraphs.end(),
+                                      [](const ReportParagraph& one) { return one.reservation; });
+    ASSERT_NE(serious, board.paragraphs.end());
+    EXPECT_TRUE(first.contains(solid(wording(*serious)))) << language;
+    EXPECT_FALSE(first.contains(solid(wording(Text::tr("People are shown")))))
+        << language << ": facts follow";
   }
   std::filesystem::remove(file);
 }

@@ -233,6 +233,14 @@ TEST(ChartLegend, TakesAsManyRowsAsItsNamesNeed) {
   EXPECT_GT(heightIn(260), 2.0 * oneRow);
   EXPECT_GT(chart->plotArea().top(), chart->legend()->geometry().bottom());
   EXPECT_NEAR(heightIn(1200), oneRow, 1.0);  // back beside the chart when there is room again
+  for (const double width : {260.0, 330.0, 400.0, 480.0}) {
+    chart->resize(width, 300);
+    QCoreApplication::processEvents();
+    for (const QGraphicsItem* item : chart->legend()->childItems()) {
+      const QRectF place = item->mapRectToItem(chart, item->boundingRect() | item->childrenBoundingRect());
+      EXPECT_LE(place.bottom(), chart->plotArea().top()) << width << ": no name lies on the plot";
+    }
+  }
 }
 
 /// Renders a chart as on screen and in print; returns the image and the plot's area.
@@ -294,6 +302,24 @@ TEST(TableLayout, KeepsShortCellsOnOneLineNextToLongHashes) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     EXPECT_LE(widthOf(table.rows[0][c], layout.regular), layout.widths_mm[c] - 2.0 * kCellPadding_mm) << c;
   }
+}
+
+TEST(TableLayout, SpreadsLongCellsOfSeveralColumnsOverEquallyManyLines) {
+  PlainTable table;
+  for (const char* name : {"Group", "Trainee", "Exercise", "Runs", "Failed", "Excused", "Level",
+                           "False pass so far", "False fail so far", "Runs needed at least", "Design"}) {
+    table.columns.push_back(QString::fromLatin1(name));
+  }
+  table.rows.push_back({});
+  for (const char* cell :
+       {"Group 1", "T-03", "Right forearm: Pronation, 60 degrees", "2", "2", "0",
+        "not shown yet; 36 more runs needed", "0.0 %", "100.0 %", "38", "shipped with the exercise"}) {
+    table.rows.back().push_back(QString::fromLatin1(cell));
+  }
+
+  const TableLayout layout = laidOut(table, 170.0);
+
+  EXPECT_LT(layout.rows_mm.at(0), 9.0) << "two lines, not four";
 }
 
 TEST(TableLayout, SplitsNoWordOfAWideHeader) {
