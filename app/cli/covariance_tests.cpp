@@ -41,9 +41,9 @@ Json fTestJson(const Outcome<FTest>& outcome) {
 }
 
 /// A difference of two groups with its intervals; `margin`: of the equivalence test; empty: no test.
-Json differenceJson(const AdjustedDifference& pair, double df, const std::optional<double>& margin) {
+Json differenceJson(const AdjustedDifference& pair, const std::optional<double>& margin) {
   Json out{{"statistic", pair.t},
-           {"df", df},
+           {"df", pair.df},
            {"p", pair.p},
            {"p_holm", pair.pHolm},
            {"difference", pair.difference},
@@ -52,7 +52,7 @@ Json differenceJson(const AdjustedDifference& pair, double df, const std::option
            {"interval_holm", intervalJson(pair.asHolm)},
            {"interval_simultaneous", intervalJson(pair.simultaneous)}};
   if (margin) {
-    out["equivalence"] = equivalenceJson(pair.difference, pair.error, df, *margin);
+    out["equivalence"] = equivalenceJson(pair.difference, pair.error, pair.df, *margin);
   }
   return out;
 }
@@ -88,7 +88,7 @@ Json slopesJson(const Study& study, const CompleteCases& cases) {
           Json entry{{"at", Json::array()}};
           for (std::size_t b = 0; b < pair.at.size(); ++b) {
             Json at{{"baseline", result.baselines[b]}};
-            at.update(differenceJson(pair.at[b], result.residualDf, std::nullopt));
+            at.update(differenceJson(pair.at[b], std::nullopt));
             entry["at"].push_back(std::move(at));
           }
           entry["differ"] = regionJson(pair.region);
@@ -230,9 +230,9 @@ Json ancovaJson(const Study& study, const CovarianceRequest& request) {
     out["spread"]["equal"] = fTestJson(result.spread.test);
     out["pairs"] = Json::array();
     for (std::size_t i = 0; i < concluded.size(); ++i) {
-      Json pair = differenceJson(concluded[i], result.residualDf, request.margin);
+      Json pair = differenceJson(concluded[i], request.margin);
       if (robust) {
-        pair["pooled"] = differenceJson(result.pairs[i], result.residualDf, request.margin);
+        pair["pooled"] = differenceJson(result.pairs[i], request.margin);
       }
       out["pairs"].push_back(pairJson(study, concluded[i].first, concluded[i].second, pair));
     }

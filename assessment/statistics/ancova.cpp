@@ -93,14 +93,13 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
   return test;
 }
 
-void addHolm(std::span<const double> p, std::span<AdjustedDifference* const> pairs, double confidence,
-             double df) {
+void addHolm(std::span<const double> p, std::span<AdjustedDifference* const> pairs, double confidence) {
   const std::vector<double> adjusted = adjustHolm(p);
   const std::vector<double> factors = holmFactors(p);
   for (std::size_t i = 0; i < adjusted.size(); ++i) {
     AdjustedDifference& pair = *pairs[i];
     pair.pHolm = adjusted[i];
-    pair.asHolm = holmInterval(pair.difference, pair.error, df, factors[i], confidence);
+    pair.asHolm = holmInterval(pair.difference, pair.error, pair.df, factors[i], confidence);
   }
 }
 
@@ -110,25 +109,31 @@ AdjustedDifference tested(std::size_t first, std::size_t second, double differen
   out.second = second;
   out.difference = difference;
   out.error = error;
+  out.df = df;
   out.t = difference / error;
   out.p = tTwoSided(out.t, df);
   return out;
 }
 
-/// Returns the differences of all pairs of groups; `errorOf(i, j)`: standard error of one.
-template <typename ErrorOf>
-std::vector<AdjustedDifference> pairsOf(const Ancova& of, double confidence, const ErrorOf& errorOf) {
+struct Precision {
+  double error = 0.0;
+  double df = 0.0;
+};
+
+/// Returns the differences of all pairs of groups; `precisionOf(i, j)`: of one.
+template <typename PrecisionOf>
+std::vector<AdjustedDifference> pairsOf(const Ancova& of, double confidence, const PrecisionOf& precisionOf) {
   const std::size_t groups = of.groups.size();
-  const double t = quantileOf(confidence, of.residualDf);
-  const double wide = quantileOf(bonferroni(confidence, groups * (groups - 1) / 2), of.residualDf);
+  const double together = bonferroni(confidence, groups * (groups - 1) / 2);
   std::vector<AdjustedDifference> out;
   for (std::size_t i = 0; i < groups; ++i) {
     for (std::size_t j = i + 1; j < groups; ++j) {
-      const double error = errorOf(i, j);
+      const Precision precision = precisionOf(i, j);
+      const double error = precision.error;
       AdjustedDifference pair =
-          tested(of.groups[i], of.groups[j], of.adjusted[i].mean - of.adjusted[j].mean, error, of.residualDf);
-      pair.interval = around(pair.difference, t * error);
-      pair.simultaneous = around(pair.difference, wide * error);
+          tested(of.groups[i], of.groups[j], of.adjusted[i].mean - of.adjusted[j].mean, error, precision.df);
+      pair.interval = around(pair.difference, quantileOf(confidence, pair.df) * error);
+      pair.simultaneous = around(pair.difference, quantileOf(together, pair.df) * error);
       out.push_back(pair);
     }
   }
@@ -138,23 +143,28 @@ std::vector<AdjustedDifference> pairsOf(const Ancova& of, double confidence, con
     p.push_back(pair.p);
     pairs.push_back(&pair);
   }
-  addHolm(p, pairs, confidence, of.residualDf);
+  addHolm(p, pairs, confidence);
   return out;
 }
 
 void addPairs(const std::vector<Moments>& groups, const Moments& within, double confidence, Ancova& out) {
   out.pairs = pairsOf(out, confidence, [&](std::size_t i, std::size_t j) {
     const double shift = groups[i].meanX - groups[j].meanX;
-    return std::sqrt(out.residualVariance *
-                     (1.0 / groups[i].n + 1.0 / groups[j].n + shift * shift / within.xx));
+    const double share = 1.0 / groups[i].n + 1.0 / groups[j].n + shift * shift / within.xx;
+    return Precision{std::sqrt(out.residualVariance * share), out.residualDf};
   });
 }
 
-/// A difference is a weighted sum of the scores after; HC3 gives each score the variance e^2 / (1 - h)^2.
+/// A difference is a weighted sum of the scores after; HC3 gives each score the variance e^2 / (1 - h)^2. The
+/// sum of these, e' A e with residuals e = M y, has E = tr(A M) and the variance 2 tr(A M A M) if all scores
+/// vary alike, and so as many degrees of freedom as a chi-squared variable with this ratio: E^2 / tr(A M A
+/// M). M[i][j] is 1 for i = j, less 1/n within a group, less x[i] x[j] / xx: the traces are sums over
+/// trainees.
 std::vector<AdjustedDifference> robustPairs(const Groups& before, const std::vector<Moments>& groups,
                                             const Moments& within, double confidence, const Ancova& of) {
   constexpr double kFitsExactly = 1e-9;
   std::vector<std::vector<double>> variances(groups.size());
+  std::vector<std::vector<double>> leftFree(groups.size());  // 1 - h
   for (std::size_t k = 0; k < groups.size(); ++k) {
     for (std::size_t i = 0; i < before[of.groups[k]].size(); ++i) {
       const double x = before[of.groups[k]][i] - groups[k].meanX;
@@ -164,19 +174,35 @@ std::vector<AdjustedDifference> robustPairs(const Groups& before, const std::vec
       }
       const double e = of.residuals[of.groups[k]][i] / free;
       variances[k].push_back(e * e);
+      leftFree[k].push_back(free);
     }
   }
   return pairsOf(of, confidence, [&](std::size_t first, std::size_t second) {
     const double shift = groups[first].meanX - groups[second].meanX;
     double variance = 0.0;
+    double expected = 0.0;
+    double squares = 0.0;
+    double allXx = 0.0;
     for (std::size_t k = 0; k < groups.size(); ++k) {
       const double share = k == first ? 1.0 / groups[k].n : k == second ? -1.0 / groups[k].n : 0.0;
+      double sum = 0.0;
+      double sumX = 0.0;
       for (std::size_t i = 0; i < variances[k].size(); ++i) {
-        const double weight = share - shift * (before[of.groups[k]][i] - groups[k].meanX) / within.xx;
+        const double x = before[of.groups[k]][i] - groups[k].meanX;
+        const double weight = share - shift * x / within.xx;
         variance += weight * weight * variances[k][i];
+        const double free = leftFree[k][i];
+        const double a = weight * weight / (free * free);
+        expected += a * free;
+        squares += a * a * (2.0 * free - 1.0);  // M[i][i]^2 for what the sums of products take as h^2
+        sum += a;
+        sumX += a * x;
+        allXx += a * x * x;
       }
+      squares += sum * sum / (groups[k].n * groups[k].n) + 2.0 * sumX * sumX / (groups[k].n * within.xx);
     }
-    return std::sqrt(variance);
+    squares += allXx * allXx / (within.xx * within.xx);
+    return Precision{std::sqrt(variance), std::min(expected * expected / squares, of.residualDf)};
   });
 }
 
@@ -392,7 +418,7 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
       all.push_back(&at);
     }
   }
-  addHolm(p, all, confidence, out.residualDf);
+  addHolm(p, all, confidence);
   return out;
 }
 

@@ -22,6 +22,7 @@ struct AdjustedDifference {
   std::size_t second = 0;
   double difference = 0.0;  ///< adjusted mean of the first minus that of the second
   double error = 0.0;
+  double df = 0.0;
   double t = 0.0;
   double p = 0.0;
   double pHolm = 0.0;
@@ -35,8 +36,9 @@ struct UnequalSpread {
   double largest = 0.0;   ///< standard deviation of a group's residuals
   double smallest = 0.0;  ///< of another group's; 0: they do not spread at all
   Outcome<FTest> test = Outcome<FTest>::undefined(Text::tr("not computed"));  ///< Brown and Forsythe
-  /// The same differences with the errors of HC3 (MacKinnon and White 1985), in the order of Ancova::pairs;
-  /// empty if a trainee fits exactly, being alone in a group.
+  /// The same differences with the errors of HC3 (MacKinnon and White 1985) and the degrees of freedom of
+  /// Bell and McCaffrey (2002), in the order of Ancova::pairs; empty if a trainee fits exactly, being alone
+  /// in a group.
   std::vector<AdjustedDifference> pairs;
 };
 /// If the test of equal spread gives p below this, the report says so. The errors of HC3 are used in any

@@ -106,6 +106,9 @@ double fQuantile(double p, double df1, double df2) {
 double chiSquaredUpper(double x, double df) {
   return bm::cdf(bm::complement(ChiSquared(df), x));
 }
+double chiSquaredQuantile(double p, double df) {
+  return bm::quantile(ChiSquared(df), p);
+}
 double noncentralTCdf(double t, double df, double noncentrality) {
   return bm::cdf(NoncentralT(df, noncentrality), t);
 }

@@ -26,6 +26,7 @@ namespace torsio {
 [[nodiscard]] double fQuantile(double p, double df1, double df2);
 
 [[nodiscard]] double chiSquaredUpper(double x, double df);
+[[nodiscard]] double chiSquaredQuantile(double p, double df);
 
 [[nodiscard]] double noncentralTCdf(double t, double df, double noncentrality);
 [[nodiscard]] double noncentralTUpper(double t, double df, double noncentrality);

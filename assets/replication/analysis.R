@@ -841,7 +841,14 @@ ancova <- function(group, before, after) {
     x <- model.matrix(fit)
     bread <- solve(crossprod(x))
     hc3 <- bread %*% crossprod(x * residuals(fit) / (1 - leverage)) %*% bread
-    out$robust <- compare_pairs(means, error_with(hc3), df)
+    # Degrees of freedom of Bell and McCaffrey (2002): the variance of a difference is a quadratic form e'Ae.
+    free <- diag(nrow(x)) - x %*% bread %*% t(x)
+    df_of <- function(i, j) {
+      a <- as.vector(x %*% bread %*% contrast(i, j))^2 / (1 - leverage)^2
+      min(df, sum(a * diag(free))^2 / sum(outer(a, a) * free^2))
+    }
+    pairs <- pairs_of(length(means))
+    out$robust <- compare_pairs(means, error_with(hc3), mapply(df_of, pairs[, 1], pairs[, 2]))
   }
   out
 }
@@ -1008,6 +1015,7 @@ if (last > 1 && nrow(marks) > 0) {
       put_comparison_interval("robust_difference_holm", of_pairs$holm_lower, of_pairs$holm_upper,
                               group = of_pairs$pair)
       put_comparison("robust_error", of_pairs$error, group = of_pairs$pair)
+      put_comparison("robust_df", of_pairs$df, group = of_pairs$pair)
       put_comparison("robust_t", of_pairs$t, group = of_pairs$pair)
       put_comparison("robust_p", of_pairs$p, group = of_pairs$pair)
       put_comparison("robust_p_holm", of_pairs$p_holm, group = of_pairs$pair)
@@ -1147,6 +1155,178 @@ if (any(has_notes) && !anyNA(planned_virtual) && !anyNA(planned_real)) {
       put_comparison_interval("per_protocol_difference_holm", of_pairs$holm_lower, of_pairs$holm_upper,
                               group = of_pairs$pair)
       put_comparison("per_protocol_p_holm", of_pairs$p_holm, group = of_pairs$pair)
+    }
+  }
+}
+
+# ---- Comparison within the centres of a pooled record ---------------------------------------------------
+
+# Differences of groups: score after on score before, group and centre. Fixed centres: least squares, HC3. Random
+# ones: restricted maximum likelihood, degrees of freedom after Satterthwaite.
+within_centres <- function(group, site, before, after, random) {
+  group <- factor(group, levels = groups[groups %in% group])
+  site <- factor(site)
+  k <- nlevels(group)
+  if (k < 2 || nlevels(site) < 2) return(NULL)
+  x <- cbind(outer(as.integer(group), seq_len(k), "==") + 0, before - mean(before))
+  if (!random) x <- cbind(x, outer(as.integer(site), seq_len(nlevels(site))[-1], "==") + 0)
+  n <- length(after)
+  df <- n - ncol(x)
+  if (df <= 0 || qr(x)$rank < ncol(x)) return(NULL)
+  contrast <- function(i, j) {
+    weights <- numeric(ncol(x))
+    weights[c(i, j)] <- c(1, -1)
+    weights
+  }
+  pairs <- pairs_of(k)
+  if (!random) {
+    bread <- solve(crossprod(x))
+    fit <- as.vector(bread %*% crossprod(x, after))
+    rest <- as.vector(after - x %*% fit)
+    free <- diag(n) - x %*% bread %*% t(x)
+    counts <- diag(free) > 1e-9   # the others are alone at their centre
+    squares <- function(i, j) {
+      a <- numeric(n)
+      a[counts] <- as.vector(x %*% bread %*% contrast(i, j))[counts]^2 / diag(free)[counts]^2
+      a
+    }
+    error <- function(i, j) sqrt(sum(squares(i, j) * rest^2))
+    df_of <- function(i, j) {
+      a <- squares(i, j)
+      min(df, sum(a * diag(free))^2 / sum(outer(a, a) * free^2))
+    }
+    means <- setNames(fit[seq_len(k)], levels(group))
+    return(list(pairs = compare_pairs(means, error, mapply(df_of, pairs[, 1], pairs[, 2])),
+                rest = sum(rest^2) / df, between = NULL))
+  }
+  sizes <- as.vector(table(site))
+  sums <- function(m) rowsum(m, as.integer(site))
+  at <- function(ratio) {
+    shrink <- function(m) m - ((1 - 1 / sqrt(1 + sizes * ratio)) / sizes * sums(m))[as.integer(site), , drop = FALSE]
+    xs <- shrink(x)
+    ys <- shrink(cbind(after))
+    inverse <- solve(crossprod(xs))
+    fit <- as.vector(inverse %*% crossprod(xs, ys))
+    share <- 1 / (1 + ratio * sizes)
+    pulls <- share * sums(x)
+    squares <- sum((ys - xs %*% fit)^2)
+    left <- share * sums(cbind(after - x %*% fit))
+    list(fit = fit, inverse = inverse, pulls = pulls, squares = squares, by_squares = -sum(left^2),
+         by_logs = sum(sizes * share) - sum((pulls %*% inverse) * pulls),
+         criterion = df * log(squares) + as.numeric(determinant(crossprod(xs))$modulus) + sum(log1p(ratio * sizes)))
+  }
+  slope <- function(ratio) with(at(ratio), df * by_squares / squares + by_logs)
+  grid <- 0.999 * (0:40) / 40
+  grid <- grid / (1 - grid)
+  best <- which.min(sapply(grid, function(ratio) at(ratio)$criterion))
+  ratio <- 0
+  if (best > 1 || slope(0) < 0) {
+    ratio <- uniroot(slope, c(grid[max(1, best - 1)], grid[min(41, best + 1)]), tol = 1e-14, maxiter = 1e4)$root
+  }
+  state <- at(ratio)
+  rest <- state$squares / df
+  bend <- 0
+  if (ratio > 0) {
+    step <- 0.01 * ratio
+    f <- function(other) with(at(other), by_logs + by_squares / rest)
+    bend <- (8 * (f(ratio + step) - f(ratio - step)) - (f(ratio + 2 * step) - f(ratio - 2 * step))) / (12 * step)
+  }
+  mixed <- -state$by_squares / rest^2
+  determinant <- bend * df / rest^2 - mixed^2
+  own <- function(i, j) as.vector(contrast(i, j) %*% state$inverse %*% contrast(i, j))
+  df_of <- function(i, j) {
+    if (ratio == 0 || determinant <= 0) return(df)
+    by_ratio <- rest * sum((state$pulls %*% state$inverse %*% contrast(i, j))^2)
+    v <- own(i, j)
+    min(df, (rest * v)^2 * determinant / (by_ratio^2 * df / rest^2 - 2 * by_ratio * v * mixed + v^2 * bend))
+  }
+  means <- setNames(state$fit[seq_len(k)], levels(group))
+  list(pairs = compare_pairs(means, function(i, j) sqrt(rest * own(i, j)), mapply(df_of, pairs[, 1], pairs[, 2])),
+       rest = rest, between = ratio * rest)
+}
+
+if (last > 1 && nrow(marks) > 0 && all(grepl("/", people$item[compared]))) {
+  site <- sub("/.*", "", people$item)
+  of <- people$group[compared]
+  at_site <- site[compared]
+  b <- before[compared]
+  a <- after[compared]
+  names_of_sites <- in_order(at_site)
+  if (length(names_of_sites) > 1) {
+    random <- length(names_of_sites) >= 5
+    put_comparison("centres_compared", length(names_of_sites))
+    found <- within_centres(of, at_site, b, a, random)
+    if (!is.null(found)) {
+      put_comparison("centre_variance_of_rest", found$rest)
+      if (random) put_comparison("centre_variance_of_centres", found$between)
+      with(found$pairs, {
+        put_comparison("centre_difference", difference, group = pair)
+        put_comparison_interval("centre_difference", lower, upper, group = pair)
+        put_comparison_interval("centre_difference_holm", holm_lower, holm_upper, group = pair)
+        put_comparison("centre_difference_error", error, group = pair)
+        put_comparison("centre_difference_df", df, group = pair)
+        put_comparison("centre_difference_t", t, group = pair)
+        put_comparison("centre_difference_p", p, group = pair)
+        put_comparison("centre_difference_p_holm", p_holm, group = pair)
+      })
+    }
+    for (one in names_of_sites) {
+      others <- at_site != one
+      left <- within_centres(of[others], at_site[others], b[others], a[others], random)
+      if (!is.null(left)) {
+        put_comparison("difference_without_centre", left$pairs$difference, group = left$pairs$pair, index = one)
+        put_comparison_interval("difference_without_centre", left$pairs$lower, left$pairs$upper,
+                                group = left$pairs$pair, index = one)
+      }
+    }
+
+    # Heterogeneity: Cochran's Q; Higgins and Thompson (2002); Paule and Mandel (1982); Viechtbauer (2007).
+    cell <- paste(at_site, of, sep = "\t")
+    from <- function(x) x - ave(x, cell)
+    df <- length(a) - length(unique(cell)) - 1
+    xx <- sum(from(b)^2)
+    slope <- sum(from(b) * from(a)) / xx
+    variance <- (sum(from(a)^2) - slope * sum(from(b) * from(a))) / df
+    if (df > 0 && xx > 0 && is.finite(variance) && variance > 0) {
+      names_of <- groups[groups %in% of]
+      for (i in seq_len(nrow(pairs_of(length(names_of))))) {
+        both <- names_of[pairs_of(length(names_of))[i, ]]
+        y <- v <- number <- numeric(0)
+        where <- character(0)
+        for (one in names_of_sites) {
+          first <- at_site == one & of == both[1]
+          second <- at_site == one & of == both[2]
+          if (!any(first) || !any(second)) next
+          shift <- mean(b[first]) - mean(b[second])
+          y <- c(y, mean(a[first]) - mean(a[second]) - slope * shift)
+          v <- c(v, variance * (1 / sum(first) + 1 / sum(second) + shift^2 / xx))
+          where <- c(where, one)
+        }
+        if (length(y) < 2) next
+        pair <- pair_name(both[1], both[2])
+        k <- length(y) - 1
+        weighted <- function(tau) sum(y / (v + tau)) / sum(1 / (v + tau))
+        q <- function(tau) sum((y - weighted(tau))^2 / (v + tau))
+        tau_at <- function(value) {
+          if (q(0) <= value) return(0)
+          high <- 1
+          while (q(high) > value) high <- 2 * high
+          uniroot(function(tau) q(tau) - value, c(0, high), tol = 1e-15, maxiter = 1e4)$root
+        }
+        tau <- tau_at(k)
+        put_comparison("heterogeneity_q", q(0), group = pair)
+        put_comparison("heterogeneity_p", pchisq(q(0), k, lower.tail = FALSE), group = pair)
+        put_comparison("heterogeneity_i_squared", max(0, (q(0) - k) / q(0)), group = pair)
+        put_comparison("heterogeneity_tau_squared", tau, group = pair)
+        put_comparison_interval("heterogeneity_tau_squared", tau_at(qchisq(upper_tail, k)),
+                                tau_at(qchisq(1 - upper_tail, k)), group = pair)
+        reach <- qt(upper_tail, k) / sqrt(sum(1 / (v + tau)))
+        put_comparison("average_over_centres", weighted(tau), group = pair)
+        put_comparison_interval("average_over_centres", weighted(tau) - reach, weighted(tau) + reach, group = pair)
+        put_comparison("difference_at_centre", y, group = pair, index = where)
+        put_comparison_interval("difference_at_centre", y - qt(upper_tail, df) * sqrt(v),
+                                y + qt(upper_tail, df) * sqrt(v), group = pair, index = where)
+      }
     }
   }
 }
@@ -1768,7 +1948,7 @@ methods <- c(
     adjusted_difference_simultaneous_lower_95 adjusted_difference_simultaneous_upper_95 t p p_holm
     hedges_g hedges_g_lower_95 hedges_g_upper_95 largest_spread smallest_spread equal_spread_p
     robust_difference robust_difference_lower_95 robust_difference_upper_95 robust_difference_holm_lower_95
-    robust_difference_holm_upper_95 robust_error robust_t robust_p robust_p_holm
+    robust_difference_holm_upper_95 robust_error robust_df robust_t robust_p robust_p_holm
     residuals_shapiro_wilk_w residuals_shapiro_wilk_p ancova_fitted ancova_residual
     ancova_normal_quantile difference_before_in_sd mixed_interaction_f mixed_interaction_df
     mixed_interaction_df_error mixed_interaction_p mixed_interaction_p_greenhouse_geisser
@@ -1792,7 +1972,14 @@ methods <- c(
     mixed_model_difference_simultaneous_upper_95 mixed_model_t mixed_model_df mixed_model_p
     mixed_model_p_holm bound_worst bound_worst_lower_95 bound_worst_upper_95 bound_best
     bound_best_lower_95 bound_best_upper_95 pairs_left_open marks_missing_before
-    marks_missing_at_the_end compared"),
+    marks_missing_at_the_end compared centres_compared centre_variance_of_rest centre_variance_of_centres
+    centre_difference centre_difference_lower_95 centre_difference_upper_95 centre_difference_holm_lower_95
+    centre_difference_holm_upper_95 centre_difference_error centre_difference_df centre_difference_t
+    centre_difference_p centre_difference_p_holm difference_without_centre difference_without_centre_lower_95
+    difference_without_centre_upper_95 heterogeneity_q heterogeneity_p heterogeneity_i_squared
+    heterogeneity_tau_squared heterogeneity_tau_squared_lower_95 heterogeneity_tau_squared_upper_95
+    average_over_centres average_over_centres_lower_95 average_over_centres_upper_95 difference_at_centre
+    difference_at_centre_lower_95 difference_at_centre_upper_95"),
   kinds_of("participants", "
     received received_as_planned received_nothing received_too_little received_too_much
     received_other_group trainees groups allocated scored"),

@@ -187,7 +187,9 @@ TEST(Ancova, AgreesOnTheSyntheticTrainingStudy) {
 }
 
 // R: e <- resid(m); V <- b %*% t(X) %*% diag(e^2 / (1 - hatvalues(m))^2) %*% X %*% b with b = (X'X)^-1 of
-// lm(after ~ 0 + group + before); factors of p.adjust(p, "holm").
+// lm(after ~ 0 + group + before); degrees of freedom sum(diag(A %*% M))^2 / sum(diag(A %*% M %*% A %*% M))
+// with M <- diag(15) - X %*% b %*% t(X), A <- diag(w^2 / diag(M)^2) and w the weights of a difference;
+// factors of p.adjust(p, "holm").
 TEST(Covariance, ErrorsThatAllowForUnequalSpreadAreThoseOfHc3) {
   const Groups before{{3.1, 4.0, 3.6, 5.2, 4.4}, {3.9, 4.8, 2.7, 4.1, 5.0}, {3.3, 4.6, 4.2, 3.8, 5.1}};
   const Groups after{{5.0, 6.4, 5.1, 9.8, 6.0}, {5.6, 5.9, 5.2, 5.7, 6.1}, {4.4, 5.2, 5.0, 4.7, 5.5}};
@@ -195,13 +197,15 @@ TEST(Covariance, ErrorsThatAllowForUnequalSpreadAreThoseOfHc3) {
   const UnequalSpread& spread = found.spread;
   ASSERT_EQ(spread.pairs.size(), 3U);
   const double error[] = {0.881055665483344, 0.838296109156015, 0.424700877868748};
-  const double p[] = {0.3824560739534613, 0.0754559089597971, 0.0724063730793349};
-  const double pHolm[] = {0.382456073953461, 0.217219119238005, 0.217219119238005};
-  const double lower[] = {-1.137650403875744, -0.699299803991281, -0.353820685339029};
-  const double upper[] = {2.74073048601126, 3.99008009146561, 2.04152089067784};
+  const double df[] = {7.214689816239598, 7.535667323001006, 7.488004755592996};
+  const double p[] = {0.3923325981244809, 0.0875155287977038, 0.0846143825802002};
+  const double pHolm[] = {0.3923325981244809, 0.2538431477405766, 0.2538431477405766};
+  const double lower[] = {-1.2693236089353626, -0.9032079274739921, -0.4593155720795106};
+  const double upper[] = {2.872403691070892, 4.193988214948329, 2.147015777418317};
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(spread.pairs[i].difference, found.pairs[i].difference);
     EXPECT_NEAR(spread.pairs[i].error, error[i], 1e-12);
+    EXPECT_NEAR(spread.pairs[i].df, df[i], 1e-11);
     EXPECT_NEAR(spread.pairs[i].p, p[i], 1e-12);
     EXPECT_NEAR(spread.pairs[i].pHolm, pHolm[i], 1e-12);
     EXPECT_NEAR(spread.pairs[i].asHolm.lower, lower[i], 1e-10);

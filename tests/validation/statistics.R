@@ -232,11 +232,16 @@ two_occasions <- function(name) {
   names(w) <- sub("score.", "", names(w), fixed = TRUE); w$group <- factor(w$group, unique(w$group)); w
 }
 separate <- function(name) lm(after ~ 0 + group + group:before, two_occasions(name))
-# Differences of the adjusted means with the errors of HC3 (car::hccm), all pairs in the order of the groups.
+# Differences of the adjusted means with the errors of HC3 (car::hccm) and the degrees of freedom of Bell and McCaffrey
+# (2002), all pairs in the order of the groups.
 robust <- function(name) {
   w <- two_occasions(name); w$x <- w$before - mean(w$before)
   m <- lm(after ~ 0 + group + x, w); k <- nlevels(w$group); v <- car::hccm(m, type = "hc3")
-  pairs <- t(combn(k, 2)); df <- df.residual(m)
+  pairs <- t(combn(k, 2)); X <- model.matrix(m); B <- solve(crossprod(X), t(X)); M <- diag(nrow(X)) - X %*% B
+  df <- apply(pairs, 1, function(i) {
+    A <- diag((B[i[1], ] - B[i[2], ])^2 / diag(M)^2)
+    sum(diag(A %*% M))^2 / sum(diag(A %*% M %*% A %*% M))
+  })
   d <- coef(m)[pairs[, 1]] - coef(m)[pairs[, 2]]
   e <- apply(pairs, 1, function(i) sqrt(v[i[1], i[1]] + v[i[2], i[2]] - 2 * v[i[1], i[2]]))
   p <- 2 * pt(-abs(d / e), df); holm <- p.adjust(p, "holm")
