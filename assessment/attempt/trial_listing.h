@@ -48,6 +48,7 @@ struct TrialListing {
   PhaseId phaseId{};
   std::optional<AttemptMode> attemptMode{};  ///< empty: free practice
   TissueModel model = TissueModel::kTwist;   ///< of the run
+  std::string deviceModel{};                 ///< as the recording names it
 };
 
 /// Trials to list, latest first. Empty texts do not restrict.

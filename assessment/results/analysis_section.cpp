@@ -202,6 +202,10 @@ ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study
     addTable(missingTable(in, study, ledger));
     addTable(mixedModelTable(in, study, ledger));
     addTable(covarianceTable(in, study, ledger));
+    addTable(sitesTable(in, study, ledger));
+    addTable(heterogeneityTable(in, study, ledger));
+    addTable(siteDifferencesTable(in, study, ledger));
+    addTable(equipmentTable(in, study, ledger));
     addTable(slopesTable(in, study, ledger));
     addTable(boundsTable(in, study, ledger));
     addTable(equivalenceTable(in, study, ledger));

@@ -103,4 +103,19 @@ struct ModelDifference {
 [[nodiscard]] std::optional<ReportTable> boundsTable(const CohortInputs& inputs, const StudyAnalysis& study,
                                                      const Ledger& ledger);
 
+/// Tables of a pooled record of several centres; empty otherwise.
+[[nodiscard]] std::optional<ReportTable> sitesTable(const CohortInputs& inputs, const StudyAnalysis& study,
+                                                    const Ledger& ledger);
+[[nodiscard]] std::optional<ReportTable> heterogeneityTable(const CohortInputs& inputs,
+                                                            const StudyAnalysis& study, const Ledger& ledger);
+[[nodiscard]] std::optional<ReportTable> siteDifferencesTable(const CohortInputs& inputs,
+                                                              const StudyAnalysis& study,
+                                                              const Ledger& ledger);
+[[nodiscard]] std::optional<ReportTable> equipmentTable(const CohortInputs& inputs,
+                                                        const StudyAnalysis& study, const Ledger& ledger);
+[[nodiscard]] std::optional<ReportTable> siteFlowTable(const CohortInputs& inputs, const Ledger& ledger);
+/// Says how the answer looks within the centres, and whether it varies between them.
+[[nodiscard]] ReportParagraph sitesSentence(const CohortInputs& inputs, const StudyAnalysis& study,
+                                            const Ledger& ledger);
+
 }  // namespace torsio

@@ -21,6 +21,7 @@ namespace torsio {
 namespace {
 
 constexpr double kManyWithdrew = 0.2;
+constexpr std::size_t kAlikePairsAtMost = 6;  // of trainees with the same marks, in one sentence
 
 using Sentences = std::vector<ReportParagraph>;
 
@@ -131,8 +132,12 @@ std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study
         alike.size());
   }
   std::vector<Text> pairs;
-  for (const AlikeTrainees& pair : alike) {
+  for (std::size_t i = 0; i < std::min(kAlikePairsAtMost, alike.size()); ++i) {
+    const AlikeTrainees& pair = alike[i];
     pairs.push_back(Text::tr("%1 and %2 in %3 of %4", pair.first, pair.second, pair.same, pair.shared));
+  }
+  if (alike.size() > kAlikePairsAtMost) {
+    pairs.push_back(Text::tr("and %1 more {pair|pairs}", alike.size() - kAlikePairsAtMost));
   }
   return Text::tr(
       "More marks are the same than chance gives two trainees of equal skill (same rater, same occasion): "
@@ -141,7 +146,27 @@ std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study
       listed(pairs, Text::tr("%1; %2")));
 }
 
-/// Adds how many withdrew if they are many.
+/// Formats how many of each group withdrew, "Group 1: 0; Group 2: 6".
+Text withdrawnByGroup(const CohortInputs& in, const Ledger& ledger) {
+  std::vector<Text> groups;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = g});
+    groups.push_back(Text::verbatim("%1: %2", in.groups[g].name, at("withdrew").words()));
+  }
+  return listed(groups, Text::tr("%1; %2"));
+}
+
+double largestShareWithdrawn(const CohortInputs& in, const Ledger& ledger) {
+  double largest = 0.0;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const double size = at.number("allocated").value_or(0.0);
+    largest = size > 0.0 ? std::max(largest, at.number("withdrew").value_or(0.0) / size) : largest;
+  }
+  return largest;
+}
+
+/// Adds how many withdrew if they are many, also in one group alone.
 void addWithdrawn(const CohortInputs& in, const Ledger& ledger, Sentences& out) {
   const ResultsAt people(ledger, {.section = ResultSection::kParticipants});
   const double everybody = people.number("trainees").value_or(0.0);
@@ -155,12 +180,17 @@ void addWithdrawn(const CohortInputs& in, const Ledger& ledger, Sentences& out) 
     out.push_back({Text(Text::tr("Everybody withdrew. The answer rests on marks that were given before that: "
                                  "ask whether it may be used.")),
                    {gone, all}});
-  } else if (withdrew >= kManyWithdrew * everybody) {
-    out.push_back(
-        {Text::tr("%1 of %2 trainees withdrew. Where their marks are missing, the answer holds only for "
-                  "people like those who stayed.",
-                  gone.words(), all.words()),
-         {gone, all}});
+  } else if (withdrew >= kManyWithdrew * everybody || largestShareWithdrawn(in, ledger) >= kManyWithdrew) {
+    ReportParagraph sentence{
+        Text::tr("%1 of %2 trainees withdrew (%3). Where their marks are missing, the answer holds only for "
+                 "people like those who stayed.",
+                 gone.words(), all.words(), withdrawnByGroup(in, ledger)),
+        {gone, all}};
+    for (std::size_t g = 0; g < in.groups.size(); ++g) {
+      sentence.keys.push_back(
+          ResultsAt(ledger, {.section = ResultSection::kParticipants, .group = g})("withdrew").key);
+    }
+    out.push_back(std::move(sentence));
   }
   for (std::size_t g = 0; g < in.groups.size() && withdrew < everybody; ++g) {
     const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
@@ -226,11 +256,20 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
         importSentence(*in.imported), in.imported->marks, in.imported->recordings));
   }
   if (in.sites.size() > 1) {
-    out.rivals.emplace_back(
-        Text::tr("The data of %1 centres were pooled (%2). No analysis takes account of the centre: how far "
-                 "the answer "
-                 "differs between them is not shown.",
-                 in.sites.size(), listed(std::vector<Text>(in.sites.begin(), in.sites.end()))));
+    out.rivals.push_back(sitesSentence(in, study, ledger));
+  }
+  const bool said = in.imported && in.markWays.blinded + in.markWays.live == 0;  // that nothing is known
+  if (in.markWays.live + in.markWays.entered > 0 && !said) {
+    out.rivals.push_back(markWaysSentence(in, ledger));
+  }
+  if (in.notAllocated > 0) {
+    const ReportCell more = ResultsAt(ledger, {.section = ResultSection::kParticipants})("not_allocated");
+    out.missing.push_back(
+        {Text::tr(
+             "%1 {trainee was|trainees were} enrolled but {is|are} in no group and in no comparison. The "
+             "record does not say why.",
+             more.words()),
+         {more}});
   }
   addWithdrawn(in, ledger, out.missing);
   addContradictions(in, ledger, out.data);

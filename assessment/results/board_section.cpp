@@ -194,6 +194,13 @@ Text allocationOf(const CohortInputs& in) {
         "seed: a difference need not be an effect of the training.",
         drawn.method);
   }
+  if (!drawn.replayed) {
+    return Text::tr(
+        "Groups: the record says that they were drawn at random (%1); the draw has not been repeated from "
+        "its "
+        "seed.",
+        drawn.method);
+  }
   return Text::tr("Groups: drawn at random (%1).", drawn.method);
 }
 
@@ -246,12 +253,14 @@ ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, c
   }
   if (otherwise == 0) {
     static_cast<Text&>(out) = Text::tr(
-        "Training: all %1 {trainee|trainees} received what was planned for their group, within %2 %.",
+        "Training: by the times noted, all %1 {trainee|trainees} received what was planned for their group, "
+        "within %2 %.",
         asPlanned, std::lround(100.0 * kWithinShare));
     return out;
   }
   const Text who = Text::tr(
-      "Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). %4",
+      "Training: by the times noted, %1 of %2 {trainee|trainees} did not receive what was planned for their "
+      "group (%3). %4",
       otherwise, asPlanned + otherwise, listed(kinds), comparedIn(in, study));
   if (!study.perProtocol) {
     static_cast<Text&>(out) =
@@ -268,9 +277,10 @@ ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, c
         Text::verbatim("%1: %2 %3", pairName(in, pair.first, pair.second), value.words(), interval.words()));
     out.keys.insert(out.keys.end(), {value.key, interval.key});
   }
-  static_cast<Text&>(out) =
-      Text::tr("%1 Without them (per protocol), in points with 95 % intervals after Holm: %2.", who,
-               listed(pairs, Text::tr("%1; %2")));
+  static_cast<Text&>(out) = Text::tr(
+      "%1 Only those who were trained as planned (per protocol, analysis of covariance), in points "
+      "with 95 % intervals after Holm: %2.",
+      who, listed(pairs, Text::tr("%1; %2")));
   return out;
 }
 

@@ -40,6 +40,7 @@ struct CohortTrainee {
   bool withdrew = false;            ///< no longer takes part; recorded data stay
   std::int64_t enrolledUtc_us = 0;  ///< 0: unknown
   std::int64_t withdrewUtc_us = 0;  ///< when it was noted that they withdrew; 0: they did not, or unknown
+  std::string site{};               ///< code of their centre in a pooled record; empty: this record's own
 };
 
 /// A group and its protocol.
@@ -144,6 +145,8 @@ struct TrialSummaryRow {
   bool interrupted = false;
   RunOutcome outcome = RunOutcome::kRefused;  ///< of its verdict (assessment/attempt/run_verdict.h)
   std::string contentHash;
+  std::string device{};               ///< model of the haptic device, as the recording names it
+  std::string station{};              ///< the recording machine
   std::vector<JudgedTwist> attempts;  ///< completed twists in order
   /// Defined metrics of an untwisting by id; empty for an exercise with twists.
   std::map<std::string, double> detorsion{};

@@ -241,6 +241,7 @@ void addSpread(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
     rows.addInterval("robust_difference", pair.difference, pair.interval, n);
     rows.put("robust_difference_holm_95", pair.asHolm, n);
     rows.add("robust_error", pair.error, n);
+    rows.add("robust_df", pair.df, n);
     rows.add("robust_t", pair.t, n);
     rows.add("robust_p", pair.p, n);
     rows.add("robust_p_holm", pair.pHolm, n);
@@ -480,6 +481,7 @@ void addComparisonResults(const CohortInputs& in, const StudyAnalysis& study, Le
     addCourse(in, study, ledger);
     addMixedModel(in, study, ledger);
     addGainResults(in, study, ledger);
+    addSiteResults(in, study, ledger);
   }
 }
 

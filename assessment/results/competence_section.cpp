@@ -181,8 +181,12 @@ ReportSection competenceSection(const CohortInputs& in, const Ledger& ledger) {
                   excused.words()),
          {excused}});
   }
-  section.figures = {sumsFigure(in, ledger)};
-  section.tables = {countsTable(in, ledger), oddsTable(in, ledger), verdictsTable(in, ledger)};
+  section.tables = {countsTable(in, ledger), verdictsTable(in, ledger)};
+  if (std::any_of(in.competence.begin(), in.competence.end(),
+                  [](const CohortCompetence& one) { return one.attempts > 0; })) {
+    section.figures = {sumsFigure(in, ledger)};
+    section.tables.insert(section.tables.begin() + 1, oddsTable(in, ledger));
+  }
   return section;
 }
 

@@ -99,16 +99,19 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study, 
   const bool robust = isRobust(study);
   ReportTable table = itemOf<ReportTable>(
       in, "table-ancova", Text::tr("Scores at the end, adjusted for the score before"), formulaOf(study));
-  ResultTable rows(
-      ledger, table,
-      {{Text::tr("Comparison")},
-       {Text::tr("Difference [95 %, not adjusted]"), robust ? "robust_difference" : "adjusted_difference",
-        kWithInterval},
-       {Text::tr("[95 %, after Holm]"), robust ? "robust_difference_holm_95" : "adjusted_difference_holm_95"},
-       {Text::verbatim("t"), robust ? "robust_t" : "t", fixed(2)},
-       {Text::verbatim("p"), robust ? "robust_p" : "p", kAsP},
-       {Text::tr("p (Holm)"), robust ? "robust_p_holm" : "p_holm", kAsP},
-       {Text::tr("Hedges g of the end scores [95 %, not adjusted]"), "hedges_g", kWithInterval}});
+  std::vector<ResultColumn> columns{
+      {Text::tr("Comparison")},
+      {Text::tr("Difference [95 %, not adjusted]"), robust ? "robust_difference" : "adjusted_difference",
+       kWithInterval},
+      {Text::tr("[95 %, after Holm]"), robust ? "robust_difference_holm_95" : "adjusted_difference_holm_95"},
+      {Text::verbatim("t"), robust ? "robust_t" : "t", fixed(2)},
+      {Text::verbatim("p"), robust ? "robust_p" : "p", kAsP},
+      {Text::tr("p (Holm)"), robust ? "robust_p_holm" : "p_holm", kAsP},
+      {Text::tr("Hedges g of the end scores [95 %, not adjusted]"), "hedges_g", kWithInterval}};
+  if (robust) {  // otherwise those of the note below
+    columns.insert(columns.begin() + 4, {Text::tr("Degrees of freedom"), "robust_df", fixed(1)});
+  }
+  ResultTable rows(ledger, table, std::move(columns));
   table.provenance.n = comparedTrainees(study);
   table.provenance.missing = study.endMissing;
   if (!got) {

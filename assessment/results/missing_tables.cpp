@@ -109,7 +109,9 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
   if (study.asPlanned()) {
     const Text errors =
         study.primaryMethod() == PrimaryMethod::kRobust
-            ? Text::tr("Its standard errors hold for unequal spreads, too (HC3).")
+            ? Text::tr(
+                  "Its standard errors and degrees of freedom hold for unequal spreads, too (HC3, Bell "
+                  "and McCaffrey).")
             : Text::tr(
                   "Its standard errors assume that all groups spread alike: somebody is alone in a group.");
     const Text used =

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "assessment/results/aggregated_inputs.h"
+#include "assessment/results/analysis_tables.h"
 #include "assessment/results/number_format.h"
 #include "assessment/results/record_sentences.h"
 #include "assessment/results/report_labels.h"
@@ -128,6 +130,9 @@ ReportSection participantsSection(const CohortInputs& in, const Ledger& ledger) 
   static_cast<Text&>(commitment) = Text::verbatim("%1 %2", commitment.words(), replaySentence(drawn));
   section.paragraphs.push_back(std::move(commitment));
   section.tables = {groupsTable(in, ledger), flowTable(in, ledger)};
+  if (std::optional<ReportTable> centres = siteFlowTable(in, ledger)) {
+    section.tables.push_back(std::move(*centres));
+  }
   if (!in.allocation.design.empty()) {
     section.tables.push_back(
         pairsTable("table-allocation", Text::tr("Design of the allocation"), in.allocation.design));

@@ -62,11 +62,14 @@ ReportParagraph waysSentence(const MarkWays& ways, bool imported, const ResultsA
 
 }  // namespace
 
+ReportParagraph markWaysSentence(const CohortInputs& in, const Ledger& ledger) {
+  return waysSentence(in.markWays, in.imported.has_value(), {ledger, wholeKey(kTrainingMarks)});
+}
+
 std::vector<ReportParagraph> blindingSentences(const CohortInputs& in, const Ledger& ledger) {
   std::vector<ReportParagraph> sentences;
   if (in.markWays.blinded + in.markWays.live + in.markWays.entered > 0) {
-    sentences.push_back(
-        waysSentence(in.markWays, in.imported.has_value(), {ledger, wholeKey(kTrainingMarks)}));
+    sentences.push_back(markWaysSentence(in, ledger));
   }
   if (in.evaluations.empty()) {
     return sentences;

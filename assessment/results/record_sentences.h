@@ -10,7 +10,9 @@
 // Statements of the report about the study, computed from the record.
 namespace torsio {
 
-/// States whether raters were blinded, from how each mark was made.
+/// States whether raters of the training study were blinded, from how each mark was made. Requires marks.
+[[nodiscard]] ReportParagraph markWaysSentence(const CohortInputs& inputs, const Ledger& ledger);
+/// The same with what the record knows of the raters of the models.
 [[nodiscard]] std::vector<ReportParagraph> blindingSentences(const CohortInputs& inputs,
                                                              const Ledger& ledger);
 /// States which difference the comparison detects, and what it cannot show.

@@ -81,5 +81,7 @@ void addRecordResults(const CohortInputs& inputs, Ledger& ledger);
 /// Add results about raters and groups from the marks of the training study.
 void addAgreementResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);
 void addComparisonResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);
+/// Adds the comparison within the centres of a pooled record, and who took part at each.
+void addSiteResults(const CohortInputs& inputs, const StudyAnalysis& study, Ledger& ledger);
 
 }  // namespace torsio

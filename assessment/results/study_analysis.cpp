@@ -309,8 +309,7 @@ std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study) {
     }
   } else if (study.ancova) {
     for (const AdjustedDifference& pair : concludedPairs(*study.ancova)) {
-      out.push_back({pair.first, pair.second, pair.difference, pair.error, study.ancova->residualDf,
-                     pair.pHolm, pair.asHolm});
+      out.push_back({pair.first, pair.second, pair.difference, pair.error, pair.df, pair.pHolm, pair.asHolm});
     }
   }
   return out;
@@ -381,6 +380,7 @@ StudyAnalysis analyseStudy(const CohortInputs& in) {
   }
   compareEnds(in, out);
   compareAsTreated(in, out);
+  out.sites = analyseSites(in, out.ends, out.endCodes);
   followCourse(in, out);
   addGains(in, out);
   return out;

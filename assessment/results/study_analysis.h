@@ -18,6 +18,7 @@
 #include "assessment/statistics/rasch.h"
 #include "assessment/statistics/reliability.h"
 #include "assessment/statistics/resampling.h"
+#include "assessment/statistics/site_comparison.h"
 
 namespace torsio {
 
@@ -124,6 +125,21 @@ inline constexpr double kWantedPower = 0.8;
 /// Groups whose scores before differ by this many standard deviations or more are called unlike.
 inline constexpr double kUnlikeBefore_sd = 0.5;
 
+/// The comparison within the centres of a pooled record, of trainees with scores at both ends.
+struct SiteAnalysis {
+  std::vector<SiteTrainee> trainees;      ///< `site`: index in CohortInputs::sites
+  std::vector<std::string> traineeCodes;  ///< of `trainees`
+  std::vector<std::size_t> sites;         ///< with such trainees, ascending
+  SiteTerm term = SiteTerm::kFixed;
+  Outcome<SiteComparison> together = Outcome<SiteComparison>::undefined(Text::tr("not computed"));
+  std::vector<Outcome<SiteComparison>> without;  ///< one of `sites` left out; same term
+  Outcome<std::vector<Heterogeneity>> heterogeneity =
+      Outcome<std::vector<Heterogeneity>>::undefined(Text::tr("not computed"));
+  /// With the device, or station, of most of a trainee's runs; of trainees with a run.
+  Outcome<SiteComparison> withDevice = Outcome<SiteComparison>::undefined(Text::tr("not computed"));
+  Outcome<SiteComparison> withStation = Outcome<SiteComparison>::undefined(Text::tr("not computed"));
+};
+
 /// Names of the results of the primary comparison of a pair.
 struct PrimaryStatistics {
   const char* difference = "";
@@ -159,6 +175,7 @@ struct StudyAnalysis {
                                              ///< occasions
   std::vector<std::string> leftOutOfCourse;  ///< codes of trainees without a score at some occasion
   std::optional<GainAnalysis> gains;         ///< empty: too many different numbers of marks
+  std::optional<SiteAnalysis> sites;         ///< of a pooled record of several centres
   RatersNeeded needed;
   Outcome<RaschResult> rasch = Outcome<RaschResult>::undefined(Text::tr("not computed"));  ///< last occasion
   std::vector<std::optional<CorrectedSeverity>> onOneScale;  ///< by rater, from `rasch`; empty without it
@@ -189,6 +206,10 @@ struct StudyAnalysis {
 
 /// Returns the differences of the primary comparison, (0,1), (0,2), ..., (1,2); empty if undefined.
 [[nodiscard]] std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study);
+
+/// Compares within the centres; empty for fewer than two. `ends`, `codes`: as in StudyAnalysis.
+[[nodiscard]] std::optional<SiteAnalysis> analyseSites(const CohortInputs& inputs, const CompleteCases& ends,
+                                                       const std::vector<std::vector<std::string>>& codes);
 
 [[nodiscard]] StudyAnalysis analyseStudy(const CohortInputs& inputs);
 

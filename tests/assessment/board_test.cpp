@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -115,7 +116,8 @@ CohortInputs enteredTwice(int changed) {
 constexpr const char* kTwice = "More marks are the same than chance gives two trainees of equal skill";
 constexpr const char* kDrawn = "Groups: drawn at random (complete permutation).";
 constexpr const char* kNeedNot = "a difference need not be an effect of the training";
-constexpr const char* kAsPlanned = "Training: all 30 trainees received what was planned for their group";
+constexpr const char* kAsPlanned =
+    "Training: by the times noted, all 30 trainees received what was planned for their group";
 constexpr const char* kToTreat = "compared in the group to which they were allocated (intention to treat)";
 constexpr const char* kNoPlan = "No plan of the analysis is in the record";
 
@@ -140,6 +142,13 @@ std::vector<Strange> allocations() {
        with([](CohortInputs& in) { in.allocation.replayDiffers = true; }),
        {"could not be repeated from its seed", kNeedNot},
        {kDrawn}},
+      {"a draw that nobody repeated",
+       with([](CohortInputs& in) { in.allocation.replayed = false; }),
+       {"the draw has not been repeated from its seed"},
+       {kDrawn}},
+      {"some are in no group",
+       with([](CohortInputs& in) { in.notAllocated = 6; }),
+       {"6 trainees were enrolled but are in no group and in no comparison. The record does not say why."}},
       {"no plan of the analysis",
        with([](CohortInputs& in) { in.equivalenceMargin.reset(); }),
        {kNoPlan},
@@ -171,7 +180,16 @@ std::vector<Strange> trainings() {
           {"group 1 trained on the real arm",
            with(doses(0, 0.0, 40.0)),
            {"10 of 30 trainees did not receive", "training that was not planned for the group: 10", kToTreat,
-            "Without them (per protocol), in points with 95 % intervals after Holm: Group 2 - Group 3: "},
+            "Only those who were trained as planned (per protocol, analysis of covariance), in points with "
+            "95 % intervals after Holm: Group 2 - Group 3: "},
+           {kAsPlanned}},
+          {"groups 1 and 3 crossed over",
+           with([](CohortInputs& in) {
+             doses(0, 0.0, 40.0)(in);
+             doses(2, 40.0, 0.0)(in);
+           }),
+           {"20 of 30 trainees did not receive", "training that was not planned for the group: 20", kToTreat,
+            "cannot be compared by themselves"},
            {kAsPlanned}},
           {"group 3 trained two of forty minutes",
            with(doses(2, 0.0, 2.0)),
@@ -184,7 +202,8 @@ std::vector<Strange> trainings() {
           {"one untrained",
            with([](CohortInputs& in) { in.doses.erase(in.doses.begin()); }),
            {"1 of 30 trainees did not receive what was planned", "no training: 1",
-            "Without them (per protocol), in points with 95 % intervals after Holm: Group 1 - Group 2: "},
+            "Only those who were trained as planned (per protocol, analysis of covariance), in points with "
+            "95 % intervals after Holm: Group 1 - Group 2: "},
            {kAsPlanned}},
           {"a minute short", with(doses(0, 39.0, 0.0)), {kAsPlanned}, {kToTreat}},
           {"a look at the arm", with(doses(0, 40.0, 0.5)), {kAsPlanned}, {kToTreat}}};
@@ -205,13 +224,47 @@ std::vector<Strange> people() {
            in.trainees[i].withdrew = true;
          }
        }),
-       {"10 of 30 trainees withdrew. Where their marks are missing, the answer holds only for people like "
-        "those who stayed"},
+       {"10 of 30 trainees withdrew (Group 1: 10; Group 2: 0; Group 3: 0). Where their marks are missing, "
+        "the answer holds only for people like those who stayed"},
        {"Everybody withdrew"}},
       {"one withdrew",
        with([](CohortInputs& in) { in.trainees[0].withdrew = true; }),
        {"1 of them withdrew"},
        {"may hold only"}},
+      {"dropout related to the outcome",
+       with([](CohortInputs& in) {
+         std::set<std::string> weak;
+         for (const TraineeScore& score : in.scores) {
+           if (score.group == 2 && score.occasion == 1 && score.score < 4.6) {
+             weak.insert(score.trainee);
+           }
+         }
+         for (CohortTrainee& trainee : in.trainees) {
+           trainee.withdrew = weak.contains(trainee.code);
+         }
+         std::erase_if(in.trainingMarks, [&](const TrainingMark& mark) {
+           return mark.occasion == 2 && weak.contains(mark.trainee);
+         });
+         in = scored(std::move(in));
+       }),
+       {"trainees withdrew (Group 1: 0; Group 2: 0; Group 3: ", "people like those who stayed",
+        "could, at worst, leave open", "linear mixed model"},
+       {}},
+      {"stopped early",
+       with([](CohortInputs& in) {
+         in.freeze = CohortFreeze{"stopped", "b", 1, "admin", true, 900, 600, "a difference was seen"};
+         std::erase_if(in.trainingMarks,
+                       [](const TrainingMark& mark) { return mark.trainee.substr(1) > "106"; });
+         in = scored(std::move(in));
+       }),
+       {"Interim: these data were frozen when 600 of 900 sheets were in (a difference was seen)",
+        "Looking at results before the end of a study makes false findings more likely."}},
+      {"many entered twice",
+       withMarks([](TrainingMark& mark) {
+         mark.steps = 40 + (mark.trainee.back() - '0') % 2 * 20 +
+                      (mark.rater.back() + static_cast<std::int64_t>(mark.occasion) * 3) % 7 * 5;
+       }),
+       {kTwice, " more pairs. Check whether somebody was entered twice."}},
       {"entered twice",
        enteredTwice(0),
        {"x101 and z110 in 30 of 30. Check whether somebody was entered twice."}},
@@ -282,6 +335,16 @@ std::vector<Strange> marks() {
   return {{"a rater is absent at the end",
            without([](const TrainingMark& mark) { return mark.rater == "R104" && mark.occasion == 2; }),
            {"Answer, adjusted"}},
+          {"blinded", with([](CohortInputs& in) { in.markWays = {.blinded = 900}; }), {}, {"linded"}},
+          {"unblinded",
+           with([](CohortInputs& in) { in.markWays = {.live = 900}; }),
+           {"Raters were not blinded: all marks of the training study (900) were given live"}},
+          {"blinded in part",
+           with([](CohortInputs& in) { in.markWays = {.blinded = 600, .live = 300}; }),
+           {"Raters were blinded in part: of 900 marks"}},
+          {"nothing shows how marks were given",
+           with([](CohortInputs& in) { in.markWays = {.entered = 900}; }),
+           {"Nothing shows that raters were blinded"}},
           {"one arm rated by one rater",
            without([](const TrainingMark& mark) { return mark.group == 0 && mark.rater != "R101"; }),
            {"linear mixed model"}},
@@ -322,6 +385,10 @@ void expectSaid(const std::vector<Strange>& cohorts) {
     }
     testing::expectWellSaid(strange.cohort);
   }
+}
+
+TEST(FirstPage, IsReadForFortyStrangeCohorts) {
+  EXPECT_GE(allocations().size() + trainings().size() + people().size() + marks().size(), 40U);
 }
 
 TEST(FirstPage, SaysHowTheGroupsWereMadeAndWhetherTheyWereAlike) {

@@ -369,7 +369,7 @@ TEST(CohortReport, TestsEquivalenceWithThePlannedMarginOrSaysThatThereIsNone) {
 
   const Outcome<Ancova> model = analyseStudy(in).ancova;
   const AdjustedDifference& pair = model->spread.pairs.front();
-  const double reach = tQuantile(0.95, model->residualDf) * pair.error;
+  const double reach = tQuantile(0.95, pair.df) * pair.error;
   for (const bool wide : {false, true}) {
     in.equivalenceMargin = std::abs(pair.difference) + reach * (wide ? 1.01 : 0.99);
     const ReportModel report = cohortReport(in);

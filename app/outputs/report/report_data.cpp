@@ -271,6 +271,11 @@ CohortInputs reportInputs(SessionContext& session, const ReportRequest& request,
   }
   for (const Site& site : SiteRepository(connection).sites()) {
     inputs.sites.push_back(site.code);
+    for (CohortTrainee& trainee : inputs.trainees) {  // their codes are qualified: NJ/T-07
+      if (trainee.code.starts_with(site.code + "/")) {
+        trainee.site = site.code;
+      }
+    }
   }
   addAllocation(session, cohort.id, inputs);
   addFreeze(session, request, inputs);

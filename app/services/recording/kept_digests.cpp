@@ -138,6 +138,8 @@ TrialSummaryRow summaryRow(const TrialListing& listing, const TrialDigest& diges
   row.interrupted = summary.outcome == TrialOutcome::kInterrupted;
   row.outcome = verdictOn(summary, measures, rules).outcome;
   row.contentHash = summary.contentHash;
+  row.device = listing.deviceModel;
+  row.station = listing.station;
   row.twists = std::ssize(measures.twists);
   row.twistsOnTarget = measures.twistsOnTarget();
   row.unfinishedTwists = measures.unfinished;

@@ -102,7 +102,7 @@ const std::string kSelectListing =
     "SELECT t.id, p.code, t.enrolment_id, t.station, t.scene_id, t.pattern_id, t.phase_label,"
     " t.started_utc_us, t.demonstration, " +
     kSummaryColumns +
-    ", t.module_id, t.phase_id, t.attempt_mode, t.tissue_model"
+    ", t.module_id, t.phase_id, t.attempt_mode, t.tissue_model, t.device_model"
     " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id LEFT JOIN trial_end e ON e.trial_id = t.id";
 
 TrialListing listingOf(RowReader& row) {
@@ -119,7 +119,8 @@ TrialListing listingOf(RowReader& row) {
           .moduleId = row.text(),
           .phaseId = row.text(),
           .attemptMode = readMaybeTerm<AttemptMode>(row),
-          .model = modelOf(row.text())};
+          .model = modelOf(row.text()),
+          .deviceModel = row.text()};
 }
 
 TrialChunk chunkOf(RowReader& row) {
