@@ -6434,7 +6434,7 @@
     </message>
     <message>
         <source>Participants and allocation</source>
-        <translation>参与者与随机分组</translation>
+        <translation>参与者与分组</translation>
     </message>
     <message>
         <source>Participants by group</source>
@@ -11932,11 +11932,11 @@ audit trail %3</source>
     </message>
     <message>
         <source>%1 {trainee was|trainees were} allocated to %2 {group|groups}; %3 more {was enrolled and is|were enrolled and are} in no group</source>
-        <translation>%1 名学员被随机分入 %2 组；另有 %3 名已登记但尚未分组</translation>
+        <translation>%1 名学员被分入 %2 组；另有 %3 名已登记但尚未分组</translation>
     </message>
     <message>
         <source>%1 {trainee was|trainees were} allocated to %2 {group|groups}</source>
-        <translation>%1 名学员被随机分入 %2 组</translation>
+        <translation>%1 名学员被分入 %2 组</translation>
     </message>
     <message>
         <source>%1 {deviation from the protocol was|deviations from the protocol were} reported: %2.</source>
@@ -18443,10 +18443,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1无法单独比较按计划接受训练的学员：%2。</translation>
     </message>
     <message>
-        <source>%1 Without them (per protocol), in points with 95 % intervals after Holm: %2.</source>
-        <translation>%1不包括这些人（符合方案分析），以分计，附经 Holm 校正的 95 % 区间：%2。</translation>
-    </message>
-    <message>
         <source>analysis of covariance, one pooled slope, HC3</source>
         <translation>协方差分析，单一合并斜率，HC3</translation>
     </message>
@@ -18933,10 +18929,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Within the %1 {run|runs} made, %2 of those who fail %3 are declared competent.</source>
         <translation>在已完成的 %1 次练习内，失败率为 %3 者分别有 %2 被判为胜任。</translation>
-    </message>
-    <message>
-        <source>Training: all %1 {trainee|trainees} received what was planned for their group, within %2 %.</source>
-        <translation>训练：全部 %1 名学员都接受了为其所在组计划的训练，误差在 %2 % 以内。</translation>
     </message>
     <message>
         <source>These trainees are too few to say how many raters are needed: even %1 {rater does|raters do} not have a dependability of %2 with 95 % confidence. By the estimate alone it would be %3.</source>
@@ -20835,10 +20827,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>%1。结论的标准误已考虑这一点（HC3）。</translation>
     </message>
     <message>
-        <source>%1 of %2 trainees withdrew. Where their marks are missing, the answer holds only for people like those who stayed.</source>
-        <translation>%2 名学员中有 %1 名退出。凡缺失其评分之处，结论仅适用于与留下者相似的人群。</translation>
-    </message>
-    <message>
         <source>Everybody in %1 withdrew: what stands there rests on marks that were given before that.</source>
         <translation>%1 的所有人均已退出：该组的结果基于退出前给出的评分。</translation>
     </message>
@@ -20867,16 +20855,12 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
         <translation>所有人均按记录中所在的组进行比较。</translation>
     </message>
     <message>
-        <source>Training: %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). %4</source>
-        <translation>训练：%2 名学员中有 %1 名未按本组计划接受训练（%3）。%4</translation>
-    </message>
-    <message>
         <source>no recorded run</source>
         <translation>无操作记录</translation>
     </message>
     <message>
         <source>Competent: at every exercise that the curriculum requires; one that was not tried counts against it. The rules are in the section Competence.</source>
-        <translation>胜任：须在课程要求的每项练习上均胜任；未尝试的练习视为不胜任。判定规则见“胜任能力”一节。</translation>
+        <translation>胜任：须在课程要求的每项练习上均胜任；未尝试的练习视为不胜任。判定规则见“胜任”一节。</translation>
     </message>
     <message>
         <source>%1 Nobody can have been shown competent: no run was recorded.</source>
@@ -20896,7 +20880,7 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     </message>
     <message>
         <source>Raters who scored trainees of some groups only %1: %2. How severe such a rater is cannot be told from what the training did: a difference between groups may be one between raters.</source>
-        <translation>%1 只评了部分组学员的评分者：%2。这类评分者的严格程度无法与训练效果区分：组间差异可能是评分者之间的差异。</translation>
+        <translation>%1只评了部分组学员的评分者：%2。这类评分者的严格程度无法与训练效果区分：组间差异可能是评分者之间的差异。</translation>
     </message>
     <message>
         <source>%1 %2, so the linear mixed model is the primary comparison here: it uses every mark at the end of everybody who also has one before. The analysis of covariance is shown beside it, for the %3 {trainee|trainees} with a score at both occasions.</source>
@@ -20917,10 +20901,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Export fewer lines a second</source>
         <translation>请减少每秒导出的行数</translation>
-    </message>
-    <message>
-        <source>The data of %1 centres were pooled (%2). No analysis takes account of the centre: how far the answer differs between them is not shown.</source>
-        <translation>合并了 %1 个中心的数据（%2）。没有任何分析考虑中心因素：结论在各中心之间有多大差异未予显示。</translation>
     </message>
     <message>
         <source>Groups: how trainees came into them is recorded at their centres, not here. Ask the centres before a difference is called an effect of the training.</source>
@@ -21357,10 +21337,6 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is the dependability within the groups, which in a single group is the intraclass correlation for absolute agreement (Shrout and Fleiss). Severity is a rater&apos;s mean distance from the other raters.</source>
         <translation>效应量为 Hedges g，区间取自非中心 t 分布。评分者一致性为组内可靠性，只有一个组时即为绝对一致性的组内相关系数（Shrout-Fleiss）。严格度为某评分者与其他评分者的平均差距。</translation>
-    </message>
-    <message>
-        <source>Its standard errors hold for unequal spreads, too (HC3).</source>
-        <translation>其标准误在离散程度不等时同样有效（HC3）。</translation>
     </message>
     <message>
         <source>Its standard errors assume that all groups spread alike: somebody is alone in a group.</source>
@@ -21829,6 +21805,190 @@ Your sign-in name is %3. The link works once, until %4, and is for you alone: pl
     <message>
         <source>Check that it is the right file</source>
         <translation>请检查文件是否正确</translation>
+    </message>
+    <message>
+        <source>%1 {reservation stands against the answer: it is|reservations stand against the answer: they are} on the next page, the most serious first.</source>
+        <translation>对结论有 %1 条保留意见：见下一页，最重要的在前。</translation>
+    </message>
+    <message>
+        <source>and %1 more {pair|pairs}</source>
+        <translation>另有 %1 对</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trainees withdrew (%3). Where their marks are missing, the answer holds only for people like those who stayed.</source>
+        <translation>%2 名学员中有 %1 名退出（%3）。在缺少其评分之处，答案只适用于与留下者相似的人。</translation>
+    </message>
+    <message>
+        <source>%1 {trainee was|trainees were} enrolled but {is|are} in no group and in no comparison. The record does not say why.</source>
+        <translation>%1 名学员已入组登记，但不属于任何组，也未参加比较。记录中没有说明原因。</translation>
+    </message>
+    <message>
+        <source>Groups: the record says that they were drawn at random (%1); the draw has not been repeated from its seed.</source>
+        <translation>分组：据记录为随机抽取（%1）；尚未由种子重现该抽取。</translation>
+    </message>
+    <message>
+        <source>Training: by the times noted, all %1 {trainee|trainees} received what was planned for their group, within %2 %.</source>
+        <translation>训练：按登记的时间，全部 %1 名学员均按本组计划接受训练，偏差在 %2 % 以内。</translation>
+    </message>
+    <message>
+        <source>Training: by the times noted, %1 of %2 {trainee|trainees} did not receive what was planned for their group (%3). %4</source>
+        <translation>训练：按登记的时间，%2 名学员中有 %1 名未按本组计划接受训练（%3）。%4</translation>
+    </message>
+    <message>
+        <source>%1 Only those who were trained as planned (per protocol, analysis of covariance), in points with 95 % intervals after Holm: %2.</source>
+        <translation>%1仅含按计划训练者（符合方案分析，协方差分析），以分计，附经 Holm 校正的 95 % 区间：%2。</translation>
+    </message>
+    <message>
+        <source>Its standard errors and degrees of freedom hold for unequal spreads, too (HC3, Bell and McCaffrey).</source>
+        <translation>其标准误和自由度在离散程度不等时同样有效（HC3，Bell-McCaffrey）。</translation>
+    </message>
+    <message>
+        <source>all runs have the same</source>
+        <translation>所有操作都相同</translation>
+    </message>
+    <message>
+        <source>random, as there are five or more</source>
+        <translation>随机效应，因有五个或更多</translation>
+    </message>
+    <message>
+        <source>fixed, as there are fewer than five</source>
+        <translation>固定效应，因少于五个</translation>
+    </message>
+    <message>
+        <source>Differences within the centres</source>
+        <translation>各中心内的差异</translation>
+    </message>
+    <message>
+        <source>linear mixed model, centre random, restricted maximum likelihood, Satterthwaite</source>
+        <translation>线性混合模型，中心为随机效应，限制性最大似然，Satterthwaite 自由度</translation>
+    </message>
+    <message>
+        <source>analysis of covariance, centre fixed, HC3</source>
+        <translation>协方差分析，中心为固定效应，HC3</translation>
+    </message>
+    <message>
+        <source>Score at the end on score before, group and centre, one slope; centres (%1): %2.</source>
+        <translation>末次得分对训练前得分、组别和中心回归，共用一个斜率；中心（%1 个）：%2。</translation>
+    </message>
+    <message>
+        <source>Variances: centres %1, rest %2 (points squared).</source>
+        <translation>方差：中心 %1，其余 %2（分²）。</translation>
+    </message>
+    <message>
+        <source>How far the differences vary from centre to centre</source>
+        <translation>差异在各中心之间变化的程度</translation>
+    </message>
+    <message>
+        <source>Cochran; Higgins and Thompson; Paule and Mandel, interval by profiling Q; Hartung and Knapp</source>
+        <translation>Cochran；Higgins-Thompson；Paule-Mandel，区间由 Q 剖面得出；Hartung-Knapp</translation>
+    </message>
+    <message>
+        <source>Centres</source>
+        <translation>中心数</translation>
+    </message>
+    <message>
+        <source>I squared</source>
+        <translation>I²</translation>
+    </message>
+    <message>
+        <source>Variance between centres [95 %] (points squared)</source>
+        <translation>中心间方差 [95 %]（分²）</translation>
+    </message>
+    <message>
+        <source>Average of centres like these [95 %]</source>
+        <translation>此类中心的平均值 [95 %]</translation>
+    </message>
+    <message>
+        <source>Differences at each centre, adjusted with the slope and the residual variance of all. A large p does not show that the centres agree: look at the upper end of the variance.</source>
+        <translation>各中心的差异，按全部数据的斜率和残差方差校正。p 值大并不说明各中心一致：请看方差区间的上限。</translation>
+    </message>
+    <message>
+        <source>Differences at each centre, and without it</source>
+        <translation>各中心的差异，以及去掉该中心后的差异</translation>
+    </message>
+    <message>
+        <source>analysis of covariance of all centres, one slope and one variance; then the comparison within the other centres</source>
+        <translation>全部中心的协方差分析，共用一个斜率和一个方差；其次为其余各中心内的比较</translation>
+    </message>
+    <message>
+        <source>At this centre [95 %]</source>
+        <translation>该中心 [95 %]</translation>
+    </message>
+    <message>
+        <source>Without this centre [95 %]</source>
+        <translation>去掉该中心 [95 %]</translation>
+    </message>
+    <message>
+        <source>Intervals are not adjusted for their number.</source>
+        <translation>区间未按其数目校正。</translation>
+    </message>
+    <message>
+        <source>Differences within the centres with device or station in the model</source>
+        <translation>模型中加入设备或工作站后各中心内的差异</translation>
+    </message>
+    <message>
+        <source>the comparison within the centres with a further fixed factor</source>
+        <translation>各中心内的比较，另加一个固定因素</translation>
+    </message>
+    <message>
+        <source>With the device [95 %]</source>
+        <translation>加入设备 [95 %]</translation>
+    </message>
+    <message>
+        <source>With the station [95 %]</source>
+        <translation>加入工作站 [95 %]</translation>
+    </message>
+    <message>
+        <source>Of trainees with a recorded run, by what most of their runs used. Where all runs have the same, or device or station cannot be told apart from group and centre, it does not apply.</source>
+        <translation>限于有操作记录的学员，以其多数操作所用者为准。若所有操作都相同，或设备、工作站与组别和中心无法区分，则不适用。</translation>
+    </message>
+    <message>
+        <source>Flow of participants by centre</source>
+        <translation>各中心的参与者流程</translation>
+    </message>
+    <message>
+        <source>Scored before</source>
+        <translation>训练前已评分</translation>
+    </message>
+    <message>
+        <source>Scored at the end</source>
+        <translation>结束时已评分</translation>
+    </message>
+    <message>
+        <source>The data of %1 centres were pooled (%2).</source>
+        <translation>汇总了 %1 个中心的数据（%2）。</translation>
+    </message>
+    <message>
+        <source>%1 No analysis takes account of the centre: %2.</source>
+        <translation>%1任何分析都未考虑中心：%2。</translation>
+    </message>
+    <message>
+        <source>nothing is compared</source>
+        <translation>没有进行比较</translation>
+    </message>
+    <message>
+        <source>%1 With the centre in the model (%2), in points with 95 % intervals after Holm: %3. %4</source>
+        <translation>%1模型中加入中心后（%2），以分计，附经 Holm 校正的 95 % 区间：%3。%4</translation>
+    </message>
+    <message>
+        <source>That the differences vary from centre to centre was not shown; few centres can hardly show it.</source>
+        <translation>未显示差异因中心而异；中心较少时很难显示这一点。</translation>
+    </message>
+    <message>
+        <source>The differences vary from centre to centre (share that is not chance, I squared): %1. One answer for all centres does not describe each of them.</source>
+        <translation>差异因中心而异（非偶然变异的比例，I²）：%1。一个适用于所有中心的答案不能描述其中每一个。</translation>
+    </message>
+    <message>
+        <source>fewer than two centres have scores at both occasions</source>
+        <translation>两次都有得分的中心少于两个</translation>
+    </message>
+    <message>
+        <source>groups, centres, scores before and further factors cannot be told apart</source>
+        <translation>组别、中心、训练前得分和其他因素无法区分</translation>
+    </message>
+    <message>
+        <source>no two centres have trainees of the same two groups</source>
+        <translation>没有两个中心同时有相同两组的学员</translation>
     </message>
 </context>
 <context>
