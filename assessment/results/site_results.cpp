@@ -130,9 +130,10 @@ void addFlow(const CohortInputs& in, Ledger& ledger) {
       rows.place = flowKey(g, site);
       rows.addCount("centre_allocated", allocated, allocated);
       rows.addCount("centre_withdrew", withdrew, allocated);
-      rows.addCount("centre_runs", std::count_if(in.trials.begin(), in.trials.end(), [&](const auto& run) {
-                      return codes.contains(run.trainee);
-                    }), allocated);
+      rows.addCount("centre_runs",
+                    std::count_if(in.trials.begin(), in.trials.end(),
+                                  [&](const auto& run) { return codes.contains(run.trainee); }),
+                    allocated);
       rows.addCount("centre_scored_before", before, allocated);
       rows.addCount("centre_scored_at_the_end", end, allocated);
     }
@@ -240,15 +241,16 @@ void addSiteResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
   std::vector<ResultPart> parts = *rows.madeOf;
   parts.emplace_back(ResultPattern{.section = kTrial, .statistic = "content_hash", .of = kEach});
   rows.madeOf = partsOf(std::move(parts));
-  for (const auto& [name, found] : {std::pair{"device_difference", &of.withDevice},
-                                    std::pair{"station_difference", &of.withStation}}) {
+  for (const auto& [name, found] :
+       {std::pair{"device_difference", &of.withDevice}, std::pair{"station_difference", &of.withStation}}) {
     if (*found) {
       addPairs(**found, name, rows);
     }
   }
 }
 
-std::optional<ReportTable> sitesTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
+std::optional<ReportTable> sitesTable(const CohortInputs& in, const StudyAnalysis& study,
+                                      const Ledger& ledger) {
   if (!study.sites) {
     return std::nullopt;
   }
@@ -284,9 +286,9 @@ std::optional<ReportTable> sitesTable(const CohortInputs& in, const StudyAnalysi
                   {centres, term}}};
   if (of.term == SiteTerm::kRandom) {
     const ReportCell between = at("centre_variance_of_centres", fixed(3));
-    table.notes.push_back({Text::tr("Variances: centres %1, rest %2 (points squared).", between.words(),
-                                    rest.words()),
-                           {between, rest}});
+    table.notes.push_back(
+        {Text::tr("Variances: centres %1, rest %2 (points squared).", between.words(), rest.words()),
+         {between, rest}});
   }
   return table;
 }
@@ -299,18 +301,19 @@ std::optional<ReportTable> heterogeneityTable(const CohortInputs& in, const Stud
   const SiteAnalysis& of = *study.sites;
   ReportTable table = itemOf<ReportTable>(
       in, "table-heterogeneity", Text::tr("How far the differences vary from centre to centre"),
-      Text::tr("Cochran; Higgins and Thompson; Paule and Mandel, interval by profiling Q; Hartung and Knapp"));
+      Text::tr(
+          "Cochran; Higgins and Thompson; Paule and Mandel, interval by profiling Q; Hartung and Knapp"));
   table.provenance.n = std::ssize(of.trainees);
-  ResultTable rows(ledger, table,
-                   {{Text::tr("Comparison")},
-                    {Text::tr("Centres"), "heterogeneity_q", kValues},
-                    {Text::verbatim("Q"), "heterogeneity_q", fixed(2)},
-                    {Text::verbatim("p"), "heterogeneity_p", kAsP},
-                    {Text::tr("I squared"), "heterogeneity_i_squared", percent(0)},
-                    {Text::tr("Variance between centres [95 %] (points squared)"), "heterogeneity_tau_squared",
-                     kWithInterval},
-                    {Text::tr("Average of centres like these [95 %]"), "average_over_centres",
-                     kWithInterval}});
+  ResultTable rows(
+      ledger, table,
+      {{Text::tr("Comparison")},
+       {Text::tr("Centres"), "heterogeneity_q", kValues},
+       {Text::verbatim("Q"), "heterogeneity_q", fixed(2)},
+       {Text::verbatim("p"), "heterogeneity_p", kAsP},
+       {Text::tr("I squared"), "heterogeneity_i_squared", percent(0)},
+       {Text::tr("Variance between centres [95 %] (points squared)"), "heterogeneity_tau_squared",
+        kWithInterval},
+       {Text::tr("Average of centres like these [95 %]"), "average_over_centres", kWithInterval}});
   if (!of.heterogeneity) {
     table.rows.push_back({notDefined(of.heterogeneity.reason()), "", "", "", "", "", ""});
     return table;
@@ -335,13 +338,13 @@ std::optional<ReportTable> siteDifferencesTable(const CohortInputs& in, const St
                "within the other centres"));
   table.annex = true;
   table.provenance.n = std::ssize(study.sites->trainees);
-  ResultTable rows(ledger, table,
-                   {{Text::tr("Comparison")},
-                    {Text::tr("Centre")},
-                    {Text::tr("Trainees"), "difference_at_centre", kValues, Text::tr("not shown")},
-                    {Text::tr("At this centre [95 %]"), "difference_at_centre", kWithInterval,
-                     Text::tr("not shown")},
-                    {Text::tr("Without this centre [95 %]"), "difference_without_centre", kWithInterval}});
+  ResultTable rows(
+      ledger, table,
+      {{Text::tr("Comparison")},
+       {Text::tr("Centre")},
+       {Text::tr("Trainees"), "difference_at_centre", kValues, Text::tr("not shown")},
+       {Text::tr("At this centre [95 %]"), "difference_at_centre", kWithInterval, Text::tr("not shown")},
+       {Text::tr("Without this centre [95 %]"), "difference_without_centre", kWithInterval}});
   for (const Heterogeneity& pair : *study.sites->heterogeneity) {
     for (const SiteDifference& one : pair.sites) {
       rows.row({pairName(in, pair.first, pair.second), in.sites[one.site]},
@@ -366,8 +369,10 @@ std::optional<ReportTable> equipmentTable(const CohortInputs& in, const StudyAna
       ledger, table,
       {{Text::tr("Comparison")},
        {Text::tr("With the device [95 %]"), "device_difference", kWithInterval, Text::tr("does not apply")},
-       {Text::tr("With the station [95 %]"), "station_difference", kWithInterval, Text::tr("does not apply")}});
-  const Outcome<SiteComparison>& any = study.sites->withDevice ? study.sites->withDevice : study.sites->withStation;
+       {Text::tr("With the station [95 %]"), "station_difference", kWithInterval,
+        Text::tr("does not apply")}});
+  const Outcome<SiteComparison>& any =
+      study.sites->withDevice ? study.sites->withDevice : study.sites->withStation;
   for (const AdjustedDifference& pair : any->pairs) {
     rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
   }
@@ -435,11 +440,12 @@ ReportParagraph sitesSentence(const CohortInputs& in, const StudyAnalysis& study
   static_cast<Text&>(out) = Text::tr(
       "%1 With the centre in the model (%2), in points with 95 % intervals after Holm: %3. %4", pooled,
       termOf(study.sites->term), listed(pairs, Text::tr("%1; %2")),
-      vary.empty() ? Text::tr("That the differences vary from centre to centre was not shown; few centres can "
-                              "hardly show it.")
-                   : Text::tr("The differences vary from centre to centre (share that is not chance, I "
-                              "squared): %1. One answer for all centres does not describe each of them.",
-                              listed(vary, Text::tr("%1; %2"))));
+      vary.empty()
+          ? Text::tr("That the differences vary from centre to centre was not shown; few centres can "
+                     "hardly show it.")
+          : Text::tr("The differences vary from centre to centre (share that is not chance, I "
+                     "squared): %1. One answer for all centres does not describe each of them.",
+                     listed(vary, Text::tr("%1; %2"))));
   return out;
 }
 

@@ -97,8 +97,7 @@ std::optional<Fit> fitOf(const Matrix& x, const Vector& y) {
   Fit out;
   out.q = qr.householderQ() * Matrix::Identity(x.rows(), x.cols());
   const Matrix r = qr.matrixQR().topRows(x.cols()).triangularView<Eigen::Upper>();
-  const Matrix inverse =
-      r.triangularView<Eigen::Upper>().solve(Matrix::Identity(x.cols(), x.cols()));
+  const Matrix inverse = r.triangularView<Eigen::Upper>().solve(Matrix::Identity(x.cols(), x.cols()));
   out.inverse = inverse * inverse.transpose();
   out.coefficients = inverse * (out.q.transpose() * y);
   out.residuals = y - x * out.coefficients;
@@ -107,7 +106,8 @@ std::optional<Fit> fitOf(const Matrix& x, const Vector& y) {
   return out;
 }
 
-AdjustedDifference differenceOf(std::size_t first, std::size_t second, double value, double error, double df) {
+AdjustedDifference differenceOf(std::size_t first, std::size_t second, double value, double error,
+                                double df) {
   AdjustedDifference out;
   out.first = first;
   out.second = second;
@@ -129,7 +129,9 @@ void addIntervals(std::vector<AdjustedDifference>& pairs, double confidence) {
   const double alpha = 1.0 - confidence;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     AdjustedDifference& pair = pairs[i];
-    const auto reach = [&](double share) { return tQuantile(1.0 - 0.5 * alpha / share, pair.df) * pair.error; };
+    const auto reach = [&](double share) {
+      return tQuantile(1.0 - 0.5 * alpha / share, pair.df) * pair.error;
+    };
     const double single = reach(1.0);
     const double together = reach(static_cast<double>(pairs.size()));
     pair.interval = {pair.difference - single, pair.difference + single};
@@ -140,7 +142,8 @@ void addIntervals(std::vector<AdjustedDifference>& pairs, double confidence) {
 }
 
 /// Error and degrees of freedom of HC3 (see ancova.cpp); empty if somebody who counts fits exactly.
-std::optional<std::pair<double, double>> robustPrecision(const Fit& fit, const Vector& weights, double residualDf) {
+std::optional<std::pair<double, double>> robustPrecision(const Fit& fit, const Vector& weights,
+                                                         double residualDf) {
   const Vector leverage = fit.q.rowwise().squaredNorm();
   Vector a = Vector::Zero(weights.size());
   double variance = 0.0;
@@ -291,10 +294,10 @@ std::vector<AdjustedDifference> randomPairs(const RandomSites& model, double rat
       const Vector spread = state.fit.inverse * contrast;
       const double own = contrast.dot(spread);
       double df = model.df();
-      if (ratio > 0.0 && determinant > 0.0) {  // Satterthwaite: 2 f^2 / (g' C g), C twice the inverse curvature
+      if (ratio > 0.0 &&
+          determinant > 0.0) {  // Satterthwaite: 2 f^2 / (g' C g), C twice the inverse curvature
         const double byRatio = variance * (state.pulls * spread).squaredNorm();
-        const double squares =
-            byRatio * byRatio * residual - 2.0 * byRatio * own * mixed + own * own * bend;
+        const double squares = byRatio * byRatio * residual - 2.0 * byRatio * own * mixed + own * own * bend;
         df = std::min(df, variance * variance * own * own * determinant / squares);
       }
       out.push_back(differenceOf(groups[i], groups[j], contrast.dot(state.fit.coefficients),
@@ -315,8 +318,8 @@ std::vector<AdjustedDifference> fixedPairs(const Design& design, const Fit& fit,
           std::sqrt(variance * (fit.inverse(a, a) + fit.inverse(b, b) - 2.0 * fit.inverse(a, b)));
       const auto [error, own] =
           robustPrecision(fit, weights.col(a) - weights.col(b), df).value_or(std::pair{pooled, df});
-      out.push_back(differenceOf(design.groups[i], design.groups[j], fit.coefficients(a) - fit.coefficients(b),
-                                 error, own));
+      out.push_back(differenceOf(design.groups[i], design.groups[j],
+                                 fit.coefficients(a) - fit.coefficients(b), error, own));
     }
   }
   return out;
@@ -519,7 +522,9 @@ Outcome<std::vector<Heterogeneity>> heterogeneityOfSites(const std::vector<SiteT
         const of_sites::Cell& a = first->second;
         const of_sites::Cell& b = second->second;
         const double shift = a.before - b.before;
-        SiteDifference one{site, static_cast<std::size_t>(a.n), static_cast<std::size_t>(b.n),
+        SiteDifference one{site,
+                           static_cast<std::size_t>(a.n),
+                           static_cast<std::size_t>(b.n),
                            a.after - b.after - cells->slope * shift,
                            std::sqrt(cells->variance * (1.0 / a.n + 1.0 / b.n + shift * shift / cells->xx)),
                            {}};

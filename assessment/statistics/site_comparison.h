@@ -42,8 +42,8 @@ struct SiteComparison {
   double siteVariance = 0.0;  ///< of random centres; otherwise 0
 };
 
-/// Compares the groups of `trainees`. `withLevels`: with their levels as a further fixed factor. Undefined for
-/// fewer than two groups or sites, too few trainees, no variation, or factors that cannot be told apart.
+/// Compares the groups of `trainees`. `withLevels`: with their levels as a further fixed factor. Undefined
+/// for fewer than two groups or sites, too few trainees, no variation, or factors that cannot be told apart.
 [[nodiscard]] Outcome<SiteComparison> compareWithinSites(const std::vector<SiteTrainee>& trainees,
                                                          SiteTerm term, bool withLevels = false,
                                                          double confidence = kDefaultConfidence);

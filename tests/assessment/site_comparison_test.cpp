@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reference values: R 4.2.2. Fixed centres: lm(after ~ 0 + group + x + site) with HC3 and the degrees of freedom of
-// Bell and McCaffrey; random ones: lmerTest::lmer(after ~ 0 + group + x + (1 | site)), contest1D(), x being the
-// score before less its mean; heterogeneity: lm(after ~ 0 + site:group + before), then uniroot() of Cochran's Q.
+// Reference values: R 4.2.2. Fixed centres: lm(after ~ 0 + group + x + site) with HC3 and the degrees of
+// freedom of Bell and McCaffrey; random ones: lmerTest::lmer(after ~ 0 + group + x + (1 | site)),
+// contest1D(), x being the score before less its mean; heterogeneity: lm(after ~ 0 + site:group + before),
+// then uniroot() of Cochran's Q.
 #include "assessment/statistics/site_comparison.h"
 
 #include <array>
@@ -56,7 +57,7 @@ void expectPairs(const SiteComparison& found, const std::array<Expected, 3>& exp
     for (std::size_t k = 0; k < got.size(); ++k) {
       EXPECT_NEAR(got[k], expected[i][k], within * std::abs(expected[i][k])) << i << ", " << k;
     }
-    EXPECT_EQ(pair.pHolm < 0.05, pair.asHolm.lower > 0.0 || pair.asHolm.upper < 0.0);
+    EXPECT_EQ(pair.pHolm<0.05, pair.asHolm.lower> 0.0 || pair.asHolm.upper < 0.0);
   }
 }
 
@@ -113,9 +114,9 @@ TEST(SiteComparison, HeterogeneityIsThatOfTheDifferencesAtEachCentre) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Heterogeneity& pair = found[i];
     ASSERT_EQ(pair.sites.size(), 6U);
-    const std::array<double, 9> got{pair.sites[0].difference, pair.sites[0].error, pair.q,
-                                    pair.p,                   pair.iSquared,       pair.tauSquared,
-                                    pair.tauInterval.lower,   pair.tauInterval.upper, pair.average};
+    const std::array<double, 9> got{
+        pair.sites[0].difference, pair.sites[0].error,    pair.q,      pair.p, pair.iSquared, pair.tauSquared,
+        pair.tauInterval.lower,   pair.tauInterval.upper, pair.average};
     for (std::size_t k = 0; k < got.size(); ++k) {
       EXPECT_NEAR(got[k], expected[i][k], 1e-8 * std::abs(expected[i][k])) << i << ", " << k;
     }
@@ -147,7 +148,8 @@ TEST(SiteComparison, SaysWhyItIsUndefined) {
   }
   EXPECT_EQ(compareWithinSites(apart, SiteTerm::kFixed).reason().str(),
             "groups, centres, scores before and further factors cannot be told apart");
-  EXPECT_EQ(heterogeneityOfSites(apart).reason().str(), "no two centres have trainees of the same two groups");
+  EXPECT_EQ(heterogeneityOfSites(apart).reason().str(),
+            "no two centres have trainees of the same two groups");
   std::vector<SiteTrainee> levels = three();
   for (SiteTrainee& trainee : levels) {
     trainee.level = trainee.group;

@@ -39,7 +39,8 @@ std::vector<CohortCsvRow> rowsNamed(const CohortInputs& in, const std::string& s
 
 TEST(SiteReport, OneCentreHasNoTableOfCentres) {
   const ReportModel report = cohortReport(testing::demonstrationCohort());
-  for (const char* id : {"table-centres", "table-heterogeneity", "table-centre-by-centre", "table-flow-centres"}) {
+  for (const char* id :
+       {"table-centres", "table-heterogeneity", "table-centre-by-centre", "table-flow-centres"}) {
     EXPECT_EQ(tableNamed(report, id), nullptr) << id;
   }
 }
@@ -53,7 +54,8 @@ TEST(SiteReport, CentresAreFixedBelowFiveAndRandomFromThere) {
     EXPECT_EQ(within->rows.size(), 3U);
     EXPECT_THAT(within->notes.at(0).str(), HasSubstr(sites < 5 ? "fixed, as there are fewer than five"
                                                                : "random, as there are five or more"));
-    EXPECT_EQ(within->notes.size(), sites < 5 ? 1U : 2U) << "a variance of the centres only where it is estimated";
+    EXPECT_EQ(within->notes.size(), sites < 5 ? 1U : 2U)
+        << "a variance of the centres only where it is estimated";
     const ReportTable* spread = tableNamed(report, "table-heterogeneity");
     ASSERT_NE(spread, nullptr);
     EXPECT_EQ(spread->rows.size(), 3U);
@@ -67,7 +69,8 @@ TEST(SiteReport, CentresAreFixedBelowFiveAndRandomFromThere) {
     EXPECT_THAT(testing::firstPageOf(report), HasSubstr("centres were pooled (C1, C2"));
     EXPECT_THAT(testing::firstPageOf(report), HasSubstr("With the centre in the model ("));
     EXPECT_THAT(testing::firstPageOf(report), Not(HasSubstr("No analysis takes account")));
-    EXPECT_EQ(rowsNamed(in, "difference_without_centre").size(), 3U * sites);
+    EXPECT_EQ(rowsNamed(in, "difference_without_centre").size(), sites > 2 ? 3U * sites : 0U)
+        << "one centre alone is no comparison within centres";
     testing::expectWellSaid(in);
   }
 }

@@ -317,6 +317,8 @@ TEST(TableLayout, SpreadsLongCellsOfSeveralColumnsOverEquallyManyLines) {
     table.rows.back().push_back(QString::fromLatin1(cell));
   }
 
+  table.rows.resize(30, table.rows.front());
+
   const TableLayout layout = laidOut(table, 170.0);
 
   EXPECT_LT(layout.rows_mm.at(0), 9.0) << "two lines, not four";
