@@ -275,6 +275,8 @@ def play(program, locator, pictures, browsers, database):
         server.kill()
         desks[1].keys("5")
         desks[1].says(".saved", "Not saved yet")
+        office.says(".calls", "No connection since ")
+        office.picture(pictures / "caller-away.png")
         server.start()
         for desk in desks:
             unlock(desk)
