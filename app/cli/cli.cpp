@@ -73,7 +73,6 @@ void refuseNoValues(CLI::App& command) {
 void buildProgram(CLI::App& program) {
   program.name("torsio");
   program.set_version_flag("--version", "torsio " + softwareVersion());
-  program.footer("Without a command Torsio opens its window. Exit codes: docs/cli.md.");
   addAgreement(program);
   addAllocate(program);
   addAudit(program);
@@ -190,6 +189,8 @@ int runCommandLine(int argc, char** argv, std::initializer_list<ProgramAddition>
     for (const ProgramAddition add : windows) {
       add(program);
     }
+    program.footer(
+        "Without a command Torsio opens its window. Exit codes: docs/cli.md.");  // now: else of all commands
     return parse(program, withHelpAsOption({argv + std::min(argc, 1), argv + argc}));
   } catch (...) {
     return reportFailure();

@@ -41,7 +41,9 @@ void printImport(const Outcome& done, bool json) {
                                      {"codes", done.landed.codes}});
     return;
   }
-  std::cout << done.trials << " recordings and " << done.marks << " marks, " << done.contentHash << "\n";
+  std::cout << Text::verbatim("%1 {recording|recordings} and %2 {mark|marks}, %3", done.trials, done.marks,
+                              done.contentHash)
+            << "\n";
   for (const auto& [name, code] : done.landed.codes) {
     std::cout << name << " is " << code << "\n";
   }

@@ -12,6 +12,7 @@
 #include "app/services/access/first_run.h"
 #include "app/services/access/station_record.h"
 #include "app/services/base/assets.h"
+#include "app/services/base/nearest_name.h"
 #include "db/connection/locator.h"
 #include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_import.h"
@@ -177,12 +178,10 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     request.organFile = std::filesystem::path(arguments.organ);
     request.organScale_m = unitOf_m(arguments.organ, arguments.unit);
   } else {
-    std::string names;
-    for (const std::string& id : known) {
-      names += (names.empty() ? "" : ", ") + id;
-    }
+    const std::string nearest = nearestOf(known, arguments.organ);
     refuseUsage("no such organ", "--organ " + arguments.organ,
-                "Choose one of " + names + ", or give a mesh file with its ending");
+                (nearest.empty() ? "" : "Did you mean '" + nearest + "'? ") + "Choose one of " +
+                    joined(known) + ", or give a mesh file with its ending");
   }
   const MeshSpace space = request.organFile ? meshSpaceOf(*request.organFile) : MeshSpace{};
   const auto point_m = [&request, &space](const std::vector<double>& xyz) {

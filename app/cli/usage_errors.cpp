@@ -57,14 +57,28 @@ const CLI::App& givenCommand(const CLI::App& program) {
   return given.empty() ? program : givenCommand(*given.front());
 }
 
+/// Of the command and its groups of options.
 std::vector<std::string> optionsOf(const CLI::App& command) {
   std::vector<std::string> names;
+  for (const CLI::App* group :
+       command.get_subcommands([](const CLI::App* one) { return one->get_name().empty(); })) {
+    const std::vector<std::string> own = optionsOf(*group);
+    names.insert(names.end(), own.begin(), own.end());
+  }
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) {
       names.push_back("--" + name);
     }
   }
   return names;
+}
+
+/// Replaces "--size: 1 required TEXT missing".
+std::string withPlainMissing(const std::string& said) {
+  const std::size_t colon = said.find(": 1 required ");
+  return colon != std::string::npos && said.ends_with(" missing")
+             ? said.substr(0, colon) + ": the value is missing"
+             : said;
 }
 
 }  // namespace
@@ -87,6 +101,10 @@ void requireKnownCommands(const CLI::App& program, const std::vector<std::string
       if ((at == &program && isOption(word)) || helps(word)) {
         return;
       }
+      if (!commandsOf(*at).empty() && isOption(word)) {
+        refuseUsage("no such command: options come after one", word,
+                    "Commands of '" + pathOf(*at) + "': " + joined(commandsOf(*at)));
+      }
       if (!commandsOf(*at).empty()) {
         refuseCommand(*at, word);
       }
@@ -108,10 +126,10 @@ std::string describedParseError(const CLI::App& program, const CLI::ParseError& 
     return said.substr(kNotConverted.size(), equals - kNotConverted.size()) + ": '" +
            (equals == std::string::npos ? "" : said.substr(equals + 3)) + "' is not a number" + help;
   }
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) {
-    return said + help;
-  }
   const std::vector<std::string> extra = program.remaining(true);
+  if (extra.empty()) {  // else a word that is not known explains what is missing
+    return withPlainMissing(said) + help;
+  }
   const std::string first = extra.empty() ? std::string() : extra.front().substr(0, extra.front().find('='));
   const std::string nearest = isOption(first) ? nearestOf(optionsOf(command), first) : std::string();
   return (isOption(first) ? first : joined(extra)) + ": " +

@@ -70,7 +70,8 @@ std::string DeskMetrics::text(const DeskGauges& now) const {
       std::uint64_t within = 0;
       for (std::size_t i = 0; i < kBounds_s.size(); ++i) {
         within += times.within[i];
-        out << "torsio_answer_seconds_bucket" << route << ",le=\"" << kBounds_s[i] << "\"} " << within << "\n";
+        out << "torsio_answer_seconds_bucket" << route << ",le=\"" << kBounds_s[i] << "\"} " << within
+            << "\n";
       }
       within += times.within.back();
       out << "torsio_answer_seconds_bucket" << route << ",le=\"+Inf\"} " << within << "\n"

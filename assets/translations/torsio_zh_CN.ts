@@ -27757,6 +27757,10 @@ Its public part, to be kept where heads are checked: %2</source>
         <source>Now have the record changed in %1</source>
         <translation>请让人在 %1 中更改记录的位置</translation>
     </message>
+    <message>
+        <source>%1. The simulated people and what you did with them are deleted</source>
+        <translation>%1。模拟人员及您与其相关的操作均已删除</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::MaintenancePage</name>

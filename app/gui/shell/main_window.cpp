@@ -32,6 +32,7 @@
 #include "app/services/maintenance/database_maintenance.h"
 #include "app/services/recording/station_writer.h"
 #include "assessment/domain/people/account.h"
+#include "sim/core/time_units.h"
 
 namespace torsio::gui {
 
@@ -41,6 +42,9 @@ namespace {
 ThemeKind usualTheme(const ShellSetup& setup) {
   return setup.kiosk || setup.systemIsDark ? ThemeKind::kDark : ThemeKind::kLight;
 }
+
+/// Of a desk that nobody else's data are on, and that is deleted when it is left.
+constexpr IdleLimits kVisitLimits{.warn_us = 29 * kMinute_us, .lock_us = 30 * kMinute_us};
 
 }  // namespace
 
@@ -375,7 +379,9 @@ void MainWindow::enterSignIn() {
 void MainWindow::enterDesk() {
   leaveDesk();
   if (!setup_.idle) {
-    idle_->setLimits(centreIdleLimits(record_.session()->connectionWithoutRight()));
+    idle_->setLimits(simulated_->lookingRound()
+                         ? kVisitLimits
+                         : centreIdleLimits(record_.session()->connectionWithoutRight()));
   }
   appearance_.apply(userId());
   openDesk();
@@ -438,6 +444,10 @@ bool MainWindow::signOut(const QString& reason) {
   const std::optional<LeftHead> head = forgetActor();
   if (simulated_->end()) {
     openDatabase();
+    if (!reason.isEmpty() && stack_->currentWidget() == &founding_->panel()) {
+      founding_->panel().say(
+          tr("%1. The simulated people and what you did with them are deleted").arg(reason));
+    }
     return true;
   }
   enterSignIn();
@@ -487,6 +497,9 @@ std::optional<LeftHead> MainWindow::forgetActor() {
 void MainWindow::enterDeskAs(const Actor& actor, const QString& sentence) {
   // Deferred, because the requesting menu or page is destroyed with the desk.
   QTimer::singleShot(0, this, [this, actor, sentence] {
+    if (desk_ == nullptr) {
+      return;  // signed out meanwhile
+    }
     leaveDesk();
     forgetActor();
     record_.session()->setActor(actor);

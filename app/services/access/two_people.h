@@ -114,8 +114,8 @@ struct MadeUser {
   std::string startPassword{};  ///< whole or first half
   bool awaitsSecond = false;    ///< a second person must confirm it and gets the second half
 };
-/// Adds a user according to the centre's rule: if roles need two people, or the person is a rater, the account
-/// gets only the other roles and no password, and a request is pending for the rest. kUserManage.
+/// Adds a user according to the centre's rule: if roles need two people, or the person is a rater, the
+/// account gets only the other roles and no password, and a request is pending for the rest. kUserManage.
 MadeUser makeUser(SessionContext& session, NewUser user);
 
 }  // namespace torsio

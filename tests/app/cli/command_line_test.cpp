@@ -86,6 +86,11 @@ TEST_F(BadInput, AMisspeltWordIsAnsweredByTheOneThatWasMeant) {
         {"twist --patern pronation",
          "--patern: 'torsio twist' has no option of this name. Did you mean '--pattern'?"},
         {"twist --patern=pronation", "Did you mean '--pattern'?"},
+        {"organ --patern x", "no such command: options come after one. Commands of 'torsio organ': "},
+        {"record --patern x", "Did you mean '--pattern'?"},
+        {"--them dark", "Did you mean '--theme'?"},
+        {"twist --organ forarm", "no such organ. Did you mean 'forearm'?"},
+        {"twist --angle", "--angle: the value is missing"},
         {"twist --zzz", "'torsio twist' has no option of this name. Run 'torsio twist --help'"},
         {"twist --angle sixty", "--angle: 'sixty' is not a number"},
         {"learning a b", "'torsio learning' takes no further words"}}) {

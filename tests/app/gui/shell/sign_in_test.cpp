@@ -35,6 +35,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/core/file_io.h"
+#include "sim/core/time_units.h"
 #include "tests/app/gui/shell/shell_window.h"
 #include "tests/app/gui/support/program_window.h"
 
@@ -407,6 +408,28 @@ TEST_F(Shell, SigningOutFromTheLockRejectsDialogsFirst) {
 
   EXPECT_TRUE(returned);
   EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("sign-in"));
+}
+
+TEST_F(Shell, WhoLooksRoundHasTimeAndIsToldWhenTheSampleIsGone) {
+  const ShellSetup with = setup();
+  open(with);
+  ASSERT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
+  press(*window_, QStringLiteral("As a trainee"));
+  ASSERT_TRUE(
+      QTest::qWaitFor([this] { return testing::screenOf(*window_) == QStringLiteral("desk"); }, 60'000));
+  window_->watchIdleness();
+
+  clock_.advance_us(20 * kMinute_us);
+  window_->watchIdleness();
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("desk"));
+  clock_.advance_us(11 * kMinute_us);
+  window_->watchIdleness();
+  QApplication::processEvents();
+
+  EXPECT_EQ(testing::screenOf(*window_), QStringLiteral("first run"));
+  EXPECT_TRUE(
+      says(*window_,
+           QStringLiteral("nobody was here. The simulated people and what you did with them are deleted")));
 }
 
 TEST_F(Shell, TheIdleLockNeverEndsARun) {
