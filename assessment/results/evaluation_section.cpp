@@ -137,6 +137,7 @@ ReportFigure chiefsFigure(const CohortInputs& in, const Ledger& ledger) {
              FigureKind::kPoints, Text::tr("Eq. 27 for one rater"));
   out.xLabel = Text::tr("rater");
   out.individual = true;
+  out.annex = true;  // single raters: what only a reviewer looks up
   out.provenance.n = 0;
   for (const ModelEvaluation& model : in.evaluations) {
     FigureSeries series{.name = model.model};
