@@ -27663,10 +27663,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>逾期</translation>
     </message>
     <message>
-        <source>Nobody is called yet</source>
-        <translation>尚未呼叫任何人</translation>
-    </message>
-    <message>
         <source>The sheet opens by itself when an administrator calls a case.</source>
         <translation>管理员呼叫案例后，评分表会自动打开。</translation>
     </message>
@@ -27693,6 +27689,14 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>The trainee was called only %1 s ago. Press again to seal the sheet.</source>
         <translation>学员 %1 s 前才被呼叫。再按一次即封存评分表。</translation>
+    </message>
+    <message>
+        <source>Nobody is called now</source>
+        <translation>现在没有叫到任何人</translation>
+    </message>
+    <message>
+        <source>Some sheets are late: choose one on the left to fill it in.</source>
+        <translation>有些评分表已逾时：请在左侧选择一份填写。</translation>
     </message>
 </context>
 <context>

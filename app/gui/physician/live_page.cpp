@@ -128,18 +128,8 @@ void LivePage::enter(const QVariant&) {
   readLines();
   follow_.start();
   followCall();
-  if (sheet_->editor() != nullptr) {
-    return;
-  }
-  for (const QueueLine& line : lines_) {
-    if (line.state != SheetState::kSubmitted) {
-      return openLine(line.shown.assignmentId);
-    }
-  }
-  if (lines_.empty()) {
-    showAll();
-  } else {
-    openLine(lines_.back().shown.assignmentId);
+  if (sheet_->editor() == nullptr) {
+    showAll();  // a late sheet is opened by hand alone: whoever waits for a call must not score into it
   }
 }
 
@@ -377,7 +367,7 @@ void LivePage::submit() {
 void LivePage::showAll() {
   const bool open = sheet_->editor() != nullptr && opened_.state != SheetState::kSubmitted;
   case_->setText(sheet_->editor() != nullptr ? tr("Case %1").arg(toQString(opened_.shown.label))
-                                             : tr("Nobody is called yet"));
+                                             : tr("Nobody is called now"));
   start_->setText(tick_.isActive() ? tr("Stop the timer") : tr("Start the timer"));
   start_->setEnabled(open);
   write_->setEnabled(open && !tick_.isActive() && clocked_us_ > 0);
@@ -388,7 +378,15 @@ void LivePage::showAll() {
     said_.say([] { return tr("Submitted and sealed"); });
   }
   if (sheet_->editor() == nullptr) {
-    said_.say([] { return tr("The sheet opens by itself when an administrator calls a case."); });
+    const bool late = std::any_of(lines_.begin(), lines_.end(), [](const QueueLine& line) {
+      return line.state != SheetState::kSubmitted && line.call && !line.call->open;
+    });
+    said_.say([late] {
+      const QString opens = tr("The sheet opens by itself when an administrator calls a case.");
+      return late ? opens + QLatin1Char(' ') +
+                        tr("Some sheets are late: choose one on the left to fill it in.")
+                  : opens;
+    });
   }
   showClock();
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "app/services/access/move_notice.h"
 #include "app/services/access/operation.h"
 #include "app/services/access/session_context.h"
 #include "db/repository/base/audit_repository.h"
@@ -30,9 +31,6 @@ void finishMove(Connection& connection, const std::string& place, std::int64_t u
 /// Removes the mark of a begun move: from the copy, or because it was given up.
 void clearMoving(Connection& connection, std::int64_t utc_us);
 
-/// Returns one sentence for people who work with a record that moved or is being moved; empty: it is the
-/// living one.
-[[nodiscard]] Text moveNotice(Connection& connection);
 /// Returns whether an operation would add something that the moved record would not have. Reading, backups,
 /// exports, the trail and erasing people stay possible.
 [[nodiscard]] bool addsToTheRecord(Operation operation);
@@ -40,8 +38,5 @@ void clearMoving(Connection& connection, std::int64_t utc_us);
 /// Ends a move that noteMoving() began, when the copy is whole: the services go on refusing what would add to
 /// the record, at every station. kDatabaseRestore.
 void noteMoved(SessionContext& session);
-/// Makes a moved record the living one again; audited. kDatabaseRestore. Throws Error{kBadParameter} without
-/// a reason, {kBadData} if it was not moved.
-void takeBackMove(SessionContext& session, const std::string& reason);
 
 }  // namespace torsio

@@ -24,7 +24,7 @@
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
-#include "app/services/access/moved_record.h"
+#include "app/services/access/move_notice.h"
 #include "app/services/maintenance/anchor.h"
 #include "app/services/maintenance/station_anchor.h"
 
