@@ -80,9 +80,9 @@ void addRatersNeeded(const CohortInputs& in, const StudyAnalysis& study, Ledger&
   if (!components) {
     return;
   }
-  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in),
+  ResultWriter rows(ledger, {.section = kAgreement, .occasion = ledger.lastOccasion()}, commonFlags(in),
                     {"complete cases"});
-  rows.madeOf = partsOf({marksAt(lastOf(in))});
+  rows.madeOf = partsOf({marksAt(ledger.lastOccasion())});
   rows.add("variance_of_trainees", components->at("p").variance, needed.marks);
   rows.add("variance_of_raters", components->at("r").variance, needed.marks);
   rows.add("variance_of_rest", components->at("pr").variance, needed.marks);
@@ -108,8 +108,8 @@ void addRasch(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger
   if (!study.rasch) {
     return;
   }
-  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in));
-  rows.madeOf = partsOf({marksAt(lastOf(in))});
+  ResultWriter rows(ledger, {.section = kAgreement, .occasion = ledger.lastOccasion()}, commonFlags(in));
+  rows.madeOf = partsOf({marksAt(ledger.lastOccasion())});
   const auto& marks = study.occasions.back().marks;
   for (std::size_t r = 0; r < study.raters.size(); ++r) {
     const RaschRater& rater = study.rasch->raters[r];
@@ -129,11 +129,17 @@ void addRasch(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger
 /// Adds agreement at each occasion: within the groups, with missing marks if there are any, and in each
 /// group.
 void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
+  std::int64_t n = 0;
+  std::int64_t missing = 0;
   for (std::size_t t = 0; t < study.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
-    ResultWriter rows(ledger, {.section = kAgreement, .occasion = t}, commonFlags(in),
+    ResultWriter rows(ledger, {.section = kAgreement, .occasion = ledger.occasion(t)}, commonFlags(in),
                       flagIf(at.missing > 0, "marks missing"));
-    rows.madeOf = partsOf({marksAt(t)});
+    rows.madeOf = partsOf({marksAt(ledger.occasion(t))});
+    rows.addCount("marks", at.n, at.n);
+    rows.addCount("marks_missing", at.missing, at.n + at.missing);
+    n += at.n;
+    missing += at.missing;
     addWithin(rows, at);
     if (at.missing > 0) {
       rows.addCount("trainees_with_marks", std::ssize(at.marks), at.n);
@@ -143,12 +149,16 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, Ledger& le
       rows.add("reml_sem_of_mean", at.reliability, &IncompleteReliability::semMean, at.n);
     }
     for (const GroupAgreement& of : at.groups) {
-      rows.place.group = of.group;
-      rows.madeOf = partsOf({marksAt(t, of.group)});
+      rows.place.group = rows.group(of.group);
+      rows.madeOf = partsOf({marksAt(ledger.occasion(t), ledger.group(of.group))});
       addCoefficients(rows, of);
       addPoints(rows, of.points);
     }
   }
+  ResultWriter rows(ledger, {.section = kAgreement}, commonFlags(in));
+  rows.madeOf = partsOf({marksAt({})});
+  rows.addCount("marks", n, n);
+  rows.addCount("marks_missing", missing, n + missing);
 }
 
 /// Adds the limits between which one rater's mark lies about the mean of the usual number of others. A
@@ -169,13 +179,17 @@ void addLimits(const OccasionMarks& at, ResultWriter& rows) {
 /// Adds each rater compared with the others: one value per trainee, so that the differences are independent.
 void addRaters(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kAgreement}, commonFlags(in));
-  rows.madeOf = partsOf({marksAt(std::nullopt)});
+  rows.madeOf = partsOf({marksAt({})});
+  std::int64_t trainees = 0;
   for (const RaterSeverity& rater : study.severity) {
     rows.place.of = rater.rater;
     rows.addInterval("severity_offset", rater.offset, rater.interval, rater.n);
+    trainees += rater.n;
   }
-  rows.place.occasion = lastOf(in);
-  rows.madeOf = partsOf({marksAt(lastOf(in))});
+  rows.place.of.clear();
+  rows.addCount("trainees_of_every_rater", trainees, trainees);
+  rows.place.occasion = ledger.lastOccasion();
+  rows.madeOf = partsOf({marksAt(ledger.lastOccasion())});
   for (std::size_t r = 0; r < study.againstPanel.size(); ++r) {
     const Outcome<BlandAltmanResult>& against = study.againstPanel[r];
     rows.place.of = study.raters[r];
@@ -193,29 +207,34 @@ void addRaters(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledge
 
 /// Adds each mark of the last occasion against the mean of the other raters.
 void addAgainstOthers(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
-  ResultWriter rows(ledger, {.section = kAgreement, .occasion = lastOf(in)}, commonFlags(in));
+  ResultWriter rows(ledger, {.section = kAgreement, .occasion = ledger.lastOccasion()}, commonFlags(in));
+  std::int64_t count = 0;
   for (std::size_t i = 0; i < study.trainees.size(); ++i) {
     const std::vector<std::optional<double>>& marks = study.occasions.back().marks[i];
     rows.place.of = study.trainees[i];
-    rows.madeOf =
-        partsOf({ResultPattern{.statistic = "rater_mark", .of = study.trainees[i], .occasion = lastOf(in)}});
+    rows.madeOf = partsOf({ResultPattern{
+        .statistic = "rater_mark", .of = study.trainees[i], .occasion = ledger.lastOccasion()}});
     for (std::size_t r = 0; r < marks.size(); ++r) {
       if (const std::optional<double> others = marks[r] ? meanOfOthers(marks, r) : std::nullopt) {
         rows.place.index = study.raters[r];
         rows.add(kMarkAndOthers, 0.5 * (*marks[r] + *others), 1);
         rows.add(kMarkMinusOthers, *marks[r] - *others, 1);
+        ++count;
       }
     }
   }
+  rows.place = {.section = kAgreement, .occasion = ledger.lastOccasion()};
+  rows.madeOf = partsOf({marksAt(ledger.lastOccasion())});
+  rows.addCount("marks_with_others", count, count);
 }
 
 /// Adds how many raters are missing at one end of the study, or for some of the groups.
 void addAbsentRaters(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kAgreement}, commonFlags(in));
-  rows.madeOf = partsOf({marksAt(0), marksAt(lastOf(in))});
+  rows.madeOf = partsOf({marksAt(ledger.occasion(0)), marksAt(ledger.lastOccasion())});
   const std::int64_t raters = std::ssize(study.raters);
   for (const std::size_t t : std::set{std::size_t{0}, lastOf(in)}) {
-    rows.place.occasion = t;
+    rows.place.occasion = rows.occasion(t);
     rows.addCount("raters_absent", std::ssize(absentRaters(study, t)), raters);
   }
   rows.addCount("raters_of_some_groups", std::ssize(ratersOfSomeGroups(in)), raters);

@@ -13,6 +13,13 @@ namespace {
 
 constexpr int kAgreementDecimals = 3;
 
+/// States the marks of all occasions in a caption.
+void setCounts(const Ledger& ledger, Provenance& caption) {
+  const ResultsAt all(ledger, {.section = ResultSection::kAgreement});
+  caption.n = all.count("marks");
+  caption.missing = all.count("marks_missing");
+}
+
 }  // namespace
 
 ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
@@ -28,11 +35,10 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study, c
        {Text::tr("SEM of one rater (points)"), "sem_agreement", fixed(kAgreementDecimals)},
        {Text::tr("SEM of the mean (points)"), "sem_of_mean", fixed(kAgreementDecimals)}});
   bool holes = false;
+  setCounts(ledger, table.provenance);
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
-    table.provenance.n += at.n;
-    table.provenance.missing += at.missing;
-    const ResultKey place{.section = ResultSection::kAgreement, .occasion = t};
+    const ResultKey place{.section = ResultSection::kAgreement, .occasion = ledger.occasion(t)};
     rows.row({in.occasions[t]}, place);
     if (at.missing == 0) {
       continue;
@@ -74,18 +80,18 @@ ReportTable agreementWithinTable(const CohortInputs& in, const StudyAnalysis& st
                     {Text::tr("ICC(2,1) [95 %]"), "icc_2_1", kWithInterval},
                     {Text::tr("ICC(2,k) [95 %]"), "icc_2_k", kWithInterval},
                     {Text::tr("SEM of the mean (points)"), "sem_of_mean", fixed(kAgreementDecimals)}});
+  setCounts(ledger, table.provenance);
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-    table.provenance.n += study.occasions[t].n;
-    table.provenance.missing += study.occasions[t].missing;
     for (const GroupAgreement& of : study.occasions[t].groups) {
-      rows.row({in.occasions[t], in.groups[of.group].name},
-               {.section = ResultSection::kAgreement, .group = of.group, .occasion = t});
+      rows.row({in.occasions[t], in.groups[of.group].name}, {.section = ResultSection::kAgreement,
+                                                             .group = ledger.group(of.group),
+                                                             .occasion = ledger.occasion(t)});
     }
   }
   return table;
 }
 
-ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
+ReportTable kappaTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table = itemOf<ReportTable>(
       in, "table-kappa", Text::tr("Agreement of the raters in whole points, pair by pair"),
       Text::tr("Cohen's kappa with quadratic weights, each group alone; marks rounded to whole points"));
@@ -98,11 +104,11 @@ ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const
                     {Text::tr("Kappa, median (lowest to highest)")},
                     {Text::tr("Same point"), "share_same_point", percent(0)},
                     {Text::tr("Within one point"), "share_within_one_point", percent(0)}});
+  setCounts(ledger, table.provenance);
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-    table.provenance.n += study.occasions[t].n;
-    table.provenance.missing += study.occasions[t].missing;
     for (std::size_t g = 0; g < in.groups.size(); ++g) {
-      const ResultKey place{.section = ResultSection::kAgreement, .group = g, .occasion = t};
+      const ResultKey place{
+          .section = ResultSection::kAgreement, .group = ledger.group(g), .occasion = ledger.occasion(t)};
       const ResultsAt cell(ledger, place);
       ReportCell kappa = cell("kappa_quadratic_median", fixed(kAgreementDecimals));
       if (cell.number("kappa_quadratic_median")) {
@@ -119,8 +125,7 @@ ReportTable kappaTable(const CohortInputs& in, const StudyAnalysis& study, const
   return table;
 }
 
-std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyAnalysis& study,
-                                            const Ledger& ledger) {
+std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure figure = itemOf<ReportFigure>(
       in, "figure-agreement", Text::tr("Agreement of the raters within the groups, with 95 % intervals"),
       Text::tr("G-study of trainees x raters within groups"));
@@ -129,7 +134,7 @@ std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyA
   FigureSeries one{.name = Text::tr("one rater")};
   FigureSeries mean{.name = Text::tr("mean of all raters")};
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-    const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = t});
+    const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = ledger.occasion(t)});
     if (at.find("dependability_of_one_rater_95") == nullptr ||
         at.find("dependability_of_all_raters_95") == nullptr) {
       continue;
@@ -137,11 +142,12 @@ std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyA
     figure.categories.push_back(in.occasions[t]);
     addPoint(one, at, "dependability_of_one_rater", true);
     addPoint(mean, at, "dependability_of_all_raters", true);
-    figure.provenance.n += study.occasions[t].n;
-    figure.provenance.missing += study.occasions[t].missing;
   }
   if (figure.categories.empty()) {
     return std::nullopt;
+  }
+  if (figure.categories.size() == in.occasions.size()) {
+    setCounts(ledger, figure.provenance);
   }
   figure.series = {one, mean};
   figure.yMin = std::min(0.0, *std::min_element(one.low.begin(), one.low.end()));

@@ -23,12 +23,12 @@ struct AnalysedCohort {
 [[nodiscard]] AnalysedCohort analysedCohort(const CohortInputs& inputs);
 
 /// Return the keys for the results of a run, of a trainee, and of inputs.competence[number].
-[[nodiscard]] ResultKey trialKey(const TrialSummaryRow& trial);
-[[nodiscard]] ResultKey traineeKey(const CohortTrainee& trainee);
+[[nodiscard]] ResultKey trialKey(const Ledger& ledger, const TrialSummaryRow& trial);
+[[nodiscard]] ResultKey traineeKey(const Ledger& ledger, const CohortTrainee& trainee);
 /// Returns the name of the statistic "probability of being declared competent at a stated failure rate",
 /// within the runs planned or made so far.
 [[nodiscard]] std::string declaredStatistic(std::size_t rate, bool planned);
-[[nodiscard]] ResultKey competenceKey(const CohortInputs& inputs, std::size_t number);
+[[nodiscard]] ResultKey competenceKey(const Ledger& ledger, const CohortInputs& inputs, std::size_t number);
 
 /// Builds cohortReport(inputs) from analysedCohort(inputs). Throws like the former.
 [[nodiscard]] ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analysed);

@@ -24,13 +24,13 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study, cons
                    Text::verbatim("p"),
                    Text::tr("p (Greenhouse-Geisser)"),
                    Text::tr("Generalised eta squared")};
-  table.provenance.n = std::ssize(in.scores);
+  table.provenance.n = ResultsAt(ledger, {}).count("scores");
   const Outcome<MixedAnova>& got = study.course;
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
     return table;
   }
-  const ResultsAt cell = resultsAtEnd(in, ledger);
+  const ResultsAt cell = resultsAtEnd(ledger);
   for (const auto& [id, name] :
        std::vector<std::pair<std::string, Phrase>>{{"mixed_interaction", Text::tr("group x occasion")},
                                                    {"mixed_group", Text::tr("group")},
@@ -83,15 +83,15 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
                     {Text::tr("p (Holm)"), "gain_dunn_p_holm", kAsP},
                     {Text::tr("P(first > second)"), "gain_superiority", fixed(2)},
                     {Text::tr("p (exact)"), "gain_mann_whitney_p_exact", kAsP, Text::tr("not counted")}});
-  table.provenance.n = comparedTrainees(study);
+  table.provenance.n = resultsAtEnd(ledger).count("trainees_compared");
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
     return table;
   }
   for (const DunnPair& pair : got->pairs) {
-    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(ledger, pair.first, pair.second));
   }
-  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ResultsAt at = resultsAtEnd(ledger);
   const ReportCell h = at("gain_kruskal_wallis_h", fixed(2));
   const ReportCell p = at("gain_kruskal_wallis_p", kEqualsP);
   const ReportCell effect = at("gain_epsilon_squared", fixed(kDecimals));
@@ -117,7 +117,7 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in, const Ledger& led
   ResultTable rows(ledger, table,
                    {{Text::tr("Model")}, {Text::tr("Mean rank (1 is lowest)"), "mean_rank", fixed(2)}});
   table.provenance.formulaVersion = kEvaluationFormulaVersion;
-  table.provenance.n = order->raters * std::ssize(in.evaluations);
+  table.provenance.n = ResultsAt(ledger, {.section = ResultSection::kEvaluation}).count("composites_ranked");
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), ""});
     return table;
@@ -185,12 +185,12 @@ ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study
       section.tables.push_back(std::move(*table));
     }
   };
-  if (std::optional<ReportFigure> figure = agreementFigure(in, study, ledger)) {
+  if (std::optional<ReportFigure> figure = agreementFigure(in, ledger)) {
     section.figures.push_back(std::move(*figure));
   }
   addTable(agreementTable(in, study, ledger));
   addTable(agreementWithinTable(in, study, ledger));
-  addTable(kappaTable(in, study, ledger));
+  addTable(kappaTable(in, ledger));
   if (study.occasions.size() >= 2) {
     for (ReportFigure& figure : differenceFigures(in, study, ledger)) {
       section.figures.push_back(std::move(figure));
@@ -198,7 +198,7 @@ ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study
     for (ReportFigure& figure : residualFigures(in, study, ledger)) {
       section.figures.push_back(std::move(figure));
     }
-    addTable(meansTable(in, study, ledger));
+    addTable(meansTable(in, ledger));
     addTable(missingTable(in, study, ledger));
     addTable(mixedModelTable(in, study, ledger));
     addTable(covarianceTable(in, study, ledger));

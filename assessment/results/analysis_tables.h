@@ -28,14 +28,11 @@ namespace torsio {
 [[nodiscard]] ReportTable agreementWithinTable(const CohortInputs& inputs, const StudyAnalysis& study,
                                                const Ledger& ledger);
 /// Returns pairwise agreement of raters, for marks in whole points.
-[[nodiscard]] ReportTable kappaTable(const CohortInputs& inputs, const StudyAnalysis& study,
-                                     const Ledger& ledger);
-[[nodiscard]] std::optional<ReportFigure> agreementFigure(const CohortInputs& inputs,
-                                                          const StudyAnalysis& study, const Ledger& ledger);
+[[nodiscard]] ReportTable kappaTable(const CohortInputs& inputs, const Ledger& ledger);
+[[nodiscard]] std::optional<ReportFigure> agreementFigure(const CohortInputs& inputs, const Ledger& ledger);
 
 /// Returns the mean of each group at each occasion with its interval.
-[[nodiscard]] ReportTable meansTable(const CohortInputs& inputs, const StudyAnalysis& study,
-                                     const Ledger& ledger);
+[[nodiscard]] ReportTable meansTable(const CohortInputs& inputs, const Ledger& ledger);
 [[nodiscard]] ReportTable covarianceTable(const CohortInputs& inputs, const StudyAnalysis& study,
                                           const Ledger& ledger);
 /// Returns the differences with separate slopes per group; empty if the slopes do not differ.

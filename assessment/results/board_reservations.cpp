@@ -46,7 +46,7 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
                  "linear mixed model, in which raters may differ; the analysis of covariance is shown beside "
                  "it.")));
   } else if (study.mixed) {
-    const ResultsAt at = resultsAtEnd(in, ledger);
+    const ResultsAt at = resultsAtEnd(ledger);
     const ReportCell missing = at("marks_missing");
     const ReportCell all = at("marks_missing", kValues);
     out.push_back(
@@ -57,7 +57,7 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
          {missing, all}});
   }
   if (study.spreadsDiffer()) {
-    const ResultsAt at = resultsAtEnd(in, ledger);
+    const ResultsAt at = resultsAtEnd(ledger);
     const ReportCell least = at("smallest_spread", fixed(kPointDecimals));
     const ReportCell most = at("largest_spread", fixed(kPointDecimals));
     const ReportCell p = at("equal_spread_p", kEqualsP);
@@ -74,7 +74,7 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
          {least, most, p}});
   }
   if (study.slopes) {
-    const ResultsAt at = resultsAtEnd(in, ledger);
+    const ResultsAt at = resultsAtEnd(ledger);
     const ReportCell p = at("ancova_equal_slopes_p", kEqualsP);
     out.push_back(
         {Text::tr(
@@ -98,7 +98,7 @@ std::optional<ReportParagraph> unlikeBefore(const CohortInputs& in, const Ledger
   std::vector<std::shared_ptr<const ResultKey>> keys;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     for (std::size_t h = g + 1; h < in.groups.size(); ++h) {
-      const ResultsAt at = resultsOfPair(in, ledger, g, h);
+      const ResultsAt at = resultsOfPair(ledger, g, h);
       const std::optional<double> by = at.number("difference_before_in_sd");
       if (by && std::abs(*by) >= kUnlikeBefore_sd) {
         const ReportCell cell = at("difference_before_in_sd", fixed(1));
@@ -193,7 +193,7 @@ void addWithdrawn(const CohortInputs& in, const Ledger& ledger, Sentences& out) 
     out.push_back(std::move(sentence));
   }
   for (std::size_t g = 0; g < in.groups.size() && withdrew < everybody; ++g) {
-    const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
     const double size = group.number("allocated").value_or(0.0);
     if (size > 0.0 && group.number("withdrew").value_or(0.0) == size) {
       const ReportCell own = group("withdrew");
@@ -212,7 +212,7 @@ void addContradictions(const CohortInputs& in, const Ledger& ledger, Sentences& 
     return;
   }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
     const ReportCell runs = at("runs");
     const bool ran = at.number("runs").value_or(0.0) > 0.0;
     if (ran && at.number("planned_virtual_min") == 0.0) {
@@ -220,7 +220,7 @@ void addContradictions(const CohortInputs& in, const Ledger& ledger, Sentences& 
           {Text::tr("%1 was not to train on the simulator, but %2 {run of it is|runs of it are} recorded.",
                     in.groups[g].name, runs.words()),
            {runs}});
-    } else if (const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = g});
+    } else if (const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = ledger.group(g)});
                !ran && !in.trials.empty() && times.number("mean_noted_virtual_min").value_or(0.0) > 0.0) {
       const ReportCell noted = times("mean_noted_virtual_min", fixed(0));
       out.push_back(
@@ -296,7 +296,7 @@ void addData(const CohortInputs& in, const StudyAnalysis& study, const Ledger& l
   if (std::optional<Text> same = sameMarks(in, study)) {
     out.data.emplace_back(std::move(*same));
   }
-  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ResultsAt at = resultsAtEnd(ledger);
   if (at.number("pairs_left_open").value_or(0.0) > 0.0 && compared) {
     const ReportCell open = at("pairs_left_open");
     const ReportCell pairs = at("pairs_left_open", kValues);

@@ -61,7 +61,7 @@ std::vector<AnsweredPair> answeredPairs(const CohortInputs& in, const StudyAnaly
   const PrimaryStatistics names = primaryStatistics(study.primaryMethod());
   std::vector<AnsweredPair> out;
   for (const PrimaryDifference& pair : primaryDifferences(study)) {
-    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+    const ResultsAt at = resultsOfPair(ledger, pair.first, pair.second);
     const Result* interval = at.find(names.interval);
     const std::optional<double> value = at.number(names.difference);
     const std::optional<double> p = at.number(names.p);
@@ -234,7 +234,7 @@ ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, c
   std::map<Received, std::int64_t> counts;
   std::int64_t asPlanned = 0;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
     for (const Received received : kEveryReceived) {
       const auto count = static_cast<std::int64_t>(at.number(receivedStatistic(received)).value_or(0.0));
       (received == Received::kAsPlanned ? asPlanned : counts[received]) += count;
@@ -270,7 +270,7 @@ ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, c
   }
   std::vector<Text> pairs;
   for (const AdjustedDifference& pair : study.perProtocol->pairs) {
-    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+    const ResultsAt at = resultsOfPair(ledger, pair.first, pair.second);
     const ReportCell interval = at("per_protocol_difference_holm_95", intervalWith(kPointDecimals));
     const ReportCell value = at("per_protocol_difference", fixed(kPointDecimals));
     pairs.push_back(
@@ -285,7 +285,7 @@ ReportParagraph trainingOf(const CohortInputs& in, const StudyAnalysis& study, c
 }
 
 std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnalysis& study,
-                                         const std::vector<AnsweredPair>& pairs) {
+                                         const Ledger& ledger, const std::vector<AnsweredPair>& pairs) {
   if (pairs.empty()) {
     return std::nullopt;
   }
@@ -309,8 +309,9 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   }
   figure.series = {series};
   figure.references = {{0.0, Text::tr("no difference")}};
-  figure.provenance.n = study.mixed ? static_cast<std::int64_t>(study.mixed->marks) : comparedTrainees(study);
-  figure.provenance.missing = study.endMissing;
+  const ResultsAt end = resultsAtEnd(ledger);
+  figure.provenance.n = end.count(study.mixed ? "mixed_model_marks" : "trainees_compared");
+  figure.provenance.missing = end.count("marks_missing");
   figure.notes = {Text::tr(
       "Intervals are adjusted for the number of pairs, as the p values are (Holm): one excludes zero "
       "exactly where p is below 0.05.")};
@@ -320,7 +321,7 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
 /// Formats how many are competent, "2 of 10: T-03, T-07".
 ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t group,
                   const std::vector<Text>& able) {
-  const ResultsAt at(ledger, {.section = ResultSection::kCompetence, .group = group});
+  const ResultsAt at(ledger, {.section = ResultSection::kCompetence, .group = ledger.group(group)});
   ReportCell cell = at("able_at_every_exercise", {}, Text::tr("no recorded run"));
   if (cell.key == nullptr) {
     return cell;
@@ -334,8 +335,8 @@ ReportCell ableOf(const CohortInputs& in, const Ledger& ledger, std::size_t grou
 
 /// Formats the minutes of a group, "38 (40); 0 (0)".
 ReportCell minutesOf(const Ledger& ledger, std::size_t g) {
-  const ResultsAt plan(ledger, {.section = ResultSection::kParticipants, .group = g});
-  const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = g});
+  const ResultsAt plan(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
+  const ResultsAt times(ledger, {.section = ResultSection::kPractice, .group = ledger.group(g)});
   const Text none = Text::tr("not recorded");
   const auto one = [&](const char* received, const char* planned) {
     return Text::verbatim("%1 (%2)", times(received, fixed(0), none).words(),
@@ -405,9 +406,9 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
         able.emplace_back(trainee.code);
       }
     }
-    const ResultsAt end(ledger, {.group = g, .occasion = lastOf(in)});
+    const ResultsAt end(ledger, {.group = ledger.group(g), .occasion = ledger.lastOccasion()});
     ReportCell score = end("mean", fixed(kPointDecimals), Text::tr("none"));
-    const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const ResultsAt group(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
     if (score.key != nullptr) {
       static_cast<Text&>(score) =
           Text::tr("%1 (%2 to %3)", score.words(), end("min", fixed(kPointDecimals)).words(),
@@ -420,7 +421,7 @@ ReportTable standardTable(const CohortInputs& in, const Ledger& ledger) {
     table.rows.push_back({in.groups[g].name, group("allocated"), minutesOf(ledger, g), group("runs"), score,
                           ableOf(in, ledger, g, able)});
   }
-  table.provenance.n = std::ssize(in.trainees);
+  table.provenance.n = ResultsAt(ledger, {.section = ResultSection::kParticipants}).count("trainees");
   if (!ableAtAll.empty()) {
     table.notes = {standardNote(ledger)};
   }
@@ -453,8 +454,8 @@ ReportSection boardSection(const CohortInputs& in, const StudyAnalysis& study, c
   for (ReportParagraph& reservation : reservations(in, study, ledger)) {
     section.paragraphs.push_back(std::move(reservation));
   }
-  section.paragraphs.push_back(detectableSentence(in, study, ledger));
-  if (std::optional<ReportFigure> figure = answerFigure(in, study, pairs)) {
+  section.paragraphs.push_back(detectableSentence(study, ledger));
+  if (std::optional<ReportFigure> figure = answerFigure(in, study, ledger, pairs)) {
     section.figures.push_back(std::move(*figure));
   }
   const bool roomy = in.groups.size() <= kRoomyGroups && section.paragraphs.size() <= kRoomyParagraphs;

@@ -39,7 +39,7 @@ std::vector<CohortCsvRow> cohortCsvRows(const Ledger& ledger) {
   std::vector<CohortCsvRow> rows;
   rows.reserve(ledger.every().size());
   ledger.eachLine([&](const Result& result) {
-    auto [section, item, group, model, index, occasion, statistic] = keyCells(result.key, ledger.names());
+    auto [section, item, group, model, index, occasion, statistic] = keyCells(result.key);
     rows.push_back({std::move(section), std::move(item), std::move(group), std::move(model), std::move(index),
                     std::move(occasion), std::move(statistic), resultText(result.value),
                     std::to_string(result.n), result.flags});

@@ -276,7 +276,6 @@ ReportModel cohortReport(const CohortInputs& inputs, const AnalysedCohort& analy
     report.sections.insert(report.sections.begin() + (board ? 1 : 0), std::move(section));
   }
   moveToAnnex(report);
-  report.names = analysed.ledger.names();
   addReference(inputs, numbersHash.get(), report);
   return report;
 }

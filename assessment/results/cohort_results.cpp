@@ -29,10 +29,10 @@ std::int64_t marksGiven(const CohortInputs& in, std::size_t group, std::size_t o
 
 void addSummaries(const CohortInputs& in, ResultWriter& rows) {
   for (const GroupSummary& s : in.summaries) {
-    rows.place.group = s.group;
-    rows.place.occasion = s.occasion;
-    rows.madeOf =
-        partsOf({ResultPattern{.statistic = "score", .of = kEach, .group = s.group, .occasion = s.occasion}});
+    rows.place.group = rows.group(s.group);
+    rows.place.occasion = rows.occasion(s.occasion);
+    rows.madeOf = partsOf({ResultPattern{
+        .statistic = "score", .of = kEach, .group = rows.place.group, .occasion = rows.place.occasion}});
     const std::vector<double> scores = scoresOf(in, s.group, s.occasion);
     rows.addInterval("mean", s.mean, meanInterval(scores), s.trainees);
     rows.add("median", s.median, s.trainees);
@@ -41,8 +41,7 @@ void addSummaries(const CohortInputs& in, ResultWriter& rows) {
     rows.add("variance_of_scores_divisor_n", s.varianceOfScores, s.trainees);
     rows.add("variance_of_scores_divisor_n_minus_1", s.sampleVarianceOfScores, s.trainees);
     rows.add("standard_deviation_of_scores", sampleDeviation(scores), s.trainees);
-    rows.madeOf = partsOf(
-        {ResultPattern{.statistic = "rater_mark", .of = kEach, .group = s.group, .occasion = s.occasion}});
+    rows.madeOf = partsOf({marksAt(rows.place.occasion, rows.place.group)});
     rows.add("variance_of_all_marks_divisor_n", s.varianceOfMarks, s.marks);
     rows.add("mean_between_rater_variance_divisor_n_minus_1", s.meanBetweenRaterVariance, s.marks);
   }
@@ -50,14 +49,51 @@ void addSummaries(const CohortInputs& in, ResultWriter& rows) {
     return;
   }
   const std::vector<std::vector<std::int64_t>> missing = missingByGroup(in);
+  std::int64_t inAll = 0;
   for (std::size_t g = 0; g < missing.size(); ++g) {
     for (std::size_t t = 0; t < missing[g].size(); ++t) {
-      rows.place.group = g;
-      rows.place.occasion = t;
-      rows.madeOf = partsOf({ResultPattern{.statistic = "rater_mark", .of = kEach, .group = g, .occasion = t},
-                             RecordRef{RecordKind::kEnrolments}});
+      rows.place.group = rows.group(g);
+      rows.place.occasion = rows.occasion(t);
+      rows.madeOf =
+          partsOf({marksAt(rows.place.occasion, rows.place.group), RecordRef{RecordKind::kEnrolments}});
       rows.addCount("marks_missing_at_occasion", missing[g][t], marksGiven(in, g, t));
+      inAll += missing[g][t];
     }
+  }
+  rows.place = {};
+  rows.madeOf = partsOf({ResultPattern{.statistic = "marks_missing_at_occasion"}});
+  rows.addCount("marks_missing", inAll, std::ssize(in.trainingMarks));
+}
+
+/// Adds how many scores there are, and how many a trainee lacks, at each occasion, in each group and in all.
+void addScoreCounts(const CohortInputs& in, Ledger& ledger) {
+  if (in.scores.empty()) {
+    return;
+  }
+  ResultWriter rows(ledger, {}, commonFlags(in));
+  const auto add = [&](std::optional<std::size_t> group, std::optional<std::size_t> occasion) {
+    rows.place = {.group = group ? rows.group(*group) : "",
+                  .occasion = occasion ? rows.occasion(*occasion) : ""};
+    const std::int64_t scores =
+        std::count_if(in.scores.begin(), in.scores.end(), [&](const TraineeScore& one) {
+          return group.value_or(one.group) == one.group && occasion.value_or(one.occasion) == one.occasion;
+        });
+    const std::int64_t members =
+        std::count_if(in.trainees.begin(), in.trainees.end(),
+                      [&](const CohortTrainee& one) { return group.value_or(one.group) == one.group; });
+    ResultPattern each = rows.place;
+    each.statistic = "score";
+    each.of = kEach;
+    rows.madeOf = partsOf({std::move(each), RecordRef{RecordKind::kEnrolments}});
+    rows.addCount("scores", scores, scores);
+    rows.addCount("scores_missing", members * (occasion ? 1 : std::ssize(in.occasions)) - scores, scores);
+  };
+  add(std::nullopt, std::nullopt);
+  for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+    add(std::nullopt, t);
+  }
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    add(g, std::nullopt);
   }
 }
 
@@ -69,19 +105,20 @@ void addTraining(const CohortInputs& in, Ledger& ledger) {
     rows.addCount("marks", marks, marks);
   }
   addSummaries(in, rows);
+  addScoreCounts(in, ledger);
   for (const TraineeScore& score : in.scores) {
     rows.place.of = score.trainee;
-    rows.place.group = score.group;
-    rows.place.occasion = score.occasion;
-    rows.madeOf =
-        partsOf({ResultPattern{.statistic = "rater_mark", .of = score.trainee, .occasion = score.occasion}});
+    rows.place.group = rows.group(score.group);
+    rows.place.occasion = rows.occasion(score.occasion);
+    rows.madeOf = partsOf({ResultPattern{
+        .statistic = "rater_mark", .of = score.trainee, .occasion = ledger.occasion(score.occasion)}});
     rows.add("score", score.score, score.n);
   }
   for (const TrainingMark& mark : in.trainingMarks) {
     rows.place.of = mark.trainee;
-    rows.place.group = mark.group;
+    rows.place.group = rows.group(mark.group);
     rows.place.index = mark.rater;
-    rows.place.occasion = mark.occasion;
+    rows.place.occasion = rows.occasion(mark.occasion);
     rows.madeOf = partsOf({RecordRef{RecordKind::kMark, mark.id}});
     rows.add("rater_mark", pointsFromSteps(mark.steps, in.trainingScale), 1);
   }
@@ -90,7 +127,7 @@ void addTraining(const CohortInputs& in, Ledger& ledger) {
 void addTrials(const CohortInputs& in, Ledger& ledger) {
   for (const TrialSummaryRow& trial : in.trials) {
     ResultWriter rows(
-        ledger, trialKey(trial), commonFlags(in),
+        ledger, trialKey(ledger, trial), commonFlags(in),
         trial.interrupted ? std::vector<std::string>{"interrupted"} : std::vector<std::string>{});
     rows.madeOf = partsOf({RecordRef{RecordKind::kRecording, trial.trialId.text()}});
     rows.add("minutes", trial.minutes, trial.samples);
@@ -144,11 +181,11 @@ void addCompetenceOfGroups(const CohortInputs& in, Ledger& ledger) {
   }
   for (const auto& [place, counts] : cells) {
     rows.place.index = place.first;
-    rows.place.group = place.second;
+    rows.place.group = rows.group(place.second);
     rows.madeOf = partsOf({ResultPattern{.section = kCompetence,
                                          .statistic = "able",
                                          .of = kEach,
-                                         .group = place.second,
+                                         .group = ledger.group(place.second),
                                          .index = place.first}});
     rows.put("competent_and_not",
              countsText({{Text::tr("competent"), counts.able},
@@ -168,9 +205,9 @@ void addCompetenceOfGroups(const CohortInputs& in, Ledger& ledger) {
       tried = tried || (place.first == g && person.tried);
     }
     if (tried) {
-      rows.place.group = g;
-      rows.madeOf =
-          partsOf({ResultPattern{.section = kCompetence, .statistic = "able", .of = kEach, .group = g}});
+      rows.place.group = rows.group(g);
+      rows.madeOf = partsOf({ResultPattern{
+          .section = kCompetence, .statistic = "able", .of = kEach, .group = ledger.group(g)}});
       rows.addCount("able_at_every_exercise", able, judged);
     }
   }
@@ -188,8 +225,10 @@ void addVerdicts(const CohortInputs& in, Ledger& ledger) {
   std::int64_t tooFew = 0;
   std::map<std::string, double> missed;  // by trainee: one exercise is enough for not being competent at all
   std::int64_t excused = 0;
+  std::int64_t attempts = 0;
   for (const CohortCompetence& one : in.competence) {
     excused += std::ssize(one.excused);
+    attempts += one.attempts;
     falsePass = std::max(falsePass, one.falsePass);
     most = std::max(most, one.attempts);
     fewest = std::min(fewest, one.fewestAttempts);
@@ -204,6 +243,7 @@ void addVerdicts(const CohortInputs& in, Ledger& ledger) {
   ResultWriter rows(ledger, {.section = kCompetence}, commonFlags(in));
   rows.madeOf = partsOf({ResultPattern{.section = kCompetence, .statistic = "able", .of = kEach}});
   const std::int64_t verdicts = std::ssize(in.competence);
+  rows.addCount("runs_judged", attempts, verdicts);
   rows.addCount("most_runs_made", most, verdicts);
   rows.addCount("fewest_runs_needed", fewest, verdicts);
   rows.addCount("verdicts_on_too_few_runs", tooFew, verdicts);
@@ -216,7 +256,7 @@ void addVerdicts(const CohortInputs& in, Ledger& ledger) {
 void addCompetence(const CohortInputs& in, Ledger& ledger) {
   for (std::size_t i = 0; i < in.competence.size(); ++i) {
     const CohortCompetence& one = in.competence[i];
-    ResultWriter rows(ledger, competenceKey(in, i), commonFlags(in),
+    ResultWriter rows(ledger, competenceKey(ledger, in, i), commonFlags(in),
                       one.designVersion > 0 ? std::vector<std::string>{}
                                             : std::vector<std::string>{"design shipped with the exercise"});
     std::vector<ResultPart> parts{
@@ -286,9 +326,12 @@ bool isSingleMark(const ResultKey& key) {
 /// Lists all results: `in` is the visible part of `inputs`, `study` its analysis, empty without marks.
 Ledger ledgerOf(const CohortInputs& inputs, const CohortInputs& in,
                 const std::optional<StudyAnalysis>& study) {
-  ResultNames names{{}, in.occasions};
+  ResultNames names;
   for (const CohortGroup& group : in.groups) {
-    names.groups.push_back(group.name);
+    names.groups.push_back(group.name.str());
+  }
+  for (const Text& occasion : in.occasions) {
+    names.occasions.push_back(occasion.str());
   }
   Ledger ledger(std::move(names));
   addEvaluationResults(in, ledger);

@@ -23,13 +23,14 @@ namespace {
 using enum ResultSection;
 
 /// Returns the scores before and at the end, for trainees with both; `only`: of one group.
-std::vector<ResultPart> endScores(const CohortInputs& in, const StudyAnalysis& study,
+std::vector<ResultPart> endScores(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger,
                                   std::optional<std::size_t> only = std::nullopt) {
   std::vector<ResultPart> parts;
   for (std::size_t g = 0; g < study.endCodes.size(); ++g) {
     for (const std::string& code : only.value_or(g) == g ? study.endCodes[g] : std::vector<std::string>{}) {
       for (const std::size_t t : {std::size_t{0}, lastOf(in)}) {
-        parts.emplace_back(ResultPattern{.statistic = "score", .of = code, .group = g, .occasion = t});
+        parts.emplace_back(ResultPattern{
+            .statistic = "score", .of = code, .group = ledger.group(g), .occasion = ledger.occasion(t)});
       }
     }
   }
@@ -37,20 +38,23 @@ std::vector<ResultPart> endScores(const CohortInputs& in, const StudyAnalysis& s
 }
 
 /// Returns the marks before and at the end, and who should be marked.
-ResultParts endMarks(const CohortInputs& in) {
-  return partsOf({marksAt(0), marksAt(lastOf(in)), RecordRef{RecordKind::kEnrolments}});
+ResultParts endMarks(const Ledger& ledger) {
+  return partsOf(
+      {marksAt(ledger.occasion(0)), marksAt(ledger.lastOccasion()), RecordRef{RecordKind::kEnrolments}});
 }
 
 /// Returns the scores at every occasion, for trainees with a score at each.
-ResultParts courseScores(const CohortInputs& in, const StudyAnalysis& study,
+ResultParts courseScores(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger,
                          std::optional<std::size_t> only = std::nullopt) {
   std::vector<ResultPart> parts{RecordRef{RecordKind::kEnrolments}};
   for (const TraineeScore& score : in.scores) {
     const auto& left = study.leftOutOfCourse;
     if (only.value_or(score.group) == score.group &&
         std::find(left.begin(), left.end(), score.trainee) == left.end()) {
-      parts.emplace_back(ResultPattern{
-          .statistic = "score", .of = score.trainee, .group = score.group, .occasion = score.occasion});
+      parts.emplace_back(ResultPattern{.statistic = "score",
+                                       .of = score.trainee,
+                                       .group = ledger.group(score.group),
+                                       .occasion = ledger.occasion(score.occasion)});
     }
   }
   return partsOf(std::move(parts));
@@ -58,19 +62,20 @@ ResultParts courseScores(const CohortInputs& in, const StudyAnalysis& study,
 
 /// Returns a writer for the comparison of groups.
 ResultWriter comparison(const CohortInputs& in, const ResultFlags& flags, ResultParts parts, Ledger& ledger) {
-  ResultWriter rows(ledger, {.section = kComparison, .occasion = lastOf(in)}, commonFlags(in), flags);
+  ResultWriter rows(ledger, {.section = kComparison, .occasion = ledger.lastOccasion()}, commonFlags(in),
+                    flags);
   rows.madeOf = std::move(parts);
   return rows;
 }
 
 void placeAtPair(ResultWriter& rows, std::size_t first, std::size_t second) {
-  rows.place.group = first;
-  rows.place.against = second;
+  rows.place.group = rows.group(first);
+  rows.place.against = rows.group(second);
 }
 
 void placeAtAll(ResultWriter& rows) {
-  rows.place.group.reset();
-  rows.place.against.reset();
+  rows.place.group.clear();
+  rows.place.against.clear();
 }
 
 void addEffect(ResultWriter& rows, const std::string& name, const AnovaEffect& effect, std::int64_t n) {
@@ -94,7 +99,7 @@ void addCourse(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledge
     n += static_cast<std::int64_t>(group.rows());
   }
   ResultWriter rows = comparison(in, flagIf(!study.leftOutOfCourse.empty(), "complete cases"),
-                                 courseScores(in, study), ledger);
+                                 courseScores(in, study, ledger), ledger);
   if (study.course->interaction) {
     addEffect(rows, "mixed_interaction", *study.course->interaction, n);
   }
@@ -114,8 +119,8 @@ void addGainResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
   ResultWriter rows = comparison(in, {}, {}, ledger);
   for (std::size_t g = 0; g < study.gains->within.size(); ++g) {
     const GroupGain& gain = study.gains->within[g];
-    rows.place.group = g;
-    std::vector<ResultPart> own = endScores(in, study, g);
+    rows.place.group = rows.group(g);
+    std::vector<ResultPart> own = endScores(in, study, ledger, g);
     own.emplace_back(RecordRef{RecordKind::kEnrolments});
     rows.madeOf = partsOf(std::move(own));
     rows.add("median_gain", gain.median, &Bootstrap::estimate, gain.n);
@@ -124,12 +129,12 @@ void addGainResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
     }
     rows.add("gain_signed_rank_v", gain.ranks, &SignedRank::v, gain.n);
     rows.add("gain_signed_rank_p", gain.ranks, &SignedRank::pTwoSided, gain.n);
-    rows.madeOf = courseScores(in, study, g);
+    rows.madeOf = courseScores(in, study, ledger, g);
     rows.add("occasions_friedman_p", gain.occasions, &Friedman::p,
              static_cast<std::int64_t>(study.courses[g].rows()));
   }
   placeAtAll(rows);
-  rows.madeOf = partsOf(endScores(in, study));
+  rows.madeOf = partsOf(endScores(in, study, ledger));
   const Outcome<KruskalWallis>& between = study.gains->between;
   if (!between) {
     return;
@@ -172,7 +177,7 @@ void addSlopes(const StudyAnalysis& study, std::int64_t n, ResultWriter& rows) {
     return;
   }
   for (std::size_t g = 0; g < study.slopes->slopes.size(); ++g) {
-    rows.place.group = study.slopes->groups[g];
+    rows.place.group = rows.group(study.slopes->groups[g]);
     rows.add("separate_slope", study.slopes->slopes[g], n);
   }
   for (const SlopesPair& pair : study.slopes->pairs) {
@@ -257,7 +262,7 @@ void addBaseline(const CohortInputs& in, const StudyAnalysis& study, Ledger& led
     return;
   }
   const std::int64_t n = comparedTrainees(study);
-  ResultWriter rows = comparison(in, {}, partsOf(endScores(in, study)), ledger);
+  ResultWriter rows = comparison(in, {}, partsOf(endScores(in, study, ledger)), ledger);
   for (std::size_t g = 0; g < before.size(); ++g) {
     for (std::size_t h = g + 1; h < before.size(); ++h) {
       if (!before[g].empty() && !before[h].empty()) {
@@ -277,7 +282,7 @@ void addPerProtocol(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
   std::vector<ResultPart> parts{RecordRef{RecordKind::kTrainingTimes}, RecordRef{RecordKind::kCohortPlan}};
   for (const std::string& code : study.perProtocolCodes) {
     for (const std::size_t t : {std::size_t{0}, lastOf(in)}) {
-      parts.emplace_back(ResultPattern{.statistic = "score", .of = code, .occasion = t});
+      parts.emplace_back(ResultPattern{.statistic = "score", .of = code, .occasion = ledger.occasion(t)});
     }
   }
   ResultWriter rows = comparison(in, {"per protocol"}, partsOf(std::move(parts)), ledger);
@@ -302,11 +307,14 @@ void addResiduals(const CohortInputs& in, const StudyAnalysis& study, ResultWrit
     rows.add("residuals_shapiro_wilk_p", shape->p, std::ssize(all));
   }
   for (std::size_t g = 0; g < study.ancova->residuals.size(); ++g) {
-    rows.place.group = g;
+    rows.place.group = rows.group(g);
     for (std::size_t i = 0; i < study.ancova->residuals[g].size(); ++i) {
       rows.place.of = study.endCodes[g][i];
       const auto score = [&](std::size_t t) {
-        return ResultPattern{.statistic = "score", .of = rows.place.of, .group = g, .occasion = t};
+        return ResultPattern{.statistic = "score",
+                             .of = rows.place.of,
+                             .group = rows.place.group,
+                             .occasion = rows.occasion(t)};
       };
       rows.madeOf = partsOf(
           {score(0), score(lastOf(in)), ResultPattern{.section = kComparison, .statistic = "ancova_slope"}});
@@ -320,7 +328,7 @@ void addResiduals(const CohortInputs& in, const StudyAnalysis& study, ResultWrit
 void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
   const std::int64_t n = comparedTrainees(study);
   if (!primaryDifferences(study).empty()) {
-    ResultWriter rows = comparison(in, flagIf(!study.asPlanned(), "marks missing"), endMarks(in), ledger);
+    ResultWriter rows = comparison(in, flagIf(!study.asPlanned(), "marks missing"), endMarks(ledger), ledger);
     const Text covariance = Text::verbatim("analysis of covariance");
     rows.put("planned_analysis",
              in.hasAnalysisPlan() ? covariance : Text(Text::verbatim("none in the record")), n);
@@ -331,6 +339,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
              n);
     addDetectable(study, n, rows);
     rows.addCount("marks_missing", study.endMissing, study.endMarks + study.endMissing);
+    rows.addCount("marks_at_both_ends", study.endMarks, study.endMarks + study.endMissing);
     rows.addCount("trainees_compared", n, n);
     rows.addCount("trainees_left_out", std::ssize(leftOutTrainees(study)), n);
     addEquivalence(in, study, n, rows);
@@ -338,8 +347,8 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
   if (!study.ancova) {
     return;
   }
-  ResultWriter rows =
-      comparison(in, flagIf(!study.asPlanned(), "complete cases"), partsOf(endScores(in, study)), ledger);
+  ResultWriter rows = comparison(in, flagIf(!study.asPlanned(), "complete cases"),
+                                 partsOf(endScores(in, study, ledger)), ledger);
   rows.origin = in.hasAnalysisPlan() ? Origin::kPlanned : Origin::kUnplanned;
   rows.add("ancova_df", study.ancova->group.df1, n);
   rows.add("ancova_df_error", study.ancova->group.df2, n);
@@ -350,7 +359,7 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
     rows.add("ancova_equal_slopes_p", study.ancova->equalSlopes->p, n);
   }
   for (std::size_t g = 0; g < study.ancova->adjusted.size(); ++g) {
-    rows.place.group = study.ancova->groups[g];
+    rows.place.group = rows.group(study.ancova->groups[g]);
     rows.addInterval("adjusted_mean", study.ancova->adjusted[g].mean, study.ancova->adjusted[g].interval, n);
   }
   const Groups& after = study.ends.after;
@@ -380,7 +389,7 @@ void addMissingTrainees(const StudyAnalysis& study, ResultWriter& rows) {
   placeAtAll(rows);
   for (const MissingTrainee& trainee : study.missing) {
     rows.place.of = trainee.trainee;
-    rows.place.group = trainee.group;
+    rows.place.group = rows.group(trainee.group);
     rows.addCount("marks_missing_before", static_cast<std::int64_t>(trainee.marks.before), 1);
     rows.addCount("marks_missing_at_the_end", static_cast<std::int64_t>(trainee.marks.after), 1);
     rows.put("compared", !trainee.leftOut, 1);
@@ -403,7 +412,7 @@ void addModel(const MixedComparison& model, ResultWriter& rows) {
   rows.add("mixed_model_variance_of_rest", model.varianceResidual, n);
   rows.addInterval("mixed_model_slope", model.slope.value, model.slope.interval, n);
   for (std::size_t g = 0; g < model.adjusted.size(); ++g) {
-    rows.place.group = model.groups[g];
+    rows.place.group = rows.group(model.groups[g]);
     rows.addInterval("mixed_model_adjusted_mean", model.adjusted[g].value, model.adjusted[g].interval, n);
   }
   placeAtAll(rows);
@@ -411,7 +420,7 @@ void addModel(const MixedComparison& model, ResultWriter& rows) {
 
 /// Adds the comparison with missing marks: the mixed model, and how far missing marks could change it.
 void addMixedModel(const CohortInputs& in, const StudyAnalysis& study, Ledger& ledger) {
-  ResultWriter rows = comparison(in, {"marks missing"}, endMarks(in), ledger);
+  ResultWriter rows = comparison(in, {"marks missing"}, endMarks(ledger), ledger);
   const std::int64_t n = comparedTrainees(study);
   if (study.mixed) {
     addModel(*study.mixed, rows);

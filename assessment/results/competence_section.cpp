@@ -14,11 +14,9 @@ namespace torsio {
 namespace {
 
 template <typename Item>
-Item competenceItem(const CohortInputs& in, const std::string& id, const Text& title) {
+Item competenceItem(const CohortInputs& in, const Ledger& ledger, const std::string& id, const Text& title) {
   Item item = itemOf<Item>(in, id, title, Text::tr("LC-CUSUM, Biau and Porcher 2010"));
-  for (const CohortCompetence& one : in.competence) {
-    item.provenance.n += one.attempts;
-  }
+  item.provenance.n = ResultsAt(ledger, {.section = ResultSection::kCompetence}).count("runs_judged");
   return item;
 }
 
@@ -52,8 +50,8 @@ std::vector<Text> designSentences(const CohortInputs& in) {
 
 /// Shows the sums relative to the limit, up to the attempt that proved competence.
 ReportFigure sumsFigure(const CohortInputs& in, const Ledger& ledger) {
-  auto figure =
-      competenceItem<ReportFigure>(in, "figure-lc-cusum", Text::tr("LC-CUSUM of every trainee and exercise"));
+  auto figure = competenceItem<ReportFigure>(in, ledger, "figure-lc-cusum",
+                                             Text::tr("LC-CUSUM of every trainee and exercise"));
   figure.kind = FigureKind::kLines;
   figure.individual = true;
   figure.xLabel = Text::tr("number of the run");
@@ -62,7 +60,7 @@ ReportFigure sumsFigure(const CohortInputs& in, const Ledger& ledger) {
   for (std::size_t i = 0; i < in.competence.size(); ++i) {
     const CohortCompetence& one = in.competence[i];
     FigureSeries series{.name = one.trainee, .look = one.group, .faint = true};
-    ResultKey key = competenceKey(in, i);
+    ResultKey key = competenceKey(ledger, in, i);
     const auto shown = one.ableAt ? static_cast<std::size_t>(*one.ableAt) : one.sums.size();
     while (series.x.size() < std::min(shown, one.sums.size())) {
       ++key.number;
@@ -80,7 +78,8 @@ ReportFigure sumsFigure(const CohortInputs& in, const Ledger& ledger) {
 }
 
 ReportTable verdictsTable(const CohortInputs& in, const Ledger& ledger) {
-  auto table = competenceItem<ReportTable>(in, "table-competence", Text::tr("Competence of every trainee"));
+  auto table =
+      competenceItem<ReportTable>(in, ledger, "table-competence", Text::tr("Competence of every trainee"));
   table.annex = true;
   table.individual = true;
   ResultTable rows(ledger, table,
@@ -100,14 +99,14 @@ ReportTable verdictsTable(const CohortInputs& in, const Ledger& ledger) {
     rows.row({in.groups[one.group].name, one.trainee, one.exercise,
               one.designVersion > 0 ? Text::tr("registered, version %1", one.designVersion)
                                     : Text::tr("shipped with the exercise")},
-             competenceKey(in, i));
+             competenceKey(ledger, in, i));
   }
   return table;
 }
 
 /// Shows how probable it is to be declared competent, for each number of runs that somebody made.
 ReportTable oddsTable(const CohortInputs& in, const Ledger& ledger) {
-  auto table = competenceItem<ReportTable>(in, "table-competence-odds",
+  auto table = competenceItem<ReportTable>(in, ledger, "table-competence-odds",
                                            Text::tr("Probability of being declared competent within the runs "
                                                     "made, by the share of runs that a trainee truly fails"));
   std::vector<ResultColumn> columns{{Text::tr("Exercises")}, {Text::tr("Runs made"), "false_pass", kValues}};
@@ -129,7 +128,7 @@ ReportTable oddsTable(const CohortInputs& in, const Ledger& ledger) {
     }
   }
   for (const auto& [number, found] : made) {
-    rows.row({listed(found.second, Text::tr("%1; %2"))}, competenceKey(in, found.first));
+    rows.row({listed(found.second, Text::tr("%1; %2"))}, competenceKey(ledger, in, found.first));
   }
   table.notes = {Text::tr("Within the runs that were planned: see the sentences above.")};
   return table;
@@ -140,14 +139,16 @@ ReportTable countsTable(const CohortInputs& in, const Ledger& ledger) {
   for (const CohortCompetence& one : in.competence) {
     exercises[{one.exercise.str(), one.group}] = one.exercise;
   }
-  auto table = competenceItem<ReportTable>(in, "table-competence-groups", Text::tr("Competence by group"));
+  auto table =
+      competenceItem<ReportTable>(in, ledger, "table-competence-groups", Text::tr("Competence by group"));
   ResultTable rows(ledger, table,
                    {{Text::tr("Exercise")},
                     {Text::tr("Group")},
                     {Text::tr("Competent, not competent, not shown yet: trainees"), "competent_and_not"}});
   for (const auto& [place, exercise] : exercises) {
-    rows.row({exercise, in.groups[place.second].name},
-             {.section = ResultSection::kCompetence, .group = place.second, .index = place.first});
+    rows.row(
+        {exercise, in.groups[place.second].name},
+        {.section = ResultSection::kCompetence, .group = ledger.group(place.second), .index = place.first});
   }
   return table;
 }
@@ -159,11 +160,11 @@ std::string declaredStatistic(std::size_t rate, bool planned) {
          (planned ? "_planned" : "_so_far");
 }
 
-ResultKey competenceKey(const CohortInputs& in, std::size_t number) {
+ResultKey competenceKey(const Ledger& ledger, const CohortInputs& in, std::size_t number) {
   const CohortCompetence& one = in.competence[number];
   return {.section = ResultSection::kCompetence,
           .of = one.trainee,
-          .group = one.group,
+          .group = ledger.group(one.group),
           .index = one.exercise.str(),
           .record = std::to_string(number)};
 }

@@ -72,7 +72,7 @@ std::vector<double> scoresOf(const CohortInputs& in, std::size_t group, std::siz
   return scores;
 }
 
-ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
+ReportTable meansTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table = itemOf<ReportTable>(in, "table-means", Text::tr("Mean scores of the groups"),
                                           Text::tr("mean over trainees, Student's t"));
   ResultTable rows(ledger, table,
@@ -81,13 +81,14 @@ ReportTable meansTable(const CohortInputs& in, const StudyAnalysis& study, const
                     {Text::tr("Trainees"), "mean", kValues, Text(std::to_string(0))},
                     {Text::tr("Mean [95 %, not adjusted]"), "mean", kWithInterval},
                     {Text::tr("Standard deviation"), "standard_deviation_of_scores", fixed(3)}});
-  table.provenance.n = std::ssize(in.scores);
+  table.provenance.n = ResultsAt(ledger, {}).count("scores");
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-      rows.row({in.groups[g].name, in.occasions[t]}, {.group = g, .occasion = t});
+      rows.row({in.groups[g].name, in.occasions[t]},
+               {.group = ledger.group(g), .occasion = ledger.occasion(t)});
     }
   }
-  table.provenance.missing = study.endMissing;
+  table.provenance.missing = ResultsAt(ledger, {}).count("scores_missing");
   table.notes = {
       Text::tr("Every trainee with a score at the occasion. Overlapping intervals of single means do not "
                "show that the means agree: look at the differences.")};
@@ -112,16 +113,16 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study, 
     columns.insert(columns.begin() + 4, {Text::tr("Degrees of freedom"), "robust_df", fixed(1)});
   }
   ResultTable rows(ledger, table, std::move(columns));
-  table.provenance.n = comparedTrainees(study);
-  table.provenance.missing = study.endMissing;
+  table.provenance.n = resultsAtEnd(ledger).count("trainees_compared");
+  table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", "", ""});
     return table;
   }
   for (const AdjustedDifference& pair : concludedPairs(*got)) {
-    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(ledger, pair.first, pair.second));
   }
-  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ResultsAt at = resultsAtEnd(ledger);
   const ReportParagraph means = valuesOfGroups(in, ledger, got->groups, "adjusted_mean", kWithInterval);
   const ReportCell df1 = at("ancova_df", fixed(0));
   const ReportCell df2 = at("ancova_df_error", fixed(0));
@@ -156,7 +157,7 @@ std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalys
        {Text::tr("p (Holm)"), "separate_slopes_p_holm", kAsP},
        {Text::tr("Differ (5 %)")}});
   for (const SlopesPair& pair : study.slopes->pairs) {
-    ResultKey place = pairKey(in, pair.first, pair.second);
+    ResultKey place = pairKey(ledger, pair.first, pair.second);
     const ReportCell differ = ResultsAt(ledger, place)("separate_slopes_differ");
     for (std::size_t b = 0; b < pair.at.size(); ++b) {
       const ResultKey baseline = slopesKey(study, b);
@@ -172,8 +173,8 @@ std::optional<ReportTable> slopesTable(const CohortInputs& in, const StudyAnalys
                            slopes.words()),
                   {},
                   slopes.keys}};
-  table.provenance.n = comparedTrainees(study);
-  table.provenance.missing = study.endMissing;
+  table.provenance.n = resultsAtEnd(ledger).count("trainees_compared");
+  table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   return table;
 }
 
@@ -182,7 +183,7 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
   if (!in.equivalenceMargin) {
     return std::nullopt;
   }
-  const ReportCell margin = resultsAtEnd(in, ledger)("equivalence_margin", fixed(2));
+  const ReportCell margin = resultsAtEnd(ledger)("equivalence_margin", fixed(2));
   ReportTable table =
       itemOf<ReportTable>(in, "table-equivalence", Text::tr("Whether the groups are equal within the margin"),
                           study.mixed ? Text::tr("two one-sided tests, linear mixed model")
@@ -191,8 +192,8 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
                               : Text::tr("two one-sided tests, analysis of covariance"));
   table.columns = {Text::tr("Comparison"), Text::tr("Difference [90 %, not adjusted]"),
                    Text::tr("p (of equality)"), Text::tr("Equal within %1 points (5 %)", margin.words())};
-  table.provenance.n = study.mixed ? static_cast<std::int64_t>(study.mixed->marks) : comparedTrainees(study);
-  table.provenance.missing = study.endMissing;
+  table.provenance.n = resultsAtEnd(ledger).count(study.mixed ? "mixed_model_marks" : "trainees_compared");
+  table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   table.notes = {
       {Text::tr("Planned with the cohort: a difference of at most %1 points does not matter. Equal: the 90 % "
                 "interval lies within -%1 to %1, which is where p is below 0.05. Not shown to be equal does "
@@ -204,7 +205,7 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
       table.rows.push_back({pairName(in, pair.first, pair.second), Text::tr("not defined"), "", ""});
       continue;
     }
-    const ResultsAt cell = resultsOfPair(in, ledger, pair.first, pair.second);
+    const ResultsAt cell = resultsOfPair(ledger, pair.first, pair.second);
     const ReportCell p = cell("equivalence_p", kAsP);
     ReportCell difference = cell("equivalence_90");
     if (difference.key != nullptr) {
@@ -244,7 +245,7 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
   const char* adjusted = isRobust(study) ? "robust_difference" : "adjusted_difference";
   FigureSeries effect{.name = Text::tr("Hedges g [95 %]")};
   for (const AdjustedDifference& pair : concludedPairs(*study.ancova)) {
-    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+    const ResultsAt at = resultsOfPair(ledger, pair.first, pair.second);
     points.categories.push_back(pairName(in, pair.first, pair.second));
     addPoint(difference, at, adjusted, true);
     addPoint(primary, at, "mixed_model_difference", true);
@@ -266,8 +267,8 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
       continue;
     }
     figure->references = {{0.0, Text::tr("no difference")}};
-    figure->provenance.n = comparedTrainees(study);
-    figure->provenance.missing = study.endMissing;
+    figure->provenance.n = resultsAtEnd(ledger).count("trainees_compared");
+    figure->provenance.missing = resultsAtEnd(ledger).count("marks_missing");
     figures.push_back(std::move(*figure));
   }
   return figures;
@@ -320,8 +321,8 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
     for (std::size_t i = 0; i < model.residuals[g].size(); ++i) {
       const ResultsAt at(ledger, {.section = ResultSection::kComparison,
                                   .of = study.endCodes[g][i],
-                                  .group = g,
-                                  .occasion = lastOf(in)});
+                                  .group = ledger.group(g),
+                                  .occasion = ledger.lastOccasion()});
       line.x.push_back(model.fitted[g][i]);
       addPoint(line, at, "ancova_residual");
       quantiles.x.push_back(model.quantiles[g][i]);
@@ -331,7 +332,7 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
     normal.series.push_back(std::move(quantiles));
   }
   normal.series.push_back(normalLine(normal.series));
-  const ResultsAt end = resultsAtEnd(in, ledger);
+  const ResultsAt end = resultsAtEnd(ledger);
   const ReportCell w = end("residuals_shapiro_wilk_w", fixed(3));
   const ReportCell p = end("residuals_shapiro_wilk_p", kEqualsP);
   fitted.notes = {Text::tr(
@@ -348,8 +349,8 @@ std::vector<ReportFigure> residualFigures(const CohortInputs& in, const StudyAna
   for (ReportFigure* figure : {&fitted, &normal}) {
     figure->kind = FigureKind::kScatter;
     figure->individual = true;  // a point is a person
-    figure->provenance.n = comparedTrainees(study);
-    figure->provenance.missing = study.endMissing;
+    figure->provenance.n = resultsAtEnd(ledger).count("trainees_compared");
+    figure->provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   }
   return {std::move(fitted), std::move(normal)};
 }

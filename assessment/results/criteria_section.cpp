@@ -109,12 +109,13 @@ ResultKey sheetKey(const CohortInputs& in, std::size_t number) {
 }
 
 /// Returns the key for the mean of a group or trainee for a criterion.
-ResultKey meanKey(const CohortInputs& in, const TraineeCriteria& one, std::size_t criterion) {
+ResultKey meanKey(const CohortInputs& in, const Ledger& ledger, const TraineeCriteria& one,
+                  std::size_t criterion) {
   ResultKey key = criterionKey(in, one.sheet, criterion);
   key.statistic = kCriterionMean;
   key.of = one.trainee;
-  key.group = one.group;
-  key.occasion = one.occasion;
+  key.group = ledger.group(one.group);
+  key.occasion = ledger.occasion(one.occasion);
   return key;
 }
 
@@ -167,13 +168,13 @@ void addMeans(const CohortInputs& in, const Ledger& ledger, const TraineeCriteri
   std::vector<ReportCell> row{who, in.occasions[one.occasion]};
   if (most != one.criteria.end()) {
     const auto c = static_cast<std::size_t>(most - one.criteria.begin());
-    row.push_back(ResultsAt(ledger, meanKey(in, one, c))(kCriterionMean, kValues));
+    row.push_back(ResultsAt(ledger, meanKey(in, ledger, one, c))(kCriterionMean, kValues));
   } else {
     row.emplace_back(std::to_string(0));
   }
   for (std::size_t c = 0; c < one.criteria.size(); ++c) {
-    row.push_back(
-        ResultsAt(ledger, meanKey(in, one, c))(kCriterionMean, fixed(kMeanDecimals), Text::tr("none")));
+    row.push_back(ResultsAt(ledger, meanKey(in, ledger, one, c))(kCriterionMean, fixed(kMeanDecimals),
+                                                                 Text::tr("none")));
   }
   table.rows.push_back(std::move(row));
 }
@@ -270,7 +271,7 @@ void addCriteriaResults(const CohortInputs& in, Ledger& ledger) {
   const auto addMeans = [&](const std::vector<TraineeCriteria>& all) {
     for (const TraineeCriteria& one : all) {
       for (std::size_t c = 0; c < one.criteria.size(); ++c) {
-        rows.place = meanKey(in, one, c);
+        rows.place = meanKey(in, ledger, one, c);
         ResultPattern part = rows.place;
         part.statistic = one.trainee.empty() ? rows.place.statistic : kCriterionMark;
         part.of = one.trainee.empty() ? kEach : one.trainee;
@@ -284,9 +285,9 @@ void addCriteriaResults(const CohortInputs& in, Ledger& ledger) {
   for (const CriterionMark& mark : in.criterionMarks) {
     rows.place = criterionKey(in, mark.sheet, mark.criterion);
     rows.place.of = mark.trainee;
-    rows.place.group = mark.group;
+    rows.place.group = ledger.group(mark.group);
     rows.place.index = mark.rater;
-    rows.place.occasion = mark.occasion;
+    rows.place.occasion = ledger.occasion(mark.occasion);
     rows.madeOf = partsOf({RecordRef{RecordKind::kMark, mark.mark}});
     rows.add(kCriterionMark, mark.points, mark.points ? 1 : 0);
   }

@@ -104,6 +104,56 @@ void addMarks(const CohortInputs& in, const ModelRatings& ratings, ResultWriter&
   }
 }
 
+/// Adds how many marks the indices of a model, or of all models, were computed from.
+void addMarkCounts(const CohortInputs& in, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kEvaluation}, commonFlags(in));
+  const auto add = [&](std::int64_t used, std::int64_t missing) {
+    rows.madeOf = partsOf(
+        {ResultPattern{.section = kEvaluation, .statistic = "mark", .of = kEach, .model = rows.place.model},
+         RecordRef{RecordKind::kCampaign}});
+    rows.addCount("marks_used", used, used);
+    rows.addCount("marks_missing", missing, used);
+  };
+  std::int64_t inAll = 0;
+  for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
+    std::int64_t used = 0;
+    for (const ScoreStatistics& index : in.evaluations[k].indices) {
+      used += index.n;
+    }
+    inAll += used;
+    rows.place.model = in.evaluations[k].model;
+    add(used, missingEvaluationMarks(in, in.ratings[k]));
+  }
+  rows.place.model.clear();
+  add(inAll, missingEvaluationMarks(in));
+}
+
+/// Adds how many scores of single raters there are, in each class and in all.
+void addCompositeCounts(const CohortInputs& in, Ledger& ledger) {
+  ResultWriter rows(ledger, {.section = kEvaluation}, commonFlags(in));
+  std::map<std::size_t, std::int64_t> ofClass;
+  std::int64_t inAll = 0;
+  for (const ModelEvaluation& model : in.evaluations) {
+    for (const RaterComposite& composite : model.composites) {
+      ofClass[composite.raterClass] += composite.score ? 1 : 0;
+      inAll += composite.score ? 1 : 0;
+    }
+  }
+  const auto add = [&](std::int64_t count) {
+    rows.madeOf = partsOf({ResultPattern{.section = kEvaluation,
+                                         .statistic = "composite",
+                                         .of = kEach,
+                                         .raterClass = rows.place.raterClass},
+                           RecordRef{RecordKind::kCampaign}});
+    rows.addCount("composites", count, count);
+  };
+  add(inAll);
+  for (const auto& [raterClass, count] : ofClass) {
+    rows.place.raterClass = in.instrument.classes[raterClass].id;
+    add(count);
+  }
+}
+
 /// Adds the raters' order of the models.
 void addModelOrder(const CohortInputs& in, Ledger& ledger) {
   const std::optional<ModelOrder> order = modelOrder(in);
@@ -117,6 +167,7 @@ void addModelOrder(const CohortInputs& in, Ledger& ledger) {
   rows.add("models_friedman_df", order->test, &Friedman::df, n);
   rows.add("models_friedman_p", order->test, &Friedman::p, n);
   rows.add("models_kendall_w", order->test, &Friedman::kendallW, n);
+  rows.addCount("composites_ranked", n * std::ssize(in.evaluations), n);
   for (std::size_t k = 0; k < order->meanRanks.size(); ++k) {
     rows.place.model = in.evaluations[k].model;
     rows.add("mean_rank", order->meanRanks[k], n);
@@ -203,6 +254,10 @@ void addEvaluationResults(const CohortInputs& in, Ledger& ledger) {
       rows.add("composite", composite.score, composite.score ? 1 : 0);
     }
     addMarks(in, in.ratings[k], rows);
+  }
+  if (!in.evaluations.empty()) {
+    addMarkCounts(in, ledger);
+    addCompositeCounts(in, ledger);
   }
   addModelOrder(in, ledger);
   addModelDifferences(in, ledger);

@@ -50,27 +50,16 @@ ResultKey compositeKey(const CohortInputs& in, const ModelEvaluation& model,
           .model = model.model};
 }
 
-/// Counts a model's missing marks; each rater should score every model.
-std::int64_t missingOf(const CohortInputs& in, const ModelRatings& model) {
-  return std::ssize(evaluationRaters(in)) * std::ssize(in.instrument.indices) - givenMarks(model);
+/// `model`: empty for all.
+Provenance provenance(const CohortInputs& in, const Ledger& ledger, const Text& formula,
+                      const std::string& model = {}) {
+  const ResultsAt at(ledger, {.section = ResultSection::kEvaluation, .model = model});
+  return {formula, kEvaluationFormulaVersion, at.count("marks_used"), at.count("marks_missing"),
+          mergedFlags(in)};
 }
 
-Provenance provenance(const CohortInputs& in, const Text& formula) {
-  Provenance out;
-  out.formula = formula;
-  out.formulaVersion = kEvaluationFormulaVersion;
-  for (const ModelEvaluation& model : in.evaluations) {
-    for (const ScoreStatistics& index : model.indices) {
-      out.n += index.n;
-    }
-  }
-  out.missing = missingEvaluationMarks(in);
-  out.flags = mergedFlags(in);
-  return out;
-}
-
-ReportFigure figure(const CohortInputs& in, const std::string& id, const Text& title, FigureKind kind,
-                    const Text& formula) {
+ReportFigure figure(const CohortInputs& in, const Ledger& ledger, const std::string& id, const Text& title,
+                    FigureKind kind, const Text& formula) {
   ReportFigure out;
   out.id = id;
   out.title = title;
@@ -78,13 +67,13 @@ ReportFigure figure(const CohortInputs& in, const std::string& id, const Text& t
   out.yLabel = Text::tr("score (points)");
   out.yMin = pointsFromSteps(in.instrument.scale.lo, in.instrument.scale);
   out.yMax = pointsFromSteps(in.instrument.scale.hi, in.instrument.scale);
-  out.provenance = provenance(in, formula);
+  out.provenance = provenance(in, ledger, formula);
   return out;
 }
 
 ReportFigure rangesFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure out =
-      figure(in, "figure-15", Text::tr("Lowest, weighted mean and highest score of each index"),
+      figure(in, ledger, "figure-15", Text::tr("Lowest, weighted mean and highest score of each index"),
              FigureKind::kRanges, Text::tr("Eq. 25"));
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
@@ -103,10 +92,10 @@ ReportFigure rangesFigure(const CohortInputs& in, const Ledger& ledger) {
 }
 
 ReportFigure barsFigure(const CohortInputs& in, const Ledger& ledger, bool variance) {
-  ReportFigure out = variance ? figure(in, "figure-17",
+  ReportFigure out = variance ? figure(in, ledger, "figure-17",
                                        Text::tr("Variance of each index about the weighted mean, divisor n"),
                                        FigureKind::kGroupedBars, Text::tr("Eq. 26"))
-                              : figure(in, "figure-16", Text::tr("Weighted mean score of each index"),
+                              : figure(in, ledger, "figure-16", Text::tr("Weighted mean score of each index"),
                                        FigureKind::kGroupedBars, Text::tr("Eq. 25"));
   out.categories = indexNames(in);
   for (const ModelEvaluation& model : in.evaluations) {
@@ -133,12 +122,14 @@ ReportFigure barsFigure(const CohortInputs& in, const Ledger& ledger, bool varia
 ReportFigure chiefsFigure(const CohortInputs& in, const Ledger& ledger) {
   const Text of = in.instrument.classes[in.chiefClass].name;
   ReportFigure out =
-      figure(in, "figure-18", Text::tr("Comprehensive score of each rater of the class %1", of),
+      figure(in, ledger, "figure-18", Text::tr("Comprehensive score of each rater of the class %1", of),
              FigureKind::kPoints, Text::tr("Eq. 27 for one rater"));
   out.xLabel = Text::tr("rater");
   out.individual = true;
   out.annex = true;  // single raters: what only a reviewer looks up
-  out.provenance.n = 0;
+  const ResultsAt all(
+      ledger, {.section = ResultSection::kEvaluation, .raterClass = in.instrument.classes[in.chiefClass].id});
+  out.provenance.n = all.count("composites");
   for (const ModelEvaluation& model : in.evaluations) {
     FigureSeries series{.name = model.model};
     for (const RaterComposite& composite : model.composites) {
@@ -152,7 +143,6 @@ ReportFigure chiefsFigure(const CohortInputs& in, const Ledger& ledger) {
       }
       series.x.push_back(static_cast<double>(std::distance(out.categories.begin(), at)));
       addPoint(series, ResultsAt(ledger, compositeKey(in, model, composite)), "composite");
-      out.provenance.n += composite.score ? 1 : 0;
     }
     out.series.push_back(std::move(series));
   }
@@ -161,9 +151,9 @@ ReportFigure chiefsFigure(const CohortInputs& in, const Ledger& ledger) {
 }
 
 ReportFigure boxesFigure(const CohortInputs& in, const Ledger& ledger) {
-  ReportFigure out = figure(in, "figure-19", Text::tr("Comprehensive scores of all raters"),
+  ReportFigure out = figure(in, ledger, "figure-19", Text::tr("Comprehensive scores of all raters"),
                             FigureKind::kBoxes, Text::tr("Eq. 27 for one rater; quantiles of type 7"));
-  out.provenance.n = 0;
+  out.provenance.n = ResultsAt(ledger, {.section = ResultSection::kEvaluation}).count("composites");
   for (const ModelEvaluation& model : in.evaluations) {
     out.categories.push_back(model.model);
     FigureSeries series{.name = model.model};
@@ -190,7 +180,6 @@ ReportFigure boxesFigure(const CohortInputs& in, const Ledger& ledger) {
       }
       std::sort(series.box->outliers.begin(), series.box->outliers.end());
     }
-    out.provenance.n += std::ssize(series.y);
     out.series.push_back(std::move(series));
   }
   out.notes = {
@@ -207,7 +196,7 @@ ReportFigure boxesFigure(const CohortInputs& in, const Ledger& ledger) {
 
 /// Shows where the classes of raters disagree: class means of every index, one row per model and class.
 ReportFigure classesFigure(const CohortInputs& in, const Ledger& ledger) {
-  ReportFigure out = figure(in, "figure-classes", Text::tr("Mean score by class of raters"),
+  ReportFigure out = figure(in, ledger, "figure-classes", Text::tr("Mean score by class of raters"),
                             FigureKind::kHeatMap, Text::tr("class means of Eq. 25"));
   out.annex = true;
   out.xLabel = Text::tr("index");
@@ -252,7 +241,7 @@ ReportTable comprehensiveTable(const CohortInputs& in, const Ledger& ledger) {
   }
   table.notes = {
       Text::tr("With no mark missing, the class-weighted mean of the raters' own scores equals N exactly.")};
-  table.provenance = provenance(in, Text::tr("Eq. 27"));
+  table.provenance = provenance(in, ledger, Text::tr("Eq. 27"));
   return table;
 }
 
@@ -280,16 +269,7 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model, con
   table.notes = {Text::tr(
       "s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with "
       "divisor n - 1. SE is the standard error of M from the spread within the rater classes.")};
-  table.provenance = provenance(in, Text::tr("Eqs. 25 and 26"));
-  table.provenance.n = 0;
-  for (const ScoreStatistics& s : model.indices) {
-    table.provenance.n += s.n;
-  }
-  for (const ModelRatings& ratings : in.ratings) {
-    if (ratings.model == model.model) {
-      table.provenance.missing = missingOf(in, ratings);
-    }
-  }
+  table.provenance = provenance(in, ledger, Text::tr("Eqs. 25 and 26"), model.model);
   return table;
 }
 

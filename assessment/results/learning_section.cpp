@@ -27,7 +27,8 @@ ReportFigure learningFigure(const CohortInputs& in, const Ledger& ledger) {
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     FigureSeries series{.name = in.groups[g].name, .look = g};
     const Result* last = nullptr;
-    for (ResultKey key{.section = ResultSection::kPractice, .group = g, .number = 1};; ++key.number) {
+    for (ResultKey key{.section = ResultSection::kPractice, .group = ledger.group(g), .number = 1};;
+         ++key.number) {
       const ResultsAt at(ledger, key);
       const Result* mean = at.find("mean_twist_error_deg");
       if (mean == nullptr) {
@@ -35,7 +36,6 @@ ReportFigure learningFigure(const CohortInputs& in, const Ledger& ledger) {
       }
       series.x.push_back(static_cast<double>(key.number));
       addPoint(series, at, "mean_twist_error_deg", true);
-      figure.provenance.n += mean->n;
       mostAtFirst = mostAtFirst == nullptr || mean->n > mostAtFirst->n ? mean : mostAtFirst;
       last = mean;
     }
@@ -44,6 +44,7 @@ ReportFigure learningFigure(const CohortInputs& in, const Ledger& ledger) {
       figure.series.push_back(std::move(series));
     }
   }
+  figure.provenance.n = ResultsAt(ledger, {.section = ResultSection::kPractice}).count("twists_in_means");
   figure.notes = {Text::tr("Twists on the simulator only; a point needs at least two trainees.")};
   if (mostAtFirst != nullptr && fewestAtLast->n < mostAtFirst->n) {
     const ReportCell most = ResultsAt(ledger, mostAtFirst->key)(mostAtFirst->key.statistic, kValues);
@@ -73,7 +74,8 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<PracticeCour
        {Text::tr("Second half (deg)"), "mean_error_second_half_deg", fixed(2)},
        {Text::tr("Error left in the end (deg)")}});
   for (const PracticeCourse& course : all) {
-    const ResultKey place{.section = ResultSection::kPractice, .of = course.trainee, .group = course.group};
+    const ResultKey place{
+        .section = ResultSection::kPractice, .of = course.trainee, .group = ledger.group(course.group)};
     const ResultsAt at(ledger, place);
     ReportCell left = at("error_left_deg", fixed(2));
     if (const Result* found = at.find("error_left_deg"); found != nullptr) {
@@ -84,9 +86,9 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<PracticeCour
       }
     }
     rows.row({in.groups[course.group].name, course.trainee, left}, place);
-    table.provenance.n += std::ssize(course.attempts);
   }
   const ResultsAt whole(ledger, {.section = ResultSection::kPractice});
+  table.provenance.n = whole.count("twists");
   const ReportCell fitted = whole("trainees_with_curve");
   const ReportCell trainees = whole("trainees_with_curve", kValues);
   table.notes = {
@@ -115,18 +117,17 @@ ReportTable doseTable(const CohortInputs& in, const Ledger& ledger) {
                     {Text::tr("Trainees who rested"), "trainees_who_rested"},
                     {Text::tr("Rest in all (min)"), "rest_min", fixed(1)}});
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const ResultKey place{.section = ResultSection::kPractice, .group = g};
+    const ResultKey place{.section = ResultSection::kPractice, .group = ledger.group(g)};
     const ResultsAt at(ledger, place);
-    const Result* trainees = at.find("rest_min");
-    if (trainees == nullptr) {
+    if (at.find("rest_min") == nullptr) {
       continue;
     }
-    const ResultsAt plan(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const ResultsAt plan(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
     rows.row({in.groups[g].name, plan("planned_virtual_min", fixed(1), Text::tr("no plan")),
               plan("planned_real_min", fixed(1), Text::tr("no plan"))},
              place);
-    table.provenance.n += trainees->n;
   }
+  table.provenance.n = ResultsAt(ledger, {.section = ResultSection::kPractice}).count("trainees_with_times");
   table.notes = {Text::tr("Rest stops the clock of the training phases.")};
   const ResultsAt whole(ledger, wholeKey(kTrainingTimes));
   if (whole.number("recorded_share")) {

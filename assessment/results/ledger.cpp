@@ -14,12 +14,11 @@ constexpr std::array<std::string_view, 12> kSectionNames = {
     "evaluation", "training",   "scoring_sheet", "criterion", "agreement",    "comparison",
     "trial",      "competence", "deviation",     "record",    "participants", "practice"};
 
-std::string groupCell(const ResultKey& key, const ResultNames& names) {
-  if (!key.group) {
+std::string groupCell(const ResultKey& key) {
+  if (key.group.empty()) {
     return key.raterClass;
   }
-  const std::string first = names.groups.at(*key.group).str();
-  return key.against ? first + " - " + names.groups.at(*key.against).str() : first;
+  return key.against.empty() ? key.group : key.group + " - " + key.against;
 }
 
 }  // namespace
@@ -33,12 +32,9 @@ std::size_t ResultKeyHash::operator()(const ResultKey& key) const noexcept {
   const auto mix = [&hash](std::size_t part) {
     hash ^= part + 0x9e3779b97f4a7c15ULL + (hash << 6U) + (hash >> 2U);
   };
-  for (const std::string* part :
-       {&key.statistic, &key.of, &key.raterClass, &key.model, &key.index, &key.when, &key.record}) {
+  for (const std::string* part : {&key.statistic, &key.of, &key.group, &key.against, &key.raterClass,
+                                  &key.model, &key.index, &key.occasion, &key.when, &key.record}) {
     mix(std::hash<std::string>{}(*part));
-  }
-  for (const std::optional<std::size_t>& part : {key.group, key.against, key.occasion}) {
-    mix(part ? *part + 1 : 0);
   }
   mix(static_cast<std::size_t>(key.number));
   return hash;
@@ -73,22 +69,26 @@ std::optional<double> numberIn(const ResultValue& value) noexcept {
   return std::nullopt;
 }
 
-std::array<std::string, 7> keyCells(const ResultKey& key, const ResultNames& names) {
+std::array<std::string, 7> keyCells(const ResultKey& key) {
   return {std::string(sectionName(key.section)),
           key.of.empty() ? "all" : key.of,
-          groupCell(key, names),
+          groupCell(key),
           key.model,
           key.number > 0 ? std::to_string(key.number) : key.index,
-          key.occasion ? names.occasions.at(*key.occasion).str() : key.when,
+          key.occasion.empty() ? key.when : key.occasion,
           key.statistic};
 }
 
-std::string keyAddress(const ResultKey& key, const ResultNames& names) {
+std::string keyAddress(const ResultKey& key) {
   std::string address;
-  for (const std::string& cell : keyCells(key, names)) {
+  for (const std::string& cell : keyCells(key)) {
     address += (address.empty() ? "" : ",") + csvCell(cell);
   }
   return address;
+}
+
+std::string Ledger::occasion(std::size_t index) const {
+  return index < names_.occasions.size() ? names_.occasions[index] : std::string();
 }
 
 void Ledger::add(Result result) {

@@ -43,17 +43,17 @@ enum class ResultSection : std::uint8_t {
 /// Identifies one result of a cohort. Fields that do not apply are empty.
 struct ResultKey {
   ResultSection section = ResultSection::kTraining;
-  std::string statistic{};  ///< "score", "icc_2_1"
-  std::string of{};         ///< trainee, rater, scoring sheet; empty: all
-  std::optional<std::size_t> group{};
-  std::optional<std::size_t> against{};  ///< second group of a pairwise comparison
-  std::string raterClass{};              ///< id
+  std::string statistic{};   ///< "score", "icc_2_1"
+  std::string of{};          ///< trainee, rater, scoring sheet; empty: all
+  std::string group{};       ///< name, with its number in the record: "Group 2"
+  std::string against{};     ///< second group of a pairwise comparison
+  std::string raterClass{};  ///< id
   std::string model{};      ///< tissue model; scoring sheet with revision and criterion code; program version
   std::string index{};      ///< of the instrument; rater of a mark; revision of a scoring sheet; exercise
   std::int64_t number = 0;  ///< of a twist, from 1
-  std::optional<std::size_t> occasion{};
-  std::string when{};    ///< phase of a run, time of a deviation
-  std::string record{};  ///< distinguishes equal names: recording, deviation, exercise, sheet
+  std::string occasion{};   ///< name
+  std::string when{};       ///< phase of a run, time of a deviation
+  std::string record{};     ///< distinguishes equal names: recording, deviation, exercise, sheet
 
   friend auto operator<=>(const ResultKey&, const ResultKey&) = default;  // NOLINT(modernize-use-nullptr)
 };
@@ -121,16 +121,16 @@ struct Result {
 /// Returns a value as a number; empty if it is not one.
 [[nodiscard]] std::optional<double> numberIn(const ResultValue& value) noexcept;
 
-/// Names of groups and occasions, by their indices in keys.
+/// Names of groups and occasions in keys, unique, in the order of CohortInputs.
 struct ResultNames {
-  std::vector<Text> groups{};
-  std::vector<Text> occasions{};
+  std::vector<std::string> groups{};
+  std::vector<std::string> occasions{};
 };
 
 /// Returns the cells of a key in cohort.csv: section, item, group, model, index, occasion, statistic.
-[[nodiscard]] std::array<std::string, 7> keyCells(const ResultKey& key, const ResultNames& names);
+[[nodiscard]] std::array<std::string, 7> keyCells(const ResultKey& key);
 /// Returns these cells as one CSV line.
-[[nodiscard]] std::string keyAddress(const ResultKey& key, const ResultNames& names);
+[[nodiscard]] std::string keyAddress(const ResultKey& key);
 
 /// All results of a cohort, unique, in the order of adding.
 class Ledger {
@@ -146,6 +146,11 @@ class Ledger {
   [[nodiscard]] std::vector<const Result*> select(const ResultPattern& pattern) const;
   [[nodiscard]] const std::deque<Result>& every() const noexcept { return results_; }
   [[nodiscard]] const ResultNames& names() const noexcept { return names_; }
+  /// Returns the name of a group of CohortInputs, for a key.
+  [[nodiscard]] const std::string& group(std::size_t index) const { return names_.groups.at(index); }
+  /// Returns the name of an occasion of CohortInputs, for a key; empty if there is none.
+  [[nodiscard]] std::string occasion(std::size_t index) const;
+  [[nodiscard]] std::string lastOccasion() const { return occasion(names_.occasions.size() - 1); }
   /// Visits the results as lines of cohort.csv: an interval "mean_95" as mean_lower_95 and mean_upper_95.
   void eachLine(const std::function<void(const Result&)>& visit) const;
 

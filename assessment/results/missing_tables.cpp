@@ -28,8 +28,8 @@ std::vector<ReportParagraph> otherRaters(const CohortInputs& in, const StudyAnal
   for (const std::size_t t : {lastOf(in), std::size_t{0}}) {
     const std::vector<std::string> codes = absentRaters(study, t);
     if (!codes.empty() && !study.occasions[t].present.empty()) {
-      const ReportCell count =
-          ResultsAt(ledger, {.section = ResultSection::kAgreement, .occasion = t})("raters_absent");
+      const ReportCell count = ResultsAt(
+          ledger, {.section = ResultSection::kAgreement, .occasion = ledger.occasion(t)})("raters_absent");
       out.push_back(
           {Text::tr(
                "Raters with marks at the other end of the study but none %1: %2. The scores before and "
@@ -72,8 +72,8 @@ Text planText(const CohortInputs& in) {
 
 ReportParagraph ratersOfSomeGroupsSentence(const CohortInputs& in, const std::vector<std::string>& codes,
                                            const Ledger& ledger) {
-  const ReportCell count = ResultsAt(
-      ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)})("raters_of_some_groups");
+  const ReportCell count = ResultsAt(ledger, {.section = ResultSection::kAgreement,
+                                              .occasion = ledger.lastOccasion()})("raters_of_some_groups");
   return {
       Text::tr("Raters who scored trainees of some groups only %1: %2. How severe such a rater is cannot be "
                "told from what the training did: a difference between groups may be one between raters.",
@@ -131,7 +131,7 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
     out.insert(out.begin(), Text::verbatim("%1 %2", used, marks));
     return out;
   }
-  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ResultsAt at = resultsAtEnd(ledger);
   const ReportCell lost = at("marks_missing");
   const ReportCell all = at("marks_missing", kValues);
   const ReportCell compared = at("trainees_compared");
@@ -187,11 +187,11 @@ std::optional<ReportTable> missingTable(const CohortInputs& in, const StudyAnaly
   for (const MissingTrainee& trainee : study.missing) {
     rows.row({trainee.trainee, in.groups[trainee.group].name}, {.section = ResultSection::kComparison,
                                                                 .of = trainee.trainee,
-                                                                .group = trainee.group,
-                                                                .occasion = lastOf(in)});
+                                                                .group = ledger.group(trainee.group),
+                                                                .occasion = ledger.lastOccasion()});
   }
-  table.provenance.n = study.endMarks;
-  table.provenance.missing = study.endMissing;
+  table.provenance.n = resultsAtEnd(ledger).count("marks_at_both_ends");
+  table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   table.notes = {Text::tr("Missing: short of the number of marks that most trainees have at that occasion.")};
   return table;
 }
@@ -218,9 +218,9 @@ std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAn
   }
   const MixedComparison& model = *study.mixed;
   for (const MixedComparison::Pair& pair : model.pairs) {
-    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(ledger, pair.first, pair.second));
   }
-  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ResultsAt at = resultsAtEnd(ledger);
   const ReportCell marks = at("mixed_model_marks");
   const ReportCell trainees = at("mixed_model_trainees");
   const ReportCell ofTrainees = at("mixed_model_variance_of_trainees", fixed(3));
@@ -249,8 +249,8 @@ std::optional<ReportTable> mixedModelTable(const CohortInputs& in, const StudyAn
                 "[95 %]: %4.",
                 ofTrainees.words(), ofRaters.words(), residual.words(), slope.words()),
        {ofTrainees, ofRaters, residual, slope}});
-  table.provenance.n = static_cast<std::int64_t>(model.marks);
-  table.provenance.missing = study.endMissing;
+  table.provenance.n = marks;
+  table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   return table;
 }
 
@@ -275,13 +275,13 @@ std::optional<ReportTable> boundsTable(const CohortInputs& in, const StudyAnalys
                   : pair.best->interval.upper < 0.0 ? Text::tr("second is better whatever is missing")
                                                     : Text::tr("not decided");
     }
-    rows.row({pairName(in, pair.first, pair.second), direction}, pairKey(in, pair.first, pair.second));
+    rows.row({pairName(in, pair.first, pair.second), direction}, pairKey(ledger, pair.first, pair.second));
   }
   table.notes = {
       Text::tr("Every missing mark at the end is taken as the lowest of the scale in one group and as the "
                "highest in the other. Trainees without a score before get the mean of the others.")};
-  table.provenance.n = study.endMarks;
-  table.provenance.missing = study.endMissing;
+  table.provenance.n = resultsAtEnd(ledger).count("marks_at_both_ends");
+  table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   return table;
 }
 

@@ -81,6 +81,7 @@ std::optional<ReportTable> modelDifferencesTable(const CohortInputs& in, const L
   table.provenance.formulaVersion.clear();
   table.columns = {Text::tr("Comparison"), Text::tr("Raters"), Text::tr("Difference"),
                    Text::tr("[95 %, after Holm]"), Text::tr("p (Holm)")};
+  std::int64_t most = 0;
   for (const ModelDifference& pair : modelDifferences(in)) {
     const ResultKey key = modelPairKey(in, pair);
     const ResultsAt at(ledger, key);
@@ -88,7 +89,10 @@ std::optional<ReportTable> modelDifferencesTable(const CohortInputs& in, const L
                           at("composite_difference", fixed(2)),
                           at("composite_difference_holm_95", intervalWith(2), ""),
                           at("composite_difference_p_holm", kAsP, "")});
-    table.provenance.n = std::max(table.provenance.n, pair.raters);
+    if (pair.raters > most) {  // the pair that most raters scored
+      most = pair.raters;
+      table.provenance.n = at.count("composite_difference", kValues);
+    }
   }
   table.notes = {
       Text::tr("Every rater is compared with himself or herself: raters who gave every mark of both models. "

@@ -29,14 +29,15 @@ ReportTable groupsTable(const CohortInputs& in, const Ledger& ledger) {
                     {Text::tr("By level"), "by_level", {}, ""},
                     {Text::tr("Mean score before")}});
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const bool scored =
-        ResultsAt(ledger, {.section = ResultSection::kParticipants, .group = g, .occasion = 0})
-            .number("scored")
-            .value_or(0.0) > 0.0;
-    const ResultsAt before(ledger, {.group = g, .occasion = 0});
+    const bool scored = ResultsAt(ledger, {.section = ResultSection::kParticipants,
+                                           .group = ledger.group(g),
+                                           .occasion = ledger.occasion(0)})
+                            .number("scored")
+                            .value_or(0.0) > 0.0;
+    const ResultsAt before(ledger, {.group = ledger.group(g), .occasion = ledger.occasion(0)});
     rows.row({in.groups[g].name, in.groups[g].protocol,
               before("mean", fixed(2), scored ? Text::tr("not shown") : Text::tr("not recorded"))},
-             {.section = ResultSection::kParticipants, .group = g});
+             {.section = ResultSection::kParticipants, .group = ledger.group(g)});
   }
   if (in.allocation.method.empty()) {
     table.notes = {
@@ -58,7 +59,7 @@ ReportTable groupsTable(const CohortInputs& in, const Ledger& ledger) {
         "chance.")};
   }
   table.provenance.formula = Text::tr("counts");
-  table.provenance.n = std::ssize(in.trainees);
+  table.provenance.n = ResultsAt(ledger, {.section = ResultSection::kParticipants}).count("trainees");
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -80,13 +81,14 @@ ReportTable flowTable(const CohortInputs& in, const Ledger& ledger) {
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::vector<ReportCell> labels{in.groups[g].name};
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-      labels.push_back(
-          ResultsAt(ledger, {.section = ResultSection::kParticipants, .group = g, .occasion = t})("scored"));
+      labels.push_back(ResultsAt(ledger, {.section = ResultSection::kParticipants,
+                                          .group = ledger.group(g),
+                                          .occasion = ledger.occasion(t)})("scored"));
     }
-    rows.row(labels, {.section = ResultSection::kParticipants, .group = g});
+    rows.row(labels, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
   }
   table.provenance.formula = Text::tr("counts");
-  table.provenance.n = std::ssize(in.trainees);
+  table.provenance.n = ResultsAt(ledger, {.section = ResultSection::kParticipants}).count("trainees");
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -177,7 +179,7 @@ ReportSection deviationsSection(const CohortInputs& in, const Ledger& ledger) {
                           deviation.kind,
                           {deviation.description, key}});
   }
-  table.provenance.n = std::ssize(in.deviations);
+  table.provenance.n = reported;
   table.provenance.flags = commonFlags(in);
   section.tables.push_back(table);
   return section;
@@ -205,7 +207,7 @@ ReportSection signaturesSection(const CohortInputs& in, const Ledger& ledger) {
                           formatUtc(one.signedUtc_us),
                           in.singleMarks ? Text(one.reason) : Text()});  // a reason may reveal the mark
   }
-  table.provenance.n = std::ssize(in.signatures);
+  table.provenance.n = with;
   table.provenance.flags = commonFlags(in);
   section.tables.push_back(table);
   return section;

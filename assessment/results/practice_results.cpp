@@ -27,8 +27,8 @@ namespace {
 
 using enum ResultSection;
 
-/// Returns the results of single runs of a group.
-ResultPattern runsOf(const std::string& statistic, std::size_t group, const std::string& phase = {}) {
+/// Returns the results of single runs of a group, by its name.
+ResultPattern runsOf(const std::string& statistic, const std::string& group, const std::string& phase = {}) {
   return {.section = kTrial, .statistic = statistic, .of = kEach, .group = group, .when = phase};
 }
 
@@ -72,7 +72,7 @@ void addParticipants(const CohortInputs& in, const CohortInputs& all, Ledger& le
         ++levels[trainee.level];
       }
     }
-    rows.place.group = g;
+    rows.place.group = rows.group(g);
     rows.madeOf = partsOf({enrolments});
     rows.addCount("allocated", allocated, allocated);
     rows.addCount("withdrew", withdrew, allocated);
@@ -80,7 +80,7 @@ void addParticipants(const CohortInputs& in, const CohortInputs& all, Ledger& le
       rows.put("by_sex", countsText({sexes.begin(), sexes.end()}, in.identity), allocated);
       rows.put("by_level", countsText({levels.begin(), levels.end()}, in.identity), allocated);
     }
-    rows.madeOf = partsOf({enrolments, runsOf("minutes", g)});
+    rows.madeOf = partsOf({enrolments, runsOf("minutes", rows.place.group)});
     const auto runs = [&](bool interrupted) {
       return std::count_if(in.trials.begin(), in.trials.end(), [&](const TrialSummaryRow& trial) {
         return trial.group == g && (trial.interrupted || !interrupted);
@@ -90,14 +90,14 @@ void addParticipants(const CohortInputs& in, const CohortInputs& all, Ledger& le
     rows.addCount("runs_interrupted", runs(true), allocated);
     rows.madeOf = partsOf({enrolments, RecordRef{RecordKind::kSheetRequests}});
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-      rows.place.occasion = t;
+      rows.place.occasion = rows.occasion(t);
       rows.addCount(
           "scored",
           std::count_if(all.scores.begin(), all.scores.end(),
                         [&](const TraineeScore& score) { return score.group == g && score.occasion == t; }),
           allocated);
     }
-    rows.place.occasion.reset();
+    rows.place.occasion.clear();
     rows.madeOf = partsOf({RecordRef{RecordKind::kCohortPlan}});
     for (const auto& [name, planned] : {std::pair("planned_virtual_min", in.groups[g].plannedVirtual_min),
                                         {"planned_real_min", in.groups[g].plannedReal_min}}) {
@@ -115,7 +115,7 @@ void addTrainees(const CohortInputs& in, Ledger& ledger) {
     doses[dose.trainee] = &dose;
   }
   for (const CohortTrainee& trainee : in.trainees) {
-    ResultWriter rows(ledger, traineeKey(trainee), commonFlags(in));
+    ResultWriter rows(ledger, traineeKey(ledger, trainee), commonFlags(in));
     rows.madeOf = partsOf({RecordRef{RecordKind::kEnrolments}});
     rows.put("withdrew", trainee.withdrew, 1);
     if (const auto dose = doses.find(trainee.code); dose != doses.end()) {
@@ -138,6 +138,7 @@ void addTimes(const CohortInputs& in, Ledger& ledger) {
     const auto found = groupOf.find(trainee);
     return found != groupOf.end() && found->second == group;
   };
+  std::int64_t withTimes = 0;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t trainees = 0;
     std::int64_t rested = 0;
@@ -160,10 +161,10 @@ void addTimes(const CohortInputs& in, Ledger& ledger) {
       recorded_min += within(trial.trainee, g) && trial.detorsion.empty() ? trial.minutes : 0.0;
     }
     const auto count = static_cast<double>(trainees);
-    rows.place.group = g;
+    rows.place.group = rows.group(g);
     const auto noted = [&](const char* statistic) {
-      return partsOf(
-          {ResultPattern{.section = kParticipants, .statistic = statistic, .of = kEach, .group = g}});
+      return partsOf({ResultPattern{
+          .section = kParticipants, .statistic = statistic, .of = kEach, .group = ledger.group(g)}});
     };
     rows.madeOf = noted("noted_virtual_min");
     rows.add("mean_noted_virtual_min", sum.virtual_min / count, trainees);
@@ -172,8 +173,15 @@ void addTimes(const CohortInputs& in, Ledger& ledger) {
     rows.madeOf = noted("noted_rest_min");
     rows.addCount("trainees_who_rested", rested, trainees);
     rows.add("rest_min", sum.rest_min, trainees);
-    rows.madeOf = partsOf({RecordRef{RecordKind::kTrainingTimes}, runsOf("minutes", g)});
+    rows.madeOf = partsOf({RecordRef{RecordKind::kTrainingTimes}, runsOf("minutes", rows.place.group)});
     rows.add("mean_recorded_virtual_min", recorded_min / count, trainees);
+    withTimes += trainees;
+  }
+  if (withTimes > 0) {
+    rows.place = {.section = kPractice};
+    rows.madeOf =
+        partsOf({ResultPattern{.section = kParticipants, .statistic = "noted_rest_min", .of = kEach}});
+    rows.addCount("trainees_with_times", withTimes, withTimes);
   }
 }
 
@@ -182,7 +190,7 @@ void addReceived(const CohortInputs& in, Ledger& ledger) {
   std::map<std::size_t, std::map<Received, std::int64_t>> counts;
   std::map<std::size_t, std::int64_t> trainees;
   for (const ReceivedTraining& one : receivedTraining(in)) {
-    ResultWriter rows(ledger, {.section = kParticipants, .of = one.trainee, .group = one.group},
+    ResultWriter rows(ledger, {.section = kParticipants, .of = one.trainee, .group = ledger.group(one.group)},
                       commonFlags(in));
     rows.madeOf = partsOf({RecordRef{RecordKind::kCohortPlan}, RecordRef{RecordKind::kTrainingTimes}});
     rows.put("received", Text(std::string(wordOf(one.received))), 1);
@@ -190,9 +198,9 @@ void addReceived(const CohortInputs& in, Ledger& ledger) {
     ++trainees[one.group];
   }
   for (auto& [group, of] : counts) {
-    ResultWriter rows(ledger, {.section = kParticipants, .group = group}, commonFlags(in));
-    rows.madeOf = partsOf(
-        {ResultPattern{.section = kParticipants, .statistic = "received", .of = kEach, .group = group}});
+    ResultWriter rows(ledger, {.section = kParticipants, .group = ledger.group(group)}, commonFlags(in));
+    rows.madeOf = partsOf({ResultPattern{
+        .section = kParticipants, .statistic = "received", .of = kEach, .group = ledger.group(group)}});
     for (const Received received : kEveryReceived) {
       rows.addCount(receivedStatistic(received), of[received], trainees[group]);
     }
@@ -202,7 +210,7 @@ void addReceived(const CohortInputs& in, Ledger& ledger) {
 /// Adds the learning of a trainee: two halves of the twists, and a curve fitted to all of them.
 void addCourse(const PracticeCourse& course, ResultWriter& rows) {
   rows.place.of = course.trainee;
-  rows.place.group = course.group;
+  rows.place.group = rows.group(course.group);
   rows.madeOf =
       partsOf({ResultPattern{.section = kTrial, .statistic = "twist_error_deg", .of = course.trainee}});
   std::vector<double> number;
@@ -247,11 +255,13 @@ void addCurvesFitted(ResultWriter& rows, const Ledger& ledger) {
                 std::ssize(all));
 }
 
-/// Adds a group's mean error at its n-th twist, of at least two trainees who made it.
-void addGroupCourse(const std::vector<PracticeCourse>& all, std::size_t group, ResultWriter& rows) {
+/// Adds a group's mean error at its n-th twist, of at least two trainees who made it; returns of how many
+/// twists in all.
+std::int64_t addGroupCourse(const std::vector<PracticeCourse>& all, std::size_t group, ResultWriter& rows) {
   rows.place.of.clear();
-  rows.place.group = group;
-  rows.madeOf = partsOf({runsOf("twist_error_deg", group)});
+  rows.place.group = rows.group(group);
+  rows.madeOf = partsOf({runsOf("twist_error_deg", rows.place.group)});
+  std::int64_t used = 0;
   for (std::size_t n = 0;; ++n) {
     std::vector<double> errors;
     for (const PracticeCourse& course : all) {
@@ -268,25 +278,21 @@ void addGroupCourse(const std::vector<PracticeCourse>& all, std::size_t group, R
     }
     rows.place.number = static_cast<std::int64_t>(n) + 1;
     rows.addInterval("mean_twist_error_deg", meanOf(errors), interval, std::ssize(errors));
+    used += std::ssize(errors);
   }
   rows.place.number = 0;
+  return used;
 }
 
 /// Adds the runs with twists by group and phase.
 void addRunsByPhase(const CohortInputs& in, Ledger& ledger) {
-  std::map<ResultKey, std::vector<const TrialSummaryRow*>> cells;
-  for (const TrialSummaryRow& trial : in.trials) {
-    if (trial.detorsion.empty()) {
-      cells[phaseKey(trial)].push_back(&trial);
-    }
-  }
-  for (const auto& cell : cells) {
-    const ResultKey& place = cell.first;
-    const std::vector<const TrialSummaryRow*>& runs = cell.second;
+  for (const PhaseRuns& phase : runsByPhase(in, ledger, RunKind::kTwists)) {
+    const ResultKey& place = phase.place;
+    const std::vector<const TrialSummaryRow*>& runs = phase.runs;
     ResultWriter rows(ledger, place, commonFlags(in));
     const std::int64_t n = std::ssize(runs);
     const auto madeOf = [&](const std::string& statistic) {
-      rows.madeOf = partsOf({runsOf(statistic, *place.group, place.when)});
+      rows.madeOf = partsOf({runsOf(statistic, place.group, place.when)});
     };
     const auto addMean = [&](const std::string& name, const std::string& of,
                              std::optional<double> TrialSummaryRow::*member) {
@@ -345,23 +351,17 @@ void addTimeOutOfView(const ResultKey& place, const std::map<std::string, std::v
   };
   const std::int64_t n = std::ssize(lost->second);
   const double whole_s = sum(time->second);
-  rows.madeOf = partsOf({runsOf(lost->first, *place.group, place.when)});
+  rows.madeOf = partsOf({runsOf(lost->first, place.group, place.when)});
   rows.add(kTimeOutOfView, sum(lost->second), n);
   rows.madeOf =
-      partsOf({runsOf(lost->first, *place.group, place.when), runsOf(time->first, *place.group, place.when)});
+      partsOf({runsOf(lost->first, place.group, place.when), runsOf(time->first, place.group, place.when)});
   rows.add(kShareOutOfView, whole_s > 0.0 ? std::optional(sum(lost->second) / whole_s) : std::nullopt, n);
 }
 
 /// Adds untwistings and recordings of other equipment by group and phase: in how many runs a quantity is
 /// above zero, of those that have it, and its median.
-void addMediansByPhase(const CohortInputs& in, Ledger& ledger) {
-  std::map<ResultKey, std::vector<const TrialSummaryRow*>> cells;
-  for (const TrialSummaryRow& trial : in.trials) {
-    if (!trial.detorsion.empty()) {
-      cells[phaseKey(trial)].push_back(&trial);
-    }
-  }
-  for (const auto& [place, runs] : cells) {
+void addMediansByPhase(const CohortInputs& in, RunKind kind, Ledger& ledger) {
+  for (const auto& [group, place, runs] : runsByPhase(in, ledger, kind)) {
     ResultWriter rows(ledger, place, commonFlags(in));
     std::map<std::string, std::vector<double>> values;
     for (const TrialSummaryRow* run : runs) {
@@ -369,19 +369,35 @@ void addMediansByPhase(const CohortInputs& in, Ledger& ledger) {
         values[id].push_back(value);
       }
     }
-    rows.madeOf = partsOf({runsOf("minutes", *place.group, place.when)});
+    rows.madeOf = partsOf({runsOf("minutes", place.group, place.when)});
     rows.addCount("measured_runs", std::ssize(runs), std::ssize(runs));
     for (const auto& [id, found] : values) {
       const std::int64_t n = std::ssize(found);
       rows.madeOf = id == kRegripsBeyondLeast
-                        ? partsOf({runsOf("detorse.regrips", *place.group, place.when),
-                                   runsOf("detorse.least_regrips", *place.group, place.when)})
-                        : partsOf({runsOf(id, *place.group, place.when)});
+                        ? partsOf({runsOf("detorse.regrips", place.group, place.when),
+                                   runsOf("detorse.least_regrips", place.group, place.when)})
+                        : partsOf({runsOf(id, place.group, place.when)});
       rows.addCount("above_zero_" + id,
                     std::count_if(found.begin(), found.end(), [](double value) { return value > 0.0; }), n);
       rows.add("median_" + id, quantile(found, 0.5), n);
     }
     addTimeOutOfView(place, values, rows);
+  }
+}
+
+/// Adds how many runs of each kind there are.
+void addRunCounts(const CohortInputs& in, Ledger& ledger) {
+  for (const RunKind kind : {RunKind::kTwists, RunKind::kUntwisting, RunKind::kForeign}) {
+    std::int64_t runs = 0;
+    for (const PhaseRuns& phase : runsByPhase(in, ledger, kind)) {
+      runs += std::ssize(phase.runs);
+    }
+    if (runs > 0) {
+      ResultWriter rows(ledger, runsKey(kind), commonFlags(in));
+      rows.madeOf = partsOf(
+          {ResultPattern{.section = kTrial, .statistic = "minutes", .of = kEach, .model = rows.place.model}});
+      rows.addCount(kind == RunKind::kTwists ? "runs" : "measured_runs", runs, runs);
+    }
   }
 }
 
@@ -393,7 +409,7 @@ void addForeignCourses(const CohortInputs& in, Ledger& ledger) {
       const std::string metric = idOf(quantity);
       const auto found = trial.detorsion.find(metric);
       if (trial.model == kForeignModel && found != trial.detorsion.end()) {
-        courses[foreignKey(trial.trainee, trial.group, metric)].push_back(found->second);
+        courses[foreignKey(ledger, trial.trainee, trial.group, metric)].push_back(found->second);
       }
     }
   }
@@ -414,10 +430,11 @@ void addForeignCourses(const CohortInputs& in, Ledger& ledger) {
 
 }  // namespace
 
-ResultKey foreignKey(const std::string& trainee, std::size_t group, const std::string& metric) {
+ResultKey foreignKey(const Ledger& ledger, const std::string& trainee, std::size_t group,
+                     const std::string& metric) {
   return {.section = kPractice,
           .of = trainee,
-          .group = group,
+          .group = ledger.group(group),
           .model = std::string(kForeignModel),
           .index = metric};
 }
@@ -439,15 +456,36 @@ std::vector<PracticeCourse> practiceCourses(const CohortInputs& in) {
   return out;
 }
 
-ResultKey traineeKey(const CohortTrainee& trainee) {
-  return {.section = kParticipants, .of = trainee.code, .group = trainee.group};
+ResultKey traineeKey(const Ledger& ledger, const CohortTrainee& trainee) {
+  return {.section = kParticipants, .of = trainee.code, .group = ledger.group(trainee.group)};
 }
 
-ResultKey phaseKey(const TrialSummaryRow& trial) {
-  return {.section = kTrial,
-          .group = trial.group,
-          .model = trial.model == kForeignModel ? trial.model : std::string(),
-          .when = trial.phase.str()};
+ResultKey runsKey(RunKind kind) {
+  return {.section = kTrial, .model = kind == RunKind::kForeign ? std::string(kForeignModel) : std::string()};
+}
+
+std::vector<PhaseRuns> runsByPhase(const CohortInputs& in, const Ledger& ledger, RunKind kind) {
+  std::map<std::pair<std::size_t, std::string>, PhaseRuns> phases;
+  for (const TrialSummaryRow& trial : in.trials) {
+    const bool foreign = trial.model == kForeignModel;
+    const RunKind own = trial.detorsion.empty() ? RunKind::kTwists
+                        : foreign               ? RunKind::kForeign
+                                                : RunKind::kUntwisting;
+    if (own == kind) {
+      PhaseRuns& phase = phases[{trial.group, trial.phase.str()}];
+      phase.group = trial.group;
+      phase.place = {.section = kTrial,
+                     .group = ledger.group(trial.group),
+                     .model = foreign ? trial.model : std::string(),
+                     .when = trial.phase.str()};
+      phase.runs.push_back(&trial);
+    }
+  }
+  std::vector<PhaseRuns> out;
+  for (auto& [place, phase] : phases) {
+    out.push_back(std::move(phase));
+  }
+  return out;
 }
 
 void addPracticeResults(const CohortInputs& in, const CohortInputs& all, Ledger& ledger) {
@@ -463,11 +501,23 @@ void addPracticeResults(const CohortInputs& in, const CohortInputs& all, Ledger&
     addCourse(course, rows);
   }
   addCurvesFitted(rows, ledger);
+  std::int64_t inMeans = 0;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    addGroupCourse(courses, g, rows);
+    inMeans += addGroupCourse(courses, g, rows);
+  }
+  if (!courses.empty()) {
+    rows.place = {.section = kPractice};
+    rows.madeOf = partsOf({ResultPattern{.section = kTrial, .statistic = "twist_error_deg", .of = kEach}});
+    const std::int64_t twists = std::accumulate(
+        courses.begin(), courses.end(), std::int64_t{0},
+        [](std::int64_t sum, const PracticeCourse& one) { return sum + std::ssize(one.attempts); });
+    rows.addCount("twists", twists, twists);
+    rows.addCount("twists_in_means", inMeans, twists);
   }
   addRunsByPhase(in, ledger);
-  addMediansByPhase(in, ledger);
+  addMediansByPhase(in, RunKind::kUntwisting, ledger);
+  addMediansByPhase(in, RunKind::kForeign, ledger);
+  addRunCounts(in, ledger);
   addForeignCourses(in, ledger);
 }
 

@@ -11,11 +11,11 @@ Text provenanceLine(const Provenance& from) {
     parts.push_back(from.formulaVersion.empty() ? from.formula
                                                 : Text::tr("%1 (%2)", from.formula, from.formulaVersion));
   }
-  if (from.n > 0) {
-    parts.push_back(Text::verbatim("n = %1", from.n));
+  if (!from.n.empty()) {
+    parts.push_back(Text::verbatim("n = %1", from.n.words()));
   }
-  if (from.n > 0) {
-    parts.push_back(Text::tr("missing = %1", from.missing));
+  if (!from.missing.empty()) {
+    parts.push_back(Text::tr("missing = %1", from.missing.words()));
   }
   parts.insert(parts.end(), from.flags.begin(), from.flags.end());
   return listed(parts, Text::tr("%1; %2"));

@@ -130,7 +130,7 @@ ReportTable trialsTable(const CohortInputs& in, const Ledger& ledger) {
   table.columns = {Text::tr("Run"),     Text::tr("Trainee"), Text::tr("Phase"),       Text::tr("Model"),
                    Text::tr("Minutes"), Text::tr("Outcome"), Text::tr("Content hash")};
   for (const TrialSummaryRow& trial : in.trials) {
-    const ResultsAt at(ledger, trialKey(trial));
+    const ResultsAt at(ledger, trialKey(ledger, trial));
     table.rows.push_back({{trial.trialId, at("trial").key},
                           trial.trainee,
                           trial.phase,
@@ -141,7 +141,7 @@ ReportTable trialsTable(const CohortInputs& in, const Ledger& ledger) {
   }
   table.notes = {Text::tr(
       "The first 16 digits of each content hash; the whole hashes are in the table of numbers (CSV).")};
-  table.provenance.n = std::ssize(in.trials);
+  table.provenance.n = ResultsAt(ledger, wholeKey(kRecordings)).count("minutes", kValues);
   table.provenance.flags = commonFlags(in);
   return table;
 }

@@ -32,21 +32,21 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study, const L
   figure.yMin = pointsFromSteps(in.trainingScale.lo, in.trainingScale);
   figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
   figure.categories.assign(study.trainees.begin(), study.trainees.end());
-  const OccasionMarks& last = study.occasions.back();
+  const ResultsAt last(ledger, {.section = ResultSection::kAgreement, .occasion = ledger.lastOccasion()});
   for (const std::string& rater : study.raters) {
     FigureSeries series{.name = rater};
     for (std::size_t i = 0; i < study.trainees.size(); ++i) {
-      addPoint(
-          series,
-          ResultsAt(
-              ledger,
-              {.of = study.trainees[i], .group = study.groupOf[i], .index = rater, .occasion = lastOf(in)}),
-          "rater_mark");
+      addPoint(series,
+               ResultsAt(ledger, {.of = study.trainees[i],
+                                  .group = ledger.group(study.groupOf[i]),
+                                  .index = rater,
+                                  .occasion = ledger.lastOccasion()}),
+               "rater_mark");
     }
     figure.series.push_back(std::move(series));
   }
-  figure.provenance.n = last.n;
-  figure.provenance.missing = last.missing;
+  figure.provenance.n = last.count("marks");
+  figure.provenance.missing = last.count("marks_missing");
   figure.notes = {
       Text::tr("A row that is uniformly lighter or darker shows a stricter or more lenient rater. An empty "
                "cell is a missing mark.")};
@@ -69,9 +69,10 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study, 
     figure.categories.emplace_back(rater.rater);
     addPoint(series, ResultsAt(ledger, {.section = ResultSection::kAgreement, .of = rater.rater}),
              "severity_offset", true);
-    figure.provenance.n += rater.n;
     alone = alone || !rater.interval;
   }
+  figure.provenance.n =
+      ResultsAt(ledger, {.section = ResultSection::kAgreement}).count("trainees_of_every_rater");
   figure.series = {series};
   figure.notes = {
       allMarksGiven(in)
@@ -88,8 +89,7 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study, 
 }
 
 /// Shows every mark of the last occasion against the mean of the other raters.
-std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study,
-                                              const Ledger& ledger) {
+std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Ledger& ledger) {
   ReportFigure figure = individualItem<ReportFigure>(
       in, "figure-bland-altman", Text::tr("Each mark against the other raters, last occasion"),
       Text::tr("each mark against the mean of the others, limits for repeated measures"));
@@ -104,7 +104,7 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
     series.x.push_back(*numberIn(ledger.find(both)->value));
     addPoint(series, ResultsAt(ledger, mark->key), kMarkMinusOthers);
   }
-  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)});
+  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = ledger.lastOccasion()});
   const std::optional<double> limit = at.number("limit_against_others");
   if (!limit) {
     return std::nullopt;
@@ -115,8 +115,8 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
   figure.references = {{0.0, Text::tr("as the others")},
                        {-*limit, Text::tr("lower limit")},
                        {*limit, Text::tr("upper limit")}};
-  figure.provenance.n = std::ssize(series.x);
-  figure.provenance.missing = study.occasions.back().missing;
+  figure.provenance.n = at.count("marks_with_others");
+  figure.provenance.missing = at.count("marks_missing");
   figure.notes = {
       {Text::tr("Limits for repeated measures: plus and minus 1.96 standard deviations of one rater's mark "
                 "about the mean "
@@ -136,8 +136,8 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study, cons
                     {Text::tr("Offset [95 %], all occasions"), "severity_offset", kWithInterval},
                     {Text::tr("Limits of agreement, last occasion")}});
   for (const RaterSeverity& rater : study.severity) {
-    const ResultsAt last(ledger,
-                         {.section = ResultSection::kAgreement, .of = rater.rater, .occasion = lastOf(in)});
+    const ResultsAt last(
+        ledger, {.section = ResultSection::kAgreement, .of = rater.rater, .occasion = ledger.lastOccasion()});
     ReportCell limits = last("limit_of_agreement");
     const Result* found = last.find("limit_of_agreement");
     if (const auto* ends = found == nullptr ? nullptr : std::get_if<Interval>(&found->value)) {
@@ -145,8 +145,9 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study, cons
                                             formatFixed(ends->upper, kRaterDecimals));
     }
     rows.row({rater.rater, limits}, {.section = ResultSection::kAgreement, .of = rater.rater});
-    table.provenance.n += rater.n;
   }
+  table.provenance.n =
+      ResultsAt(ledger, {.section = ResultSection::kAgreement}).count("trainees_of_every_rater");
   table.notes = {
       Text::tr("Raters are shown by code, for the organisers of the study; this is not a ranking.")};
   return table;
@@ -170,7 +171,7 @@ ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study, 
     section.figures.push_back(severityFigure(in, study, ledger));
   }
   if (in.singleMarks) {
-    if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study, ledger)) {
+    if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, ledger)) {
       section.figures.push_back(*figure);
     }
   }

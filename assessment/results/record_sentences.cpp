@@ -97,11 +97,11 @@ std::vector<ReportParagraph> blindingSentences(const CohortInputs& in, const Led
   return sentences;
 }
 
-ReportParagraph detectableSentence(const CohortInputs& in, const StudyAnalysis& study, const Ledger& ledger) {
+ReportParagraph detectableSentence(const StudyAnalysis& study, const Ledger& ledger) {
   std::optional<std::pair<double, ReportCell>> least;
   std::optional<std::pair<double, ReportCell>> most;
   for (const PrimaryDifference& pair : primaryDifferences(study)) {
-    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+    const ResultsAt at = resultsOfPair(ledger, pair.first, pair.second);
     const std::optional<double> value = at.number("detectable_difference");
     if (!value) {
       continue;

@@ -16,8 +16,7 @@ namespace torsio {
 [[nodiscard]] std::vector<ReportParagraph> blindingSentences(const CohortInputs& inputs,
                                                              const Ledger& ledger);
 /// States which difference the comparison detects, and what it cannot show.
-[[nodiscard]] ReportParagraph detectableSentence(const CohortInputs& inputs, const StudyAnalysis& study,
-                                                 const Ledger& ledger);
+[[nodiscard]] ReportParagraph detectableSentence(const StudyAnalysis& study, const Ledger& ledger);
 /// States that the cohort is simulated, or imported from where; empty: neither.
 [[nodiscard]] std::vector<Text> originSentences(const CohortInputs& inputs);
 /// States where the cohort came from, by whom and when.

@@ -14,10 +14,10 @@ namespace {
 constexpr int kReliabilityDecimals = 3;
 
 /// Returns how many raters it takes, by the lower end of the interval; otherwise why that is not known.
-ReportParagraph neededSentence(const Ledger& ledger, const CohortInputs& in, const StudyAnalysis& study) {
+ReportParagraph neededSentence(const Ledger& ledger, const StudyAnalysis& study) {
   const RatersNeeded& found = study.needed;
   const GStudy& components = *study.occasions.back().within;
-  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)});
+  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = ledger.lastOccasion()});
   const ReportCell fewest = at("raters_needed", fixed(0));
   const ReportCell byEstimate = at("raters_needed_by_estimate", fixed(0));
   const std::string wanted = formatFixed(kWantedDependability, 2);
@@ -55,23 +55,23 @@ ReportTable ratersNeededTable(const CohortInputs& in, const StudyAnalysis& study
        {Text::tr("Standard error of the mean mark (points)"), "standard_error_of_mean_mark",
         fixed(kReliabilityDecimals), ""}});
   const RatersNeeded& found = study.needed;
-  table.provenance.n = found.marks;
-  table.provenance.missing = study.occasions.back().missing;
+  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = ledger.lastOccasion()});
+  table.provenance.n = at.count("variance_of_trainees", kValues);
+  table.provenance.missing = at.count("marks_missing");
   const Outcome<GStudy>& components = study.occasions.back().within;
   if (!components) {
     table.rows.push_back({notDefined(components.reason()), "", "", ""});
     return table;
   }
   for (const RatersNeeded::Planned& planned : found.planned) {
-    rows.row(
-        {std::to_string(planned.raters)},
-        {.section = ResultSection::kAgreement, .index = ratersIndex(planned.raters), .occasion = lastOf(in)});
+    rows.row({std::to_string(planned.raters)}, {.section = ResultSection::kAgreement,
+                                                .index = ratersIndex(planned.raters),
+                                                .occasion = ledger.lastOccasion()});
   }
   if (std::any_of(found.planned.begin(), found.planned.end(),
                   [](const auto& planned) { return static_cast<bool>(planned.study); })) {
-    table.notes = {neededSentence(ledger, in, study)};
+    table.notes = {neededSentence(ledger, study)};
   }
-  const ResultsAt at(ledger, {.section = ResultSection::kAgreement, .occasion = lastOf(in)});
   const ReportCell trainees = at("variance_of_trainees", fixed(kReliabilityDecimals));
   const ReportCell raters = at("variance_of_raters", fixed(kReliabilityDecimals));
   const ReportCell rest = at("variance_of_rest", fixed(kReliabilityDecimals));
@@ -93,8 +93,9 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study, const
   table.individual = true;
   table.columns = {Text::tr("Rater"), Text::tr("Severity, corrected (logits) [95 %]"),
                    Text::tr("Joint estimate"), Text::tr("Infit"), Text::tr("Outfit")};
-  table.provenance.n = study.occasions.back().n;
-  table.provenance.missing = study.occasions.back().missing;
+  const ResultsAt last(ledger, {.section = ResultSection::kAgreement, .occasion = ledger.lastOccasion()});
+  table.provenance.n = last.count("marks");
+  table.provenance.missing = last.count("marks_missing");
   const Outcome<RaschResult>& found = study.rasch;
   if (!found) {
     table.rows.push_back({notDefined(found.reason()), "", "", "", ""});
@@ -105,7 +106,8 @@ ReportTable raschTable(const CohortInputs& in, const StudyAnalysis& study, const
     const Text none =
         rater.status == RaschStatus::kNoRatings ? Text::tr("no mark here") : Text::tr("only extreme marks");
     const ResultsAt cell(
-        ledger, {.section = ResultSection::kAgreement, .of = study.raters[r], .occasion = lastOf(in)});
+        ledger,
+        {.section = ResultSection::kAgreement, .of = study.raters[r], .occasion = ledger.lastOccasion()});
     table.rows.push_back({study.raters[r], cell("rasch_severity_corrected", kWithInterval, none),
                           cell("rasch_severity", fixed(2), none), cell("rasch_infit", fixed(2), none),
                           cell("rasch_outfit", fixed(2), none)});
@@ -145,15 +147,16 @@ std::optional<ReportTable> withinGroupsTable(const CohortInputs& in, const Study
                     {Text::tr("p (Friedman, all occasions)"), "occasions_friedman_p", kAsP}});
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     const GroupGain& gain = study.gains->within[g];
-    const ResultKey place{.section = ResultSection::kComparison, .group = g, .occasion = lastOf(in)};
+    const ResultKey place{
+        .section = ResultSection::kComparison, .group = ledger.group(g), .occasion = ledger.lastOccasion()};
     ReportCell p = ResultsAt(ledger, place)("gain_signed_rank_p", kAsP);
     if (gain.ranks && !gain.ranks->exact) {  // random sign changes
       static_cast<Text&>(p) = Text::tr("%1, random changes of sign, standard error %2", p.words(),
                                        formatFixed(gain.ranks->error, 4));
     }
     rows.row({in.groups[g].name, gain.ranks ? p : ReportCell()}, place);
-    table.provenance.n += gain.n;
   }
+  table.provenance.n = resultsAtEnd(ledger).count("trainees_compared");
   table.notes = {
       Text::tr("A gain within a group shows no effect of its training: repetition alone may give it. Compare "
                "the groups. p values and intervals of this table are not adjusted for the number of "

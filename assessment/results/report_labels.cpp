@@ -55,6 +55,10 @@ std::optional<double> ResultsAt::number(const std::string& statistic) const {
   return result == nullptr ? std::nullopt : numberIn(result->value);
 }
 
+ReportCell ResultsAt::count(const std::string& statistic, Format format) const {
+  return find(statistic) == nullptr ? ReportCell() : (*this)(statistic, format);
+}
+
 ReportCell ResultsAt::operator()(const std::string& statistic, Format format, const Text& otherwise) const {
   const ResultKey key = keyOf(statistic);
   const Result* result = ledger_->find(key);
@@ -94,8 +98,9 @@ ReportParagraph valuesOfGroups(const CohortInputs& in, const Ledger& ledger,
   std::vector<Text> values;
   std::vector<std::shared_ptr<const ResultKey>> keys;
   for (const std::size_t group : groups) {
-    ResultKey place{
-        .section = ResultSection::kComparison, .group = group, .occasion = in.occasions.size() - 1};
+    ResultKey place{.section = ResultSection::kComparison,
+                    .group = ledger.group(group),
+                    .occasion = ledger.lastOccasion()};
     const ReportCell value = ResultsAt(ledger, std::move(place))(statistic, format);
     values.push_back(Text::verbatim("%1 %2", in.groups[group].name, value.words()));
     keys.push_back(value.key);

@@ -60,6 +60,8 @@ class ResultsAt {
   /// Returns a cell; `otherwise`: its words if the result has no value and no reason for it.
   [[nodiscard]] ReportCell operator()(const std::string& statistic, Format format = {},
                                       const Text& otherwise = Text::tr("not defined")) const;
+  /// Returns a count, or the number of values behind a result, for a caption; empty if there is none.
+  [[nodiscard]] ReportCell count(const std::string& statistic, Format format = {}) const;
   [[nodiscard]] const Result* find(const std::string& statistic) const;
   /// Returns a number; empty if it is undefined, missing or hidden.
   [[nodiscard]] std::optional<double> number(const std::string& statistic) const;
@@ -72,23 +74,22 @@ class ResultsAt {
 };
 
 /// Returns the key for the comparison of two groups.
-[[nodiscard]] inline ResultKey pairKey(const CohortInputs& inputs, std::size_t first, std::size_t second) {
+[[nodiscard]] inline ResultKey pairKey(const Ledger& ledger, std::size_t first, std::size_t second) {
   return {.section = ResultSection::kComparison,
-          .group = first,
-          .against = second,
-          .occasion = inputs.occasions.size() - 1};
+          .group = ledger.group(first),
+          .against = ledger.group(second),
+          .occasion = ledger.lastOccasion()};
 }
 /// Results of the comparison of all groups at the last occasion.
-[[nodiscard]] inline ResultsAt resultsAtEnd(const CohortInputs& inputs, const Ledger& ledger) {
-  return {ledger, {.section = ResultSection::kComparison, .occasion = inputs.occasions.size() - 1}};
+[[nodiscard]] inline ResultsAt resultsAtEnd(const Ledger& ledger) {
+  return {ledger, {.section = ResultSection::kComparison, .occasion = ledger.lastOccasion()}};
 }
 /// Lists a result of that comparison for each of these groups: "Group 1 6.2, Group 2 5.9".
 [[nodiscard]] ReportParagraph valuesOfGroups(const CohortInputs& inputs, const Ledger& ledger,
                                              const std::vector<std::size_t>& groups,
                                              const std::string& statistic, Format format);
-[[nodiscard]] inline ResultsAt resultsOfPair(const CohortInputs& inputs, const Ledger& ledger,
-                                             std::size_t first, std::size_t second) {
-  return {ledger, pairKey(inputs, first, second)};
+[[nodiscard]] inline ResultsAt resultsOfPair(const Ledger& ledger, std::size_t first, std::size_t second) {
+  return {ledger, pairKey(ledger, first, second)};
 }
 
 /// A column of a table: a label if it has no statistic.

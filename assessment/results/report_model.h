@@ -20,15 +20,6 @@ namespace torsio {
 /// Lines of labels and values.
 using Facts = std::vector<std::pair<Text, Text>>;
 
-/// Source of a table or figure, printed below it.
-struct Provenance {
-  Text formula;  ///< "Eq. 26" ...
-  std::string formulaVersion;
-  std::int64_t n = 0;  ///< number of values used
-  std::int64_t missing = 0;
-  std::vector<Text> flags;  ///< "renormalised", "demonstration data" ...
-};
-
 /// Content of a table cell, with the result that it shows, or whose values it counts.
 struct ReportCell : Text {
   ReportCell() = default;
@@ -41,6 +32,15 @@ struct ReportCell : Text {
   [[nodiscard]] const Text& words() const noexcept { return *this; }
 
   std::shared_ptr<const ResultKey> key;  ///< null: no result
+};
+
+/// Source of a table or figure, printed below it.
+struct Provenance {
+  Text formula;  ///< "Eq. 26" ...
+  std::string formulaVersion;
+  ReportCell n;             ///< number of values used; empty: not stated
+  ReportCell missing;       ///< of the values that there should be; empty: none can be missing
+  std::vector<Text> flags;  ///< "renormalised", "demonstration data" ...
 };
 
 /// A sentence with the results that it states.
@@ -185,7 +185,6 @@ struct ReportModel {
   std::string auditHead;       ///< hash of the latest entry of the audit trail
   bool demonstration = false;  ///< stated on every page
   Facts facts;                 ///< on the cover
-  ResultNames names;           ///< for formatting keys of cells
   std::vector<ReportSection> sections;
 };
 

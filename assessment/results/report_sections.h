@@ -40,7 +40,8 @@ inline constexpr int kPointDecimals = 1;
 [[nodiscard]] std::set<std::string> evaluationRaters(const CohortInputs& inputs);
 /// Counts the marks of a model.
 [[nodiscard]] std::int64_t givenMarks(const ModelRatings& model);
-/// Counts the missing marks of these raters over all models.
+/// Count the missing marks of these raters for a model, and over all models.
+[[nodiscard]] std::int64_t missingEvaluationMarks(const CohortInputs& inputs, const ModelRatings& model);
 [[nodiscard]] std::int64_t missingEvaluationMarks(const CohortInputs& inputs);
 /// Result of a single class of raters: Eq. 27 with its means of a model.
 struct ClassScore {
@@ -85,14 +86,25 @@ inline constexpr std::array kForeignQuantities{Quantity::kTime, Quantity::kTipPa
 inline constexpr const char* kTimeOutOfView = "total_view.lost";
 inline constexpr const char* kShareOutOfView = "total_view.lost_share";
 /// Returns the key for a trainee's course of such a quantity.
-[[nodiscard]] ResultKey foreignKey(const std::string& trainee, std::size_t group, const std::string& metric);
+[[nodiscard]] ResultKey foreignKey(const Ledger& ledger, const std::string& trainee, std::size_t group,
+                                   const std::string& metric);
 inline constexpr const char* kRegripsBeyondLeast = "regrips_beyond_least";
 /// Returns tables on recordings of other equipment: medians by group and phase, and each trainee's course
 /// over the recordings. Empty if there are none.
 [[nodiscard]] std::vector<ReportTable> foreignTables(const CohortInputs& inputs, const Ledger& ledger);
 
-/// Returns the key for the runs of the group and phase of a run.
-[[nodiscard]] ResultKey phaseKey(const TrialSummaryRow& trial);
+/// Runs of a group in a phase, oldest first, and the key of their results.
+struct PhaseRuns {
+  std::size_t group = 0;
+  ResultKey place;
+  std::vector<const TrialSummaryRow*> runs;  ///< never empty
+};
+/// Returns the runs with twists, the untwistings, the recordings of other equipment: in the order of groups.
+enum class RunKind : std::uint8_t { kTwists, kUntwisting, kForeign };
+/// Returns the key for how many runs of this kind there are.
+[[nodiscard]] ResultKey runsKey(RunKind kind);
+[[nodiscard]] std::vector<PhaseRuns> runsByPhase(const CohortInputs& inputs, const Ledger& ledger,
+                                                 RunKind kind);
 
 /// Returns the index of results for this number of raters.
 [[nodiscard]] std::string ratersIndex(std::size_t raters);

@@ -20,9 +20,8 @@ using ResultFlags = std::vector<std::string>;
   return set ? ResultFlags{flag} : ResultFlags{};
 }
 
-/// Matches the raters' marks of an occasion and group; empty: of all.
-[[nodiscard]] inline ResultPattern marksAt(std::optional<std::size_t> occasion,
-                                           std::optional<std::size_t> group = std::nullopt) {
+/// Matches the raters' marks of an occasion and group, by their names; empty: of all.
+[[nodiscard]] inline ResultPattern marksAt(const std::string& occasion, const std::string& group = {}) {
   return {.statistic = "rater_mark", .of = kEach, .group = group, .occasion = occasion};
 }
 
@@ -38,6 +37,10 @@ class ResultWriter {
   ResultKey place;
   ResultParts madeOf;
   Origin origin = Origin::kUnplanned;
+
+  /// Return the names of a group and of an occasion of CohortInputs, for `place`.
+  [[nodiscard]] std::string group(std::size_t index) const { return ledger_.group(index); }
+  [[nodiscard]] std::string occasion(std::size_t index) const { return ledger_.occasion(index); }
 
   /// Sets flags of these results in addition to the cohort's.
   void setFlags(const ResultFlags& own);

@@ -21,14 +21,11 @@ constexpr const char* kVarianceOfMarks = "variance_of_all_marks_divisor_n";
 constexpr std::size_t kOccasionsOfPaper = 3;
 constexpr std::size_t kFirstScoresFigure = 20;
 
-Provenance provenance(const CohortInputs& in, const Text& formula, std::int64_t n) {
-  Provenance out;
-  out.formula = formula;
-  out.formulaVersion = kTrainingFormulaVersion;
-  out.n = n;
-  out.missing = std::ssize(in.trainees) * std::ssize(in.occasions) - std::ssize(in.scores);
-  out.flags = commonFlags(in);
-  return out;
+/// `place`: an occasion or a group; of all without either.
+Provenance provenance(const CohortInputs& in, const Ledger& ledger, const Text& formula,
+                      const ResultKey& place = {}) {
+  const ResultsAt at(ledger, place);
+  return {formula, kTrainingFormulaVersion, at.count("scores"), at.count("scores_missing"), commonFlags(in)};
 }
 
 void fixScale(const CohortInputs& in, ReportFigure& figure) {
@@ -50,7 +47,6 @@ ReportFigure scoresFigure(const CohortInputs& in, const Ledger& ledger, std::siz
   out.yLabel = Text::tr("score (points)");
   fixScale(in, out);
   std::size_t largest = 0;
-  std::int64_t n = 0;
   for (const TraineeScore& score : in.scores) {
     largest = std::max(largest, score.number);
   }
@@ -64,10 +60,13 @@ ReportFigure scoresFigure(const CohortInputs& in, const Ledger& ledger, std::siz
     for (const TraineeScore& score : in.scores) {
       if (score.group == g && score.occasion == occasion) {
         FigureSeries point;
-        addPoint(point, ResultsAt(ledger, {.of = score.trainee, .group = g, .occasion = occasion}), "score");
+        addPoint(
+            point,
+            ResultsAt(ledger,
+                      {.of = score.trainee, .group = ledger.group(g), .occasion = ledger.occasion(occasion)}),
+            "score");
         series.y[score.number - 1] = point.y.front();
         series.keys[score.number - 1] = point.keys.front();
-        ++n;
       }
     }
     out.series.push_back(std::move(series));
@@ -75,8 +74,8 @@ ReportFigure scoresFigure(const CohortInputs& in, const Ledger& ledger, std::siz
   out.notes = {ofPaper ? Text::tr("Corresponds to Fig. %1 of the paper. A score is the mean over the raters.",
                                   kFirstScoresFigure + occasion)
                        : Text::tr("A score is the mean over the raters.")};
-  out.provenance = provenance(in, Text::tr("mean over raters"), n);
-  out.provenance.missing = std::ssize(in.trainees) - n;
+  out.provenance =
+      provenance(in, ledger, Text::tr("mean over raters"), {.occasion = ledger.occasion(occasion)});
   return out;
 }
 
@@ -87,7 +86,8 @@ std::vector<FigureSeries> groupSeries(const CohortInputs& in, const Ledger& ledg
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     FigureSeries series{.name = in.groups[g].name};
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-      addPoint(series, ResultsAt(ledger, {.group = g, .occasion = t}), statistic);
+      addPoint(series, ResultsAt(ledger, {.group = ledger.group(g), .occasion = ledger.occasion(t)}),
+               statistic);
     }
     all.push_back(std::move(series));
   }
@@ -106,7 +106,7 @@ ReportFigure varianceFigure(const CohortInputs& in, const Ledger& ledger) {
   out.notes = {Text::tr(
       "Corresponds to Fig. 23 of the paper, which does not define its variance. Drawn is the variance of the "
       "trainee scores of a group about their mean, divisor n; the table gives two other readings.")};
-  out.provenance = provenance(in, Text::tr("variance of trainee scores, divisor n"), std::ssize(in.scores));
+  out.provenance = provenance(in, ledger, Text::tr("variance of trainee scores, divisor n"));
   return out;
 }
 
@@ -120,7 +120,7 @@ ReportFigure meansFigure(const CohortInputs& in, const Ledger& ledger) {
   fixScale(in, out);
   out.categories = in.occasions;
   out.series = groupSeries(in, ledger, "mean");
-  out.provenance = provenance(in, Text::tr("mean over trainees"), std::ssize(in.scores));
+  out.provenance = provenance(in, ledger, Text::tr("mean over trainees"));
   return out;
 }
 
@@ -143,20 +143,22 @@ ReportFigure coursesFigure(const CohortInputs& in, const Ledger& ledger, std::si
   for (const TraineeScore& score : in.scores) {
     if (score.group == group) {
       trainees.insert(score.trainee);
-      ++out.provenance.n;
     }
   }
   for (const std::string& trainee : trainees) {
     FigureSeries series{.name = trainee, .look = group, .faint = true};
     for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-      addPoint(series, ResultsAt(ledger, {.of = trainee, .group = group, .occasion = t}), "score");
+      addPoint(
+          series,
+          ResultsAt(ledger, {.of = trainee, .group = ledger.group(group), .occasion = ledger.occasion(t)}),
+          "score");
     }
     out.series.push_back(std::move(series));
   }
   FigureSeries mean{.name = Text::tr("mean [95 %]"), .look = group};
   bool alone = false;
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-    const ResultsAt at(ledger, {.group = group, .occasion = t});
+    const ResultsAt at(ledger, {.group = ledger.group(group), .occasion = ledger.occasion(t)});
     addPoint(mean, at, "mean", true);
     alone = alone || (at.find("mean") != nullptr && at.find("mean")->n == 1);
   }
@@ -164,13 +166,8 @@ ReportFigure coursesFigure(const CohortInputs& in, const Ledger& ledger, std::si
   if (alone) {
     out.notes = {Text::tr("Where a single trainee has a score the mean has no interval.")};
   }
-  const std::int64_t n = out.provenance.n;
-  out.provenance = provenance(in, Text::tr("mean over raters; mean over trainees with Student's t"), n);
-  std::int64_t members = 0;
-  for (const CohortTrainee& trainee : in.trainees) {
-    members += trainee.group == group ? 1 : 0;
-  }
-  out.provenance.missing = members * std::ssize(in.occasions) - n;
+  out.provenance = provenance(in, ledger, Text::tr("mean over raters; mean over trainees with Student's t"),
+                              {.group = ledger.group(group)});
   return out;
 }
 
@@ -195,23 +192,23 @@ ReportTable summaryTable(const CohortInputs& in, const Ledger& ledger) {
        {Text::tr("Variance of all marks, divisor n"), kVarianceOfMarks, fixed(kVarianceDecimals)},
        {Text::tr("Mean variance between raters, divisor n - 1"),
         "mean_between_rater_variance_divisor_n_minus_1", fixed(kVarianceDecimals)}});
-  std::int64_t n = 0;
   for (const GroupSummary& s : in.summaries) {
-    n += s.marks;
-    rows.row({in.occasions[s.occasion], in.groups[s.group].name}, {.group = s.group, .occasion = s.occasion});
+    rows.row({in.occasions[s.occasion], in.groups[s.group].name},
+             {.group = ledger.group(s.group), .occasion = ledger.occasion(s.occasion)});
   }
   table.notes = {Text::tr(
       "The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.")};
-  table.provenance = provenance(in, Text::tr("group summaries"), n);
-  table.provenance.missing = 0;
+  const ResultsAt whole(ledger, {});
+  table.provenance = {Text::tr("group summaries"), kTrainingFormulaVersion, whole.count("marks"),
+                      whole.count("marks_missing"), commonFlags(in)};
   std::vector<Text> where;
   std::vector<std::shared_ptr<const ResultKey>> keys;
   const std::vector<std::vector<std::int64_t>> missing = missingByGroup(in);
   for (std::size_t g = 0; g < missing.size(); ++g) {
     for (std::size_t t = 0; t < missing[g].size(); ++t) {
-      table.provenance.missing += missing[g][t];
       if (missing[g][t] > 0) {
-        const ReportCell count = ResultsAt(ledger, {.group = g, .occasion = t})("marks_missing_at_occasion");
+        const ReportCell count = ResultsAt(
+            ledger, {.group = ledger.group(g), .occasion = ledger.occasion(t)})("marks_missing_at_occasion");
         where.push_back(Text::verbatim("%1, %2: %3", in.groups[g].name, in.occasions[t], count.words()));
         keys.push_back(count.key);
       }
@@ -243,13 +240,14 @@ ReportTable scoresTable(const CohortInputs& in, const Ledger& ledger) {
       row.resize(table.columns.size(), Text::tr("missing"));
     }
     row[3 + score.occasion] =
-        ResultsAt(ledger, {.of = score.trainee, .group = score.group, .occasion = score.occasion})(
-            "score", fixed(kMarkDecimals));
+        ResultsAt(ledger, {.of = score.trainee,
+                           .group = ledger.group(score.group),
+                           .occasion = ledger.occasion(score.occasion)})("score", fixed(kMarkDecimals));
   }
   for (auto& [place, row] : rows) {
     table.rows.push_back(std::move(row));
   }
-  table.provenance = provenance(in, Text::tr("mean over raters"), std::ssize(in.scores));
+  table.provenance = provenance(in, ledger, Text::tr("mean over raters"));
   return table;
 }
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,16 +37,10 @@ ReportTable trialsByPhase(const CohortInputs& in, const Ledger& ledger) {
                      Text::tr("not recorded")},
                     {meanTitle(Quantity::kPeakForce), "mean_peak_force_N", shownAs(Quantity::kPeakForce),
                      Text::tr("not recorded")}});
-  std::map<ResultKey, Text> phases;
-  for (const TrialSummaryRow& trial : in.trials) {
-    if (trial.detorsion.empty()) {  // untwistings are in a separate table
-      phases[phaseKey(trial)] = trial.phase;
-      ++table.provenance.n;
-    }
+  for (const auto& [group, place, runs] : runsByPhase(in, ledger, RunKind::kTwists)) {
+    rows.row({in.groups[group].name, runs.front()->phase}, place);
   }
-  for (const auto& [place, phase] : phases) {
-    rows.row({in.groups[*place.group].name, phase}, place);
-  }
+  table.provenance.n = ResultsAt(ledger, runsKey(RunKind::kTwists)).count("runs");
   table.notes = {Text::tr(
       "Means are taken over runs. Measured by the simulator; the marks of the physicians are separate.")};
   table.provenance.formula = Text::tr("means over runs");
@@ -57,10 +50,10 @@ ReportTable trialsByPhase(const CohortInputs& in, const Ledger& ledger) {
 
 }  // namespace
 
-ResultKey trialKey(const TrialSummaryRow& trial) {
+ResultKey trialKey(const Ledger& ledger, const TrialSummaryRow& trial) {
   return {.section = ResultSection::kTrial,
           .of = trial.trainee,
-          .group = trial.group,
+          .group = ledger.group(trial.group),
           .model = trial.model,
           .when = trial.phase.str(),
           .record = trial.trialId.text()};
@@ -124,14 +117,7 @@ ReportCell median(const ResultsAt& at, Quantity quantity) {
 }  // namespace
 
 std::optional<ReportTable> detorsionTable(const CohortInputs& in, const Ledger& ledger) {
-  std::map<ResultKey, Text> phases;
-  std::int64_t trials = 0;
-  for (const TrialSummaryRow& trial : in.trials) {
-    if (!trial.detorsion.empty() && trial.model != kForeignModel) {
-      phases[phaseKey(trial)] = trial.phase;
-      ++trials;
-    }
-  }
+  const std::vector<PhaseRuns> phases = runsByPhase(in, ledger, RunKind::kUntwisting);
   if (phases.empty()) {
     return std::nullopt;
   }
@@ -150,17 +136,17 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in, const Ledger& 
                    medianTitle(Quantity::kDose),
                    Text::tr("Median re-grips beyond the least number"),
                    medianTitle(Quantity::kSlipBack)};
-  for (const auto& [place, phase] : phases) {
-    const ResultsAt at(ledger, place);
+  for (const PhaseRuns& phase : phases) {
+    const ResultsAt at(ledger, phase.place);
     const ReportCell runs = at("measured_runs");
     ReportCell blood = yes(at, Quantity::kTimeToFlow, runs);
     if (blood.key == nullptr) {
       blood = {Text::tr("%1 of %2", 0, runs.words()), runs.key};
     }
-    table.rows.push_back({in.groups[*place.group].name, phase, runs, yes(at, Quantity::kUntwisted),
-                          yes(at, Quantity::kRelapse), yes(at, Quantity::kFirstDirection),
-                          yes(at, Quantity::kOverloadTime), blood, median(at, Quantity::kTimeToFlow),
-                          median(at, Quantity::kDose),
+    table.rows.push_back({in.groups[phase.group].name, phase.runs.front()->phase, runs,
+                          yes(at, Quantity::kUntwisted), yes(at, Quantity::kRelapse),
+                          yes(at, Quantity::kFirstDirection), yes(at, Quantity::kOverloadTime), blood,
+                          median(at, Quantity::kTimeToFlow), median(at, Quantity::kDose),
                           at(std::string("median_") + kRegripsBeyondLeast, shownAs(Quantity::kRegrips, 1),
                              Text::tr("not recorded")),
                           median(at, Quantity::kSlipBack)});
@@ -173,15 +159,14 @@ std::optional<ReportTable> detorsionTable(const CohortInputs& in, const Ledger& 
           "dose of 1 on the organ is lost."),
       Text::tr("Tissue was injured because the jaw or the pull exceeded what it could bear at that moment.")};
   table.provenance.formula = Text::tr("medians over runs");
-  table.provenance.n = trials;
+  table.provenance.n = ResultsAt(ledger, runsKey(RunKind::kUntwisting)).count("measured_runs");
   table.provenance.flags = commonFlags(in);
   return table;
 }
 
 namespace {
 
-ReportTable mediansTable(const CohortInputs& in, const Ledger& ledger,
-                         const std::map<ResultKey, Text>& phases) {
+ReportTable mediansTable(const CohortInputs& in, const Ledger& ledger, const std::vector<PhaseRuns>& phases) {
   ReportTable table =
       itemOf<ReportTable>(in, "table-foreign", Text::tr("Recordings of other equipment by group and phase"),
                           Text::tr("medians over runs"));
@@ -196,9 +181,10 @@ ReportTable mediansTable(const CohortInputs& in, const Ledger& ledger,
   columns.push_back(
       {titleWithUnit(Quantity::kUnseenShare), kShareOutOfView, shownAs(Quantity::kUnseenShare)});
   ResultTable rows(ledger, table, std::move(columns));
-  for (const auto& [place, phase] : phases) {
-    rows.row({in.groups[*place.group].name, phase}, place);
+  for (const auto& [group, place, runs] : phases) {
+    rows.row({in.groups[group].name, runs.front()->phase}, place);
   }
+  table.provenance.n = ResultsAt(ledger, runsKey(RunKind::kForeign)).count("measured_runs");
   table.notes = {
       Text::tr("Force, torque and twist do not apply: no organ answered, and nothing can be computed again."),
       Text::tr(
@@ -218,9 +204,8 @@ ReportTable foreignCourses(const CohortInputs& in, const Ledger& ledger,
                    Text::tr("First"), Text::tr("Last"),    Text::tr("Left in the end")};
   for (const auto& [group, trainee] : trainees) {
     for (const Quantity quantity : kForeignQuantities) {
-      const ResultsAt at(ledger, foreignKey(trainee, group, idOf(quantity)));
-      const Result* runs = at.find("runs");
-      if (runs == nullptr) {
+      const ResultsAt at(ledger, foreignKey(ledger, trainee, group, idOf(quantity)));
+      if (at.find("runs") == nullptr) {
         continue;
       }
       const Format format = shownAs(quantity);
@@ -230,9 +215,9 @@ ReportTable foreignCourses(const CohortInputs& in, const Ledger& ledger,
       }
       table.rows.push_back({in.groups[group].name, trainee, titleWithUnit(quantity), at("runs"),
                             at("first", format), at("last", format), std::move(left)});
-      table.provenance.n += runs->n;
     }
   }
+  table.provenance.n = ResultsAt(ledger, runsKey(RunKind::kForeign)).count("measured_runs");
   table.notes = {
       Text::tr("Each trainee is fitted alone; eight runs are the fewest for a curve with three parameters.")};
   return table;
@@ -241,22 +226,17 @@ ReportTable foreignCourses(const CohortInputs& in, const Ledger& ledger,
 }  // namespace
 
 std::vector<ReportTable> foreignTables(const CohortInputs& in, const Ledger& ledger) {
-  std::map<ResultKey, Text> phases;
+  const std::vector<PhaseRuns> phases = runsByPhase(in, ledger, RunKind::kForeign);
   std::set<std::pair<std::size_t, std::string>> trainees;
-  std::int64_t runs = 0;
-  for (const TrialSummaryRow& trial : in.trials) {
-    if (trial.model == kForeignModel) {
-      phases[phaseKey(trial)] = trial.phase;
-      trainees.insert({trial.group, trial.trainee});
-      ++runs;
+  for (const PhaseRuns& phase : phases) {
+    for (const TrialSummaryRow* trial : phase.runs) {
+      trainees.insert({phase.group, trial->trainee});
     }
   }
   if (phases.empty()) {
     return {};
   }
-  ReportTable medians = mediansTable(in, ledger, phases);
-  medians.provenance.n = runs;
-  return {std::move(medians), foreignCourses(in, ledger, trainees)};
+  return {mediansTable(in, ledger, phases), foreignCourses(in, ledger, trainees)};
 }
 
 }  // namespace torsio

@@ -17,7 +17,7 @@ constexpr int kWeightDecimals = 2;
 constexpr std::int64_t kWholeWeight = 1000;  // thousandths
 
 /// Lists what is missing from an unfinished evaluation.
-ReportTable unscoredTable(const CohortInputs& in) {
+ReportTable unscoredTable(const CohortInputs& in, const Ledger& ledger) {
   ReportTable table;
   table.id = "table-evaluation-unscored";
   table.title = Text::tr("What no rater of a class has scored");
@@ -30,8 +30,8 @@ ReportTable unscoredTable(const CohortInputs& in) {
                               : listed(names)});
   }
   table.provenance.formula = Text::tr("counts");
-  table.provenance.n = in.unfinishedEvaluation->marks;
-  table.provenance.missing = missingEvaluationMarks(in);
+  table.provenance.n = ResultsAt(ledger, {.section = ResultSection::kEvaluation}).count("marks_in_so_far");
+  table.provenance.missing = ResultsAt(ledger, wholeKey(kEvaluationMarks)).count("missing");
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -49,7 +49,6 @@ ReportTable classesTable(const CohortInputs& in, const Ledger& ledger) {
                     {Text::tr("Marks"), "class_marks"},
                     {Text::tr("Score of the class"), kClassScoreStatistic, fixed(kClassScoreDecimals)}});
   for (const ModelRatings& model : in.ratings) {
-    table.provenance.n += givenMarks(model);
     for (const RaterClass& raterClass : in.instrument.classes) {
       const ResultsAt weight(ledger, {.section = ResultSection::kEvaluation, .raterClass = raterClass.id});
       rows.row({model.model, raterClass.name, weight("class_weight", fixed(kWeightDecimals))},
@@ -61,7 +60,8 @@ ReportTable classesTable(const CohortInputs& in, const Ledger& ledger) {
       "weight is missing: the weights of the others would have to be made up.")};
   table.provenance.formula = Text::tr("Eq. 27 on the means of one class");
   table.provenance.formulaVersion = kEvaluationFormulaVersion;
-  table.provenance.missing = missingEvaluationMarks(in);
+  table.provenance.n = ResultsAt(ledger, wholeKey(kEvaluationMarks)).count("missing", kValues);
+  table.provenance.missing = ResultsAt(ledger, wholeKey(kEvaluationMarks)).count("missing");
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -87,11 +87,14 @@ std::int64_t givenMarks(const ModelRatings& model) {
   return given;
 }
 
+std::int64_t missingEvaluationMarks(const CohortInputs& in, const ModelRatings& model) {
+  return std::ssize(evaluationRaters(in)) * std::ssize(in.instrument.indices) - givenMarks(model);
+}
+
 std::int64_t missingEvaluationMarks(const CohortInputs& in) {
   std::int64_t missing = 0;
-  const std::int64_t each = std::ssize(evaluationRaters(in)) * std::ssize(in.instrument.indices);
   for (const ModelRatings& model : in.ratings) {
-    missing += each - givenMarks(model);
+    missing += missingEvaluationMarks(in, model);
   }
   return missing;
 }
@@ -136,7 +139,7 @@ ReportSection unfinishedSection(const CohortInputs& in, const Ledger& ledger) {
        {marks}},
       Text::tr("Marks are still missing from: %1.", listed(std::vector<Text>(names.begin(), names.end())))};
   if (!in.unfinishedEvaluation->unscored.empty()) {
-    section.tables.push_back(unscoredTable(in));
+    section.tables.push_back(unscoredTable(in, ledger));
   }
   if (!in.ratings.empty()) {
     section.tables.push_back(classesTable(in, ledger));

@@ -113,9 +113,11 @@ finished <- length(models) > 0 &&
 
 composites <- list()
 if (finished) {
+  all_used_marks <- 0
   for (model in models) {
     of_model <- evaluation[evaluation$model == model & !is.na(evaluation$mark), ]
     m_of_index <- numeric(0)
+    used_marks <- 0
     for (index in indices) {
       of_index <- of_model[of_model$index == index, ]
       x <- split(of_index$mark, factor(of_index$class, levels = classes))
@@ -133,11 +135,16 @@ if (finished) {
       at("class_weighted_moment", m$square - m$mean^2)
       at("se_of_M", m$se)
       at("se_df", m$df)
+      used_marks <- used_marks + n
       put_evaluation("class_mean", sapply(x, function(one) if (length(one)) mean(one) else NA_real_),
                      group = classes, model = model, index = index)
       m_of_index <- c(m_of_index, m$mean)
     }
     put_evaluation("N_eq27", sum(v * m_of_index) / sum(v), model = model)
+    put_evaluation("marks_used", used_marks, model = model)
+    put_evaluation("marks_missing", length(unique(evaluation$rater)) * length(indices) - nrow(of_model),
+                   model = model)
+    all_used_marks <- all_used_marks + used_marks
 
     # Composite of a rater: mean of the marks by index weight, for raters with a mark for every index.
     asked <- unique(evaluation[evaluation$model == model, c("rater", "class")])
@@ -166,6 +173,16 @@ if (finished) {
                    model = model)
   }
 
+  put_evaluation("marks_used", all_used_marks)
+  put_evaluation("marks_missing", length(unique(evaluation$rater)) * length(indices) * length(models) -
+                   sum(!is.na(evaluation$mark)))
+  put_evaluation("composites", sum(sapply(composites, nrow)))
+  asked <- unique(evaluation[c("rater", "class")])
+  for (class in classes[classes %in% asked$class]) {
+    put_evaluation("composites", sum(sapply(composites, function(one) sum(one$class == class))),
+                   group = class)
+  }
+
   # Do the raters rank the models alike? Friedman's test; Kendall's W is the same statistic as a share.
   both <- Reduce(intersect, lapply(composites, function(one) one$rater))
   if (length(models) > 1 && length(both) > 1) {
@@ -175,6 +192,7 @@ if (finished) {
     put_evaluation("models_friedman_df", unname(test$parameter))
     put_evaluation("models_friedman_p", test$p.value)
     put_evaluation("models_kendall_w", unname(test$statistic) / (length(both) * (length(models) - 1)))
+    put_evaluation("composites_ranked", length(both) * length(models))
     put_evaluation("mean_rank", colMeans(t(apply(blocks, 1, rank))), model = models)
   }
 
@@ -251,6 +269,17 @@ for (t in seq_along(occasions)) {
 if (nrow(marks) > 0) {
   put_training("raters", length(raters))
   put_training("marks", nrow(marks))
+  put_training("marks_missing", sum(marks_missing))
+  scored <- do.call(cbind, lapply(score_at, function(score) !is.na(score)))   # trainees x occasions
+  put_training("scores", sum(scored))
+  put_training("scores_missing", nrow(people) * last - sum(scored))
+  put_training("scores", colSums(scored), occasion = occasions)
+  put_training("scores_missing", nrow(people) - colSums(scored), occasion = occasions)
+  for (group in groups) {
+    put_training("scores", sum(scored[group_of == group, ]), group = group)
+    put_training("scores_missing", sum(people$group == group) * last - sum(scored[group_of == group, ]),
+                 group = group)
+  }
   put_training("marks", as.vector(table(marks$trainee)[trainees]), item = trainees)
   for (t in seq_along(occasions)) {
     occasion <- occasions[t]
@@ -539,16 +568,28 @@ if (nrow(marks) > 0) {
     others <- (rowSums(x, na.rm = TRUE) - ifelse(is.na(x), 0, x)) / (rowSums(!is.na(x)) - !is.na(x))
     ifelse(is.finite(others), x - others, NA)
   })
+  trainees_of_raters <- 0
   for (r in seq_along(raters)) {
     own <- rowMeans(sapply(minus_others, function(d) d[, r]), na.rm = TRUE)
     own <- own[!is.nan(own)]
     if (length(own) == 0) next
+    trainees_of_raters <- trainees_of_raters + length(own)
     put_agreement("severity_offset", mean(own), item = raters[r])
     if (length(own) > 1) {
       ends <- mean_interval(own)
       put_interval("agreement", "severity_offset", ends[1], ends[2], item = raters[r])
     }
   }
+
+  put_agreement("trainees_of_every_rater", trainees_of_raters)
+
+  # Marks of the raters who gave any at the occasion; the others' marks do not count as missing.
+  given_at <- sapply(marks_at, function(x) sum(!is.na(x)))
+  lacking_at <- sapply(marks_at, function(x) sum(is.na(x[, colSums(!is.na(x)) > 0, drop = FALSE])))
+  put_agreement("marks", given_at, occasion = occasions)
+  put_agreement("marks_missing", lacking_at, occasion = occasions)
+  put_agreement("marks", sum(given_at))
+  put_agreement("marks_missing", sum(lacking_at))
 
   # Limits of agreement of a rater against the mean of the others (Bland and Altman 1986), at the end, for
   # trainees with a mark from every rater.
@@ -582,6 +623,8 @@ if (nrow(marks) > 0) {
                   index = raters[known], occasion = end)
     put_agreement("mark_minus_others", d[known], item = trainees[i], index = raters[known], occasion = end)
   }
+
+  put_agreement("marks_with_others", sum(!is.na(minus_others[[last]])), occasion = end)
 
   # Raters who marked at one end of the study only, or not every group at the end.
   at_start <- colSums(!is.na(marks_at[[1]])) > 0
@@ -950,6 +993,8 @@ if (last > 1 && nrow(marks) > 0) {
                                                                    pairs = nrow(primary)),
                    group = usable$pair)
     put_comparison("marks_missing", sum(missing_before + missing_after))
+    put_comparison("marks_at_both_ends", sum(!is.na(marks_at[[1]])) +
+                     if (last > 1) sum(!is.na(marks_at[[last]])) else 0)
     put_comparison("trainees_compared", sum(compared))
     put_comparison("trainees_left_out", sum(!compared))
 
@@ -1597,6 +1642,8 @@ for (cell in split(twisting, paste(twisting$group, twisting$when, sep = "\t"))) 
   at("mean_peak_force_N", mean_of_known(cell$force))
 }
 
+if (nrow(twisting) > 0) put("trial", "runs", nrow(twisting))
+
 # Untwisting and other equipment: in how many runs a quantity is above zero, and its median.
 other <- runs[is.na(runs$twists), ]
 always <- c("minutes", "refused_samples", "force_cuts", "outcome", "trial", "content_hash")
@@ -1610,6 +1657,9 @@ beyond <- data.frame(run = regrips$run, statistic = rep("regrips_beyond_least", 
                      value = beyond)
 quantities <- rbind(quantities, beyond[!is.na(beyond$value), ])
 other$model[other$model != "foreign recording"] <- ""
+for (of_model in split(other, other$model)) {
+  put("trial", "measured_runs", nrow(of_model), model = of_model$model[1])
+}
 for (cell in split(other, paste(other$group, other$when, other$model, sep = "\t"))) {
   at <- function(statistic, value) {
     put("trial", statistic, value, group = cell$group[1], occasion = cell$when[1], model = cell$model[1])
@@ -1636,6 +1686,8 @@ for (group in groups) {
   recorded <- sum(twisting$minutes[twisting$trainee %in% people$item[people$group == group]])
   put_practice("mean_recorded_virtual_min", recorded / sum(own), group = group)
 }
+
+if (any(has_notes)) put_practice("trainees_with_times", sum(has_notes))
 
 # Learning curve of a trainee: error = asymptote + gain * exp(-rate * (twist - 1)), by least squares. For a
 # given rate the other two follow from a straight line; the rate is where the squares left no longer fall.
@@ -1690,9 +1742,13 @@ for (i in seq_len(nrow(practised))) {
   left[i] <- error_left(y)
   at("error_left_deg", left[i])
 }
-if (length(left) > 0) put_practice("trainees_with_curve", sum(!is.na(left)))
+if (length(left) > 0) {
+  put_practice("trainees_with_curve", sum(!is.na(left)))
+  put_practice("twists", sum(lengths(courses_of_errors)))
+}
 
 # Mean error of a group at its n-th twist, as long as at least two trainees made it.
+in_means <- 0
 for (group in groups) {
   own <- courses_of_errors[practised$group == group]
   for (n in seq_len(max(0, lengths(own)))) {
@@ -1700,6 +1756,7 @@ for (group in groups) {
     y <- y[!is.na(y)]
     if (length(y) < 2) break
     ends <- mean_interval(y)
+    in_means <- in_means + length(y)
     put_practice("mean_twist_error_deg", mean(y), group = group, index = n)
     put_interval("practice", "mean_twist_error_deg", max(0, ends[1]), ends[2], group = group, index = n)
   }
@@ -1803,6 +1860,7 @@ if (nrow(verdicts) > 0) {
               "a registered design, whose numbers are not in the tables")
   }
   if (found) put("competence", "most_runs_made", max(made))
+  if (found) put("competence", "runs_judged", sum(made))
   if (shipped && found) {
     false_pass <- odds(inadequate, made)
     false_fail <- 1 - odds(adequate, made)
@@ -1830,7 +1888,7 @@ if (nrow(verdicts) > 0) {
       }
     }
   } else {
-    leave_out("competence", c("most_runs_made", "false_pass", "false_fail", "false_alarm",
+    leave_out("competence", c("runs_judged", "most_runs_made", "false_pass", "false_fail", "false_alarm",
                               "false_pass_at_most", "false_fail_at_most", "cumulative_sum_of_limit",
                               sprintf("declared_if_failing_%d_so_far", seq(10, 30, 5))),
               "a registered design, or runs that the tables do not tell apart")
@@ -1915,14 +1973,15 @@ kinds_of <- function(section, statistics) paste(section, strsplit(trimws(statist
 methods <- c(
   kinds_of("evaluation", "
     M s2_eq26_divisor_n min max plain_mean population_variance sample_variance class_weighted_moment
-    se_of_M se_df class_mean N_eq27 composite raters_with_all_marks composite_M composite_se_of_M
+    se_of_M se_df class_mean N_eq27 composite raters_with_all_marks marks_used marks_missing composites
+    composites_ranked composite_M composite_se_of_M
     composite_M_lower_95 composite_M_upper_95 composite_lowest composite_lower_whisker
     composite_lower_quartile composite_median composite_upper_quartile composite_upper_whisker
     composite_highest composite_plain_mean models_friedman_chi_squared models_friedman_df
     models_friedman_p models_kendall_w mean_rank composite_difference composite_difference_holm_lower_95
     composite_difference_holm_upper_95 composite_difference_p_holm"),
   kinds_of("training", "
-    raters marks score marks_missing_at_occasion mean mean_lower_95 mean_upper_95 median min max
+    raters marks score marks_missing_at_occasion marks_missing scores scores_missing mean mean_lower_95 mean_upper_95 median min max
     variance_of_scores_divisor_n variance_of_scores_divisor_n_minus_1 standard_deviation_of_scores
     variance_of_all_marks_divisor_n mean_between_rater_variance_divisor_n_minus_1"),
   kinds_of("agreement", "
@@ -1931,7 +1990,8 @@ methods <- c(
     kappa_quadratic_highest share_same_point share_within_one_point dependability_of_one_rater
     dependability_of_one_rater_lower_95 dependability_of_one_rater_upper_95 dependability_of_all_raters
     dependability_of_all_raters_lower_95 dependability_of_all_raters_upper_95
-    severity_offset severity_offset_lower_95 severity_offset_upper_95 mean_difference_from_others
+    marks marks_missing marks_with_others trainees_of_every_rater severity_offset
+    severity_offset_lower_95 severity_offset_upper_95 mean_difference_from_others
     limit_of_agreement_lower limit_of_agreement_upper usual_number_of_others limit_against_others
     mean_of_mark_and_others mark_minus_others raters_absent raters_of_some_groups variance_of_trainees
     variance_of_raters variance_of_rest raters_needed raters_needed_by_estimate dependability
@@ -1940,7 +2000,8 @@ methods <- c(
     rasch_severity_corrected_lower_95 rasch_severity_corrected_upper_95 trainees_with_marks
     reml_one_rater reml_mean reml_sem_of_one_rater reml_sem_of_mean limit_of_agreement"),
   kinds_of("comparison", "
-    primary_analysis detectable_difference marks_missing trainees_compared trainees_left_out
+    primary_analysis detectable_difference marks_missing marks_at_both_ends trainees_compared
+    trainees_left_out
     equivalence_p equivalence_lower_90 equivalence_upper_90 ancova_df ancova_df_error ancova_f ancova_p
     ancova_slope ancova_equal_slopes_p adjusted_mean adjusted_mean_lower_95 adjusted_mean_upper_95
     adjusted_difference adjusted_difference_lower_95 adjusted_difference_upper_95
@@ -1988,12 +2049,13 @@ methods <- c(
     measured_runs"),
   kinds_of("practice", "
     mean_noted_virtual_min mean_noted_real_min trainees_who_rested rest_min mean_recorded_virtual_min
-    twists twists_on_target mean_error_first_half_deg mean_error_second_half_deg error_left_deg
+    twists twists_in_means trainees_with_times twists_on_target mean_error_first_half_deg
+    mean_error_second_half_deg error_left_deg
     mean_twist_error_deg mean_twist_error_deg_lower_95 mean_twist_error_deg_upper_95 trainees_with_curve"),
   kinds_of("competence", "
     fewest_attempts fewest_runs_needed declared_if_failing_10_planned declared_if_failing_15_planned
     declared_if_failing_20_planned declared_if_failing_25_planned declared_if_failing_30_planned
-    most_runs_made false_pass false_fail false_alarm false_pass_at_most false_fail_at_most
+    runs_judged most_runs_made false_pass false_fail false_alarm false_pass_at_most false_fail_at_most
     declared_if_failing_10_so_far declared_if_failing_15_so_far declared_if_failing_20_so_far
     declared_if_failing_25_so_far declared_if_failing_30_so_far cumulative_sum_of_limit
     verdicts_on_too_few_runs competent_and_not able_at_every_exercise"),

@@ -161,8 +161,8 @@ TEST(HostileCohort, AMissingMarkIsReportedInGroupSummaries) {
   const ReportModel report = cohortReport(in);
   const ReportTable* table = tableNamed(report, "table-training-summary");
   ASSERT_NE(table, nullptr);
-  EXPECT_EQ(table->provenance.n, 898);
-  EXPECT_EQ(table->provenance.missing, 2);
+  EXPECT_EQ(table->provenance.n.str(), "898");
+  EXPECT_EQ(table->provenance.missing.str(), "2");
   EXPECT_THAT(table->notes.back().str(), HasSubstr("Group 1, after 20 min: 1"));
   const std::vector<CohortCsvRow> rows = rowsNamed(in, "marks_missing_at_occasion");
   ASSERT_EQ(rows.size(), 9U);
@@ -170,7 +170,7 @@ TEST(HostileCohort, AMissingMarkIsReportedInGroupSummaries) {
   // A trainee without marks lacks as many as the others have.
   const CohortInputs absent = losing([](const TrainingMark& mark) { return mark.trainee == "y105"; });
   const ReportModel withoutOne = cohortReport(absent);
-  EXPECT_EQ(tableNamed(withoutOne, "table-training-summary")->provenance.missing, 30);
+  EXPECT_EQ(tableNamed(withoutOne, "table-training-summary")->provenance.missing.str(), "30");
   EXPECT_THAT(textOfAll(absent), Not(HasSubstr("physicians scored every trainee")));
 }
 

@@ -23,43 +23,40 @@ Result resultAt(ResultKey key, double value = 1.0) {
 
 TEST(Ledger, RefusesTheSameKeyTwiceAndAResultMadeOfNothing) {
   Ledger ledger;
-  ledger.add(resultAt({.statistic = "score", .of = "T-01", .occasion = 0}));
-  ledger.add(resultAt({.statistic = "score", .of = "T-01", .occasion = 1}));
-  EXPECT_THROW(ledger.add(resultAt({.statistic = "score", .of = "T-01", .occasion = 1}, 2.0)), ContractError);
+  ledger.add(resultAt({.statistic = "score", .of = "T-01", .occasion = "before"}));
+  ledger.add(resultAt({.statistic = "score", .of = "T-01", .occasion = "after"}));
+  EXPECT_THROW(ledger.add(resultAt({.statistic = "score", .of = "T-01", .occasion = "after"}, 2.0)),
+               ContractError);
   EXPECT_THROW(ledger.add({{.statistic = "mean"}, 1.0, 1, "", partsOf({})}), ContractError);
   EXPECT_EQ(ledger.every().size(), 2U);
 }
 
 TEST(Ledger, SelectsSinglePeopleButNoSummaryWhereAPatternAsksForEach) {
   Ledger ledger;
-  ledger.add(resultAt({.statistic = "criterion_mean", .group = 0}));
-  ledger.add(resultAt({.statistic = "criterion_mean", .of = "T-01", .group = 0}));
-  ledger.add(resultAt({.statistic = "criterion_mean", .of = "T-02", .group = 1}));
+  ledger.add(resultAt({.statistic = "criterion_mean", .group = "Group 1"}));
+  ledger.add(resultAt({.statistic = "criterion_mean", .of = "T-01", .group = "Group 1"}));
+  ledger.add(resultAt({.statistic = "criterion_mean", .of = "T-02", .group = "Group 2"}));
 
   EXPECT_EQ(ledger.select({.statistic = "criterion_mean", .of = kEach}).size(), 2U);
-  EXPECT_EQ(ledger.select({.statistic = "criterion_mean", .of = kEach, .group = 1}).size(), 1U);
+  EXPECT_EQ(ledger.select({.statistic = "criterion_mean", .of = kEach, .group = "Group 2"}).size(), 1U);
   EXPECT_EQ(ledger.select({.statistic = "criterion_mean"}).size(), 1U);
-  EXPECT_EQ(ledger.select({.statistic = "criterion_mean", .of = "T-02"}).front()->key.group, 1U);
+  EXPECT_EQ(ledger.select({.statistic = "criterion_mean", .of = "T-02"}).front()->key.group, "Group 2");
   EXPECT_TRUE(ledger.select({.section = ResultSection::kTrial, .statistic = "criterion_mean"}).empty());
 }
 
 TEST(Ledger, KeyReadsAsItsLineOfTheTableOfNumbers) {
-  const ResultNames names{{Text::verbatim("Group %1", 1), Text::verbatim("Group %1", 2)},
-                          {Text::verbatim("before"), Text::verbatim("after, in all")}};
   EXPECT_EQ(keyAddress({.section = ResultSection::kComparison,
                         .statistic = "p_holm",
-                        .group = 0,
-                        .against = 1,
-                        .occasion = 1},
-                       names),
+                        .group = "Group 1",
+                        .against = "Group 2",
+                        .occasion = "after, in all"}),
             "comparison,all,Group 1 - Group 2,,,\"after, in all\",p_holm");
   EXPECT_EQ(keyAddress({.section = ResultSection::kTrial,
                         .statistic = "twist_error_deg",
                         .of = "T-01",
                         .number = 3,
                         .when = "virtual",
-                        .record = "t1"},
-                       names),
+                        .record = "t1"}),
             "trial,T-01,,,3,virtual,twist_error_deg");
 }
 
@@ -124,7 +121,7 @@ void expectEveryNumberLeadsToTheRecord(const ReportTable& table, const Ledger& l
 
 /// Collects the numbers that fill in a sentence, but for those in names of groups and occasions.
 void collectNumbers(const Text& text, const ResultNames& names, std::vector<std::string>& out) {
-  const auto is = [&](const Text& name) { return name == text; };
+  const auto is = [&](const std::string& name) { return name == text.str(); };
   if (std::any_of(names.groups.begin(), names.groups.end(), is) ||
       std::any_of(names.occasions.begin(), names.occasions.end(), is)) {
     return;
@@ -156,12 +153,25 @@ void expectSentenceNamesItsResults(const std::string& where, const ReportParagra
   }
 }
 
+/// Fails where a count below a table or figure has no result, or one that does not lead down to the record.
+void expectCountsLeadToTheRecord(const std::string& id, const Provenance& caption, const Ledger& ledger,
+                                 Follower& follower) {
+  for (const ReportCell* count : {&caption.n, &caption.missing}) {
+    if (!count->empty()) {
+      const Result* result = count->key == nullptr ? nullptr : ledger.find(*count->key);
+      ASSERT_NE(result, nullptr) << id << ": " << *count;
+      EXPECT_TRUE(follower.reachesTheRecord(*result)) << id << ": " << *count;
+    }
+  }
+  EXPECT_TRUE(caption.missing.empty() || !caption.n.empty()) << id;
+}
+
 /// Fails where a result, or a number of a table or figure of the report, does not lead down to the record.
 void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
   const AnalysedCohort cohort = analysedCohort(in);
   Follower follower(cohort.ledger);
   for (const Result& result : cohort.ledger.every()) {
-    EXPECT_TRUE(follower.reachesTheRecord(result)) << keyAddress(result.key, cohort.ledger.names());
+    EXPECT_TRUE(follower.reachesTheRecord(result)) << keyAddress(result.key);
   }
   const ReportModel report = cohortReport(in, cohort);
   const auto expectSentences = [&](const std::string& where, const std::vector<ReportParagraph>& sentences) {
@@ -178,6 +188,7 @@ void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
     for (const ReportTable& table : section.tables) {
       expectEveryNumberLeadsToTheRecord(table, cohort.ledger, follower);
       expectSentences(table.id, table.notes);
+      expectCountsLeadToTheRecord(table.id, table.provenance, cohort.ledger, follower);
     }
     for (const ReportFigure& figure : section.figures) {
       ReportFigure drawn = figure;
@@ -186,6 +197,7 @@ void expectEveryResultLeadsToTheRecord(const CohortInputs& in) {
       });
       expectEveryNumberLeadsToTheRecord(figureTable(drawn), cohort.ledger, follower);
       expectSentences(figure.id, figure.notes);
+      expectCountsLeadToTheRecord(figure.id, figure.provenance, cohort.ledger, follower);
     }
   }
 }
@@ -230,7 +242,8 @@ TEST(Ledger, AnIntervalIsOneResultAndTwoLinesOfTheTableOfNumbers) {
 
 TEST(Ledger, AComparisonIsPlannedOnlyWhereTheRecordHoldsAPlan) {
   CohortInputs in = demonstrationCohort();
-  const ResultKey p{.section = ResultSection::kComparison, .statistic = "ancova_p", .occasion = 2};
+  const ResultKey p{
+      .section = ResultSection::kComparison, .statistic = "ancova_p", .occasion = "after 40 min"};
   EXPECT_EQ(analysedCohort(in).ledger.find(p)->origin, Origin::kUnplanned);
   in.equivalenceMargin = 1.0;
   const Ledger planned = analysedCohort(in).ledger;
@@ -240,9 +253,39 @@ TEST(Ledger, AComparisonIsPlannedOnlyWhereTheRecordHoldsAPlan) {
   EXPECT_EQ(planned.find(gain)->origin, Origin::kUnplanned);
 }
 
+TEST(Ledger, AKeyMeansTheSameWhenGroupsAreListedInAnotherOrder) {
+  const CohortInputs in = demonstrationCohort();
+  CohortInputs turned = in;
+  std::rotate(turned.groups.begin(), turned.groups.begin() + 1, turned.groups.end());
+  const auto turn = [&](auto& rows) {
+    for (auto& row : rows) {
+      row.group = (row.group + in.groups.size() - 1) % in.groups.size();
+    }
+  };
+  turn(turned.trainees);
+  turn(turned.scores);
+  turn(turned.summaries);
+  turn(turned.trainingMarks);
+  turn(turned.criterionMarks);
+  turn(turned.trials);
+  const Ledger ledger = analysedCohort(in).ledger;
+  const Ledger other = analysedCohort(turned).ledger;
+  std::size_t compared = 0;
+  for (const Result& result : ledger.every()) {
+    const std::optional<double> value = numberIn(result.value);
+    if (value && !result.key.group.empty() && result.key.against.empty()) {
+      const Result* same = other.find(result.key);
+      ASSERT_NE(same, nullptr) << keyAddress(result.key);
+      EXPECT_NEAR(numberIn(same->value).value(), *value, 1e-9) << keyAddress(result.key);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 1000U);
+}
+
 TEST(Ledger, AGroupMeanIsMadeOfTheScoresOfItsTrainees) {
   const Ledger ledger = analysedCohort(demonstrationCohort()).ledger;
-  const Result* mean = ledger.find({.statistic = "mean", .group = 1, .occasion = 2});
+  const Result* mean = ledger.find({.statistic = "mean", .group = "Group 2", .occasion = "after 40 min"});
   ASSERT_NE(mean, nullptr);
   double sum = 0.0;
   const auto scores = ledger.select(std::get<ResultPattern>(mean->madeOf->front()));

@@ -93,20 +93,37 @@ ExchangeFiles noted(SessionContext& session, const ExchangeRequest& request, con
   return done;
 }
 
+/// Returns the position of an occasion by its name; empty: the last one.
+std::size_t occasionAt(const Grades& grades, const std::string& name) {
+  if (name.empty()) {
+    return grades.occasions.size() - 1;
+  }
+  const auto found = std::find(grades.occasions.begin(), grades.occasions.end(), name);
+  if (found == grades.occasions.end()) {
+    std::string known;
+    for (const std::string& occasion : grades.occasions) {
+      known += (known.empty() ? "" : ", ") + occasion;
+    }
+    throw Error(ErrorCode::kBadParameter, Text::tr("is not an occasion of the cohort"), name,
+                Text::tr("Use one of: %1", known));
+  }
+  return static_cast<std::size_t>(found - grades.occasions.begin());
+}
+
 /// Returns the scores that may be shown, with what identifies people elsewhere. Throws Error{kBadData} if
 /// there are none.
 Grades gradesOf(SessionContext& session, const CohortInputs& inputs) {
   const Ledger ledger = analysedCohort(inputs).ledger;
-  Grades grades{.title = inputs.title.str(), .occasions = {}, .scale = inputs.trainingScale, .people = {}};
-  for (const Text& occasion : ledger.names().occasions) {
-    grades.occasions.push_back(occasion.str());
-  }
+  Grades grades{.title = inputs.title.str(),
+                .occasions = ledger.names().occasions,
+                .scale = inputs.trainingScale,
+                .people = {}};
   std::map<std::string, GradedPerson> people;  // by code
   for (const Result* score : ledger.select({.statistic = "score", .of = kEach})) {
     GradedPerson& person = people[score->key.of];
     person.code = score->key.of;
     person.scores.resize(grades.occasions.size());
-    person.scores.at(*score->key.occasion) = resultText(score->value);
+    person.scores.at(occasionAt(grades, score->key.occasion)) = resultText(score->value);
   }
   if (people.empty()) {
     refuse(Text::tr("nobody has a score that may be shown"), inputs.title,
@@ -132,23 +149,6 @@ Grades gradesOf(SessionContext& session, const CohortInputs& inputs) {
   return grades;
 }
 
-/// Returns the position of an occasion by its name; empty: the last one.
-std::size_t occasionAt(const Grades& grades, const std::string& name) {
-  if (name.empty()) {
-    return grades.occasions.size() - 1;
-  }
-  const auto found = std::find(grades.occasions.begin(), grades.occasions.end(), name);
-  if (found == grades.occasions.end()) {
-    std::string known;
-    for (const std::string& occasion : grades.occasions) {
-      known += (known.empty() ? "" : ", ") + occasion;
-    }
-    throw Error(ErrorCode::kBadParameter, Text::tr("is not an occasion of the cohort"), name,
-                Text::tr("Use one of: %1", known));
-  }
-  return static_cast<std::size_t>(found - grades.occasions.begin());
-}
-
 WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report) {
   WorkbookContents contents;
   contents.title = report.title;
@@ -162,7 +162,6 @@ WorkbookContents contentsOf(const ExchangeData& data, const ReportModel& report)
     contents.facts.emplace_back(Text::tr("Pseudonymised"), sentence);
   }
   contents.tables = tablesOf(data.set);
-  contents.names = report.names;
   for (const ReportSection& section : report.sections) {
     for (const ReportFigure& figure : section.figures) {
       contents.figures.push_back(&figure);

@@ -45,9 +45,9 @@ namespace torsio {
 namespace {
 
 /// Names a number: "score of T-07, after 40 min".
-Text nameOf(const ResultKey& key, const ResultNames& names) {
+Text nameOf(const ResultKey& key) {
   std::vector<Text> parts;
-  const auto cells = keyCells(key, names);
+  const auto cells = keyCells(key);
   for (std::size_t i = 1; i + 1 < cells.size(); ++i) {
     if (!cells[i].empty() && (i > 1 || !key.of.empty())) {
       parts.emplace_back(cells[i]);
@@ -92,9 +92,7 @@ class CellTracer::Walk {
     for (const Rubric& rubric : rubrics_.rubrics()) {
       rubricNames_[rubric.id] = rubric.name;
     }
-    const auto addLine = [this](const Result& result) {
-      lines_.try_emplace(keyAddress(result.key, cohort_.ledger.names()), result);
-    };
+    const auto addLine = [this](const Result& result) { lines_.try_emplace(keyAddress(result.key), result); };
     cohort_.ledger.eachLine(addLine);
     std::for_each(cohort_.ledger.every().begin(), cohort_.ledger.every().end(), addLine);  // whole intervals
   }
@@ -123,7 +121,7 @@ class CellTracer::Walk {
 
  private:
   TraceStep step(const Result& result) {
-    TraceStep step{nameOf(result.key, cohort_.ledger.names()), resultText(result.value)};
+    TraceStep step{nameOf(result.key), resultText(result.value)};
     if (result.origin == Origin::kPlanned) {
       addRow({RecordKind::kCohortPlan}, step.madeOf);
     }

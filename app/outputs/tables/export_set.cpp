@@ -185,7 +185,7 @@ class Tables {
                       {}};
     for (std::size_t g = 0; g < in_.groups.size(); ++g) {
       const CohortGroup& group = in_.groups[g];
-      const ResultsAt at(ledger_, {.section = ResultSection::kParticipants, .group = g});
+      const ResultsAt at(ledger_, {.section = ResultSection::kParticipants, .group = ledger_.group(g)});
       table.rows.push_back({numberOfGroup(g), groupOf(g), textOf(group.code), textOf(group.protocol.str()),
                             textOf(group.arm), numberOf(at.find("planned_virtual_min")),
                             numberOf(at.find("planned_real_min")), numberOf(at.find("allocated"))});
@@ -214,7 +214,7 @@ class Tables {
     const ExportCell origin = textOf(std::string(in_.demonstration ? "simulated" : "recorded") +
                                      (in_.imported ? ", imported" : ""));
     for (const CohortTrainee& one : in_.trainees) {
-      const ResultsAt at(ledger_, traineeKey(one));
+      const ResultsAt at(ledger_, traineeKey(ledger_, one));
       table.rows.push_back({one.code, numberOfGroup(one.group), groupOf(one.group), textOf(one.sex),
                             textOf(one.level), timeOf(one.enrolledUtc_us), numberOf(at.find("withdrew")),
                             timeOf(one.withdrewUtc_us), numberOf(at.find("noted_virtual_min")),
@@ -243,15 +243,21 @@ class Tables {
     for (const CohortTrainee& trainee : in_.trainees) {
       people[trainee.code] = &trainee;
     }
-    for (const Result* score : ledger_.select({.statistic = "score", .of = kEach})) {
-      const ResultKey& key = score->key;
-      const auto person = people.find(key.of);
+    for (const TraineeScore& one : in_.scores) {
+      const Result* score = ledger_.find({.statistic = "score",
+                                          .of = one.trainee,
+                                          .group = ledger_.group(one.group),
+                                          .occasion = ledger_.occasion(one.occasion)});
+      if (score == nullptr) {
+        continue;
+      }
+      const auto person = people.find(one.trainee);
       const bool known = person != people.end();
-      table.rows.push_back({key.of, groupOf(*key.group), textOf(known ? person->second->sex : ""),
+      table.rows.push_back({one.trainee, groupOf(one.group), textOf(known ? person->second->sex : ""),
                             textOf(known ? person->second->level : ""),
-                            countOf(static_cast<std::int64_t>(*key.occasion) + 1),
-                            textOf(in_.occasions[*key.occasion].str()), numberOf(score), valuesOf(*score),
-                            numberOfGroup(*key.group)});
+                            countOf(static_cast<std::int64_t>(one.occasion) + 1),
+                            textOf(in_.occasions[one.occasion].str()), numberOf(score), valuesOf(*score),
+                            numberOfGroup(one.group)});
     }
     return table;
   }
@@ -288,9 +294,9 @@ class Tables {
     for (const TrainingMark& mark : in_.trainingMarks) {
       const Result* result = ledger_.find({.statistic = "rater_mark",
                                            .of = mark.trainee,
-                                           .group = mark.group,
+                                           .group = ledger_.group(mark.group),
                                            .index = mark.rater,
-                                           .occasion = mark.occasion});
+                                           .occasion = ledger_.occasion(mark.occasion)});
       if (result != nullptr) {
         classOf[mark.rater] = mark.raterClass;
         marked[{mark.occasion, mark.rater}].insert(mark.trainee);
@@ -311,7 +317,7 @@ class Tables {
   }
 
   [[nodiscard]] ResultKey runKey(const TrialSummaryRow& trial, std::string statistic) const {
-    ResultKey key = trialKey(trial);
+    ResultKey key = trialKey(ledger_, trial);
     key.statistic = std::move(statistic);
     return key;
   }
@@ -430,7 +436,7 @@ class Tables {
     for (const Result* level :
          ledger_.select({.section = ResultSection::kCompetence, .statistic = "level", .of = kEach})) {
       ResultKey key = level->key;
-      Cells row{key.of, groupOf(*key.group), textOf(key.index), wordOf(*level), valuesOf(*level)};
+      Cells row{key.of, textOf(key.group), textOf(key.index), wordOf(*level), valuesOf(*level)};
       for (const ExportColumn& column : numbers) {
         key.statistic = column.name;
         row.push_back(numberOf(ledger_.find(key)));
@@ -455,7 +461,7 @@ class Tables {
   }
   [[nodiscard]] Cells lineOf(const Result& result, ExportCell text) const {
     Cells row;
-    const std::array<std::string, 7> cells = keyCells(result.key, ledger_.names());
+    const std::array<std::string, 7> cells = keyCells(result.key);
     std::transform(std::next(cells.begin()), cells.end(), std::back_inserter(row), textOf);
     row.push_back(numberOf(&result));
     row.push_back(std::move(text));

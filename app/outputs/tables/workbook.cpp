@@ -134,7 +134,7 @@ class Workbook {
   }
 
   /// Adds one row per value of a figure that is a result: its number, and its address.
-  void addFigureAddresses(const std::vector<const ReportFigure*>& figures, const ResultNames& names) {
+  void addFigureAddresses(const std::vector<const ReportFigure*>& figures) {
     SheetPen pen = heading(say_(Text::tr("Addresses of figures")),
                            {Text::tr("Figure"), Text::tr("Series"), Text::tr("Place"), Text::tr("Value"),
                             Text::tr("Address for torsio report trace")});
@@ -145,7 +145,7 @@ class Workbook {
       pen.text(at, 1, say_(series.name));
       pen.text(at, 2, place);
       pen.number(at, 3, value, formats_.figure);
-      pen.text(at++, 4, keyAddress(key, names));
+      pen.text(at++, 4, keyAddress(key));
     };
     for (const ReportFigure* figure : figures) {
       for (const FigureSeries& series : figure->series) {
@@ -291,7 +291,7 @@ void writeWorkbook(const WorkbookContents& contents, const ExportWording& say, c
     }
     if (!contents.figures.empty()) {
       book.addFigures(contents.figures);
-      book.addFigureAddresses(contents.figures, contents.names);
+      book.addFigureAddresses(contents.figures);
     }
     book.addMethods(contents.methods);
     book.addSources(contents.tables);

@@ -21,7 +21,6 @@ struct WorkbookContents {
   Facts facts;                               ///< first sheet: title, time and source record
   std::vector<const ExportTable*> tables;    ///< one sheet each
   std::vector<const ReportFigure*> figures;  ///< numbers and a native chart, on one sheet
-  ResultNames names;                         ///< for the addresses of the figures' numbers
   std::vector<Text> methods;                 ///< one sheet of paragraphs; section titles begin with "# "
 };
 

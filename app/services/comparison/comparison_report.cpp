@@ -27,7 +27,7 @@ std::string readable(double value) {
 Provenance comparedFrom(const ComparisonResult& result, const Text& formula, std::int64_t n) {
   Provenance provenance;
   provenance.formula = formula;
-  provenance.n = n;
+  provenance.n = std::to_string(n);
   provenance.flags = {Text::tr("load average %1", formatFixed(result.machine.loadAverage, 2))};
   return provenance;
 }

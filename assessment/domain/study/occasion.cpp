@@ -68,10 +68,17 @@ Occasion Occasions::named(const std::string& code) const {
 std::vector<Text> occasionTexts(const Occasions& occasions) {
   std::vector<Text> texts;
   std::set<std::int64_t> times_us;
+  std::set<std::string> taken;
   for (const Occasion& occasion : occasions) {
     const bool timeIsTaken = occasion.afterExposure_us && !times_us.insert(*occasion.afterExposure_us).second;
-    const Text text = occasionText(occasion);
-    texts.push_back(timeIsTaken ? Text::tr("%1 (%2)", text, occasion.label) : text);
+    Text text = occasionText(occasion);
+    if (timeIsTaken) {
+      text = Text::tr("%1 (%2)", text, occasion.label);
+    }
+    while (!taken.insert(text.str()).second) {
+      text = Text::tr("%1 (%2)", text, occasion.code);
+    }
+    texts.push_back(std::move(text));
   }
   return texts;
 }

@@ -236,7 +236,7 @@ void areFollowedToTheMarksTheSheetAndTheRecording(const fs::path& folder) {
   const auto areFollowed = [&](const ReportTable& shown) {
     for (const std::vector<ReportCell>& row : shown.rows) {
       for (const ReportCell& cell : row) {
-        EXPECT_TRUE(cell.key == nullptr || endsInTheRecord(tracer.trace(keyAddress(*cell.key, report.names))))
+        EXPECT_TRUE(cell.key == nullptr || endsInTheRecord(tracer.trace(keyAddress(*cell.key))))
             << shown.id << ": " << cell;
       }
     }

@@ -123,12 +123,11 @@ QString ReportPreview::tableHtml(const ReportTable& table, const QString& name,
     for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
       const QString cell = inCell(withHashBreaks(html(table.rows[r][c])));
       const auto& key = table.rows[r][c].key;
-      text += key == nullptr ? QStringLiteral("<td>%1</td>").arg(cell)
-                             : QStringLiteral("<td><a href=\"%1%2\" style=\"color:#004a7c\">%3</a></td>")
-                                   .arg(QLatin1String(kNumber),
-                                        QString::fromLatin1(QUrl::toPercentEncoding(
-                                            toQString(keyAddress(*key, model_.names)))),
-                                        cell);
+      text += key == nullptr
+                  ? QStringLiteral("<td>%1</td>").arg(cell)
+                  : QStringLiteral("<td><a href=\"%1%2\" style=\"color:#004a7c\">%3</a></td>")
+                        .arg(QLatin1String(kNumber),
+                             QString::fromLatin1(QUrl::toPercentEncoding(toQString(keyAddress(*key)))), cell);
     }
     text += QStringLiteral("</tr>");
   }
@@ -343,11 +342,10 @@ void TraceDialog::fill() {
   std::vector<Row> rows;
   const Ledger ledger = analysedCohort(*inputs_).ledger;
   ledger.eachLine([&](const Result& result) {
-    const auto [section, item, group, model, index, occasion, statistic] =
-        keyCells(result.key, ledger.names());
+    const auto [section, item, group, model, index, occasion, statistic] = keyCells(result.key);
     const QString value = toQString(resultText(result.value));
     const std::optional<double> number = numberIn(result.value);
-    rows.push_back({toQString(keyAddress(result.key, ledger.names())),
+    rows.push_back({toQString(keyAddress(result.key)),
                     {{toQString(statistic)},
                      {toQString(item)},
                      {toQString(group)},

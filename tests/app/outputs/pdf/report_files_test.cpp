@@ -68,7 +68,7 @@ ReportFigure figureOf(FigureKind kind) {
     figure.series.push_back(series);
   }
   figure.notes = {Text::verbatim("The whisker ends at the last value within 1.5 interquartile ranges.")};
-  figure.provenance = {Text::verbatim("Eq. 25"), "1", 40, 0, {}};
+  figure.provenance = {Text::verbatim("Eq. 25"), "1", Text::verbatim("40"), Text::verbatim("0"), {}};
   return figure;
 }
 
