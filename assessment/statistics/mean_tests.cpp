@@ -41,6 +41,14 @@ double pooledVariance(std::span<const double> x, std::span<const double> y) {
   return (squaresBeyondRounding(x) + squaresBeyondRounding(y)) / (countOf(x) + countOf(y) - 2.0);
 }
 
+/// Returns why two samples cannot be compared; empty: they can.
+std::optional<Text> notComparable(std::span<const double> x, std::span<const double> y) {
+  if (std::optional<Text> reason = beyondArithmetic(x, y)) {
+    return reason;
+  }
+  return x.size() < 2 || y.size() < 2 ? std::optional<Text>(kTooFew) : std::nullopt;
+}
+
 bool everyGroupHas(const Groups& groups, std::size_t n) {
   return std::all_of(groups.begin(), groups.end(), [n](const auto& group) { return group.size() >= n; });
 }
@@ -59,11 +67,8 @@ PresentGroups presentGroups(const Groups& groups) {
 }
 
 Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y, double confidence) {
-  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+  if (const std::optional<Text> reason = notComparable(x, y)) {
     return Outcome<TTest>::undefined(*reason);
-  }
-  if (x.size() < 2 || y.size() < 2) {
-    return Outcome<TTest>::undefined(kTooFew);
   }
   const double a = varianceOf(x) / countOf(x);
   const double b = varianceOf(y) / countOf(y);
@@ -75,11 +80,8 @@ Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y, doub
 }
 
 Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y, double confidence) {
-  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+  if (const std::optional<Text> reason = notComparable(x, y)) {
     return Outcome<TTest>::undefined(*reason);
-  }
-  if (x.size() < 2 || y.size() < 2) {
-    return Outcome<TTest>::undefined(kTooFew);
   }
   const double variance = pooledVariance(x, y);
   if (variance == 0.0) {
@@ -151,11 +153,8 @@ std::optional<Interval> meanInterval(std::span<const double> values, double conf
 }
 
 Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, double confidence) {
-  if (const std::optional<Text> reason = beyondArithmetic(x, y)) {
+  if (const std::optional<Text> reason = notComparable(x, y)) {
     return Outcome<HedgesG>::undefined(*reason);
-  }
-  if (x.size() < 2 || y.size() < 2) {
-    return Outcome<HedgesG>::undefined(kTooFew);
   }
   const double variance = pooledVariance(x, y);
   if (variance == 0.0) {

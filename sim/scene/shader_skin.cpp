@@ -9,6 +9,7 @@
 #include "sim/scene/hollow_organ.h"
 #include "sim/scene/rod_organ.h"
 #include "sim/tissue/hollow/fold_field.h"
+#include "sim/tissue/rod/bent_section.h"
 #include "sim/tissue/twist/twist_model_map.h"
 
 namespace torsio {
@@ -20,9 +21,6 @@ constexpr std::size_t kRowsAnElement = 8;  // of a rod
 constexpr std::size_t kRowsACell = 4;      // between two places of a span
 constexpr std::size_t kSpanRows = (HollowOrgan::kPlaces - 1) * kRowsACell + 1;
 constexpr std::size_t kRigidRows = 2;  // of what turns as a whole, and of what never moves
-constexpr double kStraight_per_m = 1e-9;
-constexpr double kLimitFrom = 0.455;  // docs/model.md R.8
-constexpr double kLimit = 0.495;
 
 ShaderSkin::Texel texel(const Vec3& v, double w) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
@@ -344,18 +342,7 @@ Vec3 ShaderSkin::place_m(std::uint32_t vertex) const noexcept {
   const double width = mix(0, 3);
   const std::array<double, 2> w{width * local.x, width * local.y};
   const std::array<double, 2> k{mix(2, 0), mix(2, 1)};
-  std::array<double, 2> u = w;
-  const double k2 = k[0] * k[0] + k[1] * k[1];
-  if (k2 >= kStraight_per_m * kStraight_per_m) {
-    const double straight = w[0] * k[0] + w[1] * k[1];
-    double z = straight;
-    if (z > kLimitFrom) {
-      const double y = (z - kLimitFrom) / (kLimit - kLimitFrom);
-      z = kLimitFrom + (kLimit - kLimitFrom) * y / (1.0 + y);
-    }
-    const double by = (2.0 * z / (1.0 + std::sqrt(1.0 - 2.0 * z)) - straight) / k2;
-    u = {w[0] + by * k[0], w[1] + by * k[1]};
-  }
+  const std::array<double, 2> u = bent(w, k);
   const double longer = mix(2, 2) * (1.0 - u[0] * k[0] - u[1] * k[1]) / v[1][2];
   const Quat turn = normalized(Quat{mix(1, 3), mix(1, 0), mix(1, 1), mix(1, 2)});
   return Vec3{mix(0, 0), mix(0, 1), mix(0, 2)} +

@@ -9,6 +9,7 @@
 #include "sim/core/contracts.h"
 #include "sim/core/index.h"
 #include "sim/core/portable_math.h"
+#include "sim/tissue/rod/bent_section.h"
 #include "sim/tissue/rod/rod_algebra.h"
 
 namespace torsio {
@@ -18,10 +19,6 @@ namespace {
 constexpr int kSmoothings = 6;          // of (1, 2, 1) / 4: a standard deviation of 1.7 elements
 constexpr int kMaxSmoothings = 96;      // of an axis that is bent too sharply at rest
 constexpr double kSharpestRest = 0.67;  // of the way to the centre of the bend that a vertex may lie at
-constexpr double kLimitFrom = 0.455;    // z from which on a bend is let in less and less
-constexpr double kLimit = 0.495;        // z that no bend reaches; at 1/2 the inside of the bend has no length
-constexpr double kMaxOfLimit = 0.9;     // of the way between them that a point at rest may lie
-constexpr double kStraight_per_m = 1e-9;  // a bend that does nothing
 constexpr double kLeastSkinStretch = 0.05;
 constexpr double kLeastSkinFibre = 0.2;  // of a step towards the section of a point
 constexpr int kWarpingRows = 256;        // places along the organ at which psi is known
@@ -141,41 +138,6 @@ std::array<double, 2> inwards(const CurvePoint& p) noexcept {
 // Length of a fibre of the section over the arc at rest: Gamma3 + (kappa x U)3.
 double fibre(const CurvePoint& p, const std::array<double, 2>& u) noexcept {
   return p.stretch + p.bend_per_m.x * u[1] - p.bend_per_m.y * u[0];
-}
-
-std::array<double, 2> moved(const std::array<double, 2>& u, const std::array<double, 2>& k,
-                            double by) noexcept {
-  return {u[0] + by * k[0], u[1] + by * k[1]};
-}
-
-// Brings a point of a section bent by `k` to a straight axis, so that the area along a fibre stays.
-std::array<double, 2> straightened(const std::array<double, 2>& u, const std::array<double, 2>& k) noexcept {
-  const double k2 = k[0] * k[0] + k[1] * k[1];
-  if (k2 < kStraight_per_m * kStraight_per_m) {
-    return u;
-  }
-  const double inside = std::min(1.0, u[0] * k[0] + u[1] * k[1]);  // k times the way towards the centre
-  double z = inside - 0.5 * inside * inside;
-  if (z > kLimitFrom) {
-    const double share = std::min(kMaxOfLimit, (z - kLimitFrom) / (kLimit - kLimitFrom));
-    z = kLimitFrom + (kLimit - kLimitFrom) * share / (1.0 - share);
-  }
-  return moved(u, k, (z - (u[0] * k[0] + u[1] * k[1])) / k2);
-}
-
-// The inverse of straightened().
-inline std::array<double, 2> bent(const std::array<double, 2>& w, const std::array<double, 2>& k) noexcept {
-  const double k2 = k[0] * k[0] + k[1] * k[1];
-  if (k2 < kStraight_per_m * kStraight_per_m) {
-    return w;
-  }
-  const double straight = w[0] * k[0] + w[1] * k[1];
-  double z = straight;
-  if (z > kLimitFrom) {
-    const double y = (z - kLimitFrom) / (kLimit - kLimitFrom);
-    z = kLimitFrom + (kLimit - kLimitFrom) * y / (1.0 + y);
-  }
-  return moved(w, k, (2.0 * z / (1.0 + std::sqrt(1.0 - 2.0 * z)) - straight) / k2);
 }
 
 // Arc length of the section in which `point_m` lies, from a guess near it.
