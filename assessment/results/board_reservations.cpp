@@ -150,7 +150,7 @@ std::optional<Text> sameMarks(const CohortInputs& in, const StudyAnalysis& study
 Text withdrawnByGroup(const CohortInputs& in, const Ledger& ledger) {
   std::vector<Text> groups;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
     groups.push_back(Text::verbatim("%1: %2", in.groups[g].name, at("withdrew").words()));
   }
   return listed(groups, Text::tr("%1; %2"));
@@ -159,7 +159,7 @@ Text withdrawnByGroup(const CohortInputs& in, const Ledger& ledger) {
 double largestShareWithdrawn(const CohortInputs& in, const Ledger& ledger) {
   double largest = 0.0;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = g});
+    const ResultsAt at(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)});
     const double size = at.number("allocated").value_or(0.0);
     largest = size > 0.0 ? std::max(largest, at.number("withdrew").value_or(0.0) / size) : largest;
   }
@@ -188,7 +188,8 @@ void addWithdrawn(const CohortInputs& in, const Ledger& ledger, Sentences& out) 
         {gone, all}};
     for (std::size_t g = 0; g < in.groups.size(); ++g) {
       sentence.keys.push_back(
-          ResultsAt(ledger, {.section = ResultSection::kParticipants, .group = g})("withdrew").key);
+          ResultsAt(ledger, {.section = ResultSection::kParticipants, .group = ledger.group(g)})("withdrew")
+              .key);
     }
     out.push_back(std::move(sentence));
   }

@@ -346,7 +346,8 @@ Ledger ledgerOf(const CohortInputs& inputs, const CohortInputs& in,
   addDeviations(in, ledger);
   std::vector<Text> unsaid;
   const bool aggregated = inputs.identity == ReportIdentity::kAggregated;
-  addPracticeResults(in, aggregated ? withoutSmallGroups(inputs, unsaid) : inputs, ledger);
+  addParticipantsResults(in, aggregated ? withoutSmallGroups(inputs, unsaid) : inputs, ledger);
+  addPracticeResults(in, ledger);
   addRecordResults(in, ledger);
   if (inputs.sheetsAsked > inputs.sheetsPresent) {
     ResultWriter sheets(ledger, {.section = kTraining}, commonFlags(in));

@@ -25,6 +25,13 @@ using ResultFlags = std::vector<std::string>;
   return {.statistic = "rater_mark", .of = kEach, .group = group, .occasion = occasion};
 }
 
+/// Matches the results of single runs of a group, by its name.
+[[nodiscard]] inline ResultPattern runsOf(const std::string& statistic, const std::string& group,
+                                          const std::string& phase = {}) {
+  return {
+      .section = ResultSection::kTrial, .statistic = statistic, .of = kEach, .group = group, .when = phase};
+}
+
 /// Adds results with a common key and sources that differ in statistic and value.
 class ResultWriter {
  public:
@@ -75,8 +82,10 @@ void addEvaluationResults(const CohortInputs& inputs, Ledger& ledger);
 /// trainee, and all single ones (criteria_section.cpp).
 void addCriteriaResults(const CohortInputs& inputs, Ledger& ledger);
 
-/// Adds who takes part, and their times, runs and learning; `all`: including marks that are not shown.
-void addPracticeResults(const CohortInputs& inputs, const CohortInputs& all, Ledger& ledger);
+/// Adds who takes part, and their times; `all`: including marks that are not shown.
+void addParticipantsResults(const CohortInputs& inputs, const CohortInputs& all, Ledger& ledger);
+/// Adds the runs and what was learned in them.
+void addPracticeResults(const CohortInputs& inputs, Ledger& ledger);
 
 /// Adds what the record as a whole holds: sources, ways in which marks were given, sums over the recordings.
 void addRecordResults(const CohortInputs& inputs, Ledger& ledger);

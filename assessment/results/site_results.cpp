@@ -66,22 +66,22 @@ bool showsCentres(const CohortInputs& in) {
   return in.identity != ReportIdentity::kAggregated;
 }
 
-ResultKey pairAt(const CohortInputs& in, std::size_t first, std::size_t second, const std::string& site) {
-  ResultKey key = pairKey(in, first, second);
+ResultKey pairAt(const Ledger& ledger, std::size_t first, std::size_t second, const std::string& site) {
+  ResultKey key = pairKey(ledger, first, second);
   key.index = site;
   return key;
 }
 
-ResultKey flowKey(std::size_t group, const std::string& site) {
-  return {.section = kParticipants, .group = group, .index = site};
+ResultKey flowKey(const Ledger& ledger, std::size_t group, const std::string& site) {
+  return {.section = kParticipants, .group = ledger.group(group), .index = site};
 }
 
 /// Returns the scores of the trainees compared.
-ResultParts scoresOfAll(const CohortInputs& in, const SiteAnalysis& of) {
+ResultParts scoresOfAll(const SiteAnalysis& of, const Ledger& ledger) {
   std::vector<ResultPart> parts{RecordRef{RecordKind::kEnrolments}};
   for (const std::string& code : of.traineeCodes) {
-    for (const std::size_t t : {std::size_t{0}, in.occasions.size() - 1}) {
-      parts.emplace_back(ResultPattern{.statistic = "score", .of = code, .occasion = t});
+    for (const std::string& at : {ledger.occasion(0), ledger.lastOccasion()}) {
+      parts.emplace_back(ResultPattern{.statistic = "score", .of = code, .occasion = at});
     }
   }
   return partsOf(std::move(parts));
@@ -90,8 +90,8 @@ ResultParts scoresOfAll(const CohortInputs& in, const SiteAnalysis& of) {
 void addPairs(const SiteComparison& found, const std::string& name, ResultWriter& rows) {
   const auto n = static_cast<std::int64_t>(found.trainees);
   for (const AdjustedDifference& pair : found.pairs) {
-    rows.place.group = pair.first;
-    rows.place.against = pair.second;
+    rows.place.group = rows.group(pair.first);
+    rows.place.against = rows.group(pair.second);
     rows.addInterval(name, pair.difference, pair.interval, n);
     rows.put(name + "_holm_95", pair.asHolm, n);
     rows.add(name + "_error", pair.error, n);
@@ -100,8 +100,8 @@ void addPairs(const SiteComparison& found, const std::string& name, ResultWriter
     rows.add(name + "_p", pair.p, n);
     rows.add(name + "_p_holm", pair.pHolm, n);
   }
-  rows.place.group.reset();
-  rows.place.against.reset();
+  rows.place.group.clear();
+  rows.place.against.clear();
 }
 
 void addFlow(const CohortInputs& in, Ledger& ledger) {
@@ -127,7 +127,7 @@ void addFlow(const CohortInputs& in, Ledger& ledger) {
           end += scoredAt[trainee.code].contains(in.occasions.size() - 1) ? 1 : 0;
         }
       }
-      rows.place = flowKey(g, site);
+      rows.place = flowKey(ledger, g, site);
       rows.addCount("centre_allocated", allocated, allocated);
       rows.addCount("centre_withdrew", withdrew, allocated);
       rows.addCount("centre_runs",
@@ -193,9 +193,9 @@ void addSiteResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
     addFlow(in, ledger);
   }
   const SiteAnalysis& of = *study.sites;
-  ResultWriter rows(ledger, {.section = kComparison, .occasion = in.occasions.size() - 1}, commonFlags(in),
+  ResultWriter rows(ledger, {.section = kComparison, .occasion = ledger.lastOccasion()}, commonFlags(in),
                     flagIf(!study.asPlanned(), "complete cases"));
-  rows.madeOf = scoresOfAll(in, of);
+  rows.madeOf = scoresOfAll(of, ledger);
   const std::int64_t n = std::ssize(of.trainees);
   rows.addCount("centres_compared", std::ssize(of.sites), n);
   rows.put("centre_term", termOf(of.term), n);
@@ -208,8 +208,8 @@ void addSiteResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
   }
   if (of.heterogeneity) {
     for (const Heterogeneity& pair : *of.heterogeneity) {
-      rows.place.group = pair.first;
-      rows.place.against = pair.second;
+      rows.place.group = rows.group(pair.first);
+      rows.place.against = rows.group(pair.second);
       const std::int64_t centres = std::ssize(pair.sites);
       rows.add("heterogeneity_q", pair.q, centres);
       rows.add("heterogeneity_p", pair.p, centres);
@@ -232,12 +232,12 @@ void addSiteResults(const CohortInputs& in, const StudyAnalysis& study, Ledger& 
       continue;
     }
     for (const AdjustedDifference& pair : of.without[i]->pairs) {
-      rows.place = pairAt(in, pair.first, pair.second, in.sites[of.sites[i]]);
+      rows.place = pairAt(ledger, pair.first, pair.second, in.sites[of.sites[i]]);
       rows.addInterval("difference_without_centre", pair.difference, pair.interval,
                        static_cast<std::int64_t>(of.without[i]->trainees));
     }
   }
-  rows.place = {.section = kComparison, .occasion = in.occasions.size() - 1};
+  rows.place = {.section = kComparison, .occasion = ledger.lastOccasion()};
   std::vector<ResultPart> parts = *rows.madeOf;
   parts.emplace_back(ResultPattern{.section = kTrial, .statistic = "content_hash", .of = kEach});
   rows.madeOf = partsOf(std::move(parts));
@@ -260,8 +260,8 @@ std::optional<ReportTable> sitesTable(const CohortInputs& in, const StudyAnalysi
       of.term == SiteTerm::kRandom
           ? Text::tr("linear mixed model, centre random, restricted maximum likelihood, Satterthwaite")
           : Text::tr("analysis of covariance, centre fixed, HC3"));
-  table.provenance.n = std::ssize(of.trainees);
-  table.provenance.missing = study.endMissing;
+  table.provenance.n = resultsAtEnd(ledger).count("centres_compared", kValues);
+  table.provenance.missing = resultsAtEnd(ledger).count("marks_missing");
   ResultTable rows(ledger, table,
                    {{Text::tr("Comparison")},
                     {Text::tr("Difference [95 %, not adjusted]"), "centre_difference", kWithInterval},
@@ -275,9 +275,9 @@ std::optional<ReportTable> sitesTable(const CohortInputs& in, const StudyAnalysi
     return table;
   }
   for (const AdjustedDifference& pair : of.together->pairs) {
-    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(ledger, pair.first, pair.second));
   }
-  const ResultsAt at = resultsAtEnd(in, ledger);
+  const ResultsAt at = resultsAtEnd(ledger);
   const ReportCell centres = at("centres_compared");
   const ReportCell term = at("centre_term");
   const ReportCell rest = at("centre_variance_of_rest", fixed(3));
@@ -303,7 +303,7 @@ std::optional<ReportTable> heterogeneityTable(const CohortInputs& in, const Stud
       in, "table-heterogeneity", Text::tr("How far the differences vary from centre to centre"),
       Text::tr(
           "Cochran; Higgins and Thompson; Paule and Mandel, interval by profiling Q; Hartung and Knapp"));
-  table.provenance.n = std::ssize(of.trainees);
+  table.provenance.n = resultsAtEnd(ledger).count("centres_compared", kValues);
   ResultTable rows(
       ledger, table,
       {{Text::tr("Comparison")},
@@ -319,7 +319,7 @@ std::optional<ReportTable> heterogeneityTable(const CohortInputs& in, const Stud
     return table;
   }
   for (const Heterogeneity& pair : *of.heterogeneity) {
-    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(ledger, pair.first, pair.second));
   }
   table.notes = {Text::tr(
       "Differences at each centre, adjusted with the slope and the residual variance of all. A large p does "
@@ -337,7 +337,7 @@ std::optional<ReportTable> siteDifferencesTable(const CohortInputs& in, const St
       Text::tr("analysis of covariance of all centres, one slope and one variance; then the comparison "
                "within the other centres"));
   table.annex = true;
-  table.provenance.n = std::ssize(study.sites->trainees);
+  table.provenance.n = resultsAtEnd(ledger).count("centres_compared", kValues);
   ResultTable rows(
       ledger, table,
       {{Text::tr("Comparison")},
@@ -348,7 +348,7 @@ std::optional<ReportTable> siteDifferencesTable(const CohortInputs& in, const St
   for (const Heterogeneity& pair : *study.sites->heterogeneity) {
     for (const SiteDifference& one : pair.sites) {
       rows.row({pairName(in, pair.first, pair.second), in.sites[one.site]},
-               pairAt(in, pair.first, pair.second, in.sites[one.site]));
+               pairAt(ledger, pair.first, pair.second, in.sites[one.site]));
     }
   }
   table.notes = {Text::tr("Intervals are not adjusted for their number.")};
@@ -364,7 +364,7 @@ std::optional<ReportTable> equipmentTable(const CohortInputs& in, const StudyAna
       in, "table-equipment", Text::tr("Differences within the centres with device or station in the model"),
       Text::tr("the comparison within the centres with a further fixed factor"));
   table.annex = true;
-  table.provenance.n = std::ssize(study.sites->trainees);
+  table.provenance.n = resultsAtEnd(ledger).count("centres_compared", kValues);
   ResultTable rows(
       ledger, table,
       {{Text::tr("Comparison")},
@@ -374,7 +374,7 @@ std::optional<ReportTable> equipmentTable(const CohortInputs& in, const StudyAna
   const Outcome<SiteComparison>& any =
       study.sites->withDevice ? study.sites->withDevice : study.sites->withStation;
   for (const AdjustedDifference& pair : any->pairs) {
-    rows.row({pairName(in, pair.first, pair.second)}, pairKey(in, pair.first, pair.second));
+    rows.row({pairName(in, pair.first, pair.second)}, pairKey(ledger, pair.first, pair.second));
   }
   table.notes = {Text::tr(
       "Of trainees with a recorded run, by what most of their runs used. Where all runs have the same, or "
@@ -399,11 +399,11 @@ std::optional<ReportTable> siteFlowTable(const CohortInputs& in, const Ledger& l
                     {Text::tr("Scored at the end"), "centre_scored_at_the_end"}});
   for (const std::string& site : in.sites) {
     for (std::size_t g = 0; g < in.groups.size(); ++g) {
-      rows.row({site, in.groups[g].name}, flowKey(g, site));
+      rows.row({site, in.groups[g].name}, flowKey(ledger, g, site));
     }
   }
   table.provenance.formula = Text::tr("counts");
-  table.provenance.n = std::ssize(in.trainees);
+  table.provenance.n = ResultsAt(ledger, {.section = kParticipants}).count("trainees");
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -418,7 +418,7 @@ ReportParagraph sitesSentence(const CohortInputs& in, const StudyAnalysis& study
   ReportParagraph out;
   std::vector<Text> pairs;
   for (const AdjustedDifference& pair : study.sites->together->pairs) {
-    const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+    const ResultsAt at = resultsOfPair(ledger, pair.first, pair.second);
     const ReportCell value = at("centre_difference", fixed(1));
     const ReportCell interval = at("centre_difference_holm_95", intervalWith(1));
     pairs.push_back(
@@ -428,7 +428,7 @@ ReportParagraph sitesSentence(const CohortInputs& in, const StudyAnalysis& study
   std::vector<Text> vary;
   if (study.sites->heterogeneity) {
     for (const Heterogeneity& pair : *study.sites->heterogeneity) {
-      const ResultsAt at = resultsOfPair(in, ledger, pair.first, pair.second);
+      const ResultsAt at = resultsOfPair(ledger, pair.first, pair.second);
       out.keys.push_back(at("heterogeneity_p").key);
       if (at.number("heterogeneity_p").value_or(1.0) < 1.0 - kDefaultConfidence) {
         const ReportCell share = at("heterogeneity_i_squared", percent(0));

@@ -121,7 +121,7 @@ TEST(CohortCsv, ContainsTheTablesOfTheStudy) {
   EXPECT_EQ(csvCount(in, "reml_mean"), 0);
   const auto wordOf = [](const CohortInputs& of, const std::string& statistic) {
     for (const CohortCsvRow& row : cohortCsvRows(of)) {
-      if (row.statistic == statistic) {
+      if (row.section == "comparison" && row.statistic == statistic) {
         return row.value;
       }
     }

@@ -45,7 +45,7 @@ struct Written {
   std::filesystem::path file = folder.path() / "cohort.xlsx";
 
   void workbook(const Text& title = Text::tr("Cohort report")) {
-    WorkbookContents contents{title, {}, tablesOf(set), {}, report.names, {Text(std::string("=2+2"))}};
+    WorkbookContents contents{title, {}, tablesOf(set), {}, {Text(std::string("=2+2"))}};
     for (const ReportSection& section : report.sections) {
       for (const ReportFigure& figure : section.figures) {
         contents.figures.push_back(&figure);
@@ -109,7 +109,7 @@ TEST(ExportSet, EachNumberOfATableBelongsToAResult) {
   const AnalysedCohort cohort = analysedCohort(in);
   std::set<std::string> known;
   cohort.ledger.eachLine(
-      [&](const Result& line) { known.insert(keyAddress(line.key, cohort.ledger.names())); });
+      [&](const Result& line) { known.insert(keyAddress(line.key)); });
   const std::set<std::string> namesARow = {"group_number", "occasion_number", "trial_number", "twist_number"};
   const ExportSet set = exportSet(cohort, {});
   for (const ExportTable* table : tablesOf(set)) {
@@ -117,7 +117,7 @@ TEST(ExportSet, EachNumberOfATableBelongsToAResult) {
       for (std::size_t c = 0; c < row.size(); ++c) {
         if (std::holds_alternative<double>(row[c]) && !namesARow.contains(table->columns[c].name)) {
           ASSERT_NE(row[c].key, nullptr) << table->name << " " << table->columns[c].name;
-          EXPECT_TRUE(known.contains(keyAddress(*row[c].key, cohort.ledger.names())))
+          EXPECT_TRUE(known.contains(keyAddress(*row[c].key)))
               << table->name << " " << table->columns[c].name;
         }
       }
@@ -215,7 +215,7 @@ TEST(Workbook, PreservesEveryNumberAndTextIsNeverAFormula) {
   std::map<std::string, std::optional<double>> known;
   const AnalysedCohort cohort = analysedCohort(written.inputs);
   for (const Result& result : cohort.ledger.every()) {
-    known[keyAddress(result.key, cohort.ledger.names())] = numberIn(result.value);
+    known[keyAddress(result.key)] = numberIn(result.value);
   }
   std::size_t addresses = 0;
   std::istringstream lines(said);
