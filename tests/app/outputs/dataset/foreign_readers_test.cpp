@@ -108,8 +108,7 @@ TEST(ExportSet, EachNumberOfATableBelongsToAResult) {
   in.groups.front().plannedVirtual_min = 40.0;
   const AnalysedCohort cohort = analysedCohort(in);
   std::set<std::string> known;
-  cohort.ledger.eachLine(
-      [&](const Result& line) { known.insert(keyAddress(line.key)); });
+  cohort.ledger.eachLine([&](const Result& line) { known.insert(keyAddress(line.key)); });
   const std::set<std::string> namesARow = {"group_number", "occasion_number", "trial_number", "twist_number"};
   const ExportSet set = exportSet(cohort, {});
   for (const ExportTable* table : tablesOf(set)) {
