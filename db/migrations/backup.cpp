@@ -195,7 +195,7 @@ void backupSqlite(Connection& connection, const fs::path& target, Replace replac
   }
 }
 
-BackupContent contentOf(Connection& connection) {
+BackupContent contentOfRecord(Connection& connection) {
   return {.schemaVersion = checkSchema(connection, embeddedMigrations()).version,
           .trials = rowsOf(connection, "trial"),
           .marks = rowsOf(connection, "training_mark") + rowsOf(connection, "evaluation_mark")};
@@ -212,7 +212,7 @@ BackupContent checkBackup(const fs::path& backup) {
     throw Error(ErrorCode::kVerifyFailed, Text::tr("backup is damaged: %1", findings.front()),
                 backup.string(), Text::tr("Use an older backup"));
   }
-  return contentOf(connection);
+  return contentOfRecord(connection);
 }
 
 fs::path restoreSqlite(const fs::path& backup, const fs::path& target,

@@ -31,7 +31,7 @@ struct BackupContent {
 };
 
 /// Returns the content of an open record.
-[[nodiscard]] BackupContent contentOf(Connection& connection);
+[[nodiscard]] BackupContent contentOfRecord(Connection& connection);
 
 /// Reads and checks a backup without changing it. Throws Error (kFileMissing, kFileUnreadable, kNewerSchema,
 /// kVerifyFailed).

@@ -56,7 +56,7 @@ struct Times {
   std::vector<double> all_ms;
   std::atomic<int> refused{0};
 
-  void add(const torsio::WebAnswer& answer, Clock::time_point begun) {
+  void add(const torsio::DeskAnswer& answer, Clock::time_point begun) {
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
     refused += answer.status == 200 ? 0 : 1;
     const std::lock_guard lock(mutex);
@@ -87,7 +87,7 @@ void score(Rater& rater, Times& times, int seconds, int first_ms) {
     }
     if (second % 3 == 0) {
       const auto saved = Clock::now();
-      const torsio::WebAnswer answer = rater.client.send(
+      const torsio::DeskAnswer answer = rater.client.send(
           "PUT", rater.path + "/sheet", torsio::sheetBody(rater.revision, 70, 80, 10 + second));
       rater.revision += answer.status == 200 ? 1 : 0;
       times.add(answer, saved);
@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
   constexpr int kSaves = 100;
   for (int i = 0; i < kSaves; ++i) {
     Rater& one = *raters.front();
-    const torsio::WebAnswer answer =
+    const torsio::DeskAnswer answer =
         one.client.send("PUT", one.path + "/sheet", torsio::sheetBody(one.revision, 70, 80, 10 + i % 80));
     one.revision += answer.status == 200 ? 1 : 0;
   }

@@ -229,7 +229,7 @@ BackupContent backUpDatabase(SessionContext& session, const fs::path& target,
   together.commit();
   tellProgress(progress, Text::tr("Copying the record while others work"), 0.0);
   if (session.connection().engine() != Engine::kSqlite) {
-    const BackupContent content = contentOf(session.connection());
+    const BackupContent content = contentOfRecord(session.connection());
     dumpServer(session.key().locator, target);
     return content;
   }

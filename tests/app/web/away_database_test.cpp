@@ -116,7 +116,7 @@ TEST_F(AwayDatabase, TheDeskSaysThatTheRecordIsAwayAndLogsItOnce) {
   server().goAway();
 
   for (int i = 0; i < 20; ++i) {
-    const WebAnswer queue = rater.get("/api/queue");
+    const DeskAnswer queue = rater.get("/api/queue");
     ASSERT_EQ(queue.status, 503);
     EXPECT_EQ(queue.json().at("error").at("what"), "the record cannot be reached just now");
     EXPECT_EQ(queue.headers.at("retry-after"), "1");

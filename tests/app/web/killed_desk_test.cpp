@@ -68,7 +68,7 @@ TEST(KilledDesk, LosesNoAcknowledgedMarkAndDuplicatesNone) {
       std::this_thread::sleep_for(later);
       served.die();
     });
-    WebAnswer answer;
+    DeskAnswer answer;
     do {
       ++step;
       answer = client.send("PUT", path, savedAs(revision, step));
@@ -102,7 +102,7 @@ TEST(KilledDesk, FindsAndSealsADraftWithTheClockSetBack) {
   {
     ServingProgram served(centre, {});
     WebClient client = physicianAt(served.port());
-    const WebAnswer saved =
+    const DeskAnswer saved =
         client.send("PUT", "/api/cases/" + firstCase(client) + "/sheet", sheetBody(0, 70, 80, 75));
     ASSERT_EQ(saved.status, 200) << saved.body;
     revision = saved.json().at("revision");
@@ -117,14 +117,14 @@ TEST(KilledDesk, FindsAndSealsADraftWithTheClockSetBack) {
   EXPECT_EQ(opened.at("sheet").at("overall_steps"), 75);
   EXPECT_EQ(client.send("PUT", path + "/sheet", sheetBody(revision - 1, 1, 1, 1)).status, 409)
       << "what is older is older, whatever the clock says";
-  const WebAnswer saved = client.send("PUT", path + "/sheet", sheetBody(revision, 72, 80, 75));
+  const DeskAnswer saved = client.send("PUT", path + "/sheet", sheetBody(revision, 72, 80, 75));
   ASSERT_EQ(saved.status, 200) << saved.body;
   ASSERT_EQ(client
                 .send("POST", path + "/viewing",
                       {{"played", {{{"from_us", 0}, {"to_us", opened.at("length_us")}, {"speed", 1.0}}}}})
                 .status,
             200);
-  const WebAnswer sealed =
+  const DeskAnswer sealed =
       client.send("POST", path + "/submit", {{"sheet", sheetBody(revision + 1, 72, 80, 75)}});
   ASSERT_EQ(sealed.status, 200) << sealed.body;
   EXPECT_EQ(client.get(path).json().at("state"), "submitted");

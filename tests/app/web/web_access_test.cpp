@@ -44,7 +44,7 @@ class WebAccess : public ::testing::Test {
     const std::vector<UserId> ids{userOf(login)};
     return invite(session, ids).at(0).secret;
   }
-  WebAnswer join(WebClient& client, const std::string& token, const std::string& password = kChosenPassword) {
+  DeskAnswer join(WebClient& client, const std::string& token, const std::string& password = kChosenPassword) {
     return client.send("POST", "/api/join", {{"token", token}, {"newPassword", password}});
   }
   WebClient office() { return served.signedIn("office"); }
@@ -64,21 +64,21 @@ TEST_F(WebAccess, AnInvitationOpensTheQueueOnce) {
   WebClient client = served.client();
   EXPECT_EQ(client.get("/join").status, 200) << "the page itself asks for nothing";
 
-  const WebAnswer weak = join(client, secret, "short");
+  const DeskAnswer weak = join(client, secret, "short");
   EXPECT_EQ(weak.status, 400) << weak.body;
-  const WebAnswer welcome = join(client, secret);
+  const DeskAnswer welcome = join(client, secret);
   ASSERT_EQ(welcome.status, 200) << welcome.body;
   EXPECT_EQ(welcome.json().at("user").at("login"), "physician0");
   EXPECT_EQ(client.get("/api/queue").status, 200);
 
   WebClient other = served.client();
-  const WebAnswer replayed = join(other, secret);
-  const WebAnswer guessed = join(other, "abcde-abcde-abcde-abcde");
+  const DeskAnswer replayed = join(other, secret);
+  const DeskAnswer guessed = join(other, "abcde-abcde-abcde-abcde");
   EXPECT_EQ(replayed.status, 401);
   EXPECT_EQ(replayed.body, guessed.body) << "used and never made are answered alike";
   EXPECT_EQ(other.cookie, "");
   EXPECT_TRUE(other.signIn("physician0", kChosenPassword));
-  for (const WebAnswer& answer : {welcome, replayed, guessed}) {
+  for (const DeskAnswer& answer : {welcome, replayed, guessed}) {
     EXPECT_EQ(answer.body.find(secret), std::string::npos);
   }
 }
@@ -147,7 +147,7 @@ TEST_F(WebAccess, UsersWithoutAPageAreRefused) {
   access.setPassword("u-keeper", access.sealPassword("keeper", kWebPassword), false);
   WebClient client = served.client();
 
-  const WebAnswer refused =
+  const DeskAnswer refused =
       client.send("POST", "/api/sign-in", {{"login", "keeper"}, {"password", kWebPassword}});
 
   EXPECT_EQ(refused.status, 403);
@@ -253,7 +253,7 @@ TEST_F(WebAccess, EveryRouteAnswersOnlyPermittedRoles) {
       }
       const std::string name = route.method + " " + route.path;
       const std::string path = pathOf(route, "x");
-      const WebAnswer answer =
+      const DeskAnswer answer =
           route.method == "GET" ? client.get(path) : client.send(route.method, path, json::object());
       EXPECT_EQ(answer.status == 200, may.count(name) == 1) << role << ": " << name << " " << answer.status;
       EXPECT_TRUE(answer.status == 200 || answer.status == 400 || answer.status == 403)

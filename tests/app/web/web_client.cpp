@@ -39,8 +39,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-WebAnswer parsed(const std::string& bytes) {
-  WebAnswer answer;
+DeskAnswer parsed(const std::string& bytes) {
+  DeskAnswer answer;
   const std::size_t end = bytes.find("\r\n\r\n");
   if (end == std::string::npos || bytes.rfind("HTTP/1.1 ", 0) != 0) {
     return answer;
@@ -69,7 +69,7 @@ WebAnswer parsed(const std::string& bytes) {
 
 }  // namespace
 
-WebAnswer WebClient::raw(const std::string& bytes) const {
+DeskAnswer WebClient::raw(const std::string& bytes) const {
   const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in to{};
   to.sin_family = AF_INET;
@@ -96,7 +96,7 @@ WebAnswer WebClient::raw(const std::string& bytes) const {
   return parsed(received);
 }
 
-WebAnswer WebClient::exchange(const std::string& head, const std::string& body) {
+DeskAnswer WebClient::exchange(const std::string& head, const std::string& body) {
   std::string bytes = head + "Host: 127.0.0.1:" + std::to_string(port_) +
                       "\r\nConnection: close\r\nAccept-Encoding: gzip\r\n";
   if (!cookie.empty()) {
@@ -105,7 +105,7 @@ WebAnswer WebClient::exchange(const std::string& head, const std::string& body) 
   for (const auto& [name, value] : headers) {
     bytes.append(name).append(": ").append(value).append("\r\n");
   }
-  WebAnswer answer = raw(bytes + "\r\n" + body);
+  DeskAnswer answer = raw(bytes + "\r\n" + body);
   for (const std::string& one : answer.cookies) {
     const std::string name = one.substr(0, one.find('=') + 1);
     const std::size_t old = cookie.find(name);
@@ -118,11 +118,11 @@ WebAnswer WebClient::exchange(const std::string& head, const std::string& body) 
   return answer;
 }
 
-WebAnswer WebClient::get(const std::string& path) {
+DeskAnswer WebClient::get(const std::string& path) {
   return exchange("GET " + path + " HTTP/1.1\r\n", "");
 }
 
-WebAnswer WebClient::send(const std::string& method, const std::string& path, const nlohmann::json& body) {
+DeskAnswer WebClient::send(const std::string& method, const std::string& path, const nlohmann::json& body) {
   const std::string text = body.dump();
   return exchange(
       method + " " + path +
@@ -132,7 +132,7 @@ WebAnswer WebClient::send(const std::string& method, const std::string& path, co
 }
 
 bool WebClient::signIn(const std::string& login, const std::string& password) {
-  const WebAnswer answer = send("POST", "/api/sign-in", {{"login", login}, {"password", password}});
+  const DeskAnswer answer = send("POST", "/api/sign-in", {{"login", login}, {"password", password}});
   if (answer.status != 200 || !answer.json().contains("token")) {
     return false;
   }

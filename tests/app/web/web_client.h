@@ -15,7 +15,7 @@ namespace torsio {
 [[nodiscard]] std::string unpackedGzip(const std::string& bytes);
 
 /// A server's answer. Status 0: the connection was closed without one.
-struct WebAnswer {
+struct DeskAnswer {
   int status = 0;
   std::map<std::string, std::string> headers{};  ///< lower-case names; the first of each
   std::vector<std::string> cookies{};            ///< "name=value", of every Set-Cookie
@@ -28,11 +28,11 @@ class WebClient {
  public:
   explicit WebClient(std::uint16_t port) : port_(port) {}
 
-  [[nodiscard]] WebAnswer get(const std::string& path);
+  [[nodiscard]] DeskAnswer get(const std::string& path);
   /// Sends JSON by PUT or POST, like a page of the desk.
-  [[nodiscard]] WebAnswer send(const std::string& method, const std::string& path,
+  [[nodiscard]] DeskAnswer send(const std::string& method, const std::string& path,
                                const nlohmann::json& body);
-  [[nodiscard]] WebAnswer raw(const std::string& bytes) const;
+  [[nodiscard]] DeskAnswer raw(const std::string& bytes) const;
   /// Signs in; false if refused.
   bool signIn(const std::string& login, const std::string& password);
 
@@ -42,7 +42,7 @@ class WebClient {
   std::vector<std::pair<std::string, std::string>> headers{};  ///< additional headers of every request
 
  private:
-  [[nodiscard]] WebAnswer exchange(const std::string& head, const std::string& body);
+  [[nodiscard]] DeskAnswer exchange(const std::string& head, const std::string& body);
   std::uint16_t port_;
 };
 

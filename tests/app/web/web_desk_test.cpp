@@ -40,7 +40,7 @@ TEST(WebDesk, OnlyDeclaredRoutesAreOpen) {
 
   for (const Route& route : served.desk->router().routes()) {
     const std::string path = pathOf(route, "x");
-    const WebAnswer answer =
+    const DeskAnswer answer =
         route.method == "GET" ? client.get(path) : client.send(route.method, path, json::object());
     if (route.access == RouteAccess::kSignedIn) {
       EXPECT_EQ(answer.status, 401) << route.method << " " << path;
@@ -60,7 +60,7 @@ TEST(WebDesk, AdmitsAPhysician) {
   EXPECT_EQ(client.send("POST", "/api/sign-in", {{"login", "physician0"}, {"password", "wrong"}}).status,
             401);
   EXPECT_EQ(client.send("POST", "/api/sign-in", {{"login", "nobody"}, {"password", kPassword}}).status, 401);
-  const WebAnswer welcome =
+  const DeskAnswer welcome =
       client.send("POST", "/api/sign-in", {{"login", "physician0"}, {"password", kPassword}});
   ASSERT_EQ(welcome.status, 200) << welcome.body;
   const std::string cookie = welcome.headers.at("set-cookie");
@@ -351,21 +351,21 @@ TEST(WebDesk, ACaseIsScoredSavedAndSubmitted) {
   EXPECT_EQ(opened.at("rubric").at("rows").size(), 2U);
   EXPECT_FALSE(opened.at("check").at("may_submit"));
 
-  const WebAnswer saved = client.send("PUT", path + "/sheet", sheetBody(0, 70, 80, 75));
+  const DeskAnswer saved = client.send("PUT", path + "/sheet", sheetBody(0, 70, 80, 75));
   ASSERT_EQ(saved.status, 200) << saved.body;
   EXPECT_EQ(saved.json().at("revision"), 1);
-  const WebAnswer early = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
+  const DeskAnswer early = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
   EXPECT_EQ(early.status, 400) << "nothing was watched yet";
-  const WebAnswer seen =
+  const DeskAnswer seen =
       client.send("POST", path + "/viewing",
                   {{"played", {{{"from_us", 0}, {"to_us", opened.at("length_us")}, {"speed", 1.0}}}}});
   ASSERT_EQ(seen.status, 200) << seen.body;
   EXPECT_GT(seen.json().at("share").get<double>(), 0.8);
-  const WebAnswer sealed = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
+  const DeskAnswer sealed = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
   ASSERT_EQ(sealed.status, 200) << sealed.body;
 
   EXPECT_EQ(client.get(path).json().at("state"), "submitted");
-  const WebAnswer again = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
+  const DeskAnswer again = client.send("POST", path + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
   EXPECT_EQ(again.status, 400) << again.body;
   EXPECT_NE(again.body.find("this sheet is sealed already"), std::string::npos) << again.body;
   EXPECT_EQ(sealed.json().at("next"), firstCase(client));
@@ -390,7 +390,7 @@ TEST(WebDesk, OfTwoSubmissionsAtOnceOneSealsAndTheOtherSaysSo) {
                       {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}})
                 .status,
             200);
-  std::vector<WebAnswer> answers(tabs.size());
+  std::vector<DeskAnswer> answers(tabs.size());
   std::vector<std::thread> pressing;
   for (std::size_t i = 0; i < tabs.size(); ++i) {
     pressing.emplace_back([&, i] {
@@ -415,7 +415,7 @@ TEST(WebDesk, TheWindowAndTwoTabsNeverOverwriteEachOther) {
   EXPECT_NE(here, there) << "a handle means nothing in another session";
 
   EXPECT_EQ(one.send("PUT", here, sheetBody(0, 70, 80, 75)).status, 200);
-  const WebAnswer late = two.send("PUT", there, sheetBody(0, 10, 10, 10));
+  const DeskAnswer late = two.send("PUT", there, sheetBody(0, 10, 10, 10));
 
   ASSERT_EQ(late.status, 409) << late.body;
   EXPECT_EQ(late.json().at("sheet").at("overall_steps"), 75);
@@ -436,21 +436,21 @@ TEST(WebDesk, AsksForThePasswordIfTheSignatureRequiresIt) {
                     {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}});
   json body = {{"sheet", sheetBody(0, 70, 80, 75)}};
 
-  const WebAnswer asked = client.send("POST", path + "/submit", body);
+  const DeskAnswer asked = client.send("POST", path + "/submit", body);
   ASSERT_EQ(asked.status, 403) << asked.body;
   EXPECT_TRUE(asked.json().at("need_password"));
   EXPECT_EQ(asked.json().at("meaning"), "I scored this case");
   body["password"] = "wrong";
   EXPECT_EQ(client.send("POST", path + "/submit", body).status, 403);
   body["password"] = kPassword;
-  const WebAnswer sealed = client.send("POST", path + "/submit", body);
+  const DeskAnswer sealed = client.send("POST", path + "/submit", body);
   EXPECT_EQ(sealed.status, 200) << sealed.body;
 }
 
 TEST(WebDesk, NoByteRevealsTheTrainee) {
   Served served({.raters = 2, .trainees = 3, .trial_s = 0.5, .live = true, .dueByTrainee = true});
   WebClient client = served.physician(0);
-  std::vector<WebAnswer> answers{client.get("/api/queue"), client.get("/api/me"), client.get("/api/texts")};
+  std::vector<DeskAnswer> answers{client.get("/api/queue"), client.get("/api/me"), client.get("/api/texts")};
   for (const char* path : {"/api/evaluation", "/api/calibration", "/api/severity", "/api/discrepancies",
                            "/api/sessions", "/api/own", "/api/own/remarks", "/api/own/transcript",
                            "/api/cohorts", "/api/all-sessions", "/api/invitations"}) {
@@ -475,7 +475,7 @@ TEST(WebDesk, NoByteRevealsTheTrainee) {
       }
     }
   }
-  for (const WebAnswer& answer : answers) {
+  for (const DeskAnswer& answer : answers) {
     std::string all = answer.body;
     for (const auto& [name, value] : answer.headers) {
       all.append("\n").append(name).append(": ").append(value);
@@ -501,8 +501,8 @@ TEST(WebDesk, AnotherUsersCaseIsAnsweredLikeAMissingOne) {
   WebClient two = served.physician(1);
   const std::string foreign = firstCase(one);
 
-  const WebAnswer theirs = two.get("/api/cases/" + foreign);
-  const WebAnswer none = two.get("/api/cases/nothing");
+  const DeskAnswer theirs = two.get("/api/cases/" + foreign);
+  const DeskAnswer none = two.get("/api/cases/nothing");
 
   EXPECT_EQ(theirs.status, 403);
   EXPECT_EQ(theirs.body, none.body);
@@ -511,7 +511,7 @@ TEST(WebDesk, AnotherUsersCaseIsAnsweredLikeAMissingOne) {
 TEST(WebDesk, ARecordingHasItsTraces) {
   const Served served;
   WebClient client = served.physician(0);
-  const WebAnswer answer = client.get("/api/cases/" + firstCase(client) + "/recording");
+  const DeskAnswer answer = client.get("/api/cases/" + firstCase(client) + "/recording");
 
   ASSERT_EQ(answer.status, 200);
   ASSERT_EQ(answer.body.substr(0, 4), "TRS1");
@@ -533,7 +533,7 @@ TEST(WebDesk, AnswersInTheLanguageOfThePage) {
   client.headers = {{"X-Torsio-Language", "zh_CN"}};
 
   EXPECT_EQ(client.get("/api/texts").json().at("language"), "zh_CN");
-  const WebAnswer refused = client.get("/api/queue");
+  const DeskAnswer refused = client.get("/api/queue");
   EXPECT_EQ(refused.status, 401);
   EXPECT_EQ(refused.json().at("error").at("what").get<std::string>().find("signed"), std::string::npos);
   WebClient physician = served.physician(0);
@@ -572,7 +572,7 @@ TEST(WebDesk, NoRequestCausesAnInternalError) {
     for (std::uint64_t k = 0; k < 1 + random.bounded(3); ++k) {
       body[names[random.bounded(names.size())]] = odd[random.bounded(odd.size())];
     }
-    const WebAnswer answer = client.send(route.method, pathOf(route, handle), body);
+    const DeskAnswer answer = client.send(route.method, pathOf(route, handle), body);
     EXPECT_NE(answer.status, 500) << route.path << " "
                                   << body.dump(-1, ' ', false, json::error_handler_t::replace);
     EXPECT_NE(answer.status, 0);
@@ -588,7 +588,7 @@ TEST(WebDesk, TellsAMonitoringSystemCountsAndTimesAndNothingOfPeople) {
   ASSERT_EQ(client.get("/api/queue").status, 200);
   ASSERT_EQ(client.get("/api/cases/none").status, 403);
 
-  const WebAnswer answer = client.get("/metrics");
+  const DeskAnswer answer = client.get("/metrics");
 
   EXPECT_EQ(answer.status, 200);
   EXPECT_EQ(answer.headers.at("content-type"), "application/openmetrics-text; version=1.0.0; charset=utf-8");

@@ -55,7 +55,7 @@ TEST_F(WebInvitation, IsShownOnceAndRevoked) {
   WebClient office = signedIn("office");
   EXPECT_EQ(lineOf(office, "office"), nullptr) << "nobody invites himself";
 
-  const WebAnswer made = office.send("POST", "/api/invitations", {{"users", usersOf(office, "physician0")}});
+  const DeskAnswer made = office.send("POST", "/api/invitations", {{"users", usersOf(office, "physician0")}});
   ASSERT_EQ(made.status, 200) << made.body;
   const json card = made.json().at("cards").at(0);
   const std::string link = card.at("link");
@@ -97,7 +97,7 @@ TEST_F(WebInvitation, NeedsTwoPeopleIfTheCentreRequiresIt) {
             "A request waits for you as the second person: Users, Requests");
   const json theirs = second.get("/api/invitations").json().at("waiting").at(0);
   EXPECT_EQ(theirs.at("by"), "office");
-  const WebAnswer confirmed =
+  const DeskAnswer confirmed =
       second.send("POST", "/api/invitations/confirm", {{"request", theirs.at("request")}});
   ASSERT_EQ(confirmed.status, 200) << confirmed.body;
   const std::string secret = secretOf(confirmed.json().at("cards").at(0).at("link"));

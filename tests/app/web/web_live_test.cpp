@@ -28,7 +28,7 @@ class WebLive : public ::testing::Test {
     cohort =
         "/api/cohorts/" + office.get("/api/cohorts").json().at("cohorts")[0].at("cohort").get<std::string>();
   }
-  WebAnswer call(const std::string& code) {
+  DeskAnswer call(const std::string& code) {
     return office.send("POST", cohort + "/calls",
                        {{"code", code}, {"occasion", "post"}, {"room", "Skills lab"}});
   }
@@ -61,7 +61,7 @@ TEST_F(WebLive, ACallReachesEveryWaitingPageWithinTwoSeconds) {
   EXPECT_EQ(served.client().get("/readyz").status, 200) << "waiting pages take no thread";
 
   const Clock::time_point called = Clock::now();
-  const WebAnswer answer = call("tr-4100 ");
+  const DeskAnswer answer = call("tr-4100 ");
   ASSERT_EQ(answer.status, 200) << answer.body;
   for (std::thread& one : waiting) {
     one.join();
@@ -113,7 +113,7 @@ TEST_F(WebLive, APageThatDoesNotKnowTheNewestIsAnsweredAtOnce) {
 
 TEST_F(WebLive, WaitingPagesAreAnsweredWhenTheServerStops) {
   WebClient rater = served.physician(0);
-  WebAnswer answer;
+  DeskAnswer answer;
   std::thread waiting([&, stamp = stampOf(rater)] { answer = rater.get("/api/live/" + stamp); });
   std::this_thread::sleep_for(200ms);
 
@@ -135,7 +135,7 @@ TEST_F(WebLive, TheAdministratorCallsRemindsAndEnds) {
   const std::string sheet =
       "/api/cases/" + rater.get("/api/live").json().at("lines")[0].at("case").get<std::string>();
   ASSERT_EQ(rater.send("PUT", sheet + "/sheet", sheetBody(0, 70, 80, 75)).status, 200);
-  const WebAnswer sealed = rater.send("POST", sheet + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
+  const DeskAnswer sealed = rater.send("POST", sheet + "/submit", {{"sheet", sheetBody(1, 70, 80, 75)}});
   ASSERT_EQ(sealed.status, 200) << sealed.body;
   EXPECT_EQ(office.send("POST", pathOfCall("cancel"), {{"reason", "wrong person"}}).status, 400)
       << "a sheet is in already";

@@ -23,7 +23,7 @@ TEST(WebPages, AnEvaluationIsScoredAndSubmittedUnderItsLetters) {
   served.centre.addTwoModels(true);
   WebClient client = served.physician(0);
 
-  const WebAnswer asked = client.get("/api/evaluation");
+  const DeskAnswer asked = client.get("/api/evaluation");
   const json form = asked.json().at("forms").at(0);
   ASSERT_EQ(form.at("models").size(), 2U) << asked.body;
   EXPECT_EQ(form.at("models").at(0).at("label"), "M") << "in the own order";
@@ -48,10 +48,10 @@ TEST(WebPages, AnEvaluationIsScoredAndSubmittedUnderItsLetters) {
         {{"played", {{{"from_us", 0}, {"to_us", 600'000}, {"speed", speed}}}}, {"open", true}});
   };
   EXPECT_EQ(watch(3.0).status, 400) << "a speed that the centre does not allow";
-  const WebAnswer watched = watch(1.0);
+  const DeskAnswer watched = watch(1.0);
   ASSERT_EQ(watched.status, 200) << watched.body;
   EXPECT_FALSE(watched.json().at("check").at("watched_too_little")) << watched.body;
-  const WebAnswer sealed = client.send("POST", path + "/submit", json::object());
+  const DeskAnswer sealed = client.send("POST", path + "/submit", json::object());
   ASSERT_EQ(sealed.status, 200) << sealed.body;
   EXPECT_TRUE(sealed.json().at("forms").at(0).at("models").at(0).at("submitted"));
   EXPECT_EQ(client.send("PUT", path, {{"index", 1}, {"score_steps", 10}}).status, 400) << "sealed";
@@ -75,7 +75,7 @@ TEST(WebPages, CalibrationShowsThePanelsMarkAfterOnesOwn) {
   EXPECT_EQ(client.get("/api/calibration/0x1/recording").status, 400);
   EXPECT_EQ(client.send("PUT", "/api/calibration/1", {{"score_steps", 1000}}).status, 400);
 
-  const WebAnswer scored = client.send("PUT", "/api/calibration/1", {{"score_steps", 70}});
+  const DeskAnswer scored = client.send("PUT", "/api/calibration/1", {{"score_steps", 70}});
   ASSERT_EQ(scored.status, 200) << scored.body;
   EXPECT_NEAR(scored.json().at("runs").at(0).at("offset_points").get<double>(), 0.8, 1e-9);
   EXPECT_TRUE(scored.json().at("complete"));
@@ -88,7 +88,7 @@ void sealFirst(const ServedDesk& served, int physician, int steps) {
   (void)client.get(path);
   (void)client.send("POST", path + "/viewing",
                     {{"played", {{{"from_us", 0}, {"to_us", 500'000}, {"speed", 1.0}}}}});
-  const WebAnswer sealed =
+  const DeskAnswer sealed =
       client.send("POST", path + "/submit", {{"sheet", sheetBody(0, steps, steps, steps)}});
   EXPECT_EQ(sealed.status, 200) << sealed.body;
 }
@@ -109,7 +109,7 @@ TEST(WebPages, DiscrepanciesAndSeverityOpenWhenAllHaveSubmitted) {
   EXPECT_EQ(severity.at("difference_points"), -6.0);
   const std::string path = "/api/discrepancies/" + apart.at(0).at("case").get<std::string>();
   EXPECT_EQ(client.send("POST", path + "/third", {{"reason", ""}}).status, 400) << "needs a reason";
-  const WebAnswer kept = client.send("POST", path + "/keep", {{"reason", "the hold was short"}});
+  const DeskAnswer kept = client.send("POST", path + "/keep", {{"reason", "the hold was short"}});
   ASSERT_EQ(kept.status, 200) << kept.body;
   EXPECT_EQ(kept.json().at("cases").at(0).at("decision"), "keep");
   WebClient other = served.physician(1);
@@ -137,7 +137,7 @@ TEST(WebPages, TraineesReadOnlyTheirOwnRecord) {
   const json own = one.get("/api/own").json();
   ASSERT_EQ(own.at("runs").size(), 1U) << own.dump();
   const std::string path = "/api/own/runs/" + own.at("runs").at(0).at("run").get<std::string>();
-  const WebAnswer run = one.get(path);
+  const DeskAnswer run = one.get(path);
   ASSERT_EQ(run.status, 200) << run.body;
   EXPECT_TRUE(run.json().at("twists").is_array());
   EXPECT_TRUE(run.json().at("verdict").is_null()) << "of no exercise: nobody is held to be able by it";
@@ -147,7 +147,7 @@ TEST(WebPages, TraineesReadOnlyTheirOwnRecord) {
   EXPECT_EQ(one.get(path + "/recording").status, 200);
   EXPECT_EQ(two.get(path).status, 403);
   EXPECT_EQ(two.get(path + "/recording").status, 403);
-  const WebAnswer transcript = one.get("/api/own/transcript");
+  const DeskAnswer transcript = one.get("/api/own/transcript");
   EXPECT_EQ(transcript.status, 200);
   EXPECT_NE(transcript.body.find(own.at("code").get<std::string>()), std::string::npos);
   EXPECT_EQ(one.send("POST", "/api/own/remarks/x/reply", {{"text", "thank you"}}).status, 403);
@@ -241,7 +241,7 @@ TEST(WebPages, AdministratorsSeeTheBoardsOfTheDayAndOfMarks) {
   const json board = office.get(path + "/board").json();
   EXPECT_EQ(board.at("rows").size(), 1U);
   EXPECT_EQ(board.at("alerts"), json{"Trainees without a group: 1. Draw them under Allocation."});
-  const WebAnswer scored = office.get(path + "/scored");
+  const DeskAnswer scored = office.get(path + "/scored");
   ASSERT_EQ(scored.status, 200) << scored.body;
   EXPECT_EQ(scored.json().at("lines").at(0).at("cells"), (json{"submitted", "open"}));
   WebClient physician = served.physician(0);

@@ -53,21 +53,21 @@ TEST(HttpServer, RejectsLargeAndContradictoryRequests) {
                      "Content-Length: 3\r\nContent-Length: 4\r\n\r\nabc")
                 .status,
             400);
-  const WebAnswer both = client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
+  const DeskAnswer both = client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
                                     "Content-Length: 3\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n");
   EXPECT_TRUE(both.status == 400 || both.status == 0) << both.status;
   std::string chunks;
   for (int i = 0; i < 10; ++i) {
     chunks += "100\r\n" + std::string(0x100, 'a') + "\r\n";
   }
-  const WebAnswer chunked = client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
+  const DeskAnswer chunked = client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
                                        "Transfer-Encoding: chunked\r\n\r\n" + chunks + "0\r\n\r\n");
   EXPECT_EQ(chunked.status, 0) << "a body beyond the limit is not read to its end";
   std::string headers;
   for (int i = 0; i < 2000; ++i) {
     headers += "X-" + std::to_string(i) + ": " + std::string(100, 'a') + "\r\n";
   }
-  const WebAnswer many = client.raw("GET / HTTP/1.1\r\nConnection: close\r\n" + host + headers + "\r\n");
+  const DeskAnswer many = client.raw("GET / HTTP/1.1\r\nConnection: close\r\n" + host + headers + "\r\n");
   EXPECT_NE(many.status, 200);
 }
 
@@ -110,7 +110,7 @@ class PendingRequest {
   }
   void reply(const std::string& body) { reply_({.body = body}); }
   /// Stops the server and returns what its client got.
-  WebAnswer stop() {
+  DeskAnswer stop() {
     server_.reset();
     client_.join();
     return answer_;
@@ -119,7 +119,7 @@ class PendingRequest {
  private:
   std::mutex mutex_;
   HttpServer::Reply reply_;
-  WebAnswer answer_;
+  DeskAnswer answer_;
   std::unique_ptr<HttpServer> server_;
   std::thread client_;
 };
@@ -127,7 +127,7 @@ class PendingRequest {
 TEST(HttpServer, StopsWithAPendingRequest) {
   PendingRequest pending({.drain_s = 0});
 
-  const WebAnswer answer = pending.stop();
+  const DeskAnswer answer = pending.stop();
 
   EXPECT_TRUE(answer.status == 503 || answer.status == 0) << answer.status;
   pending.reply("too late");  // the connection has gone; the reply is dropped
@@ -140,7 +140,7 @@ TEST(HttpServer, AnswersWhatItReceivedBeforeItStops) {
     pending.reply("done");
   });
 
-  const WebAnswer answer = pending.stop();
+  const DeskAnswer answer = pending.stop();
   late.join();
 
   EXPECT_EQ(answer.status, 200);
@@ -174,7 +174,7 @@ std::string headOf(const WebClient& client, const std::string& line) {
          "Cookie: " + client.cookie + "\r\nX-Torsio-Token: " + client.token + "\r\n";
 }
 
-WebAnswer posted(const WebClient& client, const std::string& path, const std::string& body) {
+DeskAnswer posted(const WebClient& client, const std::string& path, const std::string& body) {
   return client.raw(headOf(client, "POST " + path) + "Content-Length: " + std::to_string(body.size()) +
                     "\r\n\r\n" + body);
 }
@@ -221,7 +221,7 @@ TEST(WebAttacks, PathTraversalIsRefused) {
                            "http://evil.example/",
                            "*",
                            "/api/cases/<script>alert(1)</script>"}) {
-    const WebAnswer answer = client.raw(headOf(client, std::string("GET ") + path) + "\r\n");
+    const DeskAnswer answer = client.raw(headOf(client, std::string("GET ") + path) + "\r\n");
     const bool query = std::string(path).find('?') != std::string::npos;
     EXPECT_TRUE(query || answer.status != 200) << path;
     EXPECT_LT(answer.status, 500) << path;
@@ -257,7 +257,7 @@ TEST(WebAttacks, ContradictoryRequestsAreRefused) {
   for (const std::string& request : requests) {
     WebClient noisy(served.server->port());
     noisy.patience_ms = 200;  // nobody answers half a request
-    const WebAnswer answer = noisy.raw(request);
+    const DeskAnswer answer = noisy.raw(request);
     EXPECT_NE(answer.status, 500) << request.substr(0, 120);
     EXPECT_EQ(answer.headers.count("set-cookie"), 0U) << request.substr(0, 120);
   }
@@ -288,7 +288,7 @@ TEST(WebAttacks, MaliciousBodiesAreRefused) {
       std::string(250'000, ' '),
       std::string(1, '\0')};
   for (const std::string& body : bodies) {
-    const WebAnswer answer = posted(client, path, body);
+    const DeskAnswer answer = posted(client, path, body);
     EXPECT_EQ(answer.status, 400) << body.substr(0, 60);
   }
   EXPECT_EQ(client.get("/api/me").status, 200);
