@@ -10,9 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "app/connectors/foreign/parquet_codec.h"
+#include "app/connectors/foreign/parquet_column.h"
 #include "app/connectors/foreign/parquet_meta.h"
-#include "app/connectors/foreign/parquet_page.h"
 #include "app/connectors/foreign/parquet_thrift.h"
 #include "sim/core/error.h"
 
@@ -23,25 +22,8 @@ namespace {
 constexpr std::string_view kParquetMark = "PAR1";
 constexpr std::string_view kEncryptedMark = "PARE";
 constexpr std::size_t kFooterEnd = 8;                // its length and the mark
-constexpr std::size_t kMaxFooterBytes = 16U << 20U;  // limits: what a damaged file may make this program hold
-constexpr std::size_t kMaxHeadBytes = 64U << 10U;
-constexpr std::size_t kMaxPageBytes = 32U << 20U;
-constexpr std::size_t kMaxUnpackedBytes = 16U << 20U;
-constexpr std::size_t kMaxDictionaryBytes = 4U << 20U;
+constexpr std::size_t kMaxFooterBytes = 16U << 20U;  // limit: what a damaged file may make this program hold
 constexpr std::int64_t kMaxRows = 50'000'000;
-
-constexpr std::int64_t kDataPage = 0;
-constexpr std::int64_t kDictionaryPage = 2;
-constexpr std::int64_t kDataPage2 = 3;
-
-constexpr std::int64_t kPlainValues = 0;
-constexpr std::int64_t kPlainDictionary = 2;
-constexpr std::int64_t kRunsAndBits = 3;
-constexpr std::int64_t kRleDictionary = 8;
-constexpr std::array kEncodingNames = {
-    "PLAIN",          "GROUP_VAR_INT",       "PLAIN_DICTIONARY",        "RLE",
-    "BIT_PACKED",     "DELTA_BINARY_PACKED", "DELTA_LENGTH_BYTE_ARRAY", "DELTA_BYTE_ARRAY",
-    "RLE_DICTIONARY", "BYTE_STREAM_SPLIT"};
 
 }  // namespace
 
@@ -55,16 +37,7 @@ bool isParquet(const std::filesystem::path& file) {
 class ParquetTable::Reader {
  public:
   Reader(const std::filesystem::path& file, std::string name, const std::vector<std::string>& columns)
-      : name_(std::move(name)), in_(file, std::ios::binary) {
-    if (!std::filesystem::is_regular_file(file)) {
-      throw Error(ErrorCode::kFileMissing, Text::tr("there is no such file"), file.string(),
-                  Text::tr("Check the names in the map"));
-    }
-    if (!in_) {
-      throw Error(ErrorCode::kFileUnreadable, Text::tr("the file cannot be read"), file.string(),
-                  Text::tr("Check its permissions"));
-    }
-    size_ = std::filesystem::file_size(file);
+      : file_(file, std::move(name)) {
     readFooter();
     for (const std::string& column : columns) {
       choose(column);
@@ -81,69 +54,26 @@ class ParquetTable::Reader {
     --rowsLeft_;
     cells.resize(columns_.size());
     for (std::size_t c = 0; c < columns_.size(); ++c) {
-      try {
-        cells[c] = valueOf(columns_[c]);
-      } catch (const PageDamaged&) {
-        refuseDamaged(columns_[c]);
-      } catch (const ThriftReader::Damaged&) {
-        refuseDamaged(columns_[c]);
-      }
+      cells[c] = columns_[c].next();
     }
     return true;
   }
-  [[nodiscard]] std::string timeUnit(std::size_t column) const {
-    return leaves_[columns_[column].leaf].timeUnit;
-  }
+  [[nodiscard]] std::string timeUnit(std::size_t column) const { return columns_[column].leaf().timeUnit; }
 
  private:
-  /// A column that is read: where it is in the current row group, and what is left of the current page.
-  struct Column {
-    std::size_t leaf = 0;
-    ParquetChunk chunk{};
-    std::size_t at = 0;           ///< of the next page in the file
-    std::int64_t valuesLeft = 0;  ///< in pages to come
-    std::int64_t inPage = 0;
-    std::string dictionaryPage{};
-    std::vector<std::string> dictionary{};
-    std::string page{};
-    LevelReader given{};                   ///< whether there is a value
-    std::optional<LevelReader> numbers{};  ///< in the dictionary, or truth values; empty: PLAIN
-    PageValues plain{};
-  };
-
-  [[noreturn]] void refuseFile(const Text& what, const Text& remedy) const { refuse(what, name_, remedy); }
-  [[noreturn]] void refuseDamagedFile() const {
-    refuseFile(Text::tr("the Parquet file is damaged or incomplete"), Text::tr("Copy or write it again"));
-  }
-  [[noreturn]] void refuseColumn(const Column& column, const Text& what, const Text& remedy) const {
-    refuse(what, placeOf(leaves_[column.leaf]), remedy);
-  }
-  [[noreturn]] void refuseDamaged(const Column& column) const {
-    refuseColumn(column, Text::tr("the Parquet file is damaged or incomplete"),
-                 Text::tr("Copy or write it again"));
-  }
-  [[nodiscard]] std::string placeOf(const ParquetLeaf& leaf) const { return name_ + ", " + leaf.name; }
-
-  [[nodiscard]] std::string bytesAt(std::size_t at, std::size_t count) {
-    std::string bytes(count, '\0');
-    in_.clear();
-    in_.seekg(static_cast<std::streamoff>(at));
-    in_.read(bytes.data(), static_cast<std::streamsize>(count));
-    if (static_cast<std::size_t>(in_.gcount()) != count) {
-      refuseDamagedFile();
-    }
-    return bytes;
+  [[noreturn]] void refuseFile(const Text& what, const Text& remedy) const {
+    refuse(what, file_.name(), remedy);
   }
 
   void readFooter() {
     const std::size_t least = kParquetMark.size() + kFooterEnd;
-    const std::string end =
-        size_ < least ? std::string(kFooterEnd, '\0') : bytesAt(size_ - kFooterEnd, kFooterEnd);
+    const std::string end = file_.size() < least ? std::string(kFooterEnd, '\0')
+                                                 : file_.bytesAt(file_.size() - kFooterEnd, kFooterEnd);
     const std::string mark = end.substr(kFooterEnd - kParquetMark.size());
     if (mark == kEncryptedMark) {
       refuseFile(Text::tr("the Parquet file is encrypted"), Text::tr("Write it without encryption"));
     }
-    if (mark != kParquetMark || bytesAt(0, kParquetMark.size()) != kParquetMark) {
+    if (mark != kParquetMark || file_.bytesAt(0, kParquetMark.size()) != kParquetMark) {
       refuseFile(Text::tr("this is not a complete Parquet file"),
                  Text::tr("Choose a Parquet file, or name the form that this file has"));
     }
@@ -151,15 +81,16 @@ class ParquetTable::Reader {
     for (std::size_t i = 0; i < 4; ++i) {
       length |= static_cast<std::size_t>(static_cast<unsigned char>(end[i])) << 8U * i;
     }
-    if (length > size_ - least || length > kMaxFooterBytes) {
-      refuseDamagedFile();
+    if (length > file_.size() - least || length > kMaxFooterBytes) {
+      refuseDamagedParquet(file_.name());
     }
-    dataEnd_ = size_ - kFooterEnd - length;
-    footer_ = bytesAt(dataEnd_, length);
+    const std::size_t dataEnd = file_.size() - kFooterEnd - length;
+    file_.endDataAt(dataEnd);
+    footer_ = file_.bytesAt(dataEnd, length);
     try {
       hearFooter();
     } catch (const ThriftReader::Damaged&) {
-      refuseDamagedFile();
+      refuseDamagedParquet(file_.name());
     }
     if (rows_ < 0 || rows_ > kMaxRows) {
       refuseFile(Text::tr("the file has %1 {row|rows}, more than 50 million", rows_),
@@ -209,7 +140,7 @@ class ParquetTable::Reader {
                  Text::tr("Use one of its columns: %1", known));
     }
     if (!found->flat) {
-      refuse(Text::tr("the column has lists or groups of values"), placeOf(*found),
+      refuse(Text::tr("the column has lists or groups of values"), file_.placeOf(*found),
              Text::tr("Write each of its numbers as a column of its own"));
     }
     if (std::count_if(leaves_.begin(), leaves_.end(), isIt) > 1) {
@@ -225,21 +156,19 @@ class ParquetTable::Reader {
                       : found->kind == ParquetKind::kInt96      ? "INT96"
                       : found->kind == ParquetKind::kFixedBytes ? "FIXED_LEN_BYTE_ARRAY"
                                                                 : "BYTE_ARRAY"),
-             placeOf(*found),
+             file_.placeOf(*found),
              Text::tr("Write it as whole numbers, as decimal numbers of 32 or 64 bits, or as text"));
     }
     if (found->scale < 0 || found->scale > kMaxScale) {
-      refuseDamagedFile();
+      refuseDamagedParquet(file_.name());
     }
-    columns_.emplace_back();
-    columns_.back().leaf = static_cast<std::size_t>(found - leaves_.begin());
+    columns_.emplace_back(file_, *found);
+    leafOf_.push_back(static_cast<std::size_t>(found - leaves_.begin()));
   }
 
   void nextGroup() {
     --groupsLeft_;
-    for (Column& column : columns_) {
-      column.chunk = ParquetChunk();
-    }
+    std::vector<ParquetChunk> found(columns_.size());
     std::int64_t rows = -1;
     std::size_t chunks = 0;
     try {
@@ -254,210 +183,35 @@ class ParquetTable::Reader {
         chunks = groups_->list().size;
         for (std::size_t i = 0; i < chunks; ++i) {
           const ParquetChunk chunk = chunkOf(*groups_);
-          for (Column& column : columns_) {
-            if (column.leaf == i) {
-              column.chunk = chunk;
+          for (std::size_t c = 0; c < columns_.size(); ++c) {
+            if (leafOf_[c] == i) {
+              found[c] = chunk;
             }
           }
         }
         return true;
       });
     } catch (const ThriftReader::Damaged&) {
-      refuseDamagedFile();
+      refuseDamagedParquet(file_.name());
     }
     if (chunks != leaves_.size() || rows < 0 || rows > rows_ - rowsSeen_) {
-      refuseDamagedFile();
+      refuseDamagedParquet(file_.name());
     }
     rowsSeen_ += rows;
     rowsLeft_ = rows;
-    for (Column& column : columns_) {
-      beginChunk(column, rows);
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      columns_[c].begin(found[c], rows);
     }
     if (groupsLeft_ == 0 && rowsSeen_ != rows_) {
-      refuseDamagedFile();
+      refuseDamagedParquet(file_.name());
     }
   }
 
-  void beginChunk(Column& column, std::int64_t rows) {
-    const ParquetChunk& chunk = column.chunk;
-    if (chunk.elsewhere) {
-      refuseColumn(column, Text::tr("the values are encrypted or in another file"),
-                   Text::tr("Write one file without encryption"));
-    }
-    if (!isReadCodec(chunk.codec)) {
-      refuseColumn(column,
-                   Text::tr("the values are packed with %1, which is not read", codecName(chunk.codec)),
-                   Text::tr("Write the file unpacked, or packed with Snappy, gzip or zstd"));
-    }
-    const bool dictionary = chunk.dictionaryAt > 0 && chunk.dictionaryAt < chunk.dataAt;
-    const std::int64_t begin = dictionary ? chunk.dictionaryAt : chunk.dataAt;
-    const auto room = static_cast<std::int64_t>(dataEnd_);
-    if (chunk.kind != static_cast<std::int64_t>(leaves_[column.leaf].kind) || chunk.values != rows ||
-        begin < 0 || begin > room) {
-      refuseDamaged(column);
-    }
-    column.at = static_cast<std::size_t>(begin);
-    column.valuesLeft = rows;
-    column.inPage = 0;
-    column.dictionary.clear();
-  }
-
-  [[nodiscard]] std::string valueOf(Column& column) {
-    while (column.inPage == 0) {
-      nextPage(column);
-    }
-    --column.inPage;
-    const ParquetLeaf& leaf = leaves_[column.leaf];
-    if (leaf.optional && column.given.next() == 0) {
-      return {};
-    }
-    if (!column.numbers) {
-      return column.plain.next();
-    }
-    const std::uint32_t number = column.numbers->next();
-    if (leaf.kind == ParquetKind::kBoolean) {
-      return number != 0 ? "1" : "0";
-    }
-    if (number >= column.dictionary.size()) {
-      throw PageDamaged();
-    }
-    return column.dictionary[number];
-  }
-
-  /// Reads a page into `column`; a page without values (a dictionary, an index) leaves none.
-  void nextPage(Column& column) {
-    if (column.at >= dataEnd_) {
-      throw PageDamaged();
-    }
-    const std::size_t left = dataEnd_ - column.at;
-    const ParquetPage head = pageHead(bytesAt(column.at, std::min(left, kMaxHeadBytes)));
-    if (head.packed < 0 || head.unpacked < 0 || head.values < 0 ||
-        static_cast<std::size_t>(head.packed) > left - head.bytes) {
-      throw PageDamaged();
-    }
-    const auto packed = static_cast<std::size_t>(head.packed);
-    const auto unpacked = static_cast<std::size_t>(head.unpacked);
-    const bool isPacked = column.chunk.codec != 0 && (head.kind != kDataPage2 || head.isPacked);
-    const std::size_t most = head.kind == kDictionaryPage ? kMaxDictionaryBytes
-                             : isPacked                   ? kMaxUnpackedBytes
-                                                          : kMaxPageBytes;
-    if (std::max(packed, unpacked) > most) {
-      refuseColumn(column, Text::tr("a page has more than %1 MiB", most >> 20U),
-                   Text::tr("Write the file with pages of the usual size, 1 MiB"));
-    }
-    const std::size_t at = column.at + head.bytes;
-    column.at = at + packed;
-    if (head.kind != kDataPage && head.kind != kDataPage2 && head.kind != kDictionaryPage) {
-      return;
-    }
-    std::string bytes = bytesAt(at, packed);
-    if (head.checksum && static_cast<std::uint32_t>(*head.checksum) != pageChecksum(bytes)) {
-      refuseColumn(column, Text::tr("the checksum of a page is wrong"), Text::tr("Copy or write it again"));
-    }
-    std::size_t levels = 0;  // of version 2, which never packs them
-    if (head.kind == kDataPage2) {
-      if (head.repetitionBytes != 0 || head.levelBytes < 0 ||
-          static_cast<std::size_t>(head.levelBytes) > std::min(packed, unpacked)) {
-        throw PageDamaged();
-      }
-      levels = static_cast<std::size_t>(head.levelBytes);
-    }
-    if (isPacked) {
-      std::optional<std::string> values =
-          unpackedPage(column.chunk.codec, std::string_view(bytes).substr(levels), unpacked - levels);
-      if (!values) {
-        throw PageDamaged();
-      }
-      bytes = bytes.substr(0, levels) + *values;
-    } else if (packed != unpacked) {
-      throw PageDamaged();
-    }
-    if (head.kind == kDictionaryPage) {
-      takeDictionary(column, head, bytes);
-      return;
-    }
-    if (head.values > column.valuesLeft) {
-      throw PageDamaged();
-    }
-    column.valuesLeft -= head.values;
-    column.inPage = head.values;
-    column.page = std::move(bytes);
-    beginValues(column, head, levels);
-  }
-
-  void takeDictionary(Column& column, const ParquetPage& head, const std::string& bytes) {
-    if (head.encoding != kPlainValues && head.encoding != kPlainDictionary) {
-      refuseEncoding(column, head.encoding);
-    }
-    if (!column.dictionary.empty() || static_cast<std::size_t>(head.values) > bytes.size()) {
-      throw PageDamaged();
-    }
-    PageValues values(leaves_[column.leaf], bytes);
-    for (std::int64_t i = 0; i < head.values; ++i) {
-      column.dictionary.push_back(values.next());
-    }
-  }
-
-  void beginValues(Column& column, const ParquetPage& head, std::size_t levels) {
-    const ParquetLeaf& leaf = leaves_[column.leaf];
-    std::string_view bytes = column.page;
-    if (head.kind == kDataPage2) {
-      column.given = LevelReader(bytes.substr(0, levels), 1);
-      bytes.remove_prefix(levels);
-    } else if (leaf.optional) {
-      if (head.levelEncoding != kRunsAndBits) {
-        refuseEncoding(column, head.levelEncoding);
-      }
-      column.given = LevelReader(sized(bytes), 1);
-    }
-    column.numbers.reset();
-    if (head.encoding == kPlainValues) {
-      column.plain = PageValues(leaf, bytes);
-    } else if (head.encoding == kPlainDictionary || head.encoding == kRleDictionary) {
-      constexpr unsigned kMostBits = 32;
-      const unsigned bits = bytes.empty() ? 0 : static_cast<unsigned char>(bytes.front());
-      if (bits > kMostBits) {
-        throw PageDamaged();
-      }
-      column.numbers.emplace(bytes.substr(bytes.empty() ? 0 : 1), bits);
-    } else if (head.encoding == kRunsAndBits && leaf.kind == ParquetKind::kBoolean) {
-      column.numbers.emplace(sized(bytes), 1);
-    } else {
-      refuseEncoding(column, head.encoding);
-    }
-  }
-
-  /// Takes bytes that are preceded by their length from the front.
-  static std::string_view sized(std::string_view& bytes) {
-    constexpr std::size_t kLength = 4;
-    std::size_t length = 0;
-    for (std::size_t i = 0; i < kLength && bytes.size() >= kLength; ++i) {
-      length |= static_cast<std::size_t>(static_cast<unsigned char>(bytes[i])) << 8U * i;
-    }
-    if (bytes.size() < kLength || length > bytes.size() - kLength) {
-      throw PageDamaged();
-    }
-    const std::string_view taken = bytes.substr(kLength, length);
-    bytes.remove_prefix(kLength + length);
-    return taken;
-  }
-
-  [[noreturn]] void refuseEncoding(const Column& column, std::int64_t encoding) const {
-    const bool known = encoding >= 0 && encoding < std::ssize(kEncodingNames);
-    refuseColumn(
-        column,
-        Text::tr("the values are encoded as %1, which is not read",
-                 known ? kEncodingNames[static_cast<std::size_t>(encoding)] : std::to_string(encoding)),
-        Text::tr("Write them with plain or dictionary encoding"));
-  }
-
-  std::string name_;
-  std::ifstream in_;
-  std::size_t size_ = 0;
-  std::size_t dataEnd_ = 0;
+  ParquetFile file_;
   std::string footer_;
   std::vector<ParquetLeaf> leaves_;
-  std::vector<Column> columns_;
+  std::vector<ParquetColumn> columns_;
+  std::vector<std::size_t> leafOf_;  ///< of each of these columns, its place among all
   std::int64_t rows_ = 0;
   std::int64_t rowsSeen_ = 0;  ///< in row groups up to the current one
   std::int64_t rowsLeft_ = 0;  ///< in the current one
