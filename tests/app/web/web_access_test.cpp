@@ -44,7 +44,8 @@ class WebAccess : public ::testing::Test {
     const std::vector<UserId> ids{userOf(login)};
     return invite(session, ids).at(0).secret;
   }
-  DeskAnswer join(WebClient& client, const std::string& token, const std::string& password = kChosenPassword) {
+  DeskAnswer join(WebClient& client, const std::string& token,
+                  const std::string& password = kChosenPassword) {
     return client.send("POST", "/api/join", {{"token", token}, {"newPassword", password}});
   }
   WebClient office() { return served.signedIn("office"); }

@@ -31,7 +31,7 @@ class WebClient {
   [[nodiscard]] DeskAnswer get(const std::string& path);
   /// Sends JSON by PUT or POST, like a page of the desk.
   [[nodiscard]] DeskAnswer send(const std::string& method, const std::string& path,
-                               const nlohmann::json& body);
+                                const nlohmann::json& body);
   [[nodiscard]] DeskAnswer raw(const std::string& bytes) const;
   /// Signs in; false if refused.
   bool signIn(const std::string& login, const std::string& password);

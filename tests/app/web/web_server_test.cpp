@@ -54,14 +54,14 @@ TEST(HttpServer, RejectsLargeAndContradictoryRequests) {
                 .status,
             400);
   const DeskAnswer both = client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
-                                    "Content-Length: 3\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n");
+                                     "Content-Length: 3\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n");
   EXPECT_TRUE(both.status == 400 || both.status == 0) << both.status;
   std::string chunks;
   for (int i = 0; i < 10; ++i) {
     chunks += "100\r\n" + std::string(0x100, 'a') + "\r\n";
   }
   const DeskAnswer chunked = client.raw("POST / HTTP/1.1\r\nConnection: close\r\n" + host +
-                                       "Transfer-Encoding: chunked\r\n\r\n" + chunks + "0\r\n\r\n");
+                                        "Transfer-Encoding: chunked\r\n\r\n" + chunks + "0\r\n\r\n");
   EXPECT_EQ(chunked.status, 0) << "a body beyond the limit is not read to its end";
   std::string headers;
   for (int i = 0; i < 2000; ++i) {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/station/heads_page.h"
 
-#include <algorithm>
-#include <functional>
 #include <initializer_list>
-#include <optional>
-#include <sstream>
-#include <utility>
 
 #include <QClipboard>
-#include <QFontDatabase>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -22,34 +16,19 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/base/administrator_parts.h"
+#include "app/gui/administrator/station/heads_comparison.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/translated_text.h"
-#include "app/gui/widgets/field_checks.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_parts.h"
 #include "app/gui/widgets/value_text.h"
-#include "app/services/maintenance/anchor.h"
-#include "app/services/maintenance/signing_key.h"
 
 namespace torsio::gui {
 
 namespace {
 
 constexpr int kHeadLines = 4;
-constexpr int kCompareLines = 6;
-constexpr std::size_t kShownFindings = 10;
-
-/// Returns a field for heads, which are long words.
-QPlainTextEdit* lineField(QWidget* parent, const char* name, int lines) {
-  auto* field = new QPlainTextEdit(parent);
-  field->setObjectName(QString::fromLatin1(name));
-  field->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  field->setWordWrapMode(QTextOption::WrapAnywhere);
-  field->setTabChangesFocus(true);
-  field->setFixedHeight(field->fontMetrics().lineSpacing() * lines + 2 * kSpace);
-  return field;
-}
 
 QPushButton* namedButton(QWidget* parent, const char* name) {
   auto* button = new QPushButton(parent);
@@ -64,16 +43,6 @@ void addRow(Card* card, std::initializer_list<QPushButton*> buttons) {
   }
   row->addStretch(1);
   card->content()->addLayout(row);
-}
-
-std::vector<std::string> linesOf(const QString& text) {
-  std::vector<std::string> lines;
-  for (const QString& line : text.split(QLatin1Char('\n'))) {
-    if (const QString words = line.simplified(); !words.isEmpty()) {
-      lines.push_back(words.toStdString());
-    }
-  }
-  return lines;
 }
 
 }  // namespace
@@ -95,18 +64,11 @@ HeadsPage::HeadsPage(ShellContext& shell)
       noStamps_(namedButton(this, "noAuthority")),
       now_(new Card(QString(), this)),
       nowText_(sentence(this, false)),
-      line_(lineField(this, "head", kHeadLines)),
+      line_(headsField(this, "head", kHeadLines)),
       copy_(namedButton(this, "copyHead")),
       print_(namedButton(this, "printHead")),
       add_(namedButton(this, "addHead")),
-      compare_(new Card(QString(), this)),
-      compareText_(sentence(this, false)),
-      lines_(lineField(this, "keptHeads", kCompareLines)),
-      load_(namedButton(this, "loadWitness")),
-      public_(named(new QLineEdit(this), "publicKey")),
-      verify_(namedButton(this, "verifyHeads")),
-      verdict_(named(sentence(this, false), "headsVerdict")),
-      checks_(new FieldChecks(this)) {
+      comparison_(new HeadsComparison(shell, this)) {
   line_->setReadOnly(true);
   layOut();
   connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kAudit); });
@@ -120,17 +82,7 @@ HeadsPage::HeadsPage(ShellContext& shell)
   connect(copy_, &QPushButton::clicked, this, &HeadsPage::copyHead);
   connect(print_, &QPushButton::clicked, this, &HeadsPage::printHead);
   connect(add_, &QPushButton::clicked, this, &HeadsPage::addHead);
-  connect(load_, &QPushButton::clicked, this, &HeadsPage::loadWitness);
-  connect(verify_, &QPushButton::clicked, this, &HeadsPage::verify);
-  connect(lines_, &QPlainTextEdit::textChanged, this, [this] {
-    verdictOfHeads_.reset();
-    unreadable_.reset();
-    showVerdict();
-    showButtons();
-  });
-  connect(&shell, &ShellContext::jobStarted, this, &HeadsPage::showButtons);
-  connect(&shell, &ShellContext::jobEnded, this, &HeadsPage::showButtons);
-  addChecks();
+  connect(comparison_, &HeadsComparison::compared, this, &HeadsPage::read);
   retranslate();
 }
 
@@ -138,9 +90,9 @@ void HeadsPage::layOut() {
   heading_->addAction(back_);
   QVBoxLayout* column = scrolledColumn(this);
   column->addWidget(heading_);
-  for (Card* card : {station_, now_, compare_}) {
-    column->addWidget(card);
-  }
+  column->addWidget(station_);
+  column->addWidget(now_);
+  column->addWidget(comparison_);
   column->addStretch(1);
 
   for (QLabel* text : {keyText_, witnessText_, stampText_}) {
@@ -163,53 +115,17 @@ void HeadsPage::layOut() {
   now_->content()->addWidget(nowText_);
   now_->content()->addWidget(line_);
   addRow(now_, {copy_, print_, add_});
-
-  verify_->setProperty("primary", true);
-  compare_->content()->addWidget(compareText_);
-  compare_->content()->addWidget(lines_);
-  QHBoxLayout* row = rowOf({load_});
-  row->addSpacing(kSpace);
-  publicLabel_ = addField(row, public_);
-  row->setStretchFactor(public_, 1);
-  row->addWidget(verify_);
-  compare_->content()->addLayout(row);
-  compare_->content()->addWidget(verdict_);
-}
-
-/// Called after the page's own connections, so that hints see the updated state.
-void HeadsPage::addChecks() {
-  QVBoxLayout* column = compare_->content();
-  const auto hintBelow = [this, column](int place, QWidget* field, std::function<QString()> wrong) {
-    QLabel* hint = fieldHint(compare_);
-    column->insertWidget(place, hint);
-    checks_->add(hint, field, std::move(wrong));
-  };
-  const int lines = column->indexOf(lines_) + 1;
-  hintBelow(lines, lines_, [this] {
-    if (lines_->toPlainText().trimmed().isEmpty()) {
-      return tr("Paste at least one head, or read a file.");
-    }
-    return unreadable_ ? translatedLine(*unreadable_) : QString();
-  });
-  hintBelow(column->indexOf(verdict_), public_, [this] {
-    const std::string key = public_->text().trimmed().toStdString();
-    return key.empty() || isPublicKey(key)
-               ? QString()
-               : tr("A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.")
-                     .arg(public_->text().trimmed().size());
-  });
-  checks_->decide(verify_, [this] { return !shell().working(); });
 }
 
 void HeadsPage::enter(const QVariant&) {
-  verdictOfHeads_.reset();
-  showVerdict();
+  comparison_->forget();
   read();
 }
 
 void HeadsPage::read() {
   attempt(shell(), [&] {
     heads_ = stationHeads(shell().session());
+    comparison_->setWitness(heads_.anchor.witness);
     head_.clear();
     showStation();
     head_ = headNow(shell().session());
@@ -278,7 +194,6 @@ void HeadsPage::showButtons() {
   add_->setEnabled(!heads_.anchor.witness.empty());
   copy_->setEnabled(!head_.empty());
   print_->setEnabled(!head_.empty());
-  checks_->check();
 }
 
 void HeadsPage::makeKey(const std::filesystem::path& file) {
@@ -369,72 +284,6 @@ void HeadsPage::printHead() {
   document.print(&printer);
 }
 
-void HeadsPage::loadWitness() {
-  const QString file =
-      askFileToOpen(this, tr("Saved heads"), tr("Heads (*)"), toQString(heads_.anchor.witness));
-  if (file.isEmpty()) {
-    return;
-  }
-  attempt(shell(), [&] {
-    QStringList lines;
-    for (const std::string& line : headsOf(toPath(file))) {
-      lines << toQString(line);
-    }
-    lines_->setPlainText(lines.join(QLatin1Char('\n')));
-  });
-}
-
-void HeadsPage::verify() {
-  const auto show = [this](std::optional<HeadsVerdict> verdict, std::optional<Error> unreadable) {
-    verdictOfHeads_ = std::move(verdict);
-    unreadable_ = std::move(unreadable);
-    checks_->touch(lines_);
-    showVerdict();
-    read();
-  };
-  const std::vector<std::string> lines = linesOf(lines_->toPlainText());
-  shell().run(
-      this, tr("Comparing the record with saved heads"),
-      [lines, key = public_->text().trimmed().toStdString()](
-          SessionContext& session, const ProgressCallback&) { return verifyHeads(session, lines, key); },
-      [show](HeadsVerdict verdict) { show(std::move(verdict), std::nullopt); },
-      [show, lines](const Error& error) {
-        const std::string& where = error.where();
-        const bool aboutLines =
-            !where.empty() && std::any_of(lines.begin(), lines.end(), [&where](const std::string& line) {
-              return line.starts_with(where);
-            });
-        if (aboutLines) {
-          show(std::nullopt, error);
-        }
-        return aboutLines;
-      });
-}
-
-void HeadsPage::showVerdict() {
-  verdict_->setVisible(verdictOfHeads_.has_value());
-  if (!verdictOfHeads_) {
-    return;
-  }
-  const std::vector<AuditFinding>& findings = verdictOfHeads_->findings;
-  const bool sound = findings.empty();
-  QStringList lines{sound ? tr("\u2713 The audit trail matches these heads, and nothing has been removed.")
-                          : tr("\u26A0 %n finding(s). Do not report from this record before they are "
-                               "explained.",
-                               nullptr, static_cast<int>(findings.size()))};
-  for (std::size_t i = 0; i < std::min(findings.size(), kShownFindings); ++i) {
-    const AuditFinding& finding = findings[i];
-    lines << tr("\u2022 entry %1: %2")
-                 .arg(locale().toString(static_cast<qlonglong>(finding.sequence)), toQString(finding.what));
-  }
-  for (const Text& note : verdictOfHeads_->notes) {
-    lines << QStringLiteral("\u2022 ") + toQString(note);
-  }
-  verdict_->setText(lines.join(QLatin1Char('\n')));
-  setLook(verdict_, "good", sound);
-  setLook(verdict_, "caution", !sound);
-}
-
 void HeadsPage::retranslate() {
   heading_->setTexts(tr("Heads of the audit trail"),
                      tr("Heads are kept outside the record and reveal what it cannot show itself: entries "
@@ -455,17 +304,8 @@ void HeadsPage::retranslate() {
   copy_->setText(tr("&Copy"));
   print_->setText(tr("&Print\u2026"));
   add_->setText(tr("&Add to the witness file"));
-  compare_->setTitle(tr("Compare with saved heads"));
-  compareText_->setText(tr(
-      "Paste or type heads, one per line, or read a witness file. Without a public key they must be signed "
-      "with the key of this station, where it has one."));
-  lines_->setAccessibleName(tr("Saved heads"));
-  load_->setText(tr("Read a &file\u2026"));
-  nameField(publicLabel_, tr("Public &key"));
-  public_->setPlaceholderText(tr("that of this station"));
-  verify_->setText(tr("&Verify"));
+  comparison_->retranslate();
   showStation();
-  showVerdict();
 }
 
 }  // namespace torsio::gui

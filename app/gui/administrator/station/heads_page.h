@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "app/gui/base/page.h"
 #include "app/services/maintenance/station_anchor.h"
-#include "sim/core/error.h"
 
 class QLabel;
 class QLineEdit;
@@ -17,7 +15,7 @@ class QPushButton;
 namespace torsio::gui {
 
 class Card;
-class FieldChecks;
+class HeadsComparison;
 class PageHeading;
 
 /// Audit heads stored externally: this station's signing key and target folder, the present head to copy or
@@ -36,28 +34,22 @@ class HeadsPage : public Page {
   void keepIn(const std::filesystem::path& witness);
   /// Names the time stamp authority of the centre, with the file of its root; an empty address: none.
   void stampBy(const QString& address, const std::filesystem::path& certificate);
-  /// Compares the record with the lines of the field.
-  void verify();
 
  private:
   void layOut();
-  void addChecks();
   void read();
   void showStation();
-  void showVerdict();
   void showButtons();
   void askKey();
   void askOtherKey();
   void askWitness();
   void askCertificate();
   void addHead();
-  void loadWitness();
   void copyHead();
   void printHead();
 
   StationHeads heads_;
   std::string head_;
-  std::optional<HeadsVerdict> verdictOfHeads_;  ///< empty: not compared yet
   PageHeading* heading_;
   QPushButton* back_;
   Card* station_;
@@ -78,16 +70,7 @@ class HeadsPage : public Page {
   QPushButton* copy_;
   QPushButton* print_;
   QPushButton* add_;
-  Card* compare_;
-  QLabel* compareText_;
-  QPlainTextEdit* lines_;
-  QPushButton* load_;
-  QLabel* publicLabel_ = nullptr;
-  QLineEdit* public_;
-  QPushButton* verify_;
-  QLabel* verdict_;
-  FieldChecks* checks_;
-  std::optional<Error> unreadable_;  ///< error of the lines
+  HeadsComparison* comparison_;
 };
 
 }  // namespace torsio::gui
