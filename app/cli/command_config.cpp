@@ -17,6 +17,7 @@ namespace torsio::cli {
 namespace {
 
 constexpr int kKeyWidth = 18;
+constexpr const char* kNone = "This computer has no /etc/torsio/torsio.conf. ";
 
 Configuration readOr(const std::string& file) {
   const std::filesystem::path named = file.empty() ? configurationFile() : std::filesystem::path(file);
@@ -42,14 +43,14 @@ void show(bool json) {
     printJson({{"file", file}, {"settings", all}});
     return;
   }
-  std::cout << (file.empty() ? "This computer has no /etc/torsio/torsio.conf. " : "")
+  std::cout << (file.empty() ? kNone : "")
             << "What the centre chose for all stations: torsio settings list\n";
 }
 
 void check(const std::string& file) {
   const Configuration read = readOr(file);
   if (read.file().empty()) {
-    std::cout << "This computer has no /etc/torsio/torsio.conf\n";
+    std::cout << kNone << "\n";
     return;
   }
   requireUsable(read);

@@ -299,7 +299,7 @@
     </message>
 </context>
 <context>
-    <name>torsio::gui::HeadsPage</name>
+    <name>torsio::gui::HeadsComparison</name>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
         <translation>

@@ -26860,6 +26860,69 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
+    <name>torsio::gui::HeadsComparison</name>
+    <message>
+        <source>Paste at least one head, or read a file.</source>
+        <translation>请至少粘贴一个链头，或读取文件。</translation>
+    </message>
+    <message>
+        <source>A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.</source>
+        <translation>公钥为 64 位（0 至 9、a 至 f）；此处有 %1 个字符。</translation>
+    </message>
+    <message>
+        <source>Saved heads</source>
+        <translation>已保存的链头</translation>
+    </message>
+    <message>
+        <source>Heads (*)</source>
+        <translation>链头 (*)</translation>
+    </message>
+    <message>
+        <source>Comparing the record with saved heads</source>
+        <translation>正在将记录与已保存的链头核对</translation>
+    </message>
+    <message>
+        <source>✓ The audit trail matches these heads, and nothing has been removed.</source>
+        <translation>✓ 审计记录与这些链头相符，没有内容被删除。</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
+        <translation>
+            <numerusform>
+            &lt;numerusform&gt;⚠ 发现 %n 处异常。在查明之前，请勿据此记录出具报告。&lt;/numerusform&gt;
+        </numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>• entry %1: %2</source>
+        <translation>• 条目 %1：%2</translation>
+    </message>
+    <message>
+        <source>Compare with saved heads</source>
+        <translation>与已保存的链头核对</translation>
+    </message>
+    <message>
+        <source>Paste or type heads, one per line, or read a witness file. Without a public key they must be signed with the key of this station, where it has one.</source>
+        <translation>粘贴或输入链头，每行一个，或读取见证文件。未填公钥时，若本站有密钥，链头须由本站的密钥签名。</translation>
+    </message>
+    <message>
+        <source>Read a &amp;file…</source>
+        <translation>读取文件(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Public &amp;key</source>
+        <translation>公钥(&amp;K)</translation>
+    </message>
+    <message>
+        <source>that of this station</source>
+        <translation>本站的公钥</translation>
+    </message>
+    <message>
+        <source>&amp;Verify</source>
+        <translation>验证(&amp;V)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::HeadsPage</name>
     <message>
         <source>Heads are signed with the key in %1
@@ -26932,28 +26995,6 @@ Its public part, to be kept where heads are checked: %2</source>
         <translation>审计记录的链头，打印于 %1</translation>
     </message>
     <message>
-        <source>Saved heads</source>
-        <translation>已保存的链头</translation>
-    </message>
-    <message>
-        <source>Comparing the record with saved heads</source>
-        <translation>正在将记录与已保存的链头核对</translation>
-    </message>
-    <message>
-        <source>✓ The audit trail matches these heads, and nothing has been removed.</source>
-        <translation>✓ 审计记录与这些链头相符，没有内容被删除。</translation>
-    </message>
-    <message numerus="yes">
-        <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
-        <translation>
-            <numerusform>⚠ 发现 %n 处异常。在查明之前，请勿据此记录出具报告。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>• entry %1: %2</source>
-        <translation>• 条目 %1：%2</translation>
-    </message>
-    <message>
         <source>Heads of the audit trail</source>
         <translation>审计记录的链头</translation>
     </message>
@@ -27000,38 +27041,6 @@ Its public part, to be kept where heads are checked: %2</source>
     <message>
         <source>&amp;Add to the witness file</source>
         <translation>添加到见证文件(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Compare with saved heads</source>
-        <translation>与已保存的链头核对</translation>
-    </message>
-    <message>
-        <source>Paste or type heads, one per line, or read a witness file. Without a public key they must be signed with the key of this station, where it has one.</source>
-        <translation>粘贴或输入链头，每行一个，或读取见证文件。未填公钥时，若本站有密钥，链头须由本站的密钥签名。</translation>
-    </message>
-    <message>
-        <source>Read a &amp;file…</source>
-        <translation>读取文件(&amp;F)…</translation>
-    </message>
-    <message>
-        <source>Public &amp;key</source>
-        <translation>公钥(&amp;K)</translation>
-    </message>
-    <message>
-        <source>that of this station</source>
-        <translation>本站的公钥</translation>
-    </message>
-    <message>
-        <source>&amp;Verify</source>
-        <translation>验证(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Paste at least one head, or read a file.</source>
-        <translation>请至少粘贴一个链头，或读取文件。</translation>
-    </message>
-    <message>
-        <source>A public key has 64 digits, 0 to 9 and a to f; this one has %1 characters.</source>
-        <translation>公钥为 64 位（0 至 9、a 至 f）；此处有 %1 个字符。</translation>
     </message>
     <message>
         <source>No authority confirms when heads were made: only the clocks of the stations say so.</source>

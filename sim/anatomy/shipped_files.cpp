@@ -111,7 +111,7 @@ std::string placesJson(const std::vector<OrganPlace>& places) {
 
 std::string stomachJson(const WholeStomach& stomach) {
   std::vector<std::string> wall;
-  for (const WallThickness& at : stomach.wall) {
+  for (const StomachWall& at : stomach.wall) {
     std::string pair = "[";
     pair.append(hundredths(at.share)).append(", ").append(hundredths(at.thickness_mm)).append("]");
     wall.push_back(std::move(pair));

@@ -43,7 +43,7 @@ struct TubeOrgan {
 [[nodiscard]] TubeOrgan makeFormerIntestine();
 
 /// Thickness of the wall at a share of the length from the pylorus (0) to the top of the fundus (1).
-struct WallThickness {
+struct StomachWall {
   double share = 0.0;
   double thickness_mm = 0.0;
 };
@@ -57,7 +57,7 @@ struct WholeStomach {
   /// Ten; angles from the lesser curvature over the front.
   std::vector<OrganPlace> markers;
   std::vector<OrganPlace> landmarks;   ///< others of the anatomy
-  std::vector<WallThickness> wall;     ///< ascending shares
+  std::vector<StomachWall> wall;       ///< ascending shares
   std::vector<Vec3> greaterOmentum_m;  ///< where it is fixed, pylorus to fundus
   std::vector<Vec3> lesserOmentum_m;   ///< pylorus to cardia
   std::vector<Vec3> zeroLine_m;        ///< lesser curvature, pylorus to cardia

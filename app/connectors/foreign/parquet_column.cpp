@@ -51,7 +51,7 @@ void refuseDamagedParquet(const std::string& where) {
   refuse(Text::tr("the Parquet file is damaged or incomplete"), where, Text::tr("Copy or write it again"));
 }
 
-ParquetFile::ParquetFile(const std::filesystem::path& file, std::string name)
+ParquetBytes::ParquetBytes(const std::filesystem::path& file, std::string name)
     : name_(std::move(name)), in_(file, std::ios::binary) {
   if (!std::filesystem::is_regular_file(file)) {
     throw Error(ErrorCode::kFileMissing, Text::tr("there is no such file"), file.string(),
@@ -65,7 +65,7 @@ ParquetFile::ParquetFile(const std::filesystem::path& file, std::string name)
   dataEnd_ = size_;
 }
 
-std::string ParquetFile::bytesAt(std::size_t at, std::size_t count) {
+std::string ParquetBytes::bytesAt(std::size_t at, std::size_t count) {
   std::string bytes(count, '\0');
   in_.clear();
   in_.seekg(static_cast<std::streamoff>(at));
@@ -76,7 +76,7 @@ std::string ParquetFile::bytesAt(std::size_t at, std::size_t count) {
   return bytes;
 }
 
-std::string ParquetColumn::next() {
+std::string ParquetColumnReader::next() {
   try {
     return valueOf();
   } catch (const PageDamaged&) {
@@ -86,7 +86,7 @@ std::string ParquetColumn::next() {
   }
 }
 
-void ParquetColumn::begin(const ParquetChunk& chunk, std::int64_t rows) {
+void ParquetColumnReader::begin(const ParquetChunk& chunk, std::int64_t rows) {
   if (chunk.elsewhere) {
     refuseHere(Text::tr("the values are encrypted or in another file"),
                Text::tr("Write one file without encryption"));
@@ -109,7 +109,7 @@ void ParquetColumn::begin(const ParquetChunk& chunk, std::int64_t rows) {
   dictionary_.clear();
 }
 
-std::string ParquetColumn::valueOf() {
+std::string ParquetColumnReader::valueOf() {
   while (inPage_ == 0) {
     nextPage();
   }
@@ -130,7 +130,7 @@ std::string ParquetColumn::valueOf() {
   return dictionary_[number];
 }
 
-void ParquetColumn::nextPage() {
+void ParquetColumnReader::nextPage() {
   if (at_ >= file_->dataEnd()) {
     throw PageDamaged();
   }
@@ -190,7 +190,7 @@ void ParquetColumn::nextPage() {
   beginValues(head, levels);
 }
 
-void ParquetColumn::takeDictionary(const ParquetPage& head, const std::string& bytes) {
+void ParquetColumnReader::takeDictionary(const ParquetPage& head, const std::string& bytes) {
   if (head.encoding != kPlainValues && head.encoding != kPlainDictionary) {
     refuseEncoding(head.encoding);
   }
@@ -203,7 +203,7 @@ void ParquetColumn::takeDictionary(const ParquetPage& head, const std::string& b
   }
 }
 
-void ParquetColumn::beginValues(const ParquetPage& head, std::size_t levels) {
+void ParquetColumnReader::beginValues(const ParquetPage& head, std::size_t levels) {
   std::string_view bytes = page_;
   if (head.kind == kDataPage2) {
     given_ = LevelReader(bytes.substr(0, levels), 1);
@@ -231,14 +231,14 @@ void ParquetColumn::beginValues(const ParquetPage& head, std::size_t levels) {
   }
 }
 
-void ParquetColumn::refuseEncoding(std::int64_t encoding) const {
+void ParquetColumnReader::refuseEncoding(std::int64_t encoding) const {
   const bool known = encoding >= 0 && encoding < std::ssize(kEncodingNames);
   refuseHere(Text::tr("the values are encoded as %1, which is not read",
                       known ? kEncodingNames[static_cast<std::size_t>(encoding)] : std::to_string(encoding)),
              Text::tr("Write them with plain or dictionary encoding"));
 }
 
-void ParquetColumn::refuseHere(const Text& what, const Text& remedy) const {
+void ParquetColumnReader::refuseHere(const Text& what, const Text& remedy) const {
   refuse(what, file_->placeOf(leaf_), remedy);
 }
 

@@ -22,10 +22,10 @@ namespace torsio {
 [[noreturn]] void refuseDamagedParquet(const std::string& where);
 
 /// The bytes of a Parquet file.
-class ParquetFile {
+class ParquetBytes {
  public:
   /// `name`: for messages. Throws Error{kFileMissing, kFileUnreadable}.
-  ParquetFile(const std::filesystem::path& file, std::string name);
+  ParquetBytes(const std::filesystem::path& file, std::string name);
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] std::string placeOf(const ParquetLeaf& leaf) const { return name_ + ", " + leaf.name; }
@@ -44,9 +44,9 @@ class ParquetFile {
 };
 
 /// A column that is read. Holds one page and its dictionary.
-class ParquetColumn {
+class ParquetColumnReader {
  public:
-  ParquetColumn(ParquetFile& file, ParquetLeaf leaf) : file_(&file), leaf_(std::move(leaf)) {}
+  ParquetColumnReader(ParquetBytes& file, ParquetLeaf leaf) : file_(&file), leaf_(std::move(leaf)) {}
 
   [[nodiscard]] const ParquetLeaf& leaf() const noexcept { return leaf_; }
   /// Begins a row group of `rows` rows. Throws Error{kBadData}, as next() does.
@@ -63,7 +63,7 @@ class ParquetColumn {
   [[noreturn]] void refuseHere(const Text& what, const Text& remedy) const;
   [[noreturn]] void refuseEncoding(std::int64_t encoding) const;
 
-  ParquetFile* file_;
+  ParquetBytes* file_;
   ParquetLeaf leaf_;
   std::int64_t codec_ = 0;
   std::size_t at_ = 0;           ///< of the next page in the file

@@ -207,10 +207,10 @@ class ParquetTable::Reader {
     }
   }
 
-  ParquetFile file_;
+  ParquetBytes file_;
   std::string footer_;
   std::vector<ParquetLeaf> leaves_;
-  std::vector<ParquetColumn> columns_;
+  std::vector<ParquetColumnReader> columns_;
   std::vector<std::size_t> leafOf_;  ///< of each of these columns, its place among all
   std::int64_t rows_ = 0;
   std::int64_t rowsSeen_ = 0;  ///< in row groups up to the current one

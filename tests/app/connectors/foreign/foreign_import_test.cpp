@@ -534,7 +534,7 @@ TEST(ForeignMeasures, ARepeatedPoseIsNoIdleHand) {
             "The instrument was in view all the time.");
   EXPECT_EQ(foreignSentences({}).size(), 1U);
   EXPECT_EQ(measureForeign(header, recorded(101)).reason(),
-            "the instrument was seen for 89 % of the time only");
+            "the instrument was seen for 90 % of the time only");
 }
 
 }  // namespace

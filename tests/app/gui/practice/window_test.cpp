@@ -279,6 +279,7 @@ TEST_F(Window, ReadoutsFollowTheState) {
   state.response.depth_m = 0.006;
   EXPECT_FALSE(tells(state)) << "what is held may lie deep";
   state.phase = ExercisePhase::kContact;
+  state.response.force_N = {0.0, 0.0, 0.5};
   EXPECT_TRUE(tells(state));
   state.response.depth_m = 0.004;
   EXPECT_FALSE(tells(state));

@@ -379,6 +379,7 @@ TEST(StationPages, AWarningIsFullyVisibleInTheSmallestWindow) {
     state.phase = phase;
     state.response.angle_rad = angle_rad;
     state.response.depth_m = depth_m;
+    state.response.force_N = {0.0, 0.0, depth_m > 0.0 ? 0.5 : 0.0};
     state.times.released_us = released_us;
     Q_EMIT scene->shown(state);
     QApplication::processEvents();
@@ -558,6 +559,9 @@ TEST(StationPages, TheRunCountsItsTwists) {
   LiveState pressing;
   pressing.phase = ExercisePhase::kContact;
   pressing.response.depth_m = 0.006;
+  Q_EMIT station.find<LiveScene>("scene")->shown(pressing);
+  EXPECT_TRUE(warning->text().isEmpty()) << "whoever has let go presses nothing";
+  pressing.response.force_N = {0.0, 0.0, 0.5};
   Q_EMIT station.find<LiveScene>("scene")->shown(pressing);
   EXPECT_TRUE(warning->text().contains(QStringLiteral("pressing too deep")));
   pressing.response.depth_m = 0.004;

@@ -20,6 +20,7 @@
 #include "app/services/centres/site_pool.h"
 #include "app/services/maintenance/copies.h"
 #include "app/services/maintenance/database_maintenance.h"
+#include "app/services/maintenance/kept_backups.h"
 #include "app/services/maintenance/person_package.h"
 #include "app/services/maintenance/record_restore.h"
 #include "app/services/maintenance/retention.h"
@@ -205,6 +206,7 @@ std::vector<ServiceCall> administratorCalls() {
        [](W w, Path) { (void)previewRoster(w, {}, RosterKind::kTrainees, {}); }},
       {O::kDatabaseBackup, "backUpDatabase",
        [](W w, Path folder) { backUpDatabase(w, folder / "backup.sqlite"); }},
+      {O::kDatabaseBackup, "keepBackup", [](W w, Path folder) { keepBackup(w, folder / "kept", {}); }},
       {O::kPersonErase, "demonstrationSize", [](W w, Path) { (void)demonstrationSize(w); }},
       {O::kPersonErase, "removeDemonstrationData", [](W w, Path) { removeDemonstrationData(w, "why"); }},
       {O::kPersonErase, "eraseDue", [](W w, Path) { (void)eraseDue(w, {}, "why", false); }},
