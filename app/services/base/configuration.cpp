@@ -17,6 +17,7 @@ namespace {
 constexpr const char* kOwnFile = "TORSIO_CONFIG";
 constexpr const char* kUsualFile = "/etc/torsio/torsio.conf";
 constexpr const char* kPasswords = "PGPASSFILE";
+constexpr std::string_view kEditorsMark = "\xEF\xBB\xBF";  // a byte order mark, which some put first
 
 std::string withoutBlanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r";
@@ -89,7 +90,15 @@ Configuration& ofThisComputer() {
 Configuration Configuration::read(const std::filesystem::path& file) {
   Configuration read;
   read.file_ = file;
-  std::istringstream text(readFile(file));
+  if (std::error_code missing; std::filesystem::is_fifo(file, missing)) {  // would be waited for
+    throw Error(ErrorCode::kFileUnreadable, Text::tr("%1 cannot be read", file.string()), "",
+                Text::tr("Check that the file exists and that this account may read it"));
+  }
+  std::string bytes = readFile(file);
+  if (bytes.starts_with(kEditorsMark)) {
+    bytes.erase(0, kEditorsMark.size());
+  }
+  std::istringstream text(std::move(bytes));
   std::string whole;
   for (int number = 1; std::getline(text, whole); ++number) {
     const std::string line = withoutBlanks(withoutComment(whole));

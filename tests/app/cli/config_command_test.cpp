@@ -2,6 +2,7 @@
 // torsio config, and that commands, doctor and review desk take what the configuration of the computer says.
 #include <filesystem>
 #include <string>
+#include <sys/stat.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -56,6 +57,15 @@ TEST_F(ConfigCommand, NamesTheLineOfEveryKindOfFaultAndWhatToWrite) {
     EXPECT_NE(checked.err.find(fault.says), std::string::npos) << checked.err;
     EXPECT_EQ(checked.err.find("secret"), std::string::npos) << checked.err;
   }
+}
+
+TEST_F(ConfigCommand, TakesAFileOfAnyEditorAndDoesNotWaitForAPipe) {
+  write("\xEF\xBB\xBFstation = OR-3\r\nkiosk = no\r\n");
+  EXPECT_EQ(run("config check").code, 0);
+  EXPECT_EQ(nlohmann::json::parse(run("station show --json").out).at("name"), "OR-3");
+  fs::remove(file());
+  ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+  EXPECT_EQ(run("config check").code, static_cast<int>(ErrorCode::kFileUnreadable));
 }
 
 TEST_F(ConfigCommand, AFaultStopsWhatWouldUseItAndNothingElse) {
