@@ -172,7 +172,7 @@ const Configuration& configuration() noexcept {
 
 void requireNotConfigured(const ConfiguredKey& key, Text what) {
   if (const Text place = configuration().placeOf(key); !place.empty()) {
-    throw Error(ErrorCode::kUsage, Text::tr("%1 is set for this computer", std::move(what)), place,
+    throw Error(ErrorCode::kUsage, Text::tr("%1 is set for this computer", what), place,
                 Text::tr("Ask whoever looks after this computer to change it there"));
   }
 }
