@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/contracts.h"
 #include "sim/core/error.h"
 #include "sim/core/time_units.h"
@@ -202,8 +203,8 @@ class TableRows : public RowReaderBase, public ForeignCells {
     return number(cells_[column], line, header_[column]);
   }
   void split(std::string_view line) {
-    if (header_.empty() && line.starts_with("\xEF\xBB\xBF")) {
-      line.remove_prefix(3);
+    if (header_.empty()) {
+      line = withoutByteOrderMark(line);
     }
     cells_.clear();
     for (;;) {

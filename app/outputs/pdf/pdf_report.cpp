@@ -40,7 +40,7 @@ constexpr double kCloudHeight_mm = 84.0;  // flatter, the shape of a cloud would
 constexpr double kRowHeight_mm = 7.0;     // of a heat map or forest
 constexpr double kAnswerFrame_mm = 18.0;  // numbers and title of the axis; less, and Qt leaves them out
 constexpr double kAnswerRow_mm = 5.5;     // of the first page's forest
-constexpr std::size_t kFewestRows = 3;    // whose room it has: with less Qt shortens numbers to dots
+constexpr std::size_t kMinRows = 3;       // whose room it has: with less Qt shortens numbers to dots
 constexpr double kFrame_mm = 24.0;        // axis, labels and legend around the rows
 constexpr double kTallestChart_mm = 170.0;
 constexpr double kTallestPictures_mm = 225.0;
@@ -80,7 +80,7 @@ double heightOf(const ReportFigure& figure, double width_mm) {
     return figure.kind == FigureKind::kScatter ? kCloudHeight_mm : kChartHeight_mm;
   }
   return figure.valuesInLabels
-             ? kAnswerFrame_mm + kAnswerRow_mm * static_cast<double>(std::max(rows, kFewestRows))
+             ? kAnswerFrame_mm + kAnswerRow_mm * static_cast<double>(std::max(rows, kMinRows))
              : std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
 }
 

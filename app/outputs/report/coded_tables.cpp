@@ -28,6 +28,7 @@
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
 #include "sim/core/time_units.h"
@@ -49,7 +50,7 @@ std::size_t write(SessionContext& session, const AuditNote& what, std::vector<Ce
   for (Cells& cells : lines) {
     cells.push_back(&cells == &lines.front() ? "trail_head" : told);
   }
-  std::string text = "\xEF\xBB\xBF";
+  std::string text(kByteOrderMark);
   for (const Cells& cells : lines) {
     text += csvLine(cells);
   }

@@ -8,17 +8,12 @@
 #include "assessment/results/cohort_csv.h"
 #include "assessment/results/cohort_report.h"
 #include "db/connection/connection.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/contracts.h"
 #include "sim/core/digest.h"
 #include "sim/core/file_io.h"
 
 namespace torsio {
-
-namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-}  // namespace
 
 std::string_view identityCode(ReportIdentity identity) noexcept {
   switch (identity) {

@@ -8,6 +8,7 @@
 
 #include "app/services/base/csv_table.h"
 #include "assessment/results/number_format.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 
@@ -19,8 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::pair<std::string_view, TableFormat>, 3> kFormats = {
     {{"csv", TableFormat::kCsv}, {"r", TableFormat::kR}, {"spss", TableFormat::kSpss}}};
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Files written to one folder; unless kept, the new ones are removed again.
 class NewFiles {

@@ -5,13 +5,12 @@
 #include <string_view>
 
 #include "app/services/base/csv_table.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/csv_cell.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
 bool isFigure(char c) {
   return c >= '0' && c <= '9';
@@ -57,7 +56,7 @@ std::string csvInStyle(const std::string& text, const CsvStyle& look) {
   if (look == CsvStyle{}) {
     return text;
   }
-  std::string out(text.starts_with(kUtf8Mark) ? kUtf8Mark : std::string_view());
+  std::string out(text.starts_with(kByteOrderMark) ? kByteOrderMark : std::string_view());
   for (const CsvRecord& record : csvRecords(text, "table")) {
     for (std::size_t i = 0; i < record.values.size(); ++i) {
       if (i > 0) {

@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "app/services/base/identifiers.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/contracts.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/error.h"
@@ -178,10 +179,7 @@ bool isDigits(std::string_view text) {
 
 /// Skips a byte order mark and throws if the text is not UTF-8.
 std::string_view checkedText(std::string_view text, const std::string& name) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) {
-    text.remove_prefix(kByteOrderMark.size());
-  }
+  text = withoutByteOrderMark(text);
   if (const std::size_t bad = firstNoUtf8(text); bad != std::string_view::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n');
     refuseAt(name, static_cast<std::size_t>(line), Text::tr("the text is not UTF-8"),

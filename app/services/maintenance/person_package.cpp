@@ -18,6 +18,7 @@
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/person_data.h"
 #include "db/repository/trial/trial_repository.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/csv_cell.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
@@ -87,7 +88,7 @@ std::string cellOf(const Json& value) {
 }
 
 void writeTable(const fs::path& folder, const PersonTable& table) {
-  std::string csv = "\xEF\xBB\xBF";
+  std::string csv(kByteOrderMark);
   Json rows = Json::array();
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     csv.append(i == 0 ? "" : ",").append(table.columns[i]);

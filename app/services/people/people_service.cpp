@@ -20,6 +20,7 @@
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 #include "db/repository/people/people_repository.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
@@ -353,8 +354,7 @@ std::vector<SeniorityClass> ensureRaterClasses(SessionContext& session) {
 std::size_t exportPeople(SessionContext& session, const std::filesystem::path& file, bool withNames,
                          const CsvStyle& look) {
   session.require(withNames ? Operation::kReportExportNamed : Operation::kReportExportCoded);
-  constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
-  std::string text = kByteOrderMark;
+  std::string text(kByteOrderMark);
   std::vector<std::string> header{"code",       "trainee",   "rater_class", "sex",  "level",
                                   "experience", "age_years", "handedness",  "state"};
   const std::string head = plainHead(session.connection(), session.now_us());

@@ -15,6 +15,7 @@
 #include <QStringDecoder>
 
 #include "app/services/people/roster_import.h"
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/digest.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
@@ -80,9 +81,7 @@ RosterText decodeRosterText(std::string_view bytes, const std::string& name) {
     refuse(Text::tr("the text begins as UTF-16 and is broken"), name,
            Text::tr("Save the table as UTF-8 CSV"));
   }
-  if (bytes.starts_with("\xEF\xBB\xBF")) {
-    bytes.remove_prefix(3);
-  }
+  bytes = withoutByteOrderMark(bytes);
   if (auto text = decoded(bytes, "UTF-8")) {
     return {std::move(*text), "UTF-8"};
   }
@@ -185,7 +184,7 @@ bool isRequired(RosterField field, RosterKind kind) noexcept {
 }
 
 std::string rosterTemplate(RosterKind kind) {
-  std::string header = "\xEF\xBB\xBF";
+  std::string header(kByteOrderMark);
   std::string line;
   for (const RosterField field : rosterFields(kind)) {
     const FieldName& name = kFields[static_cast<std::size_t>(field)];

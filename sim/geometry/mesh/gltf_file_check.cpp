@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/error.h"
 #include "sim/geometry/mesh/mesh_file_check.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kMostNumber = 1'000'000'000'000ULL;  // products of two cannot overflow
+constexpr std::uint64_t kMaxNumber = 1'000'000'000'000ULL;  // products of two cannot overflow
 constexpr std::uint64_t kLeastRoom_bytes = 64'000'000;
 constexpr std::uint64_t kLargestBeside_bytes = 500'000'000;  // of a buffer in a file of its own
 constexpr std::uint64_t kCopies = 16;  // of a file's bytes: parts of a mesh may share their vertices
@@ -34,7 +35,7 @@ std::uint64_t numberAt(const Json& object, const char* name, std::uint64_t other
   if (found == object.end()) {
     return otherwise;
   }
-  if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kMostNumber) {
+  if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kMaxNumber) {
     refuseGltf(where, std::string("the number \"").append(name).append("\""));
   }
   return found->get<std::uint64_t>();
@@ -116,7 +117,7 @@ class GltfPromises {
     for (const Json& image : listAt(json_, "images")) {
       if (object(image, "an image").contains("bufferView")) {
         const std::uint64_t view = numberAt(image, "bufferView", 0, where_);
-        add(view < views_.size() ? views_[view].length : kMostNumber, "images");
+        add(view < views_.size() ? views_[view].length : kMaxNumber, "images");
       }
     }
   }
@@ -147,7 +148,7 @@ class GltfPromises {
     if (accessor.contains("bufferView")) {
       const std::uint64_t view = numberAt(accessor, "bufferView", 0, where_);
       const std::uint64_t offset = numberAt(accessor, "byteOffset", 0, where_);
-      const std::uint64_t step = view < views_.size() ? std::max(size, views_[view].stride) : kMostNumber;
+      const std::uint64_t step = view < views_.size() ? std::max(size, views_[view].stride) : kMaxNumber;
       const bool held = view < views_.size() && step <= file_ &&
                         (count == 0 || offset + (count - 1) * step + size <= views_[view].length);
       if (!held) {
@@ -175,7 +176,7 @@ class GltfPromises {
   void take(const Json& owner, const char* field) {
     if (owner.contains(field)) {
       const std::uint64_t at = numberAt(owner, field, 0, where_);
-      add(at < accessors_.size() ? accessors_[at] : kMostNumber, field);
+      add(at < accessors_.size() ? accessors_[at] : kMaxNumber, field);
     }
   }
   void add(std::uint64_t bytes, const char* what) {
@@ -205,7 +206,7 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
 }  // namespace
 
 void requirePlausibleGltf(std::string_view bytes, std::string_view extension, const std::string& where) {
-  std::string_view text = withoutMark(bytes);
+  std::string_view text = withoutByteOrderMark(bytes);
   std::uint64_t binary = 0;
   if (extension == "glb") {
     constexpr std::size_t kHeader = 20;  // of the file and of its first chunk

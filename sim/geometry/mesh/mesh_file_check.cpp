@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 
@@ -79,7 +80,7 @@ void checkText(std::string_view head, std::string_view format, std::string_view 
   if (head.find('\0') != std::string_view::npos) {
     refuseFormat(where, format, Text::tr("it is not UTF-8 text"));
   }
-  if (!firstWord(withoutMark(head)).starts_with(mark)) {
+  if (!firstWord(withoutByteOrderMark(head)).starts_with(mark)) {
     refuseFormat(where, format, Text::tr("it does not begin with %1", std::string(mark)));
   }
 }
@@ -212,10 +213,6 @@ void refuseIndex(const std::string& where, const std::string& row, std::int64_t 
               where, Text::tr("Export the mesh again"));
 }
 
-std::string_view withoutMark(std::string_view text) {
-  return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
-}
-
 std::string smallLetters(std::string_view text) {
   std::string small(text);
   for (char& c : small) {
@@ -227,7 +224,7 @@ std::string smallLetters(std::string_view text) {
 bool isTextStl(std::string_view head, std::uint64_t size) {
   // Many binary files begin with the word "solid" too: the length decides.
   return !isExactStl(head, size) && head.find('\0') == std::string_view::npos &&
-         smallLetters(firstWord(withoutMark(head))) == "solid";
+         smallLetters(firstWord(withoutByteOrderMark(head))) == "solid";
 }
 
 std::string lowerExtension(const std::filesystem::path& file) {

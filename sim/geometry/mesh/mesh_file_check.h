@@ -40,9 +40,6 @@ void splitWords(std::string_view line, std::vector<std::string_view>& words);
 /// Tells whether a word is a number as C reads one, including nan and inf.
 [[nodiscard]] bool isNumber(std::string_view word);
 
-/// Returns a text without the byte order mark that some programs write before UTF-8.
-[[nodiscard]] std::string_view withoutMark(std::string_view text);
-
 /// Returns a text with A to Z in small letters.
 [[nodiscard]] std::string smallLetters(std::string_view text);
 

@@ -19,6 +19,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 #include "sim/core/plain_text.h"
@@ -157,7 +158,7 @@ MeshExtras extrasOf(const aiScene& scene) {
 std::string plainStl(const fs::path& file) {
   const std::string bytes = readFile(file);
   std::string plain = "solid\n";
-  TextLines lines(withoutMark(bytes));
+  TextLines lines(withoutByteOrderMark(bytes));
   while (const auto line = lines.next()) {
     std::string small = smallLetters(*line);
     const std::size_t start = std::min(small.find_first_not_of(" \t\r"), small.size());

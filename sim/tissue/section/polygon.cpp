@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "sim/core/byte_order_mark.h"
 #include "sim/core/error.h"
 #include "sim/core/file_io.h"
 
@@ -238,11 +239,7 @@ double grazingSine(std::span<const Point2> polygon, const Point2& centre) {
 
 std::vector<Point2> readOutline(const std::filesystem::path& file) {
   const std::string text = readFile(file);
-  std::string_view rest = text;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (rest.starts_with(kByteOrderMark)) {
-    rest.remove_prefix(kByteOrderMark.size());
-  }
+  std::string_view rest = withoutByteOrderMark(text);
   std::vector<Point2> points;
   bool headerSeen = false;
   for (int number = 1; !rest.empty(); ++number) {
