@@ -309,14 +309,30 @@ void readPeople(const MapPart& map, ForeignMap& out) {
   }
 }
 
-void readRecordings(const MapPart& map, const fs::path& folder, ForeignMap& out) {
+std::int64_t wholeIn(const MapPart& part, const char* key, const Text& remedy) {
+  const double value = part.number(key);
+  if (!(value >= -1e6 && value <= 1e6) || value != static_cast<double>(static_cast<std::int64_t>(value))) {
+    part.refuseAt(key, Text::tr("a whole number belongs here"), remedy);
+  }
+  return static_cast<std::int64_t>(value);
+}
+
+void readRecordings(const MapPart& map, const fs::path& folder, ForeignLayout layout, ForeignMap& out) {
   std::set<std::string> names;
   Identifiers alikeOccasions("occasion");
   for (const MapPart& one : map.list("recordings")) {
-    one.allow({"file", "person", "task", "phase", "occasion", "started"});
+    one.allow({"file", "episode", "person", "task", "phase", "occasion", "started"});
     ForeignRecording recording;
     recording.name = one.text("file");
     recording.file = folder / recording.name;
+    if (one.has("episode")) {
+      if (layout != ForeignLayout::kParquet) {
+        one.refuseAt("episode", Text::tr("only a Parquet file may hold several recordings"),
+                     Text::tr("Write each recording into a file of its own"));
+      }
+      recording.episode = wholeIn(one, "episode", Text::tr("Write the number of the episode"));
+      recording.name += "#" + std::to_string(*recording.episode);
+    }
     recording.person = one.text("person");
     recording.task = one.label("task");
     recording.phase = one.labelOr("phase", "");
@@ -349,11 +365,7 @@ void readMarks(const MapPart& map, const fs::path& folder, ForeignLayout layout,
   marks.allow({"table", "meta_file", "rater", "lowest", "highest", "steps_per_point", kScaleConfirmed});
   out.scaleConfirmed = marks.yesOrNo(kScaleConfirmed);
   const auto whole = [&marks](const char* key) {
-    const double value = marks.number(key);
-    if (!(value >= -1e6 && value <= 1e6) || value != static_cast<double>(static_cast<std::int64_t>(value))) {
-      marks.refuseAt(key, Text::tr("a whole number belongs here"), Text::tr("Check the scale of the marks"));
-    }
-    return static_cast<std::int64_t>(value);
+    return wholeIn(marks, key, Text::tr("Check the scale of the marks"));
   };
   out.scale.stepsPerPoint = whole("steps_per_point");
   out.scale.lo = whole("lowest") * out.scale.stepsPerPoint;
@@ -444,7 +456,7 @@ ForeignMap readForeignMap(const fs::path& file, ForeignLayout layout) {
   readGaps(map, layout, out);
   readPeople(map, out);
   const fs::path folder = file.parent_path();
-  readRecordings(map, folder, out);
+  readRecordings(map, folder, layout, out);
   readMarks(map, folder, layout, out);
   requireSingleMarks(out);
   return out;

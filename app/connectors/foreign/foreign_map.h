@@ -59,8 +59,9 @@ struct ForeignRater {
   std::string classCode{};  ///< in this record: "intern", "deputy_chief", "chief"
 };
 struct ForeignRecording {
-  std::filesystem::path file{};  ///< absolute, or relative to the map's folder
-  std::string name{};            ///< by which marks refer to it
+  std::filesystem::path file{};           ///< absolute, or relative to the map's folder
+  std::string name{};                     ///< by which marks refer to it: the file's, "FILE#3" for an episode
+  std::optional<std::int64_t> episode{};  ///< its rows in a table with several, as in LeRobot
   std::string person{};
   std::string task{};
   std::string phase{};

@@ -214,10 +214,16 @@ std::string takeLines(const ForeignMap& map, ForeignLayout layout, const Foreign
   return lines.hash();
 }
 
+constexpr const char* kEpisodeColumn = "episode_index";  // as LeRobot names it
+
 /// Returns the hash of the file.
 std::string takeParquet(const ForeignMap& map, const ForeignRecording& recording, PoseTaker& poses) {
   const std::vector<std::string> columns = tableColumns(map);
-  ParquetTable table(recording.file, recording.name, columns);
+  std::vector<std::string> read = columns;
+  if (recording.episode) {
+    read.push_back(kEpisodeColumn);
+  }
+  ParquetTable table(recording.file, recording.name, read);
   if (const std::string stated = map.timeColumn.empty() ? "" : table.timeUnit(0);
       !stated.empty() && stated != map.timeUnit) {
     refuse(Text::tr("the file says that its times are in %1, and the map says %2", stated, map.timeUnit),
@@ -227,10 +233,20 @@ std::string takeParquet(const ForeignMap& map, const ForeignRecording& recording
   ForeignRow row;
   (void)rows->readCells({columns.begin(), columns.end()}, 0, row);
   std::vector<std::string> cells;
+  const std::string episode = recording.episode ? std::to_string(*recording.episode) : std::string();
+  bool found = !recording.episode;
   for (std::size_t number = 1; table.next(cells); ++number) {
-    if (rows->readCells({cells.begin(), cells.end()}, number, row)) {
+    if (recording.episode && cells.back() != episode) {
+      continue;
+    }
+    found = true;
+    if (rows->readCells({cells.begin(), cells.begin() + std::ssize(columns)}, number, row)) {
       poses(row, number);
     }
+  }
+  if (!found) {
+    refuse(Text::tr("the file has no episode %1", episode), recording.name,
+           Text::tr("Check the numbers in its column %1", kEpisodeColumn));
   }
   HashedLines whole(recording.file);
   std::string_view line;

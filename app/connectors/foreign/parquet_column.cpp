@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 #include "app/connectors/foreign/parquet_codec.h"
@@ -16,6 +17,7 @@ constexpr std::size_t kMaxHeadBytes = 64U << 10U;  // limits: what a damaged fil
 constexpr std::size_t kMaxPageBytes = 32U << 20U;
 constexpr std::size_t kMaxUnpackedBytes = 16U << 20U;
 constexpr std::size_t kMaxDictionaryBytes = 4U << 20U;
+constexpr std::size_t kMaxItems = 10'000;  // of a row's list
 
 constexpr std::int64_t kDataPage = 0;
 constexpr std::int64_t kDictionaryPage = 2;
@@ -76,14 +78,26 @@ std::string ParquetBytes::bytesAt(std::size_t at, std::size_t count) {
   return bytes;
 }
 
-std::string ParquetColumnReader::next() {
+void ParquetColumnReader::next() {
   try {
-    return valueOf();
+    readRow();
   } catch (const PageDamaged&) {
     refuseDamagedParquet(file_->placeOf(leaf_));
   } catch (const ThriftReader::Damaged&) {
     refuseDamagedParquet(file_->placeOf(leaf_));
   }
+}
+
+const std::string& ParquetColumnReader::item(std::size_t index) const {
+  static const std::string kNone;
+  if (row_.empty()) {
+    return kNone;
+  }
+  if (index >= row_.size()) {
+    refuseHere(Text::tr("a list has %1 {value|values}, so there is no [%2]", row_.size(), index),
+               Text::tr("Items are counted from 0; correct the map"));
+  }
+  return row_[index];
 }
 
 void ParquetColumnReader::begin(const ParquetChunk& chunk, std::int64_t rows) {
@@ -98,25 +112,63 @@ void ParquetColumnReader::begin(const ParquetChunk& chunk, std::int64_t rows) {
   const bool dictionary = chunk.dictionaryAt > 0 && chunk.dictionaryAt < chunk.dataAt;
   const std::int64_t begin = dictionary ? chunk.dictionaryAt : chunk.dataAt;
   const auto room = static_cast<std::int64_t>(file_->dataEnd());
-  if (chunk.kind != static_cast<std::int64_t>(leaf_.kind) || chunk.values != rows || begin < 0 ||
-      begin > room) {
+  if (chunk.kind != static_cast<std::int64_t>(leaf_.kind) || begin < 0 || begin > room ||
+      (isList() ? chunk.values < rows : chunk.values != rows)) {
     refuseDamagedParquet(file_->placeOf(leaf_));
   }
   at_ = static_cast<std::size_t>(begin);
-  valuesLeft_ = rows;
+  valuesLeft_ = chunk.values;
+  ahead_.reset();
   codec_ = chunk.codec;
   inPage_ = 0;
   dictionary_.clear();
 }
 
-std::string ParquetColumnReader::valueOf() {
-  while (inPage_ == 0) {
-    nextPage();
+void ParquetColumnReader::readRow() {
+  row_.clear();
+  if (!isList()) {
+    while (inPage_ == 0) {
+      nextPage();
+    }
+    readEntry();
+    return;
   }
+  if (goesOn() || !ahead_) {
+    throw PageDamaged();  // the list of a row that ended, or no row at all
+  }
+  do {
+    ahead_.reset();
+    if (row_.size() == kMaxItems) {
+      refuseHere(Text::tr("a list has more than %1 values", kMaxItems), Text::tr("Name another column"));
+    }
+    readEntry();
+  } while (goesOn());
+}
+
+bool ParquetColumnReader::goesOn() {
+  if (!ahead_) {
+    if (inPage_ == 0 && valuesLeft_ == 0) {
+      return false;
+    }
+    while (inPage_ == 0) {
+      nextPage();
+    }
+    ahead_ = repeats_.next();
+  }
+  return *ahead_ > 0;
+}
+
+void ParquetColumnReader::readEntry() {
   --inPage_;
-  if (leaf_.optional && given_.next() == 0) {
-    return {};
+  const std::uint32_t level = leaf_.given == 0 ? 0 : given_.next();
+  if (level == leaf_.given) {
+    row_.push_back(valueOf());
+  } else if (isList() && leaf_.mayLackItem && level + 1 == leaf_.given) {
+    row_.emplace_back();
   }
+}
+
+std::string ParquetColumnReader::valueOf() {
   if (!numbers_) {
     return plain_.next();
   }
@@ -161,11 +213,12 @@ void ParquetColumnReader::nextPage() {
   }
   std::size_t levels = 0;  // of version 2, which never packs them
   if (head.kind == kDataPage2) {
-    if (head.repetitionBytes != 0 || head.levelBytes < 0 ||
-        static_cast<std::size_t>(head.levelBytes) > std::min(packed, unpacked)) {
+    const auto room = static_cast<std::int64_t>(std::min(packed, unpacked));
+    if (head.repetitionBytes < 0 || head.levelBytes < 0 || head.repetitionBytes > room ||
+        head.levelBytes > room - head.repetitionBytes || (!isList() && head.repetitionBytes != 0)) {
       throw PageDamaged();
     }
-    levels = static_cast<std::size_t>(head.levelBytes);
+    levels = static_cast<std::size_t>(head.repetitionBytes + head.levelBytes);
   }
   if (isPacked) {
     std::optional<std::string> values =
@@ -205,30 +258,42 @@ void ParquetColumnReader::takeDictionary(const ParquetPage& head, const std::str
 
 void ParquetColumnReader::beginValues(const ParquetPage& head, std::size_t levels) {
   std::string_view bytes = page_;
+  const auto bits = static_cast<unsigned>(std::bit_width(leaf_.given));
   if (head.kind == kDataPage2) {
-    given_ = LevelReader(bytes.substr(0, levels), 1);
+    const auto repeats = static_cast<std::size_t>(head.repetitionBytes);
+    repeats_ = LevelReader(bytes.substr(0, repeats), 1);
+    given_ = LevelReader(bytes.substr(repeats, levels - repeats), bits);
     bytes.remove_prefix(levels);
-  } else if (leaf_.optional) {
-    if (head.levelEncoding != kRunsAndBits) {
-      refuseEncoding(head.levelEncoding);
+  } else {
+    if (isList()) {
+      repeats_ = LevelReader(levelsOf(head.repetitionEncoding, bytes), 1);
     }
-    given_ = LevelReader(sized(bytes), 1);
+    if (leaf_.given > 0) {
+      given_ = LevelReader(levelsOf(head.levelEncoding, bytes), bits);
+    }
   }
   numbers_.reset();
   if (head.encoding == kPlainValues) {
     plain_ = PageValues(leaf_, bytes);
   } else if (head.encoding == kPlainDictionary || head.encoding == kRleDictionary) {
-    constexpr unsigned kMostBits = 32;
-    const unsigned bits = bytes.empty() ? 0 : static_cast<unsigned char>(bytes.front());
-    if (bits > kMostBits) {
+    constexpr unsigned kMaxBits = 32;
+    const unsigned width = bytes.empty() ? 0 : static_cast<unsigned char>(bytes.front());
+    if (width > kMaxBits) {
       throw PageDamaged();
     }
-    numbers_.emplace(bytes.substr(bytes.empty() ? 0 : 1), bits);
+    numbers_.emplace(bytes.substr(bytes.empty() ? 0 : 1), width);
   } else if (head.encoding == kRunsAndBits && leaf_.kind == ParquetKind::kBoolean) {
     numbers_.emplace(sized(bytes), 1);
   } else {
     refuseEncoding(head.encoding);
   }
+}
+
+std::string_view ParquetColumnReader::levelsOf(std::int64_t encoding, std::string_view& bytes) const {
+  if (encoding != kRunsAndBits) {
+    refuseEncoding(encoding);
+  }
+  return sized(bytes);
 }
 
 void ParquetColumnReader::refuseEncoding(std::int64_t encoding) const {

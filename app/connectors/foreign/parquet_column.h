@@ -7,6 +7,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -51,15 +52,26 @@ class ParquetColumnReader {
   [[nodiscard]] const ParquetLeaf& leaf() const noexcept { return leaf_; }
   /// Begins a row group of `rows` rows. Throws Error{kBadData}, as next() does.
   void begin(const ParquetChunk& chunk, std::int64_t rows);
-  /// Returns the next value as text; empty: none.
-  [[nodiscard]] std::string next();
+  /// Reads the next row: the values of its list, or the value of a flat column, as text; empty: none.
+  void next();
+  /// Returns an item of the row's list, from 0; 0 for a flat column. Empty for a row without a list. Throws
+  /// Error{kBadData} for an item beyond the list.
+  [[nodiscard]] const std::string& item(std::size_t index) const;
 
  private:
+  [[nodiscard]] bool isList() const noexcept { return leaf_.shape == ParquetLeaf::Shape::kList; }
+  void readRow();
+  /// Reads an entry of the current row.
+  void readEntry();
   [[nodiscard]] std::string valueOf();
+  /// Returns whether the current row goes on.
+  [[nodiscard]] bool goesOn();
   /// Reads a page; a page without values (a dictionary, an index) leaves none.
   void nextPage();
   void takeDictionary(const ParquetPage& head, const std::string& bytes);
   void beginValues(const ParquetPage& head, std::size_t levels);
+  /// Takes the levels of a page of version 1 from the front.
+  [[nodiscard]] std::string_view levelsOf(std::int64_t encoding, std::string_view& bytes) const;
   [[noreturn]] void refuseHere(const Text& what, const Text& remedy) const;
   [[noreturn]] void refuseEncoding(std::int64_t encoding) const;
 
@@ -71,6 +83,9 @@ class ParquetColumnReader {
   std::int64_t inPage_ = 0;
   std::vector<std::string> dictionary_;
   std::string page_;
+  std::vector<std::string> row_;
+  std::optional<std::uint32_t> ahead_;  ///< repetition level of the next entry, if it was read
+  LevelReader repeats_;                 ///< whether an entry goes on with the list
   LevelReader given_;                   ///< whether there is a value
   std::optional<LevelReader> numbers_;  ///< in the dictionary, or truth values; empty: PLAIN
   PageValues plain_;

@@ -2,6 +2,8 @@
 // Numbers of fields and kinds are those of parquet.thrift.
 #include "app/connectors/foreign/parquet_meta.h"
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -105,36 +107,57 @@ SchemaElement schemaElement(ThriftReader& in) {
   return element;
 }
 
+/// A group of columns whose end is still to come.
+struct SchemaGroup {
+  std::string name;
+  std::int64_t repetition = 0;
+  std::int64_t childrenLeft = 0;
+  bool single = false;  ///< has one child
+};
+
+/// Says how the values of a column lie in rows. `around`: the groups around it, outermost first.
+void shape(std::span<const SchemaGroup> around, SchemaElement& element) {
+  ParquetLeaf& leaf = element.leaf;
+  std::uint32_t repeated = element.repetition == kRepeatedField ? 1 : 0;
+  leaf.given = element.repetition == kOptionalField || repeated == 1 ? 1 : 0;
+  bool single = true;
+  for (const SchemaGroup& group : around) {
+    repeated += group.repetition == kRepeatedField ? 1 : 0;
+    leaf.given += group.repetition == kOptionalField || group.repetition == kRepeatedField ? 1 : 0;
+    single = single && group.single;
+  }
+  leaf.mayLackItem = element.repetition == kOptionalField;
+  leaf.shape = around.empty() && repeated == 0 ? ParquetLeaf::Shape::kFlat
+               : single && repeated == 1       ? ParquetLeaf::Shape::kList
+                                               : ParquetLeaf::Shape::kGroups;
+  if (!around.empty()) {
+    leaf.name = around.front().name;
+  }
+}
+
 }  // namespace
 
 std::vector<ParquetLeaf> leavesOf(ThriftReader& in) {
   const ThriftReader::List all = in.list();
   std::vector<ParquetLeaf> leaves;
-  std::vector<std::int64_t> open;  // children to come of each group around
-  std::string outermost;
+  std::vector<SchemaGroup> open;  // the file itself first
   for (std::size_t i = 0; i < all.size; ++i) {
     SchemaElement element = schemaElement(in);
     if (i > 0) {
-      while (!open.empty() && open.back() == 0) {
+      while (!open.empty() && open.back().childrenLeft == 0) {
         open.pop_back();
       }
       if (open.empty()) {
         throw ThriftReader::Damaged();
       }
-      --open.back();
-      if (open.size() == 1) {
-        outermost = element.leaf.name;
-      }
+      --open.back().childrenLeft;
     }
     if (i == 0 || !element.kind) {
-      open.push_back(element.children);
+      open.push_back(SchemaGroup{std::move(element.leaf.name), element.repetition, element.children,
+                                 element.children == 1});
       continue;
     }
-    element.leaf.flat = open.size() == 1 && element.repetition != kRepeatedField;
-    element.leaf.optional = element.repetition == kOptionalField;
-    if (!element.leaf.flat) {
-      element.leaf.name = outermost;
-    }
+    shape(std::span(open).subspan(1), element);
     leaves.push_back(std::move(element.leaf));
     if (leaves.size() > kMaxColumns) {
       throw ThriftReader::Damaged();
@@ -199,6 +222,7 @@ ParquetPage pageHead(std::string_view bytes) {
           std::int64_t* const to = inner == 1                 ? &head.values
                                    : inner == 2               ? &head.encoding
                                    : inner == 3 && field == 5 ? &head.levelEncoding
+                                   : inner == 4 && field == 5 ? &head.repetitionEncoding
                                                               : nullptr;
           if (to != nullptr) {
             *to = in.whole();

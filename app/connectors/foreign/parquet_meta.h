@@ -31,6 +31,7 @@ struct ParquetPage {
   std::int64_t values = 0;
   std::int64_t encoding = -1;
   std::int64_t levelEncoding = 3;
+  std::int64_t repetitionEncoding = 3;
   std::int64_t levelBytes = 0;       ///< version 2
   std::int64_t repetitionBytes = 0;  ///< version 2
   bool isPacked = true;              ///< version 2

@@ -23,10 +23,17 @@ enum class ParquetKind : std::uint8_t {
 
 /// What a file says of a column.
 struct ParquetLeaf {
+  /// How its values lie in rows.
+  enum class Shape : std::uint8_t {
+    kFlat,    ///< one in each row
+    kList,    ///< a list in each row
+    kGroups,  ///< groups of values, or lists of lists: not read
+  };
   std::string name{};  ///< of its outermost group, if it is not flat
   ParquetKind kind = ParquetKind::kDouble;
-  bool flat = true;
-  bool optional = false;
+  Shape shape = Shape::kFlat;
+  std::uint32_t given = 0;   ///< definition level of a value; 0: every row has one
+  bool mayLackItem = false;  ///< of a list
   bool isText = false;
   bool isUnsigned = false;
   bool isHalf = false;     ///< a half-precision number

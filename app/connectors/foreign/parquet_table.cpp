@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "app/connectors/foreign/parquet_column.h"
@@ -24,6 +26,19 @@ constexpr std::string_view kEncryptedMark = "PARE";
 constexpr std::size_t kFooterEnd = 8;                // its length and the mark
 constexpr std::size_t kMaxFooterBytes = 16U << 20U;  // limit: what a damaged file may make this program hold
 constexpr std::int64_t kMaxRows = 50'000'000;
+
+/// Parses "state[3]"; empty for another form.
+std::optional<std::pair<std::string, std::size_t>> itemOf(const std::string& wanted) {
+  const std::size_t bracket = wanted.rfind('[');
+  if (bracket == std::string::npos || bracket == 0 || wanted.back() != ']') {
+    return std::nullopt;
+  }
+  std::size_t item = 0;
+  const char* const end = wanted.data() + wanted.size() - 1;
+  const auto [stop, error] = std::from_chars(wanted.data() + bracket + 1, end, item);
+  return stop == end && error == std::errc() ? std::optional(std::pair(wanted.substr(0, bracket), item))
+                                             : std::nullopt;
+}
 
 }  // namespace
 
@@ -52,15 +67,26 @@ class ParquetTable::Reader {
       nextGroup();
     }
     --rowsLeft_;
-    cells.resize(columns_.size());
-    for (std::size_t c = 0; c < columns_.size(); ++c) {
-      cells[c] = columns_[c].next();
+    for (ParquetColumnReader& column : columns_) {
+      column.next();
+    }
+    cells.resize(wanted_.size());
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      cells[i] = columns_[wanted_[i].column].item(wanted_[i].item);
     }
     return true;
   }
-  [[nodiscard]] std::string timeUnit(std::size_t column) const { return columns_[column].leaf().timeUnit; }
+  [[nodiscard]] std::string timeUnit(std::size_t column) const {
+    return columns_[wanted_[column].column].leaf().timeUnit;
+  }
 
  private:
+  /// A cell of a row.
+  struct Wanted {
+    std::size_t column = 0;  ///< of columns_
+    std::size_t item = 0;
+  };
+
   [[noreturn]] void refuseFile(const Text& what, const Text& remedy) const {
     refuse(what, file_.name(), remedy);
   }
@@ -123,47 +149,75 @@ class ParquetTable::Reader {
     }
   }
 
+  /// `wanted`: the name of a column, or of an item of its lists: "state[3]".
   void choose(const std::string& wanted) {
-    const auto isIt = [&](const ParquetLeaf& leaf) { return leaf.name == wanted; };
-    const auto found = std::find_if(leaves_.begin(), leaves_.end(), isIt);
-    if (found == leaves_.end()) {
-      std::string known;
-      constexpr std::size_t kMostNames = 300;  // letters
-      for (const ParquetLeaf& leaf : leaves_) {
-        if (known.size() > kMostNames) {
-          known += ", …";
-          break;
-        }
-        known += (known.empty() ? "" : ", ") + leaf.name;
-      }
-      refuseFile(Text::tr("there must be exactly one column '%1'", wanted),
-                 Text::tr("Use one of its columns: %1", known));
+    const auto isIt = [](const std::string& name) {
+      return [&name](const ParquetLeaf& leaf) { return leaf.name == name; };
+    };
+    auto found = std::find_if(leaves_.begin(), leaves_.end(), isIt(wanted));
+    std::size_t item = 0;
+    bool ofList = false;
+    if (const auto named = itemOf(wanted); found == leaves_.end() && named) {
+      found = std::find_if(leaves_.begin(), leaves_.end(), isIt(named->first));
+      item = named->second;
+      ofList = found != leaves_.end() && found->shape == ParquetLeaf::Shape::kList;
     }
-    if (!found->flat) {
-      refuse(Text::tr("the column has lists or groups of values"), file_.placeOf(*found),
+    if (found == leaves_.end() || (item > 0 && !ofList)) {
+      refuseFile(Text::tr("there must be exactly one column '%1'", wanted),
+                 Text::tr("Use one of its columns: %1", knownColumns()));
+    }
+    if (found->shape == ParquetLeaf::Shape::kGroups) {
+      refuse(Text::tr("the column has groups of values, or lists of lists"), file_.placeOf(*found),
              Text::tr("Write each of its numbers as a column of its own"));
     }
-    if (std::count_if(leaves_.begin(), leaves_.end(), isIt) > 1) {
-      refuseFile(Text::tr("there must be exactly one column '%1'", wanted), Text::tr("Rename the others"));
+    if (found->shape == ParquetLeaf::Shape::kList && !ofList) {
+      refuse(Text::tr("each row of the column has a list"), file_.placeOf(*found),
+             Text::tr("Name an item of it, counted from 0: %1", found->name + "[0]"));
     }
-    const bool number = found->kind == ParquetKind::kInt32 || found->kind == ParquetKind::kInt64 ||
-                        found->kind == ParquetKind::kFloat || found->kind == ParquetKind::kDouble ||
-                        found->kind == ParquetKind::kBoolean;
+    if (std::count_if(leaves_.begin(), leaves_.end(), isIt(found->name)) > 1) {
+      refuseFile(Text::tr("there must be exactly one column '%1'", found->name),
+                 Text::tr("Rename the others"));
+    }
+    requireReadable(*found);
+    const auto leaf = static_cast<std::size_t>(found - leaves_.begin());
+    const auto known = std::find(leafOf_.begin(), leafOf_.end(), leaf);
+    wanted_.push_back({static_cast<std::size_t>(known - leafOf_.begin()), item});
+    if (known == leafOf_.end()) {
+      columns_.emplace_back(file_, *found);
+      leafOf_.push_back(leaf);
+    }
+  }
+
+  [[nodiscard]] std::string knownColumns() const {
+    std::string known;
+    constexpr std::size_t kMaxNames = 300;  // letters
+    for (const ParquetLeaf& leaf : leaves_) {
+      if (known.size() > kMaxNames) {
+        return known + ", …";
+      }
+      known +=
+          (known.empty() ? "" : ", ") + leaf.name + (leaf.shape == ParquetLeaf::Shape::kList ? "[0]" : "");
+    }
+    return known;
+  }
+
+  void requireReadable(const ParquetLeaf& leaf) const {
+    const bool number = leaf.kind == ParquetKind::kInt32 || leaf.kind == ParquetKind::kInt64 ||
+                        leaf.kind == ParquetKind::kFloat || leaf.kind == ParquetKind::kDouble ||
+                        leaf.kind == ParquetKind::kBoolean;
     constexpr std::int64_t kMaxScale = 18;
-    if (!number && !(found->kind == ParquetKind::kBytes && found->isText)) {
+    if (!number && !(leaf.kind == ParquetKind::kBytes && leaf.isText)) {
       refuse(Text::tr("the column is stored in a way that is not read (%1)",
-                      found->isHalf                             ? "FLOAT16"
-                      : found->kind == ParquetKind::kInt96      ? "INT96"
-                      : found->kind == ParquetKind::kFixedBytes ? "FIXED_LEN_BYTE_ARRAY"
-                                                                : "BYTE_ARRAY"),
-             file_.placeOf(*found),
+                      leaf.isHalf                             ? "FLOAT16"
+                      : leaf.kind == ParquetKind::kInt96      ? "INT96"
+                      : leaf.kind == ParquetKind::kFixedBytes ? "FIXED_LEN_BYTE_ARRAY"
+                                                              : "BYTE_ARRAY"),
+             file_.placeOf(leaf),
              Text::tr("Write it as whole numbers, as decimal numbers of 32 or 64 bits, or as text"));
     }
-    if (found->scale < 0 || found->scale > kMaxScale) {
+    if (leaf.scale < 0 || leaf.scale > kMaxScale) {
       refuseDamagedParquet(file_.name());
     }
-    columns_.emplace_back(file_, *found);
-    leafOf_.push_back(static_cast<std::size_t>(found - leaves_.begin()));
   }
 
   void nextGroup() {
@@ -212,6 +266,7 @@ class ParquetTable::Reader {
   std::vector<ParquetLeaf> leaves_;
   std::vector<ParquetColumnReader> columns_;
   std::vector<std::size_t> leafOf_;  ///< of each of these columns, its place among all
+  std::vector<Wanted> wanted_;
   std::int64_t rows_ = 0;
   std::int64_t rowsSeen_ = 0;  ///< in row groups up to the current one
   std::int64_t rowsLeft_ = 0;  ///< in the current one

@@ -29,7 +29,7 @@ using testing::Cost;
 using testing::OwnFolder;
 
 constexpr double kLongest_s = 10.0;  // on a busy machine
-constexpr std::int64_t kMostMemory_bytes = 250'000'000;
+constexpr std::int64_t kMaxMemory_bytes = 250'000'000;
 constexpr std::size_t kTenMegabytes = 10'000'000;
 
 using NamedText = std::pair<const char*, std::string>;
@@ -75,7 +75,7 @@ void expectTold(const std::string& name, const std::function<void()>& read) {
   EXPECT_FALSE(told.empty());
   EXPECT_LT(told.size(), 1'000U);
   EXPECT_LT(cost.time_s(), kLongest_s);
-  EXPECT_LT(cost.memory_bytes(), kMostMemory_bytes);
+  EXPECT_LT(cost.memory_bytes(), kMaxMemory_bytes);
 }
 
 TEST(HostileImport, AFileOfJsonIsToldInTimeWithLittleMemory) {

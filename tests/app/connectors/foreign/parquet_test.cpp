@@ -67,7 +67,8 @@ void expectMotion(const std::vector<ForeignPose>& poses, const std::string& file
   }
 }
 
-std::string ownFile(const fs::path& folder) {
+/// The columns t_ms, x, y, z, qw, qx, qy, qz, jaw.
+std::vector<std::vector<std::optional<double>>> motionColumns() {
   std::vector<std::vector<std::optional<double>>> columns(9);
   for (std::size_t i = 0; i < kForeignLines; ++i) {
     const auto [place, turn] = foreignPose(i);
@@ -84,6 +85,11 @@ std::string ownFile(const fs::path& folder) {
       columns[c].push_back(row[c]);
     }
   }
+  return columns;
+}
+
+std::string ownFile(const fs::path& folder) {
+  const auto columns = motionColumns();
   std::vector<ParquetColumn> all;
   std::size_t c = 0;
   for (const char* name : {"t_ms", "x", "y", "z", "qw", "qx", "qy", "qz", "jaw"}) {
@@ -91,6 +97,81 @@ std::string ownFile(const fs::path& folder) {
   }
   writeParquet(folder / "own.parquet", all);
   return readFile(folder / "own.parquet");
+}
+
+/// As LeRobot stores a motion: position and rotation in a list, the jaw in another.
+std::string fileWithLists(const fs::path& folder) {
+  const auto columns = motionColumns();
+  ParquetLists<double> pose{7, {}};
+  ParquetLists<float> action{1, {}};
+  for (std::size_t i = 0; i < kForeignLines; ++i) {
+    for (std::size_t c = 1; c < 8; ++c) {
+      pose.values.push_back(columns[c][i].value());
+    }
+    action.values.push_back(static_cast<float>(columns[8][i].value()));
+  }
+  writeParquet(folder / "lists.parquet",
+               {{"t_ms", columns[0]}, {"observation.state", std::move(pose)}, {"action", std::move(action)}});
+  return readFile(folder / "lists.parquet");
+}
+
+void nameItems(ordered_json& map) {
+  map["position"] = {"observation.state[0]", "observation.state[1]", "observation.state[2]"};
+  map["rotation_columns"] = {"observation.state[3]", "observation.state[4]", "observation.state[5]",
+                             "observation.state[6]"};
+  map["grip"]["column"] = "action[0]";
+}
+
+TEST(ForeignParquet, ItemsOfListsAreReadByTheirPlace) {
+  const OwnFolder own;
+  expectMotion(parquetPoses(studyOf(own.path(), fileWithLists(own.path()), nameItems)), "lists");
+}
+
+TEST(ForeignParquet, AnEpisodeOfAFileIsARecording) {
+  const OwnFolder own;
+  auto columns = motionColumns();
+  std::vector<std::int64_t> episode(kForeignLines, 4);
+  for (std::vector<std::optional<double>>& column : columns) {
+    const std::vector<std::optional<double>> other(column.rbegin(), column.rend());
+    column.insert(column.begin(), other.begin(), other.end());
+  }
+  episode.insert(episode.begin(), kForeignLines, 3);
+  std::vector<ParquetColumn> all{{"episode_index", episode}};
+  std::size_t c = 0;
+  for (const char* name : {"t_ms", "x", "y", "z", "qw", "qx", "qy", "qz", "jaw"}) {
+    all.push_back({name, columns[c++]});
+  }
+  writeParquet(own.path() / "all.parquet", all);
+  const std::string bytes = readFile(own.path() / "all.parquet");
+  const auto choose = [](int number) {
+    return [number](ordered_json& map) {
+      map.erase("marks");
+      map["recordings"][0]["episode"] = number;
+    };
+  };
+
+  const ForeignMap map = readForeignMap(studyOf(own.path(), bytes, choose(4)), ForeignLayout::kParquet);
+  EXPECT_THAT(map.recordings.front().name, ::testing::EndsWith("#4"));
+  expectMotion(parquetPoses(studyOf(own.path(), bytes, choose(4))), "episode 4");
+  EXPECT_THAT(testing::refusalText([&] { (void)parquetPoses(studyOf(own.path(), bytes, choose(5))); }),
+              HasSubstr("the file has no episode 5"));
+  EXPECT_THAT(testing::refusalText([&] {
+                (void)readForeignMap(studyOf(own.path(), foreignCsv(), choose(4)), ForeignLayout::kCsv);
+              }),
+              HasSubstr("only a Parquet file may hold several recordings"));
+}
+
+TEST(ForeignParquet, ListsOfAnotherWriterAreRead) {
+  const OwnFolder own;
+  const fs::path file = kFiles / "arrow-gzip-2.parquet";
+  ParquetTable table(file, "arrow", {"state[0]", "x", "state[1]"});
+  std::vector<std::string> cells;
+  std::size_t rows = 0;
+  for (; table.next(cells); ++rows) {
+    EXPECT_NEAR(std::stod(cells[0]), std::stod(cells[1]), 1e-5);  // of half the digits
+    EXPECT_EQ(cells[2], "1");
+  }
+  EXPECT_EQ(rows, kForeignLines);
 }
 
 TEST(ForeignParquet, IsTheSameFromEachWriter) {
@@ -147,7 +228,10 @@ TEST(ForeignParquet, RefusesWhatItDoesNotReadByName) {
          map["rate_Hz"] = 50;
          map["position"] = {"x", "x", "x"};
        }},
-      {"lists or groups of values", newer, [](ordered_json& map) { map["position"][0] = "state"; }},
+      {"Name an item of it, counted from 0: state[0]", newer,
+       [](ordered_json& map) { map["position"][0] = "state"; }},
+      {"so there is no [99]", newer, [](ordered_json& map) { map["position"][0] = "state[99]"; }},
+      {"exactly one column 'x[1]'", newer, [](ordered_json& map) { map["position"][0] = "x[1]"; }},
       {"is not a number", newer, [](ordered_json& map) { map["position"][0] = "note"; }},
       {"exactly one column 'px'", good, [](ordered_json& map) { map["position"][0] = "px"; }},
       {"its times are in ms, and the map says s", newer,
@@ -173,30 +257,38 @@ TEST(ForeignParquet, RefusesWhatItDoesNotReadByName) {
               HasSubstr("this is a Parquet file"));
 }
 
-/// Every byte of a small file, changed in each of a few ways: an error, or rows; never more memory or a
-/// crash.
-TEST(ForeignParquet, SurvivesEachDamagedByte) {
+/// Every byte of a small file is changed: an error, or rows; never more memory or a crash. Returns the number
+/// of errors.
+std::size_t refusedBytes(const std::string& good, const std::vector<std::string>& columns) {
   const OwnFolder own;
-  const fs::path file = own.path() / "marks.parquet";
-  const std::string good = readFile(kFiles / "marks.parquet");
+  const fs::path file = own.path() / "damaged.parquet";
   std::size_t refused = 0;
   for (std::size_t i = 0; i < good.size(); ++i) {
-    for (const char with : {'\xFF'}) {
-      std::string bad = good;
-      bad[i] = with;
-      std::ofstream(file, std::ios::binary) << bad;
-      try {
-        ParquetTable table(file, "marks.parquet", {"recording", "rater", "score"});
-        std::vector<std::string> cells;
-        for (int rows = 0; rows < 1000 && table.next(cells); ++rows) {
-        }
-      } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::kBadData);
-        ++refused;
+    std::string bad = good;
+    bad[i] = '\xFF';
+    std::ofstream(file, std::ios::binary) << bad;
+    try {
+      ParquetTable table(file, "damaged.parquet", columns);
+      std::vector<std::string> cells;
+      for (int rows = 0; rows < 1000 && table.next(cells); ++rows) {
       }
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadData);
+      ++refused;
     }
   }
-  EXPECT_GT(refused, good.size() / 4);
+  return refused;
+}
+
+TEST(ForeignParquet, SurvivesEachDamagedByte) {
+  const std::string marks = readFile(kFiles / "marks.parquet");
+  EXPECT_GT(refusedBytes(marks, {"recording", "rater", "score"}), marks.size() / 4);
+  const OwnFolder own;
+  writeParquet(own.path() / "lists.parquet",
+               {{"time", std::vector<float>{0.0F, 1.0F, 2.0F}},
+                {"state", ParquetLists<double>{.length = 2, .values = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}}}});
+  const std::string lists = readFile(own.path() / "lists.parquet");
+  EXPECT_GT(refusedBytes(lists, {"time", "state[0]", "state[1]"}), lists.size() / 4);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ using Guest = RawServer::Guest;
 constexpr std::int64_t kAny_us = 1'763'726'400'000'000;
 constexpr int kPatience_s = 1;
 constexpr double kLongest_s = 6.0;  // four times the patience for a message, and the farewell
-constexpr std::int64_t kMostMemory_bytes = 50'000'000;
+constexpr std::int64_t kMaxMemory_bytes = 50'000'000;
 constexpr std::size_t kMegabyte = 1'048'576;
 
 struct Hostile {
@@ -200,7 +200,7 @@ TEST(HostileMail, WhateverTheServerAnswersIsToldInTimeWithLittleMemory) {
     EXPECT_EQ(told, Text(told).str()) << "plain already";
     EXPECT_LT(told.size(), 2'000U) << "a sentence that a person can read";
     EXPECT_LT(cost.time_s(), kLongest_s);
-    EXPECT_LT(cost.memory_bytes(), kMostMemory_bytes);
+    EXPECT_LT(cost.memory_bytes(), kMaxMemory_bytes);
     EXPECT_LT(server.sent_bytes(), std::int64_t{16} << 20);
   }
 }

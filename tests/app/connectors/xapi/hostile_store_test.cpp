@@ -20,7 +20,7 @@ using testing::RawServer;
 
 constexpr std::chrono::milliseconds kPatience{2'000};
 constexpr double kLongest_s = 3.5;
-constexpr std::int64_t kMostMemory_bytes = 100'000'000;
+constexpr std::int64_t kMaxMemory_bytes = 100'000'000;
 constexpr std::size_t kMegabyte = 1'048'576;
 
 /// An answer, and what the client makes of it: a status, or none.
@@ -122,7 +122,7 @@ TEST(HostileStore, WhateverItAnswersIsGivenUpInTimeWithLittleMemory) {
     }
     EXPECT_EQ(server.guests(), 1) << "redirects are not followed";
     EXPECT_LT(cost.time_s(), kLongest_s);
-    EXPECT_LT(cost.memory_bytes(), kMostMemory_bytes);
+    EXPECT_LT(cost.memory_bytes(), kMaxMemory_bytes);
     EXPECT_LT(server.sent_bytes(), std::int64_t{16} << 20);
     if (answer.status == 0) {
       EXPECT_NE(answer.body.find(one.said), std::string::npos) << answer.body;
@@ -156,7 +156,7 @@ TEST(HostileStore, NoAnswerLosesAnEntryOrKeepsTheQueueBusy) {
     EXPECT_EQ(server.guests(), 1) << "one try tells that the store takes nothing";
     EXPECT_EQ(centre.counts().waiting, 2);
     EXPECT_LT(cost.time_s(), kLongest_s);
-    EXPECT_LT(cost.memory_bytes(), kMostMemory_bytes);
+    EXPECT_LT(cost.memory_bytes(), kMaxMemory_bytes);
   }
   centre.waitLong();
   EXPECT_EQ(centre.deliver().delivered, 2);
