@@ -19,6 +19,7 @@
 #include "assessment/statistics/reliability.h"
 #include "assessment/statistics/resampling.h"
 #include "assessment/statistics/site_comparison.h"
+#include "assessment/statistics/site_heterogeneity.h"
 
 namespace torsio {
 
@@ -107,6 +108,7 @@ enum class PrimaryMethod : std::uint8_t {
   kCovariance,  ///< analysis of covariance
   kRobust,      ///< the same with the errors of HC3, which hold for unequal spreads; kCovariance without them
   kMixed,       ///< linear mixed model, as marks are missing or raters differ
+  kCentres,     ///< analysis of covariance within centres (SiteComparison), if there are several
 };
 
 /// A difference of the primary comparison.
@@ -182,6 +184,8 @@ struct StudyAnalysis {
   bool sameRaters = true;  ///< at the last occasion, every trainee with marks has one by each rater present
 
   [[nodiscard]] PrimaryMethod primaryMethod() const noexcept;
+  /// Returns whether the errors of the primary comparison hold for unequal spreads.
+  [[nodiscard]] bool allowsForSpreads() const noexcept;
   /// Returns whether the spread of the scores differs between the groups.
   [[nodiscard]] bool spreadsDiffer() const noexcept;
   /// Returns whether the planned analysis (of covariance) has all its marks, by the same raters.
@@ -203,6 +207,9 @@ struct StudyAnalysis {
 /// Returns the mean of a trainee's marks by raters other than `rater`, points; empty if there are none.
 [[nodiscard]] std::optional<double> meanOfOthers(const std::vector<std::optional<double>>& marks,
                                                  std::size_t rater);
+
+/// Names the primary comparison, "analysis of covariance, one pooled slope, HC3".
+[[nodiscard]] Text primaryMethodText(const StudyAnalysis& study);
 
 /// Returns the differences of the primary comparison, (0,1), (0,2), ..., (1,2); empty if undefined.
 [[nodiscard]] std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study);

@@ -8,7 +8,6 @@
 
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/distributions.h"
-#include "assessment/statistics/multiplicity.h"
 
 namespace torsio {
 
@@ -46,11 +45,6 @@ double quantileOf(double confidence, double df) {
   return tQuantile(0.5 * (1.0 + confidence), df);
 }
 
-/// Confidence of each of `number` intervals so that all hold together with `confidence`.
-double bonferroni(double confidence, std::size_t number) {
-  return 1.0 - (1.0 - confidence) / static_cast<double>(number);
-}
-
 /// Returns why the scores cannot be compared at all, if so.
 std::optional<Text> notComparable(const Groups& before, const Groups& after) {
   TORSIO_EXPECTS(before.size() == after.size());
@@ -64,9 +58,6 @@ std::optional<Text> notComparable(const Groups& before, const Groups& after) {
   }
   return std::nullopt;
 }
-
-/// Share of the squares that rounding may leave when the scores after are a linear function of those before.
-constexpr double kExactly = 1e-14;
 
 Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, double n) {
   const double k = static_cast<double>(groups.size());
@@ -85,34 +76,12 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
   if (test.df2 <= 0.0) {
     return Outcome<FTest>::undefined(Text::tr("too few trainees for separate slopes"));
   }
-  if (!(separate > kExactly * squares)) {
+  if (!(separate > kLeftByRounding * squares)) {
     return Outcome<FTest>::undefined(Text::tr("the scores after follow the scores before exactly"));
   }
   test.f = (residual - separate) / test.df1 / (separate / test.df2);
   test.p = fUpper(std::max(0.0, test.f), test.df1, test.df2);
   return test;
-}
-
-void addHolm(std::span<const double> p, std::span<AdjustedDifference* const> pairs, double confidence) {
-  const std::vector<double> adjusted = adjustHolm(p);
-  const std::vector<double> factors = holmFactors(p);
-  for (std::size_t i = 0; i < adjusted.size(); ++i) {
-    AdjustedDifference& pair = *pairs[i];
-    pair.pHolm = adjusted[i];
-    pair.asHolm = holmInterval(pair.difference, pair.error, pair.df, factors[i], confidence);
-  }
-}
-
-AdjustedDifference tested(std::size_t first, std::size_t second, double difference, double error, double df) {
-  AdjustedDifference out;
-  out.first = first;
-  out.second = second;
-  out.difference = difference;
-  out.error = error;
-  out.df = df;
-  out.t = difference / error;
-  out.p = tTwoSided(out.t, df);
-  return out;
 }
 
 struct Precision {
@@ -124,26 +93,15 @@ struct Precision {
 template <typename PrecisionOf>
 std::vector<AdjustedDifference> pairsOf(const Ancova& of, double confidence, const PrecisionOf& precisionOf) {
   const std::size_t groups = of.groups.size();
-  const double together = bonferroni(confidence, groups * (groups - 1) / 2);
   std::vector<AdjustedDifference> out;
   for (std::size_t i = 0; i < groups; ++i) {
     for (std::size_t j = i + 1; j < groups; ++j) {
-      const Precision precision = precisionOf(i, j);
-      const double error = precision.error;
-      AdjustedDifference pair =
-          tested(of.groups[i], of.groups[j], of.adjusted[i].mean - of.adjusted[j].mean, error, precision.df);
-      pair.interval = around(pair.difference, quantileOf(confidence, pair.df) * error);
-      pair.simultaneous = around(pair.difference, quantileOf(together, pair.df) * error);
-      out.push_back(pair);
+      const auto [error, df] = precisionOf(i, j);
+      out.push_back(adjustedDifference(of.groups[i], of.groups[j], of.adjusted[i].mean - of.adjusted[j].mean,
+                                       error, df));
     }
   }
-  std::vector<double> p;
-  std::vector<AdjustedDifference*> pairs;
-  for (AdjustedDifference& pair : out) {
-    p.push_back(pair.p);
-    pairs.push_back(&pair);
-  }
-  addHolm(p, pairs, confidence);
+  addIntervals(out, confidence);
   return out;
 }
 
@@ -278,7 +236,7 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   }
   out.slope = within.xy / within.xx;
   const double residual = within.yy - out.slope * within.xy;
-  if (!(residual > kExactly * within.yy)) {
+  if (!(residual > kLeftByRounding * within.yy)) {
     return Outcome<Ancova>::undefined(Text::tr("the scores after follow the scores before exactly"));
   }
   out.residualVariance = residual / out.residualDf;
@@ -385,7 +343,7 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
   if (out.residualDf <= 0.0) {
     return Undefined::undefined(Text::tr("too few trainees for separate slopes"));
   }
-  if (!(residual > kExactly * squares)) {
+  if (!(residual > kLeftByRounding * squares)) {
     return Undefined::undefined(Text::tr("the scores after follow the scores before exactly"));
   }
   out.residualVariance = residual / out.residualDf;
@@ -393,32 +351,24 @@ Outcome<SeparateSlopes> separateSlopes(const Groups& before, const Groups& after
     out.slopeErrors.push_back(std::sqrt(out.residualVariance / m.xx));
   }
   const double t = quantileOf(confidence, out.residualDf);
-  const std::size_t number = groups.size() * (groups.size() - 1) / 2 * baselines.size();
-  const double wide = number > 0 ? quantileOf(bonferroni(confidence, number), out.residualDf) : t;
-  std::vector<double> p;
+  std::vector<AdjustedDifference> all;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       const double origin = 0.5 * (groups[i].meanX + groups[j].meanX);
       const TwoLines lines = twoLines(groups[i], groups[j], out.residualVariance, origin);
-      SlopesPair pair{out.groups[i], out.groups[j], {}, regionOf(lines, t, origin)};
+      out.pairs.push_back({out.groups[i], out.groups[j], {}, regionOf(lines, t, origin)});
       for (const double x : baselines) {
-        AdjustedDifference at = tested(pair.first, pair.second, lines.at(x - origin),
-                                       std::sqrt(lines.variance(x - origin)), out.residualDf);
-        at.interval = around(at.difference, t * at.error);
-        at.simultaneous = around(at.difference, wide * at.error);
-        p.push_back(at.p);
-        pair.at.push_back(at);
+        all.push_back(adjustedDifference(out.groups[i], out.groups[j], lines.at(x - origin),
+                                         std::sqrt(lines.variance(x - origin)), out.residualDf));
       }
-      out.pairs.push_back(std::move(pair));
     }
   }
-  std::vector<AdjustedDifference*> all;
+  addIntervals(all, confidence);
+  auto next = all.cbegin();
   for (SlopesPair& pair : out.pairs) {
-    for (AdjustedDifference& at : pair.at) {
-      all.push_back(&at);
-    }
+    pair.at.assign(next, next + std::ssize(baselines));
+    next += std::ssize(baselines);
   }
-  addHolm(p, all, confidence);
   return out;
 }
 

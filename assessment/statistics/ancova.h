@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "assessment/statistics/adjusted_difference.h"
 #include "assessment/statistics/mean_tests.h"
 #include "assessment/statistics/values.h"
 
@@ -15,20 +16,6 @@ struct AdjustedMean {
   double mean = 0.0;  ///< at the grand mean of the covariate
   double error = 0.0;
   Interval interval;
-};
-
-struct AdjustedDifference {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  double difference = 0.0;  ///< adjusted mean of the first minus that of the second
-  double error = 0.0;
-  double df = 0.0;
-  double t = 0.0;
-  double p = 0.0;
-  double pHolm = 0.0;
-  Interval interval;      ///< not adjusted for the number of pairs
-  Interval asHolm;        ///< excludes 0 exactly if pHolm < 1 - confidence (holmFactors())
-  Interval simultaneous;  ///< Bonferroni over the pairs
 };
 
 /// The comparison of groups whose residuals spread unequally.

@@ -170,8 +170,8 @@ std::optional<std::vector<std::int64_t>> wholeAt(std::span<const double> values,
 }  // namespace
 
 std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> values) {
-  constexpr int kMostMarks = 60;
-  for (int marks = 1; marks <= kMostMarks; ++marks) {
+  constexpr int kMaxMarks = 60;
+  for (int marks = 1; marks <= kMaxMarks; ++marks) {
     for (double scale = 1.0; scale <= 1e6; scale *= 10.0) {
       if (auto whole = wholeAt(values, marks * scale)) {
         return whole;

@@ -10,6 +10,9 @@
 
 namespace torsio {
 
+/// Share of a sum of squares that rounding may leave where nothing is left.
+inline constexpr double kLeftByRounding = 1e-14;
+
 /// Computes the mean with compensated summation; values must not be empty.
 [[nodiscard]] double meanOf(std::span<const double> values);
 /// Computes the sum of squares about the mean in two passes with correction; robust to large offsets.

@@ -17,7 +17,7 @@ namespace torsio {
 namespace {
 
 constexpr std::int64_t kTableLimit = 50'000'000;  // cells of a counting table
-constexpr std::int64_t kMostHalvings = 1'000;     // of a probability that must not vanish
+constexpr std::int64_t kMaxRankHalvings = 1'000;  // of a probability that must not vanish
 
 /// Number of subsets of `size` integers by sum: counts[sum - offset], by dynamic programming.
 struct SubsetSums {
@@ -340,7 +340,7 @@ namespace {
 /// of positive numbers: the relative error stays below the number of ranks times 1.2e-16.
 std::vector<double> signProbabilities(const std::vector<std::int64_t>& ranks, std::int64_t mostAdditions) {
   const std::int64_t total = std::accumulate(ranks.begin(), ranks.end(), std::int64_t{0});
-  if (total * std::ssize(ranks) > mostAdditions || std::ssize(ranks) > kMostHalvings) {
+  if (total * std::ssize(ranks) > mostAdditions || std::ssize(ranks) > kMaxRankHalvings) {
     return {};
   }
   std::vector<double> p(static_cast<std::size_t>(total) + 1, 0.0);

@@ -387,7 +387,7 @@ namespace {
 
 constexpr std::size_t kJackknifeGroups = 50;
 constexpr std::size_t kJackknifeRatings = 5'000;
-constexpr std::size_t kFewestGroups = 3;
+constexpr std::size_t kMinGroups = 3;
 
 /// Returns the severities without the persons of one group, or none if the rest has no estimate for
 /// everybody; categories that only they used are left out.
@@ -463,7 +463,7 @@ std::vector<std::optional<CorrectedSeverity>> correctedSeverities(const Category
   const std::vector<std::vector<double>> samples =
       resampled ? jackknife(ratings, std::min(kJackknifeGroups, ratings.size()))
                 : std::vector<std::vector<double>>{};
-  if (resampled && samples.size() < kFewestGroups) {
+  if (resampled && samples.size() < kMinGroups) {
     return out;
   }
   const double n = static_cast<double>(samples.size());

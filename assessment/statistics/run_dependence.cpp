@@ -9,7 +9,7 @@ namespace torsio {
 
 namespace {
 
-constexpr double kMostCorrelation = 0.9;
+constexpr double kMaxCorrelation = 0.9;
 
 /// One attempt of a person.
 struct Placed {
@@ -89,7 +89,7 @@ void addPerson(const SessionOutcomes& sessions, Totals& totals) {
 }
 
 double bounded(double correlation) {
-  return std::clamp(correlation, 0.0, kMostCorrelation);
+  return std::clamp(correlation, 0.0, kMaxCorrelation);
 }
 
 /// Solves for both correlations: that of attempts at distance k of a session is session + (1 - session)

@@ -2,19 +2,13 @@
 #include "assessment/statistics/site_comparison.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <numeric>
-#include <set>
 #include <utility>
 
 #include <Eigen/Dense>
 
 #include "assessment/statistics/descriptive.h"
-#include "assessment/statistics/distributions.h"
-#include "assessment/statistics/multiplicity.h"
 
 namespace torsio {
 
@@ -25,17 +19,7 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-constexpr double kExactly = 1e-14;     // share of the squares that rounding may leave
 constexpr double kFitsExactly = 1e-9;  // 1 - leverage
-
-template <typename Member>
-std::vector<std::size_t> present(const std::vector<SiteTrainee>& trainees, Member SiteTrainee::*member) {
-  std::set<std::size_t> found;
-  for (const SiteTrainee& one : trainees) {
-    found.insert(one.*member);
-  }
-  return {found.begin(), found.end()};
-}
 
 Eigen::Index placeOf(const std::vector<std::size_t>& sorted, std::size_t number) {
   return std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin();
@@ -104,41 +88,6 @@ std::optional<Fit> fitOf(const Matrix& x, const Vector& y) {
   out.squares = out.residuals.squaredNorm();
   out.logDeterminant = 2.0 * r.diagonal().array().abs().log().sum();
   return out;
-}
-
-AdjustedDifference differenceOf(std::size_t first, std::size_t second, double value, double error,
-                                double df) {
-  AdjustedDifference out;
-  out.first = first;
-  out.second = second;
-  out.difference = value;
-  out.error = error;
-  out.df = df;
-  out.t = value / error;
-  out.p = tTwoSided(out.t, df);
-  return out;
-}
-
-void addIntervals(std::vector<AdjustedDifference>& pairs, double confidence) {
-  std::vector<double> p;
-  for (const AdjustedDifference& pair : pairs) {
-    p.push_back(pair.p);
-  }
-  const std::vector<double> adjusted = adjustHolm(p);
-  const std::vector<double> factors = holmFactors(p);
-  const double alpha = 1.0 - confidence;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    AdjustedDifference& pair = pairs[i];
-    const auto reach = [&](double share) {
-      return tQuantile(1.0 - 0.5 * alpha / share, pair.df) * pair.error;
-    };
-    const double single = reach(1.0);
-    const double together = reach(static_cast<double>(pairs.size()));
-    pair.interval = {pair.difference - single, pair.difference + single};
-    pair.simultaneous = {pair.difference - together, pair.difference + together};
-    pair.pHolm = adjusted[i];
-    pair.asHolm = holmInterval(pair.difference, pair.error, pair.df, factors[i], confidence);
-  }
 }
 
 /// Error and degrees of freedom of HC3 (see ancova.cpp); empty if somebody who counts fits exactly.
@@ -300,8 +249,8 @@ std::vector<AdjustedDifference> randomPairs(const RandomSites& model, double rat
         const double squares = byRatio * byRatio * residual - 2.0 * byRatio * own * mixed + own * own * bend;
         df = std::min(df, variance * variance * own * own * determinant / squares);
       }
-      out.push_back(differenceOf(groups[i], groups[j], contrast.dot(state.fit.coefficients),
-                                 std::sqrt(variance * own), df));
+      out.push_back(adjustedDifference(groups[i], groups[j], contrast.dot(state.fit.coefficients),
+                                       std::sqrt(variance * own), df));
     }
   }
   return out;
@@ -318,29 +267,11 @@ std::vector<AdjustedDifference> fixedPairs(const Design& design, const Fit& fit,
           std::sqrt(variance * (fit.inverse(a, a) + fit.inverse(b, b) - 2.0 * fit.inverse(a, b)));
       const auto [error, own] =
           robustPrecision(fit, weights.col(a) - weights.col(b), df).value_or(std::pair{pooled, df});
-      out.push_back(differenceOf(design.groups[i], design.groups[j],
-                                 fit.coefficients(a) - fit.coefficients(b), error, own));
+      out.push_back(adjustedDifference(design.groups[i], design.groups[j],
+                                       fit.coefficients(a) - fit.coefficients(b), error, own));
     }
   }
   return out;
-}
-
-std::optional<Text> notComparable(const std::vector<SiteTrainee>& trainees) {
-  Groups scores(2);
-  for (const SiteTrainee& one : trainees) {
-    scores[0].push_back(one.before);
-    scores[1].push_back(one.after);
-  }
-  if (std::optional<Text> reason = beyondArithmetic(scores)) {
-    return reason;
-  }
-  if (present(trainees, &SiteTrainee::group).size() < 2) {
-    return Text::tr("fewer than two groups have scores at both occasions");
-  }
-  if (present(trainees, &SiteTrainee::site).size() < 2) {
-    return Text::tr("fewer than two centres have scores at both occasions");
-  }
-  return std::nullopt;
 }
 
 double squaresAbout(const Vector& y) {
@@ -353,7 +284,7 @@ double squaresAbout(const Vector& y) {
 Outcome<SiteComparison> compareWithinSites(const std::vector<SiteTrainee>& trainees, SiteTerm term,
                                            bool withLevels, double confidence) {
   using Undefined = Outcome<SiteComparison>;
-  if (const std::optional<Text> reason = of_sites::notComparable(trainees)) {
+  if (const std::optional<Text> reason = sitesNotComparable(trainees)) {
     return Undefined::undefined(*reason);
   }
   of_sites::Design design = of_sites::designOf(trainees, term == SiteTerm::kFixed, withLevels);
@@ -366,7 +297,7 @@ Outcome<SiteComparison> compareWithinSites(const std::vector<SiteTrainee>& train
     return Undefined::undefined(
         Text::tr("groups, centres, scores before and further factors cannot be told apart"));
   }
-  if (!(fit->squares > of_sites::kExactly * of_sites::squaresAbout(design.y))) {
+  if (!(fit->squares > kLeftByRounding * of_sites::squaresAbout(design.y))) {
     return Undefined::undefined(Text::tr("the scores after follow the scores before exactly"));
   }
   SiteComparison out;
@@ -383,175 +314,7 @@ Outcome<SiteComparison> compareWithinSites(const std::vector<SiteTrainee>& train
     out.siteVariance = ratio * out.residualVariance;
     out.pairs = of_sites::randomPairs(model, ratio, out.residualVariance);
   }
-  of_sites::addIntervals(out.pairs, confidence);
-  return out;
-}
-
-namespace of_sites {
-namespace {
-
-/// Means of a group at a centre.
-struct Cell {
-  double n = 0.0;
-  double before = 0.0;
-  double after = 0.0;
-};
-
-/// The model in which each group has a level of its own at each centre, with a common slope.
-struct Cells {
-  std::map<std::pair<std::size_t, std::size_t>, Cell> at;  ///< by site and group
-  double slope = 0.0;
-  double xx = 0.0;
-  double variance = 0.0;
-  double df = 0.0;
-};
-
-Outcome<Cells> cellsOf(const std::vector<SiteTrainee>& trainees) {
-  Cells out;
-  for (const SiteTrainee& one : trainees) {
-    Cell& cell = out.at[{one.site, one.group}];
-    cell.n += 1.0;
-    cell.before += one.before;
-    cell.after += one.after;
-  }
-  for (auto& [place, cell] : out.at) {
-    cell.before /= cell.n;
-    cell.after /= cell.n;
-  }
-  double xy = 0.0;
-  double yy = 0.0;
-  for (const SiteTrainee& one : trainees) {
-    const Cell& cell = out.at.at({one.site, one.group});
-    const double x = one.before - cell.before;
-    const double y = one.after - cell.after;
-    out.xx += x * x;
-    xy += x * y;
-    yy += y * y;
-  }
-  out.df = static_cast<double>(trainees.size() - out.at.size()) - 1.0;
-  if (out.df <= 0.0) {
-    return Outcome<Cells>::undefined(Text::tr("there are too few trainees"));
-  }
-  if (out.xx == 0.0) {
-    return Outcome<Cells>::undefined(Text::tr("the scores before do not vary within groups"));
-  }
-  out.slope = xy / out.xx;
-  out.variance = (yy - out.slope * xy) / out.df;
-  if (!(yy - out.slope * xy > kExactly * yy)) {
-    return Outcome<Cells>::undefined(Text::tr("the scores after follow the scores before exactly"));
-  }
-  return out;
-}
-
-/// Weighted mean if the true differences vary by `tau` (a variance).
-struct WeightedMean {
-  double weights = 0.0;
-  double mean = 0.0;
-};
-
-WeightedMean meanWith(const std::vector<SiteDifference>& sites, double tau) {
-  WeightedMean out;
-  for (const SiteDifference& one : sites) {
-    const double weight = 1.0 / (one.error * one.error + tau);
-    out.weights += weight;
-    out.mean += weight * one.difference;
-  }
-  out.mean /= out.weights;
-  return out;
-}
-
-/// Weighted squares about that mean.
-double squaresWith(const std::vector<SiteDifference>& sites, double tau) {
-  const double mean = meanWith(sites, tau).mean;
-  double out = 0.0;
-  for (const SiteDifference& one : sites) {
-    const double distance = one.difference - mean;
-    out += distance * distance / (one.error * one.error + tau);
-  }
-  return out;
-}
-
-/// Returns the variance at which the weighted squares have this value; 0 if they are below it from the start.
-double tauAt(const std::vector<SiteDifference>& sites, double value) {
-  if (squaresWith(sites, 0.0) <= value) {
-    return 0.0;
-  }
-  double low = 0.0;
-  double high = 1.0;
-  while (squaresWith(sites, high) > value) {
-    low = high;
-    high *= 2.0;
-  }
-  for (int i = 0; i < 200 && low < high; ++i) {
-    const double middle = 0.5 * (low + high);
-    if (middle == low || middle == high) {
-      break;
-    }
-    (squaresWith(sites, middle) > value ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-}  // namespace
-}  // namespace of_sites
-
-Outcome<std::vector<Heterogeneity>> heterogeneityOfSites(const std::vector<SiteTrainee>& trainees,
-                                                         double confidence) {
-  using Undefined = Outcome<std::vector<Heterogeneity>>;
-  if (const std::optional<Text> reason = of_sites::notComparable(trainees)) {
-    return Undefined::undefined(*reason);
-  }
-  const Outcome<of_sites::Cells> cells = of_sites::cellsOf(trainees);
-  if (!cells) {
-    return Undefined::undefined(cells.reason());
-  }
-  const std::vector<std::size_t> groups = of_sites::present(trainees, &SiteTrainee::group);
-  const double t = tQuantile(0.5 * (1.0 + confidence), cells->df);
-  std::vector<Heterogeneity> out;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (std::size_t j = i + 1; j < groups.size(); ++j) {
-      Heterogeneity pair;
-      pair.first = groups[i];
-      pair.second = groups[j];
-      for (const std::size_t site : of_sites::present(trainees, &SiteTrainee::site)) {
-        const auto first = cells->at.find({site, groups[i]});
-        const auto second = cells->at.find({site, groups[j]});
-        if (first == cells->at.end() || second == cells->at.end()) {
-          continue;
-        }
-        const of_sites::Cell& a = first->second;
-        const of_sites::Cell& b = second->second;
-        const double shift = a.before - b.before;
-        SiteDifference one{site,
-                           static_cast<std::size_t>(a.n),
-                           static_cast<std::size_t>(b.n),
-                           a.after - b.after - cells->slope * shift,
-                           std::sqrt(cells->variance * (1.0 / a.n + 1.0 / b.n + shift * shift / cells->xx)),
-                           {}};
-        one.interval = {one.difference - t * one.error, one.difference + t * one.error};
-        pair.sites.push_back(one);
-      }
-      if (pair.sites.size() < 2) {
-        continue;
-      }
-      const auto df = static_cast<double>(pair.sites.size() - 1);
-      pair.q = of_sites::squaresWith(pair.sites, 0.0);
-      pair.p = chiSquaredUpper(pair.q, df);
-      pair.iSquared = pair.q > 0.0 ? std::max(0.0, (pair.q - df) / pair.q) : 0.0;
-      pair.tauSquared = of_sites::tauAt(pair.sites, df);
-      pair.tauInterval = {of_sites::tauAt(pair.sites, chiSquaredQuantile(0.5 * (1.0 + confidence), df)),
-                          of_sites::tauAt(pair.sites, chiSquaredQuantile(0.5 * (1.0 - confidence), df))};
-      const of_sites::WeightedMean middle = of_sites::meanWith(pair.sites, pair.tauSquared);
-      // Hartung and Knapp: of_sites::squaresWith(tau) / df is 1 here, or counts as 1 where tau is 0.
-      const double reach = tQuantile(0.5 * (1.0 + confidence), df) / std::sqrt(middle.weights);
-      pair.average = middle.mean;
-      pair.averageInterval = {middle.mean - reach, middle.mean + reach};
-      out.push_back(std::move(pair));
-    }
-  }
-  if (out.empty()) {
-    return Undefined::undefined(Text::tr("no two centres have trainees of the same two groups"));
-  }
+  addIntervals(out.pairs, confidence);
   return out;
 }
 

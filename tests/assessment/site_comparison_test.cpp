@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include "assessment/statistics/site_heterogeneity.h"
+
 namespace torsio {
 namespace {
 
