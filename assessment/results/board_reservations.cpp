@@ -66,10 +66,11 @@ void addMethod(const CohortInputs& in, const StudyAnalysis& study, const Ledger&
         "%1 to %2 points, test of equal spread: %3)",
         least.words(), most.words(), p.words());
     out.push_back(
-        {study.primaryMethod() == PrimaryMethod::kRobust
+        {study.allowsForSpreads()
              ? Text::tr("%1. The standard errors of the answer allow for that (HC3).", spread)
-         : study.mixed
-             ? Text::tr("%1, which the linear mixed model does not allow for.", spread)
+         : study.mixed ? Text::tr("%1, which the linear mixed model does not allow for.", spread)
+         : study.primaryMethod() == PrimaryMethod::kCentres
+             ? Text::tr("%1, which the model with random centres does not allow for.", spread)
              : Text::tr("%1, which the answer does not allow for: somebody is alone in a group.", spread),
          {least, most, p}});
   }

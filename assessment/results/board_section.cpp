@@ -289,12 +289,9 @@ std::optional<ReportFigure> answerFigure(const CohortInputs& in, const StudyAnal
   if (pairs.empty()) {
     return std::nullopt;
   }
-  const PrimaryMethod method = study.primaryMethod();
   ReportFigure figure = itemOf<ReportFigure>(
       in, "figure-answer", Text::tr("The answer: differences between the groups with 95 % intervals"),
-      method == PrimaryMethod::kMixed    ? Text::tr("linear mixed model, restricted maximum likelihood")
-      : method == PrimaryMethod::kRobust ? Text::tr("analysis of covariance, one pooled slope, HC3")
-                                         : Text::tr("analysis of covariance, one pooled slope"));
+      primaryMethodText(study));
   figure.kind = FigureKind::kForest;
   figure.valuesInLabels = true;
   figure.yLabel = Text::tr("difference (points)");

@@ -135,7 +135,7 @@ void addCover(const CohortInputs& in, ReportModel& report) {
   if (!in.auditHead.empty()) {
     report.facts.emplace_back(Text::tr("Audit trail"), Text::tr("%1 {entry|entries} at %2", in.auditEntries,
                                                                 formatUtc(in.createdUtc_us)));
-    report.facts.emplace_back(Text::tr("Head of the audit trail"), in.auditHead);
+    report.facts.emplace_back(Text::tr("Checkpoint of the audit trail"), in.auditHead);
   }
 }
 

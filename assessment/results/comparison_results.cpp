@@ -335,7 +335,9 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, Ledger& l
     rows.put("primary_analysis",
              study.primaryMethod() == PrimaryMethod::kMixed    ? Text(Text::verbatim("linear mixed model"))
              : study.primaryMethod() == PrimaryMethod::kRobust ? Text::verbatim("%1, HC3", covariance)
-                                                               : covariance,
+             : study.primaryMethod() == PrimaryMethod::kCentres
+                 ? Text::verbatim("%1 within centres", covariance)
+                 : covariance,
              n);
     addDetectable(study, n, rows);
     rows.addCount("marks_missing", study.endMissing, study.endMarks + study.endMissing);

@@ -186,10 +186,7 @@ std::optional<ReportTable> equivalenceTable(const CohortInputs& in, const StudyA
   const ReportCell margin = resultsAtEnd(ledger)("equivalence_margin", fixed(2));
   ReportTable table =
       itemOf<ReportTable>(in, "table-equivalence", Text::tr("Whether the groups are equal within the margin"),
-                          study.mixed ? Text::tr("two one-sided tests, linear mixed model")
-                          : study.primaryMethod() == PrimaryMethod::kRobust
-                              ? Text::tr("two one-sided tests, analysis of covariance, HC3")
-                              : Text::tr("two one-sided tests, analysis of covariance"));
+                          Text::tr("two one-sided tests, %1", primaryMethodText(study)));
   table.columns = {Text::tr("Comparison"), Text::tr("Difference [90 %, not adjusted]"),
                    Text::tr("p (of equality)"), Text::tr("Equal within %1 points (5 %)", margin.words())};
   table.provenance.n = resultsAtEnd(ledger).count(study.mixed ? "mixed_model_marks" : "trainees_compared");

@@ -68,6 +68,19 @@ Text planText(const CohortInputs& in) {
                    "of the score at the end on the score before.");
 }
 
+/// Says how the centre enters the comparison of several centres.
+Text withCentre(const StudyAnalysis& study) {
+  return study.sites->term == SiteTerm::kFixed
+             ? Text::tr(
+                   "Used: the same with the centre as a fixed factor, as the data are those of %1 centres "
+                   "(fewer than %2).",
+                   study.sites->sites.size(), kMinRandomSites)
+             : Text::tr(
+                   "Used: the same with the centre as a random effect, as the data are those of %1 "
+                   "centres (%2 or more).",
+                   study.sites->sites.size(), kMinRandomSites);
+}
+
 }  // namespace
 
 ReportParagraph ratersOfSomeGroupsSentence(const CohortInputs& in, const std::vector<std::string>& codes,
@@ -106,16 +119,21 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
                            study.ancova.reason()));
     return out;
   }
+  const bool centres = study.primaryMethod() == PrimaryMethod::kCentres;
   if (study.asPlanned()) {
     const Text errors =
-        study.primaryMethod() == PrimaryMethod::kRobust
+        study.allowsForSpreads()
             ? Text::tr(
                   "Its standard errors and degrees of freedom hold for unequal spreads, too (HC3, Bell "
                   "and McCaffrey).")
+        : centres
+            ? Text::tr(
+                  "Its standard errors are those of the model, with degrees of freedom after Satterthwaite.")
             : Text::tr(
                   "Its standard errors assume that all groups spread alike: somebody is alone in a group.");
     const Text used =
-        in.hasAnalysisPlan()
+        centres ? Text::verbatim("%1 %2 %3", planText(in), withCentre(study), errors)
+        : in.hasAnalysisPlan()
             ? Text::tr(
                   "Planned and used: the analysis of covariance of the score at the end on the score "
                   "before. %1",
@@ -154,6 +172,13 @@ std::vector<ReportParagraph> plannedAndUsed(const CohortInputs& in, const StudyA
                       "occasions.",
                       planText(in), missing, study.mixed.reason(), compared.words()),
        {lost, all, compared}});
+  if (centres) {
+    out.push_back(withCentre(study));
+  } else if (study.sites) {
+    out.push_back(
+        Text::tr("The linear mixed model has no term for the centre: the comparison with the centre "
+                 "stands beside it."));
+  }
   if (const std::vector<std::string> codes = leftOutTrainees(study); !codes.empty()) {
     const ReportCell count = at("trainees_left_out");
     out.push_back({Text::tr("Left out of both, without any mark at one of the two: %1.",

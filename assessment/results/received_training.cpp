@@ -27,8 +27,8 @@ Received comparedWithPlan(const CohortGroup& group, double virtual_min, double r
     const bool elsewhere = virtual_min + real_min >= kLeastShare * (plannedVirtual + plannedReal);
     return elsewhere ? Received::kOtherGroup : Received::kTooLittle;
   }
-  if ((plannedVirtual > 0.0 && virtual_min > kMostShare * plannedVirtual) ||
-      (plannedReal > 0.0 && real_min > kMostShare * plannedReal)) {
+  if ((plannedVirtual > 0.0 && virtual_min > kMaxShare * plannedVirtual) ||
+      (plannedReal > 0.0 && real_min > kMaxShare * plannedReal)) {
     return Received::kTooMuch;
   }
   return Received::kAsPlanned;

@@ -18,15 +18,15 @@ enum class Received : std::uint8_t {
   kAsPlanned,
   kNothing,     ///< no minute of the planned training
   kTooLittle,   ///< less than kLeastShare of the planned time on simulator or real arm
-  kTooMuch,     ///< more than kMostShare of it
+  kTooMuch,     ///< more than kMaxShare of it
   kOtherGroup,  ///< time on a simulator or arm that the plan of the group does not contain
 };
 inline constexpr std::array kEveryReceived{Received::kAsPlanned, Received::kNothing, Received::kTooLittle,
                                            Received::kTooMuch, Received::kOtherGroup};
 inline constexpr double kLeastShare = 0.8;
-inline constexpr double kMostShare = 1.2;
+inline constexpr double kMaxShare = 1.2;
 /// How far training as planned may be from the plan, as a share of it.
-inline constexpr double kWithinShare = std::max(1.0 - kLeastShare, kMostShare - 1.0);
+inline constexpr double kWithinShare = std::max(1.0 - kLeastShare, kMaxShare - 1.0);
 
 /// Returns "as_planned", "nothing" ..., the word in cohort.csv.
 [[nodiscard]] std::string_view wordOf(Received received) noexcept;

@@ -416,8 +416,10 @@ ReportParagraph sitesSentence(const CohortInputs& in, const StudyAnalysis& study
                     study.sites ? study.sites->together.reason() : Text::tr("nothing is compared"));
   }
   ReportParagraph out;
+  const bool answered = study.primaryMethod() == PrimaryMethod::kCentres;
   std::vector<Text> pairs;
-  for (const AdjustedDifference& pair : study.sites->together->pairs) {
+  for (const AdjustedDifference& pair :
+       answered ? std::vector<AdjustedDifference>() : study.sites->together->pairs) {
     const ResultsAt at = resultsOfPair(ledger, pair.first, pair.second);
     const ReportCell value = at("centre_difference", fixed(1));
     const ReportCell interval = at("centre_difference_holm_95", intervalWith(1));
@@ -437,9 +439,11 @@ ReportParagraph sitesSentence(const CohortInputs& in, const StudyAnalysis& study
       }
     }
   }
-  static_cast<Text&>(out) = Text::tr(
-      "%1 With the centre in the model (%2), in points with 95 % intervals after Holm: %3. %4", pooled,
-      termOf(study.sites->term), listed(pairs, Text::tr("%1; %2")),
+  static_cast<Text&>(out) = Text::verbatim(
+      "%1 %2 %3", pooled,
+      answered ? Text::tr("The answer has the centre in its model (%1).", termOf(study.sites->term))
+               : Text::tr("With the centre in the model (%1), in points with 95 % intervals after Holm: %2.",
+                          termOf(study.sites->term), listed(pairs, Text::tr("%1; %2"))),
       vary.empty()
           ? Text::tr("That the differences vary from centre to centre was not shown; few centres can "
                      "hardly show it.")

@@ -283,7 +283,34 @@ PrimaryMethod StudyAnalysis::primaryMethod() const noexcept {
   if (!ancova) {
     return PrimaryMethod::kNone;
   }
+  if (sites && sites->together) {
+    return PrimaryMethod::kCentres;
+  }
   return ancova->spread.pairs.empty() ? PrimaryMethod::kCovariance : PrimaryMethod::kRobust;
+}
+
+bool StudyAnalysis::allowsForSpreads() const noexcept {
+  const PrimaryMethod method = primaryMethod();
+  return method == PrimaryMethod::kRobust ||
+         (method == PrimaryMethod::kCentres && sites->term == SiteTerm::kFixed);
+}
+
+Text primaryMethodText(const StudyAnalysis& study) {
+  switch (study.primaryMethod()) {
+    case PrimaryMethod::kMixed:
+      return Text::tr("linear mixed model, restricted maximum likelihood");
+    case PrimaryMethod::kRobust:
+      return Text::tr("analysis of covariance, one pooled slope, HC3");
+    case PrimaryMethod::kCovariance:
+      return Text::tr("analysis of covariance, one pooled slope");
+    case PrimaryMethod::kCentres:
+      return study.sites->term == SiteTerm::kFixed
+                 ? Text::tr("analysis of covariance with the centre as a fixed factor, one pooled slope, HC3")
+                 : Text::tr("analysis of covariance with the centre as a random effect, one pooled slope");
+    case PrimaryMethod::kNone:
+      break;
+  }
+  return {};
 }
 
 PrimaryStatistics primaryStatistics(PrimaryMethod method) noexcept {
@@ -294,6 +321,8 @@ PrimaryStatistics primaryStatistics(PrimaryMethod method) noexcept {
       return {"robust_difference", "robust_difference_holm_95", "robust_p_holm"};
     case PrimaryMethod::kCovariance:
       return {"adjusted_difference", "adjusted_difference_holm_95", "p_holm"};
+    case PrimaryMethod::kCentres:
+      return {"centre_difference", "centre_difference_holm_95", "centre_difference_p_holm"};
     case PrimaryMethod::kNone:
       break;
   }
@@ -308,7 +337,9 @@ std::vector<PrimaryDifference> primaryDifferences(const StudyAnalysis& study) {
       out.push_back({pair.first, pair.second, of.value, of.error, of.df, pair.pHolm, pair.asHolm});
     }
   } else if (study.ancova) {
-    for (const AdjustedDifference& pair : concludedPairs(*study.ancova)) {
+    const bool centres = study.primaryMethod() == PrimaryMethod::kCentres;
+    for (const AdjustedDifference& pair :
+         centres ? study.sites->together->pairs : concludedPairs(*study.ancova)) {
       out.push_back({pair.first, pair.second, pair.difference, pair.error, pair.df, pair.pHolm, pair.asHolm});
     }
   }

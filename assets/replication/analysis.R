@@ -929,6 +929,90 @@ detectable_errors <- function(df, pairs) {
   uniroot(function(errors) power(errors) - 0.8, c(0, 30), tol = 1e-13)$root
 }
 
+# Differences of groups: score after on score before, group and centre. Fixed centres: least squares, HC3. Random
+# ones: restricted maximum likelihood, degrees of freedom after Satterthwaite.
+within_centres <- function(group, site, before, after, random) {
+  group <- factor(group, levels = groups[groups %in% group])
+  site <- factor(site)
+  k <- nlevels(group)
+  if (k < 2 || nlevels(site) < 2) return(NULL)
+  x <- cbind(outer(as.integer(group), seq_len(k), "==") + 0, before - mean(before))
+  if (!random) x <- cbind(x, outer(as.integer(site), seq_len(nlevels(site))[-1], "==") + 0)
+  n <- length(after)
+  df <- n - ncol(x)
+  if (df <= 0 || qr(x)$rank < ncol(x)) return(NULL)
+  contrast <- function(i, j) {
+    weights <- numeric(ncol(x))
+    weights[c(i, j)] <- c(1, -1)
+    weights
+  }
+  pairs <- pairs_of(k)
+  if (!random) {
+    bread <- solve(crossprod(x))
+    fit <- as.vector(bread %*% crossprod(x, after))
+    rest <- as.vector(after - x %*% fit)
+    free <- diag(n) - x %*% bread %*% t(x)
+    counts <- diag(free) > 1e-9   # the others are alone at their centre
+    squares <- function(i, j) {
+      a <- numeric(n)
+      a[counts] <- as.vector(x %*% bread %*% contrast(i, j))[counts]^2 / diag(free)[counts]^2
+      a
+    }
+    error <- function(i, j) sqrt(sum(squares(i, j) * rest^2))
+    df_of <- function(i, j) {
+      a <- squares(i, j)
+      min(df, sum(a * diag(free))^2 / sum(outer(a, a) * free^2))
+    }
+    means <- setNames(fit[seq_len(k)], levels(group))
+    return(list(pairs = compare_pairs(means, error, mapply(df_of, pairs[, 1], pairs[, 2])),
+                rest = sum(rest^2) / df, between = NULL))
+  }
+  sizes <- as.vector(table(site))
+  sums <- function(m) rowsum(m, as.integer(site))
+  at <- function(ratio) {
+    shrink <- function(m) m - ((1 - 1 / sqrt(1 + sizes * ratio)) / sizes * sums(m))[as.integer(site), , drop = FALSE]
+    xs <- shrink(x)
+    ys <- shrink(cbind(after))
+    inverse <- solve(crossprod(xs))
+    fit <- as.vector(inverse %*% crossprod(xs, ys))
+    share <- 1 / (1 + ratio * sizes)
+    pulls <- share * sums(x)
+    squares <- sum((ys - xs %*% fit)^2)
+    left <- share * sums(cbind(after - x %*% fit))
+    list(fit = fit, inverse = inverse, pulls = pulls, squares = squares, by_squares = -sum(left^2),
+         by_logs = sum(sizes * share) - sum((pulls %*% inverse) * pulls),
+         criterion = df * log(squares) + as.numeric(determinant(crossprod(xs))$modulus) + sum(log1p(ratio * sizes)))
+  }
+  slope <- function(ratio) with(at(ratio), df * by_squares / squares + by_logs)
+  grid <- 0.999 * (0:40) / 40
+  grid <- grid / (1 - grid)
+  best <- which.min(sapply(grid, function(ratio) at(ratio)$criterion))
+  ratio <- 0
+  if (best > 1 || slope(0) < 0) {
+    ratio <- uniroot(slope, c(grid[max(1, best - 1)], grid[min(41, best + 1)]), tol = 1e-14, maxiter = 1e4)$root
+  }
+  state <- at(ratio)
+  rest <- state$squares / df
+  bend <- 0
+  if (ratio > 0) {
+    step <- 0.01 * ratio
+    f <- function(other) with(at(other), by_logs + by_squares / rest)
+    bend <- (8 * (f(ratio + step) - f(ratio - step)) - (f(ratio + 2 * step) - f(ratio - 2 * step))) / (12 * step)
+  }
+  mixed <- -state$by_squares / rest^2
+  determinant <- bend * df / rest^2 - mixed^2
+  own <- function(i, j) as.vector(contrast(i, j) %*% state$inverse %*% contrast(i, j))
+  df_of <- function(i, j) {
+    if (ratio == 0 || determinant <= 0) return(df)
+    by_ratio <- rest * sum((state$pulls %*% state$inverse %*% contrast(i, j))^2)
+    v <- own(i, j)
+    min(df, (rest * v)^2 * determinant / (by_ratio^2 * df / rest^2 - 2 * by_ratio * v * mixed + v^2 * bend))
+  }
+  means <- setNames(state$fit[seq_len(k)], levels(group))
+  list(pairs = compare_pairs(means, function(i, j) sqrt(rest * own(i, j)), mapply(df_of, pairs[, 1], pairs[, 2])),
+       rest = rest, between = ratio * rest)
+}
+
 if (last > 1 && nrow(marks) > 0) {
   person_marks <- function(t) {
     x <- marks_at[[t]][match(people$item, trainees), , drop = FALSE]
@@ -981,13 +1065,25 @@ if (last > 1 && nrow(marks) > 0) {
     }
   }
 
+  # ---- Comparison within the centres of a pooled record ----
+  site <- if (all(grepl("/", people$item[compared]))) sub("/.*", "", people$item)
+  names_of_sites <- if (!is.null(site)) in_order(site[compared])
+  random <- length(names_of_sites) >= 5
+  centres <- if (length(names_of_sites) > 1) {
+    within_centres(of, site[compared], before[compared], after[compared], random)
+  }
+
   # ---- The primary analysis ----
   spread_p <- if (is.null(result)) NA else brown_forsythe(residuals(result$fit), result$group)
   robust <- !is.null(result$robust)
-  primary <- if (!is.null(mixed)) mixed else if (robust) result$robust else result$pairs
+  answered <- is.null(mixed) && !is.null(result) && !is.null(centres)
+  primary <- if (!is.null(mixed)) mixed else if (answered) centres$pairs else if (robust) {
+    result$robust
+  } else result$pairs
   if (!is.null(primary)) {
-    put_comparison("primary_analysis", if (!is.null(mixed)) "linear mixed model" else if (robust)
-      "analysis of covariance, HC3" else "analysis of covariance")
+    put_comparison("primary_analysis", if (!is.null(mixed)) "linear mixed model" else if (answered) {
+      "analysis of covariance within centres"
+    } else if (robust) "analysis of covariance, HC3" else "analysis of covariance")
     usable <- primary[primary$error > 0, ]
     put_comparison("detectable_difference", usable$error * sapply(usable$df, detectable_errors,
                                                                    pairs = nrow(primary)),
@@ -1206,101 +1302,14 @@ if (any(has_notes) && !anyNA(planned_virtual) && !anyNA(planned_real)) {
 
 # ---- Comparison within the centres of a pooled record ---------------------------------------------------
 
-# Differences of groups: score after on score before, group and centre. Fixed centres: least squares, HC3. Random
-# ones: restricted maximum likelihood, degrees of freedom after Satterthwaite.
-within_centres <- function(group, site, before, after, random) {
-  group <- factor(group, levels = groups[groups %in% group])
-  site <- factor(site)
-  k <- nlevels(group)
-  if (k < 2 || nlevels(site) < 2) return(NULL)
-  x <- cbind(outer(as.integer(group), seq_len(k), "==") + 0, before - mean(before))
-  if (!random) x <- cbind(x, outer(as.integer(site), seq_len(nlevels(site))[-1], "==") + 0)
-  n <- length(after)
-  df <- n - ncol(x)
-  if (df <= 0 || qr(x)$rank < ncol(x)) return(NULL)
-  contrast <- function(i, j) {
-    weights <- numeric(ncol(x))
-    weights[c(i, j)] <- c(1, -1)
-    weights
-  }
-  pairs <- pairs_of(k)
-  if (!random) {
-    bread <- solve(crossprod(x))
-    fit <- as.vector(bread %*% crossprod(x, after))
-    rest <- as.vector(after - x %*% fit)
-    free <- diag(n) - x %*% bread %*% t(x)
-    counts <- diag(free) > 1e-9   # the others are alone at their centre
-    squares <- function(i, j) {
-      a <- numeric(n)
-      a[counts] <- as.vector(x %*% bread %*% contrast(i, j))[counts]^2 / diag(free)[counts]^2
-      a
-    }
-    error <- function(i, j) sqrt(sum(squares(i, j) * rest^2))
-    df_of <- function(i, j) {
-      a <- squares(i, j)
-      min(df, sum(a * diag(free))^2 / sum(outer(a, a) * free^2))
-    }
-    means <- setNames(fit[seq_len(k)], levels(group))
-    return(list(pairs = compare_pairs(means, error, mapply(df_of, pairs[, 1], pairs[, 2])),
-                rest = sum(rest^2) / df, between = NULL))
-  }
-  sizes <- as.vector(table(site))
-  sums <- function(m) rowsum(m, as.integer(site))
-  at <- function(ratio) {
-    shrink <- function(m) m - ((1 - 1 / sqrt(1 + sizes * ratio)) / sizes * sums(m))[as.integer(site), , drop = FALSE]
-    xs <- shrink(x)
-    ys <- shrink(cbind(after))
-    inverse <- solve(crossprod(xs))
-    fit <- as.vector(inverse %*% crossprod(xs, ys))
-    share <- 1 / (1 + ratio * sizes)
-    pulls <- share * sums(x)
-    squares <- sum((ys - xs %*% fit)^2)
-    left <- share * sums(cbind(after - x %*% fit))
-    list(fit = fit, inverse = inverse, pulls = pulls, squares = squares, by_squares = -sum(left^2),
-         by_logs = sum(sizes * share) - sum((pulls %*% inverse) * pulls),
-         criterion = df * log(squares) + as.numeric(determinant(crossprod(xs))$modulus) + sum(log1p(ratio * sizes)))
-  }
-  slope <- function(ratio) with(at(ratio), df * by_squares / squares + by_logs)
-  grid <- 0.999 * (0:40) / 40
-  grid <- grid / (1 - grid)
-  best <- which.min(sapply(grid, function(ratio) at(ratio)$criterion))
-  ratio <- 0
-  if (best > 1 || slope(0) < 0) {
-    ratio <- uniroot(slope, c(grid[max(1, best - 1)], grid[min(41, best + 1)]), tol = 1e-14, maxiter = 1e4)$root
-  }
-  state <- at(ratio)
-  rest <- state$squares / df
-  bend <- 0
-  if (ratio > 0) {
-    step <- 0.01 * ratio
-    f <- function(other) with(at(other), by_logs + by_squares / rest)
-    bend <- (8 * (f(ratio + step) - f(ratio - step)) - (f(ratio + 2 * step) - f(ratio - 2 * step))) / (12 * step)
-  }
-  mixed <- -state$by_squares / rest^2
-  determinant <- bend * df / rest^2 - mixed^2
-  own <- function(i, j) as.vector(contrast(i, j) %*% state$inverse %*% contrast(i, j))
-  df_of <- function(i, j) {
-    if (ratio == 0 || determinant <= 0) return(df)
-    by_ratio <- rest * sum((state$pulls %*% state$inverse %*% contrast(i, j))^2)
-    v <- own(i, j)
-    min(df, (rest * v)^2 * determinant / (by_ratio^2 * df / rest^2 - 2 * by_ratio * v * mixed + v^2 * bend))
-  }
-  means <- setNames(state$fit[seq_len(k)], levels(group))
-  list(pairs = compare_pairs(means, function(i, j) sqrt(rest * own(i, j)), mapply(df_of, pairs[, 1], pairs[, 2])),
-       rest = rest, between = ratio * rest)
-}
-
-if (last > 1 && nrow(marks) > 0 && all(grepl("/", people$item[compared]))) {
-  site <- sub("/.*", "", people$item)
+if (last > 1 && nrow(marks) > 0 && !is.null(site)) {
   of <- people$group[compared]
   at_site <- site[compared]
   b <- before[compared]
   a <- after[compared]
-  names_of_sites <- in_order(at_site)
   if (length(names_of_sites) > 1) {
-    random <- length(names_of_sites) >= 5
     put_comparison("centres_compared", length(names_of_sites))
-    found <- within_centres(of, at_site, b, a, random)
+    found <- centres
     if (!is.null(found)) {
       put_comparison("centre_variance_of_rest", found$rest)
       if (random) put_comparison("centre_variance_of_centres", found$between)

@@ -67,11 +67,29 @@ TEST(SiteReport, CentresAreFixedBelowFiveAndRandomFromThere) {
     ASSERT_NE(flow, nullptr);
     EXPECT_EQ(flow->rows.size(), 3U * sites);
     EXPECT_THAT(testing::firstPageOf(report), HasSubstr("centres were pooled (C1, C2"));
-    EXPECT_THAT(testing::firstPageOf(report), HasSubstr("With the centre in the model ("));
+    EXPECT_THAT(testing::firstPageOf(report), HasSubstr("The answer has the centre in its model ("));
     EXPECT_THAT(testing::firstPageOf(report), Not(HasSubstr("No analysis takes account")));
     EXPECT_EQ(rowsNamed(in, "difference_without_centre").size(), sites > 2 ? 3U * sites : 0U)
         << "one centre alone is no comparison within centres";
     testing::expectWellSaid(in);
+  }
+}
+
+TEST(SiteReport, TheAnswerHasTheCentreInItsModel) {
+  for (const std::size_t sites : {2U, 5U}) {
+    const CohortInputs in = pooled(sites);
+    const ReportModel report = cohortReport(in);
+    const ReportFigure* answer = testing::figureNamed(report, "figure-answer");
+    ASSERT_NE(answer, nullptr);
+    ASSERT_EQ(answer->series.at(0).keys.size(), 3U);
+    for (const auto& key : answer->series[0].keys) {
+      EXPECT_EQ(key->statistic, "centre_difference");
+    }
+    EXPECT_THAT(answer->provenance.formula.str(),
+                HasSubstr(sites < 5 ? "the centre as a fixed factor" : "the centre as a random effect"));
+    EXPECT_EQ(rowsNamed(in, "primary_analysis").at(0).value, "analysis of covariance within centres");
+    const auto difference = rowsNamed(in, "centre_difference");
+    EXPECT_NEAR(std::stod(difference.at(0).value), answer->series[0].y.at(0).value(), 1e-12);
   }
 }
 
