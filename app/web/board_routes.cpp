@@ -60,6 +60,7 @@ HttpResponse answerBoard(Call& call) {
             {"left_us", row.progress.left_us},
             {"station", row.runningTrialId.empty() ? "" : row.station},
             {"occasion", said(call, Text(row.occasionDue.label))},
+            {"sheets", said(call, sheetsText(row))},
             {"sheets_missing", row.allSheetsMissing()},
             {"deviations", row.deviations},
             {"planned_utc_us", row.slot ? json(row.slot->startsUtc_us) : json(nullptr)},

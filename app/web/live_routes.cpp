@@ -80,7 +80,9 @@ json callsJson(Call& call, const CohortId& cohortId) {
             {"room", one.call.room},
             {"asked", one.asked},
             {"submitted", one.submitted},
-            {"missing", one.missing}};
+            {"missing", one.missing.size()},
+            {"missing_text", said(call, missingText(one, missingCodes(one)))},
+            {"may_cancel", one.mayCancel}};
   });
   return {{"calls", std::move(calls)}};
 }

@@ -84,9 +84,9 @@ bool KnownBrowsers::knows(const std::string& cookie, const std::string& login) c
 }
 
 std::string KnownBrowsers::cookieAfter(const std::string& before, const std::string& login) const {
-  constexpr std::size_t kMostMarks = 12;  // people who share a browser
+  constexpr std::size_t kMaxMarks = 12;  // people who share a browser
   const std::string mark = markOf(login);
-  const std::size_t most = (kMostMarks - 1) * mark.size();
+  const std::size_t most = (kMaxMarks - 1) * mark.size();
   const bool ours = before.find_first_not_of("0123456789abcdef") == std::string::npos;
   return knows(before, login) ? before : mark + (ours ? before.substr(0, most) : std::string());
 }

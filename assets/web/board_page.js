@@ -109,7 +109,7 @@ export class BoardPage {
         [t('Trainee'), t('Group'), t('Now at'), t('Time left'), t('Scoring due'), t('Sheets missing'), t('Deviations'), t('Planned')],
         rows.map((row) => h('tr', {}, h('th', { scope: 'row' }, row.trainee), h('td', {}, row.group || '\u2013'), h('td', {}, state(row)),
           h('td', {}, row.done || row.left_us === 0 ? '' : clockTime(row.left_us)), h('td', {}, row.occasion),
-          h('td', { class: row.sheets_missing > 0 ? 'caution' : '' }, figure(row.sheets_missing)), h('td', {}, figure(row.deviations)),
+          h('td', { class: row.sheets_missing > 0 ? 'caution' : '' }, row.sheets || '\u2013'), h('td', {}, figure(row.deviations)),
           h('td', { class: row.overdue ? 'caution' : '' }, row.planned_utc_us === null ? '' : dayText(row.planned_utc_us)))))),
       h('section', { class: 'card wide-table', tabindex: '0' }, h('h2', {}, t('Stations')), table(
         [t('Station'), t('Trainee'), t('Last seen')],

@@ -85,7 +85,7 @@ export class CallPanel {
     this.shown = now;
     this.list.replaceChildren(...calls.map((one) => this.#line(one)));
     show(this.list, calls.length > 0);
-    if (!calls.some((one) => one.call === this.reminded && one.missing.length > 0)) show(this.reminder.row, false);
+    if (!calls.some((one) => one.call === this.reminded && one.missing > 0)) show(this.reminder.row, false);
     if (first) return;
     say(this.said, ''); // what was refused may be possible now
     this.onChange();
@@ -93,16 +93,13 @@ export class CallPanel {
   #line(one) {
     const called = t('case %1 · %2 · %3 · %4', one.label, one.trainee, one.occasion, one.room);
     const words = [t('%1 of %2 sheets in', figure(one.submitted), figure(one.asked))];
-    if (one.missing.length > 0 && (!one.open || one.submitted > 0)) {
-      const who = one.missing.join(t(', '));
-      words.push(one.open ? t('still to come: %1', who) : t('missing: %1', who));
-    }
-    const sealed = one.open && one.submitted > 0; // the server withdraws no such call
+    if (one.missing_text) words.push(one.missing_text);
+    const sealed = one.open && !one.may_cancel;
     const why = `why-${one.call}`;
     return h('li', { class: one.open ? '' : 'caution' },
       h('span', {}, h('strong', {}, one.open ? t('● Called: %1', called) : t('! Late: %1', called)), ` ${words.join('; ')}`),
       h('span', { class: 'actions' },
-        one.missing.length > 0 ? button(t('Copy reminder'), () => this.#remind(one)) : null,
+        one.missing > 0 ? button(t('Copy reminder'), () => this.#remind(one)) : null,
         one.open ? button(t('Wrong person…'), () => this.#cancel(one), { class: 'cancel-call', disabled: sealed, 'aria-describedby': sealed ? why : null }) : null,
         one.open ? button(t('End call'), () => this.#act(one, 'end', {}), { class: 'end-call' }) : null),
       sealed ? h('p', { class: 'quiet', id: why }, t('A sheet is in: if it was the wrong person, end the call and report a deviation.')) : null);

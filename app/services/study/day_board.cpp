@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "app/services/devices/device_readiness.h"
@@ -146,7 +147,8 @@ struct Today {
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
   SheetCounts sheets;
-  std::map<std::string, std::set<std::string>> called;  ///< occasion codes
+  std::map<std::string, std::set<std::string>> called;  ///< codes of occasions with an ended call
+  std::map<std::string, std::set<std::string>> open;    ///< codes of occasions with an open call
 };
 
 Today readToday(SessionContext& session, const CohortId& cohortId) {
@@ -165,7 +167,7 @@ Today readToday(SessionContext& session, const CohortId& cohortId) {
     std::int64_t& seen_us = today.seen[call.enrolmentId];
     seen_us = std::max(seen_us, call.cancelled ? 0 : call.calledUtc_us);
     if (!call.cancelled) {
-      today.called[call.enrolmentId].insert(call.occasionCode);
+      (call.endedUtc_us ? today.called : today.open)[call.enrolmentId].insert(call.occasionCode);
     }
   }
   today.slots = SlotRepository(session.connection())
@@ -186,11 +188,15 @@ Today readToday(SessionContext& session, const CohortId& cohortId) {
 
 /// In the order of `occasions`.
 void fillSheets(DayBoardRow& row, const Occasions& occasions, Today& today) {
-  row.sheetsMissing = today.sheets[{row.enrolmentId, row.occasionDue.code}].missing;
   const std::set<std::string>& called = today.called[row.enrolmentId];
+  const std::set<std::string>& open = today.open[row.enrolmentId];
   for (const Occasion& occasion : occasions) {
     const std::size_t missing = today.sheets[{row.enrolmentId, occasion.code}].missing;
-    if (missing > 0 && occasion.code != row.occasionDue.code && called.contains(occasion.code)) {
+    if (open.contains(occasion.code)) {
+      row.sheetsToCome += missing;
+    } else if (occasion.code == row.occasionDue.code) {
+      row.sheetsMissing = missing;
+    } else if (missing > 0 && called.contains(occasion.code)) {
       row.calledSheets.push_back({occasion, missing});
     }
   }
@@ -204,6 +210,15 @@ std::size_t DayBoardRow::allSheetsMissing() const noexcept {
     missing += one.missing;
   }
   return missing;
+}
+
+Text sheetsText(const DayBoardRow& row) {
+  const std::size_t missing = row.allSheetsMissing();
+  if (row.sheetsToCome == 0) {
+    return missing == 0 ? Text() : Text(std::to_string(missing));
+  }
+  return missing == 0 ? Text::tr("%1 to come", row.sheetsToCome)
+                      : Text::tr("%1, %2 to come", missing, row.sheetsToCome);
 }
 
 DayBoard dayBoard(SessionContext& session, const CohortId& cohortId) {
@@ -310,7 +325,7 @@ std::vector<DayAlert> dayAlerts(const DayBoard& board) {
   std::stable_partition(alerts.begin(), alerts.end(),
                         [](const DayAlert& alert) { return alert.kind == Kind::kTrialOpen; });
   std::size_t withoutGroup = 0;
-  std::map<std::string, DayAlert> sheets;  // by occasion code
+  std::map<std::size_t, DayAlert> sheets;  // by the occasion's position
   for (const DayBoardRow& row : board.rows) {
     if (row.state == EnrolmentState::kWithdrawn) {
       continue;
@@ -318,9 +333,10 @@ std::vector<DayAlert> dayAlerts(const DayBoard& board) {
     if (row.groupCode.empty()) {
       ++withoutGroup;
     }
-    const auto missing = [&sheets](const Occasion& occasion, std::size_t count) {
+    const auto missing = [&](const Occasion& occasion, std::size_t count) {
       const auto [alert, isNew] =
-          sheets.try_emplace(occasion.code, DayAlert{.kind = Kind::kSheetsMissing, .occasion = occasion});
+          sheets.try_emplace(board.occasions.positionOf(occasion.code).value_or(board.occasions.size()),
+                             DayAlert{.kind = Kind::kSheetsMissing, .occasion = occasion});
       alert->second.count += count;
     };
     if (row.sheetsMissing > 0) {
@@ -339,7 +355,7 @@ std::vector<DayAlert> dayAlerts(const DayBoard& board) {
       alerts.push_back({.kind = Kind::kRestTooLong, .subject = row.traineeCode});
     }
   }
-  for (const auto& [code, alert] : sheets) {
+  for (const auto& [position, alert] : sheets) {
     alerts.push_back(alert);
   }
   if (withoutGroup > 0) {

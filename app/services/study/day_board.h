@@ -60,7 +60,8 @@ struct DayBoardRow {
   std::vector<ExposureKind> unplanned{};       ///< kinds of time that the arm does not plan (isPlanned())
   Occasion occasionDue{};                      ///< latest one reached; if there are several, the first one
                                                ///< with missing sheets; without a code: none
-  std::size_t sheetsMissing = 0;               ///< at that occasion
+  std::size_t sheetsMissing = 0;               ///< at that occasion, unless its call is open
+  std::size_t sheetsToCome = 0;                ///< of an open call: they are being scored
   std::vector<OccasionSheets> calledSheets{};  ///< at other occasions that the trainee was called for
   TrialId runningTrialId{};                    ///< empty: none
   std::string station{};                       ///< of the running trial
@@ -70,7 +71,7 @@ struct DayBoardRow {
   bool overdue = false;           ///< the slot has begun, but the trainee has not
 
   [[nodiscard]] std::int64_t trained_us() const noexcept { return progress.virtual_us + progress.real_us; }
-  /// Counts the occasion due and all that the trainee was called for.
+  /// Counts the occasion due and all that the trainee was called for; not those of an open call.
   [[nodiscard]] std::size_t allSheetsMissing() const noexcept;
 };
 
@@ -104,7 +105,7 @@ struct DayAlert {
   Text remedy{};  ///< remedy for the run
 };
 /// Most urgent first. Alerts that concern no single person are merged: missing groups, missing sheets by
-/// occasion.
+/// occasion, in the order of occasions.
 [[nodiscard]] std::vector<DayAlert> dayAlerts(const DayBoard& board);
 
 /// Swaps the turns of two trainees today, and their slots if both have one; their groups do not change.
@@ -115,6 +116,9 @@ void swapTurns(SessionContext& session, const CohortId& cohortId, const Enrolmen
 
 /// Returns today's overview. kStudySetup.
 [[nodiscard]] DayBoard dayBoard(SessionContext& session, const CohortId& cohortId);
+
+/// Describes the sheets of a row: "2", "3 to come", "2, 3 to come"; empty: none.
+[[nodiscard]] Text sheetsText(const DayBoardRow& row);
 
 /// Describes an alert of the day in one sentence, the same everywhere. `since` and `occasion`: formatted by
 /// the caller.

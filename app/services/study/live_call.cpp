@@ -67,6 +67,10 @@ struct LiveSheets {
   std::size_t submitted = 0;
   std::int64_t newestMark_us = 0;
   std::vector<RaterId> missing;
+
+  [[nodiscard]] bool isSealedSince(const LiveCall& call) const noexcept {
+    return newestMark_us >= call.calledUtc_us;
+  }
 };
 using SheetsOfCases = std::map<std::pair<EnrolmentId, std::string>, LiveSheets>;
 
@@ -239,7 +243,7 @@ void cancelCall(SessionContext& session, const CohortId& cohortId, const LiveCal
   const LiveCall call = openCall(session, cohortId, callId);
   const SheetsOfCases cases = liveSheets(session, cohortId);
   const auto sheets = cases.find({call.enrolmentId, call.occasionCode});
-  if (sheets != cases.end() && sheets->second.newestMark_us >= call.calledUtc_us) {
+  if (sheets != cases.end() && sheets->second.isSealedSince(call)) {
     refuse(Text::tr("a sheet of this call is submitted already"), sheets->second.caseLabel,
            Text::tr("End the call and report a deviation"));
   }
@@ -283,7 +287,8 @@ std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& coh
                    .traineeCode = codes[key.first],
                    .occasion = occasions.named(key.second),
                    .asked = known.asked,
-                   .submitted = known.submitted};
+                   .submitted = known.submitted,
+                   .mayCancel = !call.endedUtc_us && !known.isSealedSince(call)};
     for (const RaterId& rater : known.missing) {
       one.missing.push_back(raters[rater]);
     }
@@ -297,12 +302,24 @@ std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& coh
   return all;
 }
 
-Text reminderText(const CalledCase& called) {
+std::string missingCodes(const CalledCase& called) {
   std::string codes;
   for (const std::string& code : called.missing) {
     codes += (codes.empty() ? "" : ", ") + code;
   }
-  return Text::tr("Please submit your sheet of case %1 in Torsio (Live sheet): %2", called.caseLabel, codes);
+  return codes;
+}
+
+Text missingText(const CalledCase& called, const std::string& codes) {
+  if (called.call.endedUtc_us) {
+    return called.missing.empty() ? Text() : Text::tr("missing: %1", codes);
+  }
+  return called.missing.empty() || called.submitted == 0 ? Text() : Text::tr("still to come: %1", codes);
+}
+
+Text reminderText(const CalledCase& called) {
+  return Text::tr("Please submit your sheet of case %1 in Torsio (Live sheet): %2", called.caseLabel,
+                  missingCodes(called));
 }
 
 void noteCopiedReminder(SessionContext& session, const CohortId& cohortId, const CalledCase& called) {

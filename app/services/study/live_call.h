@@ -56,7 +56,15 @@ struct CalledCase {
   std::size_t asked = 0;
   std::size_t submitted = 0;
   std::vector<std::string> missing{};  ///< codes of raters with missing sheets
+  /// The call is open and no sheet has been submitted since: cancelCall() accepts it.
+  bool mayCancel = false;
 };
+/// Returns the codes of `missing`: "R-01, R-03".
+[[nodiscard]] std::string missingCodes(const CalledCase& called);
+/// Names the raters whose sheets are missing: "still to come: R-01" while the call is open, "missing: R-01"
+/// after it. Empty if none is, or if the call is open and no sheet is in. `codes`: those raters, or
+/// the first of them.
+[[nodiscard]] Text missingText(const CalledCase& called, const std::string& codes);
 /// Returns open calls, then ended ones with missing sheets, oldest first. kStudySetup.
 [[nodiscard]] std::vector<CalledCase> calledCases(SessionContext& session, const CohortId& cohortId);
 

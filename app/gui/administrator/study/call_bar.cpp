@@ -41,10 +41,6 @@ constexpr int kRoomWidth = 160;
 constexpr std::size_t kLinesSeen = 4;  // before they scroll
 const QString kRoomKey = QStringLiteral("today/room");
 
-QString joined(const std::vector<std::string>& codes) {
-  return listOf(codes).join(QStringLiteral(", "));
-}
-
 }  // namespace
 
 CallBar::CallBar(ShellContext& shell, QWidget* parent)
@@ -162,15 +158,15 @@ void CallBar::call(const EnrolmentId& enrolmentId) {
   attempt(shell_, [&] { orSayWhyNot(act); });
 }
 
-QString CallBar::lineText(const CalledCase& called, const QString& missing) const {
+QString CallBar::lineText(const CalledCase& called, const QString& codes) const {
   const QString who = tr("case %1 \u00B7 %2 \u00B7 %3 \u00B7 %4")
                           .arg(toQString(called.caseLabel), toQString(called.traineeCode),
                                occasionName(called.occasion), toQString(Text(called.call.room)));
   QString text = (called.call.endedUtc_us ? tr("! Late: %1") : tr("\u25CF Called: %1")).arg(who);
   text +=
       tr(": ") + tr("%1 of %n sheet(s) in", nullptr, static_cast<int>(called.asked)).arg(called.submitted);
-  if (!missing.isEmpty()) {
-    text += tr("; ") + tr("missing: %1").arg(missing);
+  if (const Text missing = missingText(called, codes.toStdString()); !missing.empty()) {
+    text += tr("; ") + toQString(missing);
   }
   return text;
 }
@@ -186,7 +182,7 @@ void CallBar::copyReminder(const CalledCase& called) {
 void CallBar::addLine(int row, const CalledCase& called) {
   QLabel* text = named(sentence(this, false), "calledCase");
   text->setText(lineText(called, firstFew(listOf(called.missing))));
-  text->setToolTip(lineText(called, joined(called.missing)));
+  text->setToolTip(lineText(called, toQString(missingCodes(called))));
   setLook(text, "caution", called.call.endedUtc_us.has_value());
   auto* copy = new QPushButton(tr("Copy reminder"), this);
   copy->setVisible(!called.missing.empty());
@@ -212,6 +208,11 @@ void CallBar::addLine(int row, const CalledCase& called) {
   });
   const bool open = !called.call.endedUtc_us;
   wrong->setVisible(open);
+  wrong->setEnabled(called.mayCancel);
+  wrong->setToolTip(called.mayCancel
+                        ? QString()
+                        : tr("A sheet is in: if it was the wrong person, end the call and report "
+                             "a deviation."));
   end->setVisible(open);
   int column = 0;
   for (QWidget* part : {static_cast<QWidget*>(text), static_cast<QWidget*>(copy),
@@ -224,7 +225,7 @@ void CallBar::addLine(int row, const CalledCase& called) {
 void CallBar::showCalls(const std::vector<CalledCase>& calls) {
   QStringList lines;
   for (const CalledCase& called : calls) {
-    lines << toQString(called.call.id) + lineText(called, joined(called.missing));
+    lines << toQString(called.call.id) + lineText(called, toQString(missingCodes(called)));
   }
   if (lines == lineTexts_) {
     return;  // buttons are not rebuilt under a finger

@@ -46,7 +46,7 @@ class CallBar : public QWidget {
   void orSayWhyNot(const std::function<void()>& act);
   void copyReminder(const CalledCase& called);
   void addLine(int row, const CalledCase& called);
-  [[nodiscard]] QString lineText(const CalledCase& called, const QString& missing) const;
+  [[nodiscard]] QString lineText(const CalledCase& called, const QString& codes) const;
   /// Shows one line, or up to kLinesSeen when unfolded.
   void fold();
 

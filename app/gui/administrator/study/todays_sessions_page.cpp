@@ -244,7 +244,8 @@ Cell TodaysSessionsPage::sheetsCell(const DayBoardRow& row) const {
   for (const OccasionSheets& one : row.calledSheets) {
     called << tr("Called for %1, sheets missing: %2").arg(occasionName(one.occasion)).arg(one.missing);
   }
-  return {missing == 0 ? QStringLiteral("\u2013") : QString::number(missing), static_cast<qlonglong>(missing),
+  const Text sheets = sheetsText(row);
+  return {sheets.empty() ? QStringLiteral("\u2013") : toQString(sheets), static_cast<qlonglong>(missing),
           called.join(QLatin1Char('\n'))};
 }
 

@@ -101,8 +101,8 @@ TEST_F(CallsFromTheBoard, AScannedCodeCallsATraineeAndTheLineShowsWhoIsMissing) 
   ASSERT_EQ(lines().size(), 1);
   EXPECT_TRUE(lines()[0].contains(QStringLiteral("T-02")));
   EXPECT_TRUE(lines()[0].contains(QStringLiteral("Skills lab")));
-  EXPECT_TRUE(lines()[0].contains(QStringLiteral("0 of 2 sheet(s) in; missing: R-01, R-02")))
-      << lines()[0].toStdString();
+  EXPECT_TRUE(lines()[0].endsWith(QStringLiteral("0 of 2 sheet(s) in")))
+      << "none is missing yet: " << lines()[0].toStdString();
   EXPECT_TRUE(child<QLineEdit>(*page_, "callCode").text().isEmpty()) << "ready for the next scan";
   press(*page_, QStringLiteral("Copy reminder"));
   EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("R-01, R-02")));
@@ -404,7 +404,7 @@ TEST_F(CallsFromTheBoard, IncomingSheetsAppearWithoutInteraction) {
   constexpr int kPatience_ms = 30'000;
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
-        return lines().join(QChar(u'\n')).contains(QStringLiteral("1 of 2 sheet(s) in; missing: R-02"));
+        return lines().join(QChar(u'\n')).contains(QStringLiteral("1 of 2 sheet(s) in; still to come: R-02"));
       },
       kPatience_ms))
       << lines().join(QChar(u'\n')).toStdString();

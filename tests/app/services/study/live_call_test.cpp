@@ -212,9 +212,16 @@ TEST_F(LiveDay, ACallOfTheWrongPersonCanBeCancelledUntilSomebodySubmits) {
   callTrainee(office(), request(0));
   EXPECT_EQ(openSheet(centre.asRater(chiefs[1]), id).sheet.overall_steps, 50) << "what was typed is kept";
   score(0, 0, "pre");
-  const LiveCallId again = calledCases(office(), cohort).at(0).call.id;
-  EXPECT_NE(refusal([&] { cancelCall(office(), cohort, again, "slip"); }).find("submitted already"),
+  const CalledCase again = calledCases(office(), cohort).at(0);
+  EXPECT_FALSE(again.mayCancel);
+  EXPECT_NE(refusal([&] { cancelCall(office(), cohort, again.call.id, "slip"); }).find("submitted already"),
             std::string::npos);
+  endCall(office(), cohort, again.call.id);
+
+  const LiveCallId third = callTrainee(office(), request(0));
+
+  EXPECT_TRUE(calledCases(office(), cohort).at(0).mayCancel) << "the sheet is of the call before";
+  EXPECT_NO_THROW(cancelCall(office(), cohort, third, "slip"));
 }
 
 TEST_F(LiveDay, FindsAPersonByAScannedCode) {
@@ -341,19 +348,31 @@ TEST_F(LiveDay, RemindersNameTheMissingCasesOfAssignedRatersOnly) {
 
 TEST_F(LiveDay, TheBoardCountsTheSheetsOfEveryOccasionWithACall) {
   train(0, 20);
-  callTrainee(office(), request(0, "mid"));
+  const LiveCallId mid = callTrainee(office(), request(0, "mid"));
   score(0, 0, "mid");
-  callTrainee(office(), request(1, "post", "is away on the last day", "room 2"));  // no training yet
+  const LiveCallId early =
+      callTrainee(office(), request(1, "post", "is away on the last day", "room 2"));  // no training yet
   const LiveCallId wrong = callTrainee(office(), request(2, "post", "is away too", "room 3"));
   cancelCall(office(), cohort, wrong, "somebody else stood there");
 
-  const DayBoard board = dayBoard(office(), cohort);
+  DayBoard board = dayBoard(office(), cohort);
   const auto row = [&](std::size_t trainee) {
     return *std::find_if(board.rows.begin(), board.rows.end(),
                          [&](const DayBoardRow& r) { return r.enrolmentId == enrolled[trainee]; });
   };
 
+  EXPECT_EQ(row(0).allSheetsMissing(), 0U) << "who is at the arm is being scored";
+  EXPECT_EQ(row(0).sheetsToCome, 2U);
+  EXPECT_EQ(sheetsText(row(0)).str(), "2 to come");
+  EXPECT_TRUE(row(1).calledSheets.empty());
+  EXPECT_EQ(sheetsText(row(1)).str(), "3, 3 to come");
+
+  endCall(office(), cohort, mid);
+  endCall(office(), cohort, early);
+  board = dayBoard(office(), cohort);
+
   EXPECT_EQ(row(0).allSheetsMissing(), 2U) << "of the occasion that is due, once";
+  EXPECT_EQ(sheetsText(row(0)).str(), "2");
   EXPECT_TRUE(row(0).calledSheets.empty());
   EXPECT_EQ(row(1).allSheetsMissing() - row(1).sheetsMissing, 3U);
   ASSERT_EQ(row(1).calledSheets.size(), 1U);
