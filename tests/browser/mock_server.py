@@ -291,23 +291,30 @@ class Desk:
     def call_trainee(self, label, open_=True):
         """A call as the administrator's board shows it: ten sheets, none is in."""
         self.calls.append({"call": label, "open": open_, "label": label, "trainee": "TR-4100", "occasion": "before", "room": "Skills lab",
-                           "asked": 10, "submitted": 0, "missing": [f"P{number}" for number in range(10)]})
+                           "asked": 10, "submitted": 0, "raters": [f"P{number}" for number in range(10)]})
 
     def sheet_arrives(self):
         """Of the newest call."""
         self.calls[-1]["submitted"] += 1
-        self.calls[-1]["missing"].pop(0)
+        self.calls[-1]["raters"].pop(0)
         self.missing -= 1
+
+    @staticmethod
+    def call_line(one):
+        open_, codes = one["open"], ", ".join(one["raters"])
+        waiting = "" if open_ and one["submitted"] == 0 else f"still to come: {codes}" if open_ else f"missing: {codes}"
+        shown = {name: value for name, value in one.items() if name != "raters"}
+        return {**shown, "missing": len(one["raters"]), "missing_text": waiting, "may_cancel": open_ and one["submitted"] == 0}
 
     def board(self, _body, _who):
         row = {"trainee": "TR-4100", "group": "", "phase": "", "done": False, "withdrawn": False, "left_us": 0, "station": "",
-               "occasion": "before", "sheets_missing": self.missing, "deviations": 0, "planned_utc_us": None, "overdue": False}
+               "occasion": "before", "sheets": str(self.missing), "sheets_missing": self.missing, "deviations": 0, "planned_utc_us": None, "overdue": False}
         return {"name": "Spring", "occasions": [{"code": "pre", "label": "before"}], "alerts": [], "rows": [row], "stations": []}
 
     ROUTES = [
         ("GET", r"/api/cohorts", True, lambda _self, _body, _who: {"cohorts": [{"cohort": "k1", "name": "Spring"}], "first": 0}),
         ("GET", r"/api/cohorts/k1/board", True, board),
-        ("GET", r"/api/cohorts/k1/calls", True, lambda self, _body, _who: {"calls": self.calls}),
+        ("GET", r"/api/cohorts/k1/calls", True, lambda self, _body, _who: {"calls": [self.call_line(one) for one in self.calls]}),
         ("POST", r"/api/cohorts/k1/calls/4B/remind", True, lambda _self, _body, _who: {"text": "Please submit your sheet of case 4B"}),
         ("GET", r"/api/invitations", True, lambda _self, _body, _who: {"people": [], "waiting": [], "mail": False}),
         ("POST", r"/api/sign-in", False, sign_in),

@@ -761,9 +761,8 @@ def test_everything_fits_a_low_window(browser, url, desk):
     open_case(browser, url)
     desk.call("c4")
     browser.there(".traces")
-    bars = 0 if type(browser) is Browser else browser.run("return outerHeight - innerHeight")
     for width, height in ((1366, 625), (1024, 600)):
-        browser.resize(width, height + bars)
+        browser.resize(width, height)
         browser.until("all is in sight", lambda: not out_of_sight(browser, ".play", ".traces", ".last-rows .row", ".submit"))
     browser.run("location.hash = '#live'")
     browser.says(".live-sheet", "Case 4B")
@@ -774,7 +773,7 @@ def test_everything_fits_a_low_window(browser, url, desk):
     gap = browser.run("const rows = document.querySelector('.rows').lastElementChild.getBoundingClientRect();"
                       "return document.querySelector('.last-rows').getBoundingClientRect().top - rows.bottom")
     check(f"no void before the overall mark: {gap}", gap < 60)
-    browser.resize(320, 640)  # 450 pixels wide in Firefox
+    browser.resize(320, 640)
     browser.run("location.hash = '#'")
     browser.there(".cases")
     tall = browser.run("return document.querySelector('.top').getBoundingClientRect().height")

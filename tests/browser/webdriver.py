@@ -174,7 +174,7 @@ class Firefox(Browser):
         with open(f"{self.profile.name}/user.js", "w") as file:
             file.writelines(f"user_pref({json.dumps(name)}, {json.dumps(value)});\n" for name, value in preferences.items())
         self.driver = subprocess.Popen(
-            [self.program or "firefox-esr", "--marionette", "--no-remote", "--profile", self.profile.name, "about:blank"],
+            [self.program or "firefox-esr", "--marionette", "--remote-allow-system-access", "--no-remote", "--profile", self.profile.name, "about:blank"],
             env={**os.environ, "DISPLAY": display, "HOME": self.profile.name, "MOZ_CRASHREPORTER_DISABLE": "1"},
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.number = 0
@@ -210,9 +210,9 @@ class Firefox(Browser):
             length += self.bytes.read(1)
         return json.loads(self.bytes.read(int(length[:-1])))
 
-    def order(self, command, parameters):
+    def order(self, command, parameters, of="WebDriver"):
         self.number += 1
-        text = json.dumps([0, self.number, f"WebDriver:{command}", parameters]).encode()
+        text = json.dumps([0, self.number, f"{of}:{command}", parameters]).encode()
         self.socket.sendall(str(len(text)).encode() + b":" + text)
         _, _, error, result = self.receive()
         if error:
@@ -225,8 +225,16 @@ class Firefox(Browser):
         return self.order(self.COMMANDS[path], {"full": False} if path == "/screenshot" else body or {})
 
     def resize(self, width, height):
-        """The window's minimum width is about 450 pixels."""
-        self.order("SetWindowRect", {"x": 0, "y": 0, "width": width, "height": height})
+        """Below its window's minimum width the page is enlarged: it has as many pixels of its own."""
+        zoom = 1 if width >= 500 else 2
+        self.order("SetContext", {"value": "chrome"}, of="Marionette")
+        self.order("ExecuteScript", {"script": "window.gBrowser.selectedBrowser.fullZoom = arguments[0]", "args": [zoom]})
+        self.order("SetContext", {"value": "content"}, of="Marionette")
+        window = [width * zoom, height * zoom]
+        for _ in range(3):  # the second time without the window's own bars
+            self.order("SetWindowRect", {"x": 0, "y": 0, "width": window[0], "height": window[1]})
+            page = self.run("return [innerWidth, innerHeight]")
+            window = [round(window[i] + zoom * (want - page[i])) for i, want in enumerate((width, height))]
 
     def faults(self):
         return []  # Marionette has no access to the console
