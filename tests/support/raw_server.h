@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <arpa/inet.h>
 #include <atomic>
 #include <chrono>
@@ -53,7 +54,22 @@ class RawServer {
     }
     /// Returns what the guest says up to `end`, included; less once the guest has left or the server ends.
     std::string hear(const std::string& end) {
-      while (!stop_ && heard_.find(end) == std::string::npos) {
+      while (heard_.find(end) == std::string::npos && hearMore()) {
+      }
+      const std::size_t at = heard_.find(end);
+      return taken(at == std::string::npos ? heard_.size() : at + end.size());
+    }
+    /// Returns the next `count` bytes; less once the guest has left or the server ends.
+    std::string hear(std::size_t count) {
+      while (heard_.size() < count && hearMore()) {
+      }
+      return taken(std::min(count, heard_.size()));
+    }
+
+   private:
+    /// Returns false once the guest has left or the server ends.
+    bool hearMore() {
+      while (!stop_) {
         pollfd line{socket_, POLLIN, 0};
         if (::poll(&line, 1, kLook_ms) <= 0) {
           continue;
@@ -61,18 +77,19 @@ class RawServer {
         char part[4096];
         const ssize_t count = ::recv(socket_, part, sizeof(part), 0);
         if (count <= 0) {
-          return std::exchange(heard_, {});
+          return false;
         }
         heard_.append(part, static_cast<std::size_t>(count));
+        return true;
       }
-      const std::size_t at = heard_.find(end);
-      const std::size_t size = at == std::string::npos ? heard_.size() : at + end.size();
+      return false;
+    }
+    std::string taken(std::size_t size) {
       std::string words = heard_.substr(0, size);
       heard_.erase(0, size);
       return words;
     }
 
-   private:
     int socket_;
     const std::atomic<bool>& stop_;
     std::atomic<std::int64_t>& sent_;

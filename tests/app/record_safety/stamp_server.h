@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <thread>
+
+#include "tests/support/raw_server.h"
 
 namespace torsio {
 
@@ -32,31 +33,24 @@ class StampServer {
 
   /// Makes two authorities in `folder`.
   explicit StampServer(const std::filesystem::path& folder);
-  ~StampServer();
-  StampServer(const StampServer&) = delete;
-  StampServer& operator=(const StampServer&) = delete;
 
-  [[nodiscard]] std::string address() const { return "http://127.0.0.1:" + std::to_string(port_) + "/tsr"; }
+  [[nodiscard]] std::string address() const {
+    return "http://127.0.0.1:" + std::to_string(server_.port()) + "/tsr";
+  }
   /// PEM files of the roots.
   [[nodiscard]] std::string root() const { return (folder_ / "good" / "ca.pem").string(); }
   [[nodiscard]] std::string otherRoot() const { return (folder_ / "other" / "ca.pem").string(); }
   void become(Fault fault) { fault_ = fault; }
-  [[nodiscard]] std::int64_t sent_bytes() const { return sent_; }
+  [[nodiscard]] std::int64_t sent_bytes() const { return server_.sent_bytes(); }
 
  private:
-  void serve();
-  void talk(int socket);
+  void talk(testing::RawServer::Guest& guest);
   [[nodiscard]] std::string replyTo(const std::string& query, Fault fault);
-  bool send(int socket, const std::string& bytes);
 
   std::filesystem::path folder_;
-  int listener_ = -1;
-  int port_ = 0;
   std::atomic<Fault> fault_{Fault::kNone};
-  std::atomic<bool> stop_{false};
-  std::atomic<std::int64_t> sent_{0};
   std::string first_;  // answer
-  std::thread thread_;
+  testing::RawServer server_;
 };
 
 }  // namespace torsio
